@@ -57,7 +57,9 @@ class ChannelMap:
         self, mountings: Mapping[str, Mounting], remarks: tuple[str, ...], doubts: tuple[str, ...]
     ) -> ChannelMap:
         """The same with the mountings of the sensor, by participant, and remarks on them."""
-        return replace(self, mountings=mountings, remarks=(*self.remarks, *remarks), doubts=doubts)
+        oblique = any(one.angle for one in mountings.values())
+        guessed = [text for text in self.remarks if not (oblique and text.endswith("as tangential"))]
+        return replace(self, mountings=mountings, remarks=(*guessed, *remarks), doubts=doubts)
 
     @property
     def plane(self) -> tuple[str, str]:
@@ -155,8 +157,9 @@ class ChannelMap:
 
 def _times(channels: Group, one: ScaledChannel) -> Array:
     channel = channels.channels.get(one.name)
-    if channel is not None and channel.kind == "text":
-        return seconds_of_day(np.asarray(channel).ravel().tolist(), f"channel {one.name}")
+    values = np.zeros(0) if channel is None else np.asarray(channel)
+    if values.dtype.kind in "OUS":
+        return seconds_of_day(values.ravel().tolist(), f"channel {one.name}")
     return one.factor * channels[one.name]
 
 

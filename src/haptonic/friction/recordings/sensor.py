@@ -11,11 +11,13 @@ from pydantic import AfterValidator, Field
 
 from haptonic.arrays import Array
 from haptonic.channels import Group
+from haptonic.channels.delimited import FIRST_ROW, NAMES_LINE
 from haptonic.channels.labels import factor_of
 from haptonic.errors import FrictionError, HaptonicError, nearest, shown
 from haptonic.fields import Quantity, described, handed_on, problem, setting
 from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
 from haptonic.friction.recordings.channel_names import Names, plain, split
+from haptonic.friction.recordings.titles import scale_of
 from haptonic.later import pandas as pd
 from haptonic.names import names_in
 from haptonic.paths import source
@@ -159,10 +161,17 @@ class Sensor:
             gauges = self._gauges(channels) or _guessed_gauges(channels)
             if not self.gauges:
                 remarks.append(f"the channels {', '.join(gauges)} were taken as the gauges, in this order")
-        if "time" not in scaled and self.rate is None and channels.rate is None:
-            raise no_rate()
+        scale = scale_of(channels)
+        if scale.counts != 1 and not self.force_unit:
+            remarks.append(f"a title gives {scale.counts:g} counts for a force of 1 {scale.unit or 'N'}")
+        rate = self.rate
+        if "time" not in scaled and rate is None and channels.rate is None:
+            rate = scale.rate
+            if rate is None:
+                raise no_rate()
+            remarks.append(f"the sampling rate, {rate:g} Hz, was taken from a title")
         return ChannelMap(
-            scaled=scaled, rate=self.rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
+            scaled=scaled, rate=rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
             largest_gauge=self.largest_gauge, remarks=tuple(remarks), sign_unknown=not self.normal,
             axis_unknown=not self.tangential,
         )  # fmt: skip
@@ -197,6 +206,8 @@ class Sensor:
             return names[0]
         if meaning == "across" or (not names and DIMENSION[meaning] != "N"):
             return ""
+        if not names and FIRST_ROW in channels.properties and NAMES_LINE not in channels.properties:
+            raise self._nameless(meaning, channels)
         listed = ", ".join(f'"{name}"' for name in names or channels.signals)
         others = {*guesses["time"], *guesses["position"]}
         example = (names or [*(one for one in channels.signals if one not in others), "Fz"])[0]
@@ -211,6 +222,16 @@ class Sensor:
             cause="the names do not say which it is" if names else "the channels have names of their own",
             next_step=f'name it, or give its number, in [trials.sensor], such as {meaning} = "{example}"',
         )
+
+    def _nameless(self, meaning: str, channels: Group) -> FrictionError:
+        first = ", ".join(channels.properties[FIRST_ROW])
+        return FrictionError.unknown(
+            f"channel of {WORDS[meaning]}", first, list(channels.signals),
+            "the file has no line of names: the first line of the table holds numbers", slip=False,
+            allowed=f"columns by number, from 1 to {len(channels.channels)}",
+            next_step='write normal = "4", tangential = "3" and time = "1", with the right numbers, in '
+            "[trials.sensor]",
+        )  # fmt: skip
 
     def _asked(self, meaning: str, asked: str, channels: Group) -> str:
         """The channel that the study names, or gives by its number, the first being 1.
@@ -253,9 +274,12 @@ class Sensor:
         kind = {"N": "force", "m": "position", "s": "time"}[DIMENSION[meaning]]
         unit = getattr(self, f"{kind}_unit") or channels.channels[name].unit or split(name)[1]
         factor = 1.0
+        if not unit and kind == "force":
+            scale = scale_of(channels)
+            unit, factor = scale.unit, 1 / scale.counts
         if unit:
             try:
-                factor = factor_of(unit, DIMENSION[meaning])
+                factor *= factor_of(unit, DIMENSION[meaning])
             except HaptonicError as error:
                 raise FrictionError.malformed(
                     argument=f"unit of the channel {name}",

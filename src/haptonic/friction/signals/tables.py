@@ -163,10 +163,15 @@ def _from_hdf5(path: Path) -> dict[str, Column]:
 
 
 def _from_csv(path: Path) -> dict[str, Column]:
-    """Names of people and regions, and of files, stay words, though they look like numbers."""
-    by_meaning = meanings(delimited.heads(path), path.name)
-    words = [by_meaning.get(name, name) for name in TEXTS]
-    return delimited.columns(path, [*words, *(n for n in delimited.heads(path) if plain_word(n) in UNSURE)])
+    """Names of people, regions and files stay words, though they may look like numbers."""
+    columns = delimited.columns(path, TEXTS)
+    by_meaning = meanings(columns, path.name)
+    words = {by_meaning[name] for name in TEXTS if name in by_meaning}
+    words |= {name for name in columns if plain_word(name) in UNSURE}
+    known = {name.casefold() for name in TEXTS}
+    if all(name.casefold() in known for name in words):
+        return columns
+    return delimited.columns(path, words)
 
 
 _READERS: Mapping[str, Callable[[Path], dict[str, Column]]] = {
