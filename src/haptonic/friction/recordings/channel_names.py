@@ -32,6 +32,7 @@ TIME = {
     "zeitstempel", "uhrzeit", "temps", "tiempo", "tempo", "tijd", "time of day", "date time", "datetime",
 }  # fmt: skip
 _WORD = re.compile(r"[A-ZÀ-Þ]?[a-zà-ÿ]+|[A-ZÀ-Þ]+(?![a-zà-ÿ])|[µμ]?[A-Za-zÀ-ÿ]+|\d+")
+_UNIT = re.compile(r"(?P<name>.*\w)[\s_\-.]+(?P<unit>[A-Za-z]+)")
 _FORCES = "|".join(FORCE)
 _AXIS = re.compile(rf"(?:{_FORCES})([xyz])|([xyz])(?:{_FORCES})")
 _NORMAL = re.compile(rf"(?:{_FORCES})?(?:{'|'.join(NORMAL)})(?:{_FORCES})?|fn|(?:force|kraft)n")
@@ -76,10 +77,10 @@ class Names:
 
 def split(name: str) -> tuple[list[str], str]:
     """Words of a name in small letters, and the unit that it ends with, as in "Fz_mN", or nothing."""
-    words = [word.casefold() for word in _WORD.findall(name)]
     unit = ""
-    if len(words) > 1 and words[-1] in UNITS and re.search(r"[^A-Za-z0-9]", name):
-        unit = UNITS[words.pop()]
+    if (ending := _UNIT.fullmatch(name.strip())) and ending["unit"].casefold() in UNITS:
+        name, unit = ending["name"], UNITS[ending["unit"].casefold()]
+    words = [word.casefold() for word in _WORD.findall(name)]
     return [word for word in words if word not in FILLERS] or words, unit
 
 

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.friction.signals.filters import smoothed
+from haptonic.friction.signals.measuring import FEWEST, RETURNED, rest_of
 from haptonic.friction.signals.record import Record
 
 AT_REST = 20  # that part of a record, at its start, shows the sensor without a finger
@@ -53,12 +55,17 @@ def moments(record: Record) -> Array:
     """(2, 2) mean products of the forces in the plane over the square of the normal force, without noise."""
     if record.across is None:
         return np.zeros((2, 2))
-    forces = np.array([record.tangential, record.across], dtype=float)
-    part = max(1, forces.shape[1] // AT_REST)
-    normal = np.abs(record.normal - record.normal[:part].mean())
-    if not (np.isfinite(forces).all() and np.isfinite(normal).all()) or not normal.any():
+    channels = np.array([record.normal, record.tangential, record.across], dtype=float)[:, None]
+    part = max(2, channels.shape[2] // AT_REST)
+    if channels.shape[2] <= FEWEST or not np.isfinite(channels).all():
         return np.zeros((2, 2))
-    forces = forces - forces[:, :part].mean(axis=1, keepdims=True)
+    smooth, start = smoothed(channels[0], record.rate), channels[:, :, :part].mean(axis=2)
+    departs = np.abs(smooth - start[0][:, None]).max(axis=1)
+    back = np.abs(smooth[:, -part:].mean(axis=1) - start[0]) < RETURNED * departs
+    normal, *plane = (channels - rest_of(channels, smooth, start, back, part))[:, 0]
+    forces, normal = np.array(plane), np.abs(normal)
+    if not normal.any():
+        return np.zeros((2, 2))
     pressed = normal > PRESSED * normal.max()
     rest = forces[:, :part] @ forces[:, :part].T / part
     inside = forces[:, pressed]
@@ -85,6 +92,9 @@ def own_angle(record: Record, usual: float) -> float | None:
 
 def mounting_of(records: Sequence[Record], *, sign: bool, angle: bool) -> Mounting:
     """How the sensor lay for a participant's records; ``sign`` and ``angle`` : True to look for it."""
-    departs = sum(excursion(record.normal) for record in records)
-    total = sum((moments(record) for record in records), np.zeros((2, 2)))
-    return Mounting(-1.0 if sign and departs < 0 else 1.0, angle_of(total) if angle else 0.0)
+    if not records:
+        return Mounting()
+    # medians: a stroke that was cut or slipped shows something else than the others
+    departs = float(np.median([excursion(record.normal) for record in records]))
+    products = np.median([moments(record) for record in records], axis=0)
+    return Mounting(-1.0 if sign and departs < 0 else 1.0, angle_of(products) if angle else 0.0)

@@ -10,7 +10,8 @@ import numpy as np
 from haptonic.arrays import Array, Bools
 
 RUN = 5  # equal samples in a row at an extreme
-LONGER = 3.0  # than any run of equal samples elsewhere in the stroke
+LONGER = 3.0  # than any run of equal samples elsewhere in the stroke: no chance
+PERHAPS = 1.2  # the same where other strokes have to show the same limit
 FINE = 0.5  # of the other samples that differ from each other: noise shows, so equal samples are no chance
 COUNTS = 100.0  # steps of a converter up to its limit: none has fewer
 AWAY = 0.3  # of the way from rest to the extreme: samples nearer to rest do not count
@@ -65,12 +66,12 @@ class RangeEnds:
         self.sure[rows], self.level[:, rows], self.doubtful[:, rows] = part.sure, part.level, part.doubtful
 
     def shared(self) -> Bools:
-        """(stroke,) whether a doubtful stroke stays at the extreme of all, as several others do."""
+        """(stroke,) True for a doubtful stroke that stays at the extreme of all, as several others do."""
         if not self.doubtful.any():
             return np.zeros(self.doubtful.shape[1], dtype=bool)
-        at_end = self.doubtful & (self.level == np.nanmax(self.level, axis=1, keepdims=True))
-        at_end &= at_end.sum(axis=1, keepdims=True) >= SHARING
-        return np.asarray(at_end.any(axis=0))
+        at_end = self.level == np.nanmax(self.level, axis=1, keepdims=True)
+        shared = (at_end & (self.doubtful | self.sure)).sum(axis=1, keepdims=True) >= SHARING
+        return np.asarray((at_end & self.doubtful & shared).any(axis=0))
 
 
 def stays(values: Array) -> str:
@@ -83,10 +84,10 @@ def stays(values: Array) -> str:
     at_top = starts == top
     longest = lengths[at_top].max()
     elsewhere = lengths[away & ~at_top].max(initial=1)
-    if top == rest or longest < RUN or longest <= LONGER * elsewhere:
+    if top == rest or longest < RUN or longest <= PERHAPS * elsewhere:
         return ""
     below = values[(values < top) & (np.abs(values - rest) > AWAY * abs(top - rest))]
-    if len(np.unique(below)) > FINE * len(below):
+    if len(np.unique(below)) > FINE * len(below) and longest > LONGER * elsewhere:
         return "sure"
     different = np.unique(values)
     step = float(np.diff(different).min(initial=np.inf)) if len(different) > 1 else np.inf

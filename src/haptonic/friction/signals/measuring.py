@@ -26,7 +26,8 @@ TOGETHER = 64  # strokes: their channels stay in the processor's cache
 # is lifted in the end, which leaves little of the force at the start.
 LITTLE = 0.2
 RETURNED = 0.5  # of the stroke's force: how near to the start the end has to come to be rest
-QUIET = 2.0  # times the noise at the start: an end that is no louder is rest
+QUIET = 2.0  # times the noise at the start, or
+QUIET_SHARE = 0.01  # of the stroke's force: an end that is no louder is rest
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,12 +141,12 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
     if window:
         start = channels[:2, :, :window].mean(axis=2)
         up, down = (np.abs(end(smooth[0], axis=1) - start[0]) for end in (np.max, np.min))
-        pulled = (down > np.maximum(up, rules.threshold)) & (up < rules.threshold)
+        pulled = down > np.maximum(up, rules.threshold)
         stroke, far = np.maximum(up, down), np.where(up > down, start[0] + up, start[0] - down)
         back = np.abs(channels[0, :, -window:].mean(axis=1) - start[0]) < RETURNED * stroke
         touched = np.ptp(smooth[0, :, :window], axis=1) > rules.threshold
         touched |= (stroke > rules.threshold) & ~back & (np.abs(far) < LITTLE * np.abs(start[0]))
-        forces = forces - _rest(channels[:2], smooth[0], start, back, window)
+        forces = forces - rest_of(channels[:2], smooth[0], start, back, window)
     normal, tangential = forces
     contact = normal > rules.threshold
     velocity, forwards, plateau = _motion(smooth[2:], rate, tangential, contact, rules)
@@ -161,7 +162,7 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
     )
 
 
-def _rest(forces: Array, smooth: Array, start: Array, back: Bools, window: int) -> Array:
+def rest_of(forces: Array, smooth: Array, start: Array, back: Bools, window: int) -> Array:
     """Forces (channel, stroke, sample) that the sensor shows without a finger.
 
     They are those at the start; where the record ends at rest as well, a line from the one to the other, for
@@ -174,15 +175,18 @@ def _rest(forces: Array, smooth: Array, start: Array, back: Bools, window: int) 
     """
     samples = forces.shape[2]
     rest = np.repeat(start[:, :, None], samples, axis=2)
-    if samples < 3 * window:
-        return rest
-    end = forces[:, :, -window:].mean(axis=2)
-    noise = np.ptp(smooth[:, :window], axis=1)
-    drift = end - start
-    still = np.ptp(smooth[:, -window:], axis=1) <= QUIET * noise
-    still &= back
-    place = np.clip((np.arange(samples) - 0.5 * (window - 1)) / (samples - window), 0, 1)
-    return np.asarray(rest + np.where(still[:, None], drift[:, :, None] * place, 0.0))
+    noise = np.maximum(QUIET * smooth[:, :window].std(axis=1), QUIET_SHARE * np.ptp(smooth, axis=1))
+    unsettled = back.copy()
+    for part in (window, window // 2, window // 4):
+        if part < 2 or samples < 2 * window + part:
+            continue
+        still = unsettled & (smooth[:, -part:].std(axis=1) <= noise)
+        drift = forces[:, :, -part:].mean(axis=2) - start
+        middles = 0.5 * (window - 1), samples - 0.5 * (part + 1)
+        place = np.clip((np.arange(samples) - middles[0]) / (middles[1] - middles[0]), 0, 1)
+        rest += np.where(still[:, None], drift[:, :, None] * place, 0.0)
+        unsettled &= ~still
+    return rest
 
 
 def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np.generic]], RangeEnds]:
