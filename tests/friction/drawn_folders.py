@@ -24,7 +24,10 @@ NAMES = {
     "Kraft_z": ("Kraft_x", "Kraft_y", "Kraft_z"), "Z Force": ("X Force", "Y Force", "Z Force"),
     "none": (), "strange": ("A", "B", "C"), "twice": ("Fy", "F_y", "Fz"),
 }  # fmt: skip
-FORCES = {"": 1.0, "N": 1.0, "mN": 1e3, "gf": 1 / 9.80665e-3, "lbf": 1 / 4.4482216152605, "V": 1.0, "counts": 1e6}
+FORCES = {
+    "": 1.0, "N": 1.0, "mN": 1e3, "gf": 1 / 9.80665e-3, "lbf": 1 / 4.4482216152605, "V": 1.0,
+    "counts": 1e6,
+}  # fmt: skip
 ANGLES = {"y": 0.0, "x": 90.0, "oblique": 35.0, "other": -60.0}
 REASONS = {
     "": (),
@@ -92,7 +95,9 @@ class Folder:
                 name = f"{person}-{trial}.csv"
                 spoil = self.draw["spoil"] if (person, trial) == self.spoiled else ""
                 if spoil != "no file":
-                    (folder / name).write_text(self._record((person, trial), friction, spoil), encoding="utf-8")
+                    (folder / name).write_text(
+                        self._record((person, trial), friction, spoil), encoding="utf-8"
+                    )
                 rows.append((person, 1, trial, "WG1", ("off", "on")[trial % 2], name))
         self._table(rows)
 
@@ -133,7 +138,8 @@ class Folder:
         normal = force * pressed * wander
         along = friction * normal * np.clip((taken - 0.35) / 0.05, 0, 1)
         angle = np.radians(ANGLES[draw["direction"]] + 90.0 * (draw["turned_plane"] and person == "P3"))
-        sign = {"up": 1, "down": -1, "one down": 1 - 2 * (person == "P3"), "one up": 2 * (person == "P3") - 1}
+        one = 1 - 2 * (person == "P3")
+        sign = {"up": 1, "down": -1, "one down": one, "one up": -one}
         turned = sign[draw["sign"]] * (-1 if spoil == "sign" else 1)
         axes = np.array([np.sin(angle) * along, np.cos(angle) * along, turned * normal])
         noise = max(3e-3, 0.4 * draw["step"])
@@ -193,7 +199,9 @@ class Folder:
             rows = [row for k, row in enumerate(rows) for _ in range(1 + (k % 7 == 3))]
         if spoil == "empty cell":
             rows[len(rows) // 2][-1] = ""
-        separator = {"; and comma": ";", "tab and comma": "\t", "blanks": " "}.get(draw["separator"], draw["separator"])
+        separator = {"; and comma": ";", "tab and comma": "\t", "blanks": " "}.get(
+            draw["separator"], draw["separator"]
+        )
         head = list(columns)
         if separator == " ":
             separator = "\t" if any(" " in cell or not cell for row in [head, *rows] for cell in row) else " "
@@ -262,8 +270,8 @@ def outcome(folder: Path, draw: Mapping[str, Any]) -> str:
     try:
         trials = analysed(folder, made.sensor, Rules()).trials
     except HaptonicError as error:
-        assert all(error.parts().values())
-        return "refused" if made.refused else f"fault: refused: {error.argument}: {error.given}; {error.cause}"
+        whole = made.refused and all(error.parts().values())
+        return "refused" if whole else f"fault: refused: {error.argument}: {error.given}; {error.cause}"
     found = "right"
     for row in range(trials.sizes["stroke"]):
         key = str(trials["participant"].values[row]), int(trials["trial"].values[row])

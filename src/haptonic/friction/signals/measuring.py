@@ -26,8 +26,8 @@ TOGETHER = 64  # strokes: their channels stay in the processor's cache
 # is lifted in the end, which leaves little of the force at the start.
 LITTLE = 0.2
 RETURNED = 0.5  # of the stroke's force: how near to the start the end has to come to be rest
-QUIET = 2.0  # times the noise at the start, or
-QUIET_SHARE = 0.01  # of the stroke's force: an end that is no louder is rest
+QUIET = 3.0  # times the noise at the start, or
+QUIET_SHARE = 0.03  # of the force of the stroke: an end that is no louder is rest
 
 
 @dataclass(frozen=True, eq=False)
