@@ -53,13 +53,14 @@ class Heading:
                 return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), unit)
         if is_unit(text):
             return cls(text, text, text if re.search("hz|rad/s", text, re.IGNORECASE) else "")
-        for part in ("/", ",", " in "):
-            name, _, unit = text.partition(part) if part != " in " else text.rpartition(part)
+        base, at, behind = text.partition(" @ ")
+        for part in (" in ", "/", ","):
+            name, _, unit = base.partition(part) if part != " in " else base.rpartition(part)
             if name.strip() and is_unit(unit.strip()) and not unit.strip().isdigit():
-                return cls(text, name.strip(), unit.strip())
-        found = _HERTZ.fullmatch(text)
+                return cls(text, f"{name.strip()}{at}{behind}", unit.strip())
+        found = _HERTZ.fullmatch(base)
         if found and found["name"]:
-            return cls(text, found["name"], found["unit"])
+            return cls(text, f"{found['name']}{at}{behind}", found["unit"])
         return cls(text, text, "")
 
 
@@ -92,13 +93,13 @@ def units_in(cells: Sequence[str]) -> list[str] | None:
     return units if known else None
 
 
-def could_be_names(cells: Sequence[str]) -> bool:
+def could_be_names(cells: Sequence[str], decimal: str = ".") -> bool:
     """False if a cell is a number that numbers no band: names are words, or whole numbers behind a word."""
     filled = [cell.strip() for cell in cells if not is_missing(cell)]
-    numbers = [cell for cell in filled if number_of(cell) is not None]
+    numbers = [cell for cell in filled if number_of(cell, decimal) is not None]
     return (
         bool(filled)
-        and number_of(filled[0]) is None
+        and number_of(filled[0], decimal) is None
         and all(re.fullmatch(r"\d{1,4}", cell) for cell in numbers)
     )
 
@@ -123,6 +124,9 @@ def names_by_blanks(
     wide = re.split(r"\s{2,}(?![\[(@])|(?<=[\])])\s+(?![\[(@])", text)
     if len(wide) == count and not any(_holds_wavevector(cell) for cell in wide):
         return wide
+    ended = _ENDED.findall(text)
+    if len(ended) == count and "".join(ended).replace(" ", "") == text.replace(" ", ""):
+        return [cell.strip() for cell in ended]
     bound = re.findall(r"\S+(?:\s+[\[(][^)\]]*[\])])?(?:\s+@\s*\S+)?", text)
     if len(bound) == count:
         return bound
@@ -130,18 +134,26 @@ def names_by_blanks(
         if cuts and (aligned := _cut(plain, cuts)):
             return aligned
     words, lacking = wide[0].split(), count - len(wide)
-    if 0 < lacking < len(words) and all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
+    loose = lacking >= len(words) or words[lacking] in ("in", "/") or wide[0][-1:] not in ")]"
+    if lacking > 0 and not loose and all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
         return [*words[:lacking], " ".join(words[lacking:]), *wide[1:]]
     return None
 
 
+# names that end with a unit in brackets, and what COMSOL writes behind it
+_ENDED = re.compile(r"\S[^()\[\]]*[\[(][^()\[\]]*[\])](?:\s*@\s*[^\s,]+(?:,\s*[^\s,]+=[^\s,]+)*)?(?:\s+|$)")
 _WAVEVECTOR = re.compile(r"[kqβκ](?:_?[xyz12])?|kappa|beta|wavevector|wavenumber|segment|path", re.IGNORECASE)
 
 
 def _holds_wavevector(cell: str) -> bool:
     """True if the name of a wavevector and the next one may have been taken for one name."""
     words = cell.split()
-    return len(words) > 1 and bool(_WAVEVECTOR.fullmatch(words[0])) and words[1][:1] not in "[(@"
+    return (
+        len(words) > 1
+        and bool(_WAVEVECTOR.fullmatch(words[0]))
+        and words[1][:1] not in "[(@/"
+        and words[1] != "in"
+    )
 
 
 def _cut(line: str, cuts: Sequence[int]) -> list[str] | None:
