@@ -181,7 +181,9 @@ def test_bad_places_are_refused(inside, tmp_path):
     )
     folder = written(tmp_path / "trials", MADE[:8], change=lambda f: {"a": f["time"], "b": f["Fz"]})
     assert_five_parts(
-        inside("friction", folder, "--json"), code="unknown", argument="P1-B1-T1.csv: channel Fz"
+        inside("friction", folder, "--json"),
+        code="unknown",
+        argument="P1-B1-T1.csv: channel of the normal force",
     )
 
 

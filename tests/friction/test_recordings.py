@@ -166,7 +166,10 @@ class TestSensor:
         assert named.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
         assert "sign" not in " ".join(named.remarks)
         refused(
-            lambda: friction_in(folder, Sensor(normal="Fz")), "no contact", code="too-few", argument="trials"
+            lambda: friction_in(folder, Sensor(normal="Fz")),
+            'normal = "-Fz"',
+            code="too-few",
+            argument="trials",
         )
 
     def test_names_units_and_rate_as_the_study_says(self, tmp_path):
@@ -223,7 +226,12 @@ class TestSensor:
             code="unknown",
             argument="trials.sensor.normal",
         )
-        refused(lambda: friction_in(folder), code="unknown", argument="P1-B1-T1.csv: channel Fz")
+        refused(
+            lambda: friction_in(folder),
+            "such as normal =",
+            code="unknown",
+            argument="P1-B1-T1.csv: channel of the normal force",
+        )
         clipped = Sensor(calibration=calibration, largest_gauge=0.5)
         refused(lambda: friction_in(folder, clipped), "saturated channel", code="too-few", argument="trials")
 
@@ -299,7 +307,7 @@ class TestOmissions:
             (spoiled("", lambda t: t.assign(Fz=t["Fz"].clip(upper=0.5))), "saturated channel", ""),
             (spoiled("", lambda t: t.assign(Fz=0.001 * np.sin(t["time"]))), "no contact", ""),
             (spoiled("", lambda t: t.assign(Fy=t["Fy"].where(t["time"] > 0.5))), "missing numbers", ""),
-            (spoiled("", lambda t: t.iloc[:0]), "unreadable record", "evenly"),
+            (spoiled("", lambda t: t.iloc[:0]), "unreadable record", "0 times"),
         ],
     )
     def test_what_cannot_be_used(self, tmp_path, spoil, reason, word):

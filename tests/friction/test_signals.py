@@ -159,6 +159,8 @@ def spoiled(what):
         made["normal"] = np.minimum(made["normal"], 0.5)
     elif what == "contact before the stroke":
         made = {name: array[310:] if name != "rate" else array for name, array in made.items()}
+    elif what == "normal force in the other direction":
+        made["normal"] *= -1
     elif what == "no contact":
         made["normal"] = 0.01 * np.sin(np.arange(1500.0))
     elif what == "steady part too short":
@@ -310,7 +312,12 @@ class TestFiles:
                 "a.csv, participant P1, block 1, trial 1",
                 "times that do not advance evenly",
             ),
-            (lambda t: t.drop(index=[500]), "malformed", "a.csv, participant P1, block 1, trial 1", ""),
+            (
+                lambda t: t.drop(index=range(500, 600)),
+                "malformed",
+                "a.csv, participant P1, block 1, trial 1",
+                "no sample for 0.101 s after 0.499 s",
+            ),
             (
                 lambda t: t.assign(actuation="maybe"),
                 "malformed",
@@ -374,11 +381,10 @@ class TestFiles:
         good.to_csv(path, index=False)
         assert read_trials(path)["participant"].values.tolist() == ["1", "1"]  # a name, though a number
         for bad, shown, code, argument in (
-            (good.assign(friction=[0.2, np.nan]), "trial 2", "malformed", "t.csv"),
             (good.assign(friction=[-0.2, 0.4]), "-0.2", "malformed", "t.csv"),
             (good.assign(friction=[20.0, 40.0]), "friction 20", "malformed", "t.csv"),
             (good.drop(columns="friction"), "actuation", "missing", "column friction"),
-            (good.assign(participant=["1", None]), "''", "malformed", "block 1, trial 2"),
+            (good.assign(participant=None), "''", "malformed", "block 1, trial 1"),
         ):
             bad.to_csv(path, index=False)
             refused(lambda: read_trials(path), shown, code=code, argument=argument)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from haptonic.analyses.needs import need_carrier
 from haptonic.errors import StudyError
+from haptonic.friction.participants import Participants
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.simulation import Truth, explaining, film_of
 from haptonic.results.protocol import StrokeTask
@@ -83,6 +84,22 @@ def task_of(study: Description) -> StrokeTask:
             next_step="change one of them",
         )
     return task
+
+
+def basis_of(study: Description, amplitudes: Mapping[str, float] | None) -> str:
+    """A sentence: whose reductions of friction are assumed, and how to take those of the study's plate."""
+    if amplitudes is not None:
+        return "The reductions follow from the amplitudes that --from gives, by load sharing."
+    people, published = study.participants, Participants()
+    numbers = f"{people.driven:.0%} and {people.idle:.0%}"
+    if (people.driven, people.idle) != (published.driven, published.idle):
+        return f"The reductions, {numbers}, are those of [participants] in the study."
+    if study.finite_plate is None:
+        return f"The reductions, {numbers}, are those of the published prototype."
+    return (
+        f"The reductions, {numbers}, are those of the published prototype, not of this plate: "
+        "`haptonic feel STUDY --json > feel.json` computes this plate's, and `--from feel.json` takes them."
+    )
 
 
 def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) -> Truth:

@@ -11,7 +11,9 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import size_of
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.friction.recordings import Exclusion, Sensor, analysed
+from haptonic.errors import ResourceError
+from haptonic.friction.recordings import TABLE, Exclusion, Sensor, analysed
+from haptonic.friction.recordings.draft import drafted
 from haptonic.friction.signals import Rules
 from haptonic.friction.statistics.summary import summary
 from haptonic.paths import source
@@ -21,6 +23,7 @@ from haptonic.results.cost import Cost
 from haptonic.results.friction import FrictionResult
 from haptonic.results.references import References
 from haptonic.results.simulated_trials import STUDY
+from haptonic.results.trial_draft import TrialDraft
 from haptonic.study.loading import load_trials_as
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
@@ -36,6 +39,7 @@ class FrictionOptions:
         help="Folder with trials.csv, or a single table of all samples.", metavar="PATH", place="before"
     )
     study: Path | None = option(None, "Its [trials] decides; else study.toml in the folder.", metavar="FILE")
+    draft: bool = option(False, "Write trials.csv from the names of the files in the folder; nothing else.")
     references: Any = option(
         None,
         "Reference values that stand beside these in the pictures.",
@@ -49,8 +53,8 @@ def check(study: None, options: FrictionOptions) -> None:
     source(options.path, "folder of trials")
 
 
-def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionResult:
-    """All trials, measured, and what they prove.
+def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionResult | TrialDraft:
+    """All trials, measured, and what they prove; or a draft of the table of trials.
 
     Raises
     ------
@@ -58,6 +62,8 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
     FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
     """
     path = options.path
+    if options.draft:
+        return _drafted(path)
     section, whole = _asked(path, options.study)
     driven = driven_region(whole.mounted_plate()) if whole is not None and whole.finite_plate else None
     found = compute_friction(
@@ -97,8 +103,24 @@ def compute_friction(
         rules=rules,
         trials=read.trials,
         guessed=read.remarks,
+        doubts=read.doubts,
         found=summary(read.trials, driven),
     )
+
+
+def _drafted(folder: Path) -> TrialDraft:
+    result = TrialDraft(folder, drafted(folder))
+    try:
+        result.save()
+    except OSError as error:
+        raise ResourceError.unwritable(
+            argument="--draft",
+            given=folder / TABLE,
+            allowed="a folder in which you may write, without such a table",
+            cause=error.strerror or type(error).__name__,
+            next_step="choose another folder, or change its permissions",
+        ) from error
+    return result
 
 
 def _asked(path: Path, study: Path | None) -> tuple[TrialSettings, Description | None]:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 
+from haptonic.analyses.amplitudes import read_amplitudes
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.experiments import protocol_of, task_of
-from haptonic.analyses.options import NoOptions
+from haptonic.analyses.experiments import basis_of, protocol_of, task_of, truth_of
+from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.gate import declared
@@ -19,17 +23,32 @@ from haptonic.study.schema import Description
 MOST_DRAWN = 20  # participants up to which the power is always computed
 
 
-def compute(study: Description, options: NoOptions, runner: Runner) -> TrialPlan:
+@dataclass(frozen=True)
+class ProtocolOptions:
+    """What may be chosen."""
+
+    amplitudes: Any = option(
+        None, 'Output of `feel --json`, or {"WG1": 1e-6, ...} in m (JSON).', read=read_amplitudes,
+        flag="--from", metavar="FILE",
+    )  # fmt: skip
+
+
+def compute(study: Description, options: ProtocolOptions, runner: Runner) -> TrialPlan:
     """The order of a study's trials, what people are asked to do, and how many of them are needed.
 
     Raises
     ------
     StudyError : no two waveguides to compare, or strokes that last too short or too long
+    FrictionError : amplitudes that load sharing does not explain
     """
     section, people, protocol = study.protocol_settings, study.participants, protocol_of(study)
+    reductions = dict(zip(protocol.waveguides, (people.driven, people.idle), strict=True))
+    if options.amplitudes is not None:
+        remaining = truth_of(study, options.amplitudes).remaining
+        reductions = {name: 1 - remaining[name] for name in protocol.waveguides}
     populations = {
         name: Population(reduction, people.effect_between, people.within, people.between)
-        for name, reduction in zip(protocol.waveguides, (people.driven, people.idle), strict=True)
+        for name, reduction in reductions.items()
     }
     participants = section.participants
     pairs = protocol.pairs
@@ -61,6 +80,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> TrialPlan
         order=section.order,
         task=task_of(study),
         dataset=stamped(joined, study.inputs()),
+        basis=basis_of(study, options.amplitudes),
     )
 
 
@@ -68,6 +88,7 @@ ANALYSIS = Analysis(
     name="protocol",
     result=TrialPlan,
     compute=compute,
+    options=ProtocolOptions,
     cost=lambda study, options: Cost(3.0),  # of simulated experiments
     doing="simulated experiments",
 )

@@ -31,6 +31,7 @@ class FrictionResult(Result):
 
     source : folder or table that was read; sensor, rules : how
     trials : see `haptonic.friction.signals.measured`; guessed : what the files did not say
+    doubts : what may be wrong with the records, or was done to them
     found : everything that the statistics say
     published : reductions, "driven" and "idle", and the share "stopped", that stand beside ours in pictures
     """
@@ -44,6 +45,12 @@ class FrictionResult(Result):
     guessed: tuple[str, ...]
     found: Summary
     published: Mapping[str, float] = field(default_factory=dict)
+    doubts: tuple[str, ...] = ()
+
+    @classmethod
+    def names(cls, options: Any = None) -> list[Any]:
+        """Of all files; a draft of the table of trials writes none of them."""
+        return [] if getattr(options, "draft", False) else super().names(options)
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -95,7 +102,7 @@ class FrictionResult(Result):
         return reported(self)
 
     def remarks(self) -> list[str]:
-        return list(self.found.omissions)
+        return [*self.doubts, *self.found.omissions]
 
     def tables(self) -> list[Table]:
         excluded = [excluded_table(self)] if self.excluded else []
@@ -128,6 +135,7 @@ class FrictionResult(Result):
             "excluded": split(left_out.reset_coords(), "stroke"),
             "exclusions": self.excluded,
             "remarks": self.guessed,
+            "doubts": self.doubts,
             "omissions": found.omissions,
             "driven": found.driven,
             "driven_chosen": found.chosen,

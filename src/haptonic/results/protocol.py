@@ -47,6 +47,7 @@ class TrialPlan(Result):
     protocol, participants : how many trials, in which order
     order : "published" or "balanced"
     task : what people are asked to do
+    basis : a sentence: whose reductions are assumed
     dataset : on (waveguide, participants) ``power`` and its Monte-Carlo ``error``; on waveguide:
         ``reduction`` assumed and ``needed`` participants (NaN if more than 60); ``shown``, the smallest
         reduction that this number of participants shows (NaN if none)
@@ -61,6 +62,7 @@ class TrialPlan(Result):
     order: str
     task: StrokeTask
     dataset: xr.Dataset
+    basis: str = ""
 
     @cached_property
     def labels(self) -> list[Label]:
@@ -138,8 +140,11 @@ class TrialPlan(Result):
         }
 
     def summary(self) -> list[str]:
+        first, *others = self.statements
         return [
-            *self.statements,
+            first,
+            *([self.basis] if self.basis else []),
+            *others,
             self.drift_remark,
             "Chances are of simulated experiments, with what the study assumes of its participants.",
         ]

@@ -36,6 +36,7 @@ class SimulatedFriction(Result):
     suffix : of the files: ".csv", ".h5", ".mat" or ".tdms"
     per : whether a file holds a trial or a block
     raw : whether files hold gauge voltages, with a calibration, instead of forces and torques
+    basis : a sentence: whose reductions are assumed
     """
 
     title = "Simulated trials"
@@ -45,6 +46,7 @@ class SimulatedFriction(Result):
     suffix: str = ".csv"
     per: Per = "trial"
     raw: bool = False
+    basis: str = ""
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -141,7 +143,8 @@ class SimulatedFriction(Result):
         write_atomically(draft / NAME, listed)
 
     def summary(self) -> list[str]:
-        return ["Simulated: nobody stroked anything. The truth is in truth.json."]
+        said = ["Simulated: nobody stroked anything. The truth is in truth.json."]
+        return [*said, *([self.basis] if self.basis else [])]
 
     def tables(self) -> list[Table]:
         """True reductions, of the population and of every participant."""

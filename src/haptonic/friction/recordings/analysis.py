@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import islice
 from pathlib import Path
-from typing import Annotated, NamedTuple, NoReturn
+from typing import Annotated, Any, NamedTuple, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,13 +17,16 @@ from pydantic import Field
 from haptonic.channels import Group, SignalFile, opened
 from haptonic.errors import ChannelError, FrictionError, HaptonicError, ResourceError
 from haptonic.fields import Name, described, needed, problem, setting
-from haptonic.friction.recordings.channel_map import ChannelMap, pressing
+from haptonic.friction.recordings.channel_map import ChannelMap
+from haptonic.friction.recordings.findings import doubts_of, explained, mounted, remarked
 from haptonic.friction.recordings.sensor import Sensor
 from haptonic.friction.recordings.trial_table import RecordSpan, TrialTable
-from haptonic.friction.signals.measuring import Columns, channels_of, measure_all, processed
-from haptonic.friction.signals.record import Record
-from haptonic.friction.signals.rules import DECLARED, UNREADABLE, Measured, Rules
-from haptonic.friction.signals.tables import LABEL, read_columns, read_records, read_trials
+from haptonic.friction.signals.clock import Clock
+from haptonic.friction.signals.limits import RangeEnds
+from haptonic.friction.signals.measuring import Columns, channels_of, marked, measure_part, processed
+from haptonic.friction.signals.record import Label, Record
+from haptonic.friction.signals.rules import DECLARED, OMISSIONS, REMEDIES, UNREADABLE, Measured, Rules
+from haptonic.friction.signals.tables import LABEL, LEFT_OUT, read_columns, read_records, read_trials
 from haptonic.friction.signals.trials import joined, measured, tabulated
 from haptonic.later import xarray as xr
 from haptonic.parallel import finished
@@ -32,7 +35,8 @@ from haptonic.progress import Progress, silent
 Portion = list[tuple[str, list[RecordSpan]]]
 
 TRIED = 20  # files that are looked into for channels of the expected names
-PRESSED = 30  # trials that the sign of the normal force is found from
+PRESSED = 8  # trials of each participant that show how the sensor lay
+NO_FILE = "the table names no file in this folder, or no start and stop in a file of several trials"
 POINTS = 80  # of a curve that is drawn small
 
 
@@ -63,13 +67,16 @@ class Exclusion:
 
 @dataclass(frozen=True, eq=False)
 class Analysed:
-    """The table of trials, see `haptonic.friction.signals.measured`, and what was guessed.
+    """The table of trials, see `haptonic.friction.signals.measured`, and how the records were read.
 
     ``trials`` has ``detail`` beside ``excluded``: the file and what is wrong with it, or the declared reason.
+    remarks : what was guessed
+    doubts : what may be wrong, or was done to the records
     """
 
     trials: xr.Dataset
     remarks: tuple[str, ...]
+    doubts: tuple[str, ...] = ()
 
 
 class _Read(NamedTuple):
@@ -104,14 +111,14 @@ def analysed(
     FrictionError : a table that is wrong, an exclusion of a trial that is not there, or no trial that counts
     """
     if source.is_dir() or not source.suffix:
-        trials, remarks = _from_folder(TrialTable.read(source), sensor, rules, workers, progress)
+        trials, remarks, doubts = _from_folder(TrialTable.read(source), sensor, rules, workers, progress)
     else:
-        trials, remarks = _from_file(source, rules), ()
+        (trials, doubts), remarks = _from_file(source, rules), ()
     if "detail" not in trials:
         trials["detail"] = ("stroke", np.full(trials.sizes["stroke"], ""))
-    trials = _declared(trials, excluded)
+    trials = explained(_declared(trials, excluded))
     _need_trials(trials)
-    return Analysed(trials, remarks)
+    return Analysed(trials, remarks, (*doubts, *doubts_of(trials, sensor.normal)))
 
 
 def traces(
@@ -131,7 +138,7 @@ def traces(
     people, numbers = table.labels["participant"], table.labels["block"]
     for participant, block in blocks:
         rows = np.flatnonzero((people == participant) & (numbers == block)).tolist()
-        reads = _records(table.folder, channel_map, table.portion(rows))
+        reads = _records(table.folder, channel_map, table.portion(rows), people)
         parts = {read.span.row: _trace(read.record, rules) for read in reads if read.record is not None}
         if parts:
             drawn = xr.concat(list(parts.values()), "stroke")
@@ -152,32 +159,49 @@ def _trace(record: Record, rules: Rules) -> xr.Dataset:
     return xr.Dataset({name: ("point", curve[at]) for name, curve in curves.items()})
 
 
-def _from_file(path: Path, rules: Rules) -> xr.Dataset:
+def _from_file(path: Path, rules: Rules) -> tuple[xr.Dataset, tuple[str, ...]]:
     columns = read_columns(path, LABEL)
     origin = "simulated" if "simulated" in {str(word) for word in columns.get("origin", ())} else "measured"
-    trials = read_trials(path) if "friction" in columns else measured(read_records(path), rules)
-    return trials.assign_attrs(origin=origin)
+    if "friction" in columns:
+        trials = read_trials(path)
+        doubts = [str(text) for text in [trials.attrs.pop(LEFT_OUT, "")] if text]
+        return trials.assign_attrs(origin=origin), tuple(doubts)
+    seen: dict[str, None] = {}
+
+    def records() -> Iterator[tuple[Label, Record]]:
+        for label, record in read_records(path):
+            seen.update(dict.fromkeys(record.remarks))
+            yield label, record
+
+    trials = measured(records(), rules)
+    return trials.assign_attrs(origin=origin), tuple(seen)
 
 
 def _from_folder(
     table: TrialTable, sensor: Sensor, rules: Rules, workers: int, progress: Progress
-) -> tuple[xr.Dataset, tuple[str, ...]]:
+) -> tuple[xr.Dataset, tuple[str, ...], tuple[str, ...]]:
     channel_map = _channel_map(table, sensor)
     total, done = len(table.files), 0
-    order, found, simulated = [], [], table.simulated
-    work = partial(_measured, table.folder, channel_map, rules)
+    order, parts, limits, simulated = [], [], [], table.simulated
+    work = partial(_measured, table.folder, channel_map, rules, table.labels["participant"])
     # in processes, for most of the work is Python that reads text
-    for _, (rows, columns, says_so) in finished(work, enumerate(table.portions()), workers, _lost):
+    for _, (rows, columns, ends, says_so) in finished(work, enumerate(table.portions()), workers, _lost):
         order.append(rows)
-        found.append(columns)
+        parts.append(columns)
+        limits.append(ends)
         simulated |= says_so
         done += len(rows)
         progress(done, total)
     back = np.argsort(np.concatenate(order))
-    columns = {name: column[back] for name, column in joined(found).items()}
+    every = marked(joined(parts), RangeEnds.joined(limits))
+    remarks = every.pop("remarks")[back]
+    columns = {name: column[back] for name, column in every.items()}
     origin = "simulated" if simulated else "measured"
     trials = tabulated({**table.labels, **table.carried}, columns, rules, origin=origin)
-    return trials, channel_map.remarks
+    return trials, channel_map.remarks, (
+        *table.doubts,
+        *channel_map.doubts, *remarked(remarks, table.labels["participant"]),
+    )  # fmt: skip
 
 
 def _lost(portion: Portion) -> NoReturn:
@@ -191,30 +215,45 @@ def _lost(portion: Portion) -> NoReturn:
 
 
 def _measured(
-    folder: Path, channel_map: ChannelMap, rules: Rules, portion: Portion
-) -> tuple[NDArray[np.int_], Columns, bool]:
-    """Rows of the table, their columns, and whether any file says that it is simulated."""
-    reads = list(_records(folder, channel_map, portion))
+    folder: Path, channel_map: ChannelMap, rules: Rules, people: NDArray[Any], portion: Portion
+) -> tuple[NDArray[np.int_], Columns, RangeEnds, bool]:
+    """Rows of the table, their columns and limits, and whether any file says that it is simulated."""
+    reads = list(_records(folder, channel_map, portion, people))
     good = [i for i, read in enumerate(reads) if read.record is not None]
-    numbers = measure_all([read.record for read in reads if read.record is not None], rules)
+    numbers, ends = measure_part([read.record for read in reads if read.record is not None], rules)
+    limits = RangeEnds.none(len(reads))
+    limits.put(good, ends)
     empty = asdict(Measured(excluded=UNREADABLE))
     columns: Columns = {}
     for name, values in numbers.items():
         columns[name] = np.full(len(reads), empty[name], dtype=values.dtype)
         columns[name][good] = values
     columns["detail"] = np.array([read.detail for read in reads], dtype=object)
-    return np.array([read.span.row for read in reads]), columns, any(read.simulated for read in reads)
+    remarks = np.empty(len(reads), dtype=object)
+    remarks[:] = [read.record.remarks if read.record is not None else () for read in reads]
+    columns["remarks"] = remarks
+    simulated = any(read.simulated for read in reads)
+    return np.array([read.span.row for read in reads]), columns, limits, simulated
 
 
-def _records(folder: Path, channel_map: ChannelMap, portion: Portion) -> Iterator[_Read]:
-    """Every trial of a portion with its record, or with what is wrong. A file is opened once."""
+def _records(
+    folder: Path, channel_map: ChannelMap, portion: Portion, people: NDArray[Any]
+) -> Iterator[_Read]:
+    """Every trial of a portion with its record, or with what is wrong. A file is opened once.
+
+    people : (row of the table,) participants
+    """
     for name, spans in portion:
+        if not name:
+            yield from (_Read(span, None, NO_FILE, False) for span in spans)
+            continue
         left = list(spans)
         try:
             file = opened(folder / name)
-            kept: dict[str, tuple[Group, float]] = {}
+            kept: dict[str, tuple[Group, Clock]] = {}
             while left:
-                yield _read(name, left[0], file, kept, channel_map)
+                person = str(people[left[0].row])
+                yield _read(name, left[0], person, file, kept, channel_map)
                 left.pop(0)
         except HaptonicError as error:
             yield from (_Read(span, None, _why(name, error), False) for span in left)
@@ -223,8 +262,9 @@ def _records(folder: Path, channel_map: ChannelMap, portion: Portion) -> Iterato
 def _read(
     name: str,
     span: RecordSpan,
+    person: str,
     file: SignalFile,
-    kept: dict[str, tuple[Group, float]],
+    kept: dict[str, tuple[Group, Clock]],
     channel_map: ChannelMap,
 ) -> _Read:
     simulated = False
@@ -233,9 +273,9 @@ def _read(
             kept.clear()  # groups come one after the other
             channels = file.group(span.group)
             simulated = channels.simulated
-            kept[span.group] = channels, channel_map.rate_in(channels)
-        channels, rate = kept[span.group]
-        record = channel_map.record(channels, rate, span.start, span.stop)
+            kept[span.group] = channels, channel_map.clock_in(channels)
+        channels, clock = kept[span.group]
+        record = channel_map.record(channels, clock, span.start, span.stop, person)
     except HaptonicError as error:
         return _Read(span, None, _why(name, error), simulated)
     return _Read(span, record, "", channels.simulated)
@@ -257,23 +297,27 @@ def _channel_map(table: TrialTable, sensor: Sensor) -> ChannelMap:
         except HaptonicError as error:
             first = first or _of_file(error, name)
             continue
-        return _with_sign(table, channel_map) if channel_map.sign_unknown else channel_map
+        return _mounted(table, channel_map)
     assert first is not None
     raise first
 
 
-def _with_sign(table: TrialTable, channel_map: ChannelMap) -> ChannelMap:
-    reads = (read for portion in table.portions() for read in _records(table.folder, channel_map, portion))
-    records = [read.record for read in islice(reads, PRESSED) if read.record is not None]
-    return channel_map.turned() if pressing(records) < 0 else channel_map
+def _mounted(table: TrialTable, channel_map: ChannelMap) -> ChannelMap:
+    """The channel map with how the sensor lay for each participant, as some of the trials show it."""
+    people = table.labels["participant"]
+    records: dict[str, list[Record]] = {}
+    for person in dict.fromkeys(people.tolist()):
+        rows = np.flatnonzero(people == person)
+        some = rows[np.unique(np.linspace(0, len(rows) - 1, PRESSED).round().astype(int))]
+        reads = _records(table.folder, channel_map, table.portion(some.tolist()), people)
+        records[str(person)] = [read.record for read in reads if read.record is not None]
+    return mounted(channel_map, records)
 
 
 def _of_file(error: HaptonicError, name: str) -> HaptonicError:
-    """The same error, with the file that it is about, and where channels get their meaning."""
-    kind, next_step = FrictionError if isinstance(error, ChannelError) else type(error), error.next_step
-    if isinstance(error, ChannelError) and error.argument.startswith("channel "):
-        next_step += " Say so in [trials.sensor]"
-    return error.changed(kind, argument=f"{name}: {error.argument}", next_step=next_step)
+    """The same error, with the file that it is about."""
+    kind = FrictionError if isinstance(error, ChannelError) else type(error)
+    return error.changed(kind, argument=f"{name}: {error.argument}")
 
 
 def _why(name: str, error: HaptonicError) -> str:
@@ -306,11 +350,13 @@ def _need_trials(trials: xr.Dataset) -> None:
     if (excluded == "").any():
         return
     counts = Counter(excluded.tolist()).most_common()
-    detail = next((text for text in trials["detail"].values.tolist() if text), "")
+    most = counts[0][0]
+    row = excluded.tolist().index(most)
+    cause, next_step = REMEDIES.get(str(most), ("rules that fit no trial", "look at the records"))
     raise FrictionError.too_few(
         argument="trials",
         given=", ".join(f"{count} of {len(excluded)}: {reason}" for reason, count in counts),
         allowed="at least one trial that counts",
-        cause=detail or "the normal force counts in the other direction, or rules that fit no trial",
-        next_step="look at the records; signs, units and rules stand in [trials] and [trials.sensor]",
+        cause=str(trials["detail"].values[row]) if most in OMISSIONS else cause,
+        next_step=next_step,
     )

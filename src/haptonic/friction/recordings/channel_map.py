@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.channels import Group
-from haptonic.errors import FrictionError
+from haptonic.errors import FrictionError, HaptonicError
+from haptonic.friction.recordings.mounting import Mounting, own_angle
+from haptonic.friction.signals.clock import OTHER_RATE, Clock, clock_of, seconds_of_day
 from haptonic.friction.signals.filters import design_frequency
-from haptonic.friction.signals.measuring import saturated
+from haptonic.friction.signals.limits import stays
 from haptonic.friction.signals.record import Record
-from haptonic.friction.signals.tables import rate_of
 
-HIGHEST_RATE = 1e12  # Hz; no converter comes near, and times that stand still give more
+HIGHEST_RATE = 1e12  # Hz; no converter comes near
+ALIKE = 0.05  # by which the rate of the times may differ from the one that the study gives
+ELSEWHERE = "the stroke goes in another direction than the participant's others: its own direction was taken"
 
 
 @dataclass(frozen=True)
@@ -31,7 +35,10 @@ class ChannelMap:
     """Channels by what they mean, ready to make records; see `Sensor.channel_map`.
 
     remarks : what was guessed, in words
-    sign_unknown : whether nobody said in which direction the normal force counts
+    sign_unknown : whether the study does not say in which direction the normal force counts
+    axis_unknown : whether the study does not say along which channel the stroke goes
+    mountings : how the sensor lay, by participant; see `mounted`
+    doubts : what is unusual about it
     """
 
     scaled: dict[str, ScaledChannel]
@@ -42,28 +49,52 @@ class ChannelMap:
     largest_gauge: float | None
     remarks: tuple[str, ...]
     sign_unknown: bool
+    axis_unknown: bool
+    mountings: Mapping[str, Mounting] = field(default_factory=dict)
+    doubts: tuple[str, ...] = ()
 
-    def record(self, channels: Group, rate: float, start: float | None, stop: float | None) -> Record:
-        """The record between two times, s from the first sample of the file; ``rate`` is from `rate_in`.
+    def mounted(
+        self, mountings: Mapping[str, Mounting], remarks: tuple[str, ...], doubts: tuple[str, ...]
+    ) -> ChannelMap:
+        """The same with the mountings of the sensor, by participant, and remarks on them."""
+        oblique = any(one.angle for one in mountings.values())
+        guessed = [text for text in self.remarks if not (oblique and text.endswith("as tangential"))]
+        return replace(self, mountings=mountings, remarks=(*guessed, *remarks), doubts=doubts)
+
+    @property
+    def plane(self) -> tuple[str, str]:
+        """Names of the tangential channel and of the other one in the plane."""
+        if self.matrix is not None:
+            return "the tangential axis", "the other axis"
+        return tuple(self.scaled[one].name if one in self.scaled else "" for one in ("tangential", "across"))  # type: ignore[return-value]
+
+    def record(
+        self, channels: Group, clock: Clock, start: float | None, stop: float | None, participant: str = ""
+    ) -> Record:
+        """The record between two times, s from the first sample of the file; ``clock`` is from `clock_in`.
 
         Raises
         ------
         FrictionError : a channel is missing, nothing between the two times, or forces that no finger makes
         """
+        rate = clock.rate
         first = round((start or 0.0) * rate)
         last = None if stop is None else round(stop * rate)
 
-        def signal(meaning: str) -> Array:
-            one = self.scaled[meaning]
-            return one.factor * channels[one.name][first:last]
+        def signal(name: str) -> Array:
+            return clock.regular(channels[name])[first:last]
 
-        flat = False
+        def scaled(meaning: str) -> Array:
+            return self.scaled[meaning].factor * signal(self.scaled[meaning].name)
+
+        flat, across = False, None
         if self.matrix is None:
-            normal, tangential = signal("normal"), signal("tangential")
+            normal, tangential = scaled("normal"), scaled("tangential")
+            across = scaled("across") if "across" in self.scaled else None
         else:
-            volts = np.array([channels[name][first:last] for name in self.gauges])
-            normal, tangential = self.matrix @ volts
-            flat = bool(volts.size and saturated(volts[:, None]).any())
+            volts = np.array([signal(name) for name in self.gauges])
+            normal, tangential, across = self.matrix @ volts
+            flat = bool(volts.size) and any(stays(end) == "sure" for one in volts for end in (one, -one))
             flat |= self.largest_gauge is not None and bool((np.abs(volts) >= self.largest_gauge).any())
         if self.largest_force is not None:
             flat |= bool((np.abs([normal, tangential]) >= self.largest_force).any())
@@ -76,47 +107,68 @@ class ChannelMap:
                 cause="the file was cut, or the times are in ms",
                 next_step="put the table of trials right",
             )
-        position = signal("position") if "position" in self.scaled else None
-        return Record(normal=normal, tangential=tangential, rate=rate, position=position, saturated=flat)
+        mounting = self.mountings.get(participant, Mounting())
+        record = Record(
+            normal=mounting.sign * normal, tangential=tangential, rate=rate,
+            position=scaled("position") if "position" in self.scaled else None, saturated=flat,
+            across=across, remarks=(clock.remark,) if clock.remark else (),
+        )  # fmt: skip
+        return self._along(record, mounting.angle) if self.axis_unknown and self.mountings else record
 
-    def turned(self) -> ChannelMap:
-        """The same with the sign of the normal force turned, and a remark on it."""
-        remarks = (*self.remarks, "the normal force falls where the finger presses: its sign was turned")
-        if self.matrix is not None:
-            return replace(self, matrix=self.matrix * np.array([[-1.0], [1.0]]), remarks=remarks)
-        one = self.scaled["normal"]
-        turned = ScaledChannel(one.name, -one.factor)
-        return replace(self, scaled={**self.scaled, "normal": turned}, remarks=remarks)
+    def _along(self, record: Record, usual: float) -> Record:
+        """The record with the force along the participant's strokes, or along its own direction."""
+        own = own_angle(record, usual)
+        remarks = record.remarks if own is None else (*record.remarks, ELSEWHERE)
+        angle = usual if own is None else own
+        if not angle or record.across is None:
+            return record
+        along = math.cos(angle) * record.tangential + math.sin(angle) * record.across
+        across = math.cos(angle) * record.across - math.sin(angle) * record.tangential
+        return replace(record, tangential=along, across=across, remarks=remarks)
 
-    def rate_in(self, channels: Group) -> float:
-        """Sampling rate of a file or group, Hz.
+    def clock_in(self, channels: Group) -> Clock:
+        """Clock of a file or group: the rate that the study gives goes before times, and these before the
+        rate that the file gives.
 
         Raises
         ------
-        FrictionError : times that do not advance evenly, no rate, or one too low for the filters
+        FrictionError : times that belong to no even samples, no rate, or one too low for the filters
         """
-        rate = self.rate or channels.rate
-        if "time" in self.scaled:
-            one = self.scaled["time"]
-            rate = rate_of(one.factor * channels[one.name], f"channel {one.name}")
-        if rate is None or not 0 < rate < HIGHEST_RATE:
-            raise no_rate()
-        design_frequency("literal", rate)
-        return rate
+        clock = self._clock(channels)
+        design_frequency("literal", clock.rate)
+        return clock
+
+    def _clock(self, channels: Group) -> Clock:
+        if "time" not in self.scaled:
+            rate = self.rate or channels.rate
+            if rate is None or not 0 < rate < HIGHEST_RATE:
+                raise no_rate()
+            return Clock(rate)
+        one = self.scaled["time"]
+        if self.rate is not None:
+            try:
+                times = _times(channels, one)
+                rate = (len(times) - 1) / float(times[-1] - times[0])
+            except (HaptonicError, ZeroDivisionError, IndexError):  # times that nobody needs
+                return Clock(self.rate)
+            return Clock(self.rate, remark="" if abs(rate - self.rate) <= ALIKE * self.rate else OTHER_RATE)
+        return clock_of(_times(channels, one), f"channel {one.name}")
 
 
-def pressing(records: Sequence[Record]) -> float:
-    """How far the normal force goes up less how far it goes down from its start, N, over all records."""
-    apart = [record.normal - record.normal[: max(1, len(record.normal) // 20)].mean() for record in records]
-    return float(sum(np.nanmax(one) + np.nanmin(one) for one in apart if np.isfinite(one).any()))
+def _times(channels: Group, one: ScaledChannel) -> Array:
+    channel = channels.channels.get(one.name)
+    values = np.zeros(0) if channel is None else np.asarray(channel)
+    if values.dtype.kind in "OUS":
+        return seconds_of_day(values.ravel().tolist(), f"channel {one.name}")
+    return one.factor * channels[one.name]
 
 
 def no_rate() -> FrictionError:
-    """The error of a file that says nothing of its times."""
+    """The error of a file that gives neither times nor a sampling rate."""
     return FrictionError.missing(
         argument="sampling rate",
         given="neither times nor a rate",
         allowed="a channel of times, or trials.sensor.rate",
-        cause="the times were not saved",
-        next_step='add rate = "1 kHz" in [trials.sensor]',
+        cause="the times were not saved, or their channel has another name than time or t",
+        next_step='add rate = "1 kHz", or time = "the name of the channel", in [trials.sensor]',
     )

@@ -11,10 +11,13 @@ from pydantic import AfterValidator, Field
 
 from haptonic.arrays import Array
 from haptonic.channels import Group
+from haptonic.channels.delimited import FIRST_ROW, NAMES_LINE
 from haptonic.channels.labels import factor_of
-from haptonic.errors import FrictionError, HaptonicError, shown
+from haptonic.errors import FrictionError, HaptonicError, nearest, shown
 from haptonic.fields import Quantity, described, handed_on, problem, setting
 from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
+from haptonic.friction.recordings.channel_names import Names, plain, split
+from haptonic.friction.recordings.titles import scale_of
 from haptonic.later import pandas as pd
 from haptonic.names import names_in
 from haptonic.paths import source
@@ -23,20 +26,18 @@ from haptonic.units import to_si
 AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
 SIX = 6  # gauges of a sensor
 WORST_CONDITION = 1e6  # of a calibration matrix; beyond, two gauges say the same
-# What a channel may be called where the study does not say; the first that is there is taken.
-GUESSES = {
-    "normal": ("fz", "force z", "normal", "normal force", "fn", "z force"),
-    "tangential": ("fy", "force y", "tangential", "tangential force", "ft", "friction force", "y force"),
-    "position": ("position", "pos", "finger position", "finger"),
-    "time": ("time", "t", "timestamp", "times", "time s"),
-}  # fmt: skip
 GAUGES = tuple(
     tuple(f"{word}{number}" for number in range(first, first + 6))
     for word in ("g", "sg", "gauge", "gauge ", "ch", "ai", "v")
     for first in (0, 1)
 )
 CALIBRATION = "calibration.csv"  # taken if it lies beside the trials and nothing is said
-DIMENSION = {"normal": "N", "tangential": "N", "position": "m", "time": "s"}
+DIMENSION = {"normal": "N", "tangential": "N", "across": "N", "position": "m", "time": "s"}
+WORDS = {
+    "normal": "the normal force", "tangential": "the tangential force", "position": "the position",
+    "time": "the times",
+}  # fmt: skip
+USUAL = {"normal": "Fz or normal force", "tangential": "Fy, Fx or tangential force"}
 
 
 def _unit_like(unit: str) -> AfterValidator:
@@ -61,11 +62,16 @@ class Sensor:
     """What the channels of the files are. What is left out is guessed from usual names, and reported."""
 
     normal: Text = setting(
-        "", "Name of its channel; a minus before it turns the sign.", title="Normal force", examples=["-Fz"]
+        "",
+        "Name or number of its channel; a minus before it turns the sign.",
+        title="Normal force",
+        examples=["-Fz"],
     )
-    tangential: Text = setting("", "Name of its channel.", title="Tangential force", examples=["Fx"])
-    position: Text = setting("", "Name of the channel along the stroke.", examples=["x"])
-    time: Text = setting("", "Name of its channel.", examples=["t"])
+    tangential: Text = setting(
+        "", "Name or number of its channel.", title="Tangential force", examples=["Fx"]
+    )
+    position: Text = setting("", "Name or number of the channel along the stroke.", examples=["x"])
+    time: Text = setting("", "Name or number of its channel.", examples=["t"])
     force_unit: Annotated[Text, _unit_like("N")] = setting(
         "", "Else the one that the file says, or N.", title="Unit of the forces", examples=["mN"]
     )
@@ -76,7 +82,7 @@ class Sensor:
         "", "Else the one that the file says, or s.", title="Unit of the time", examples=["ms"]
     )
     rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = setting(
-        None, "Where the files have no times.", title="Sampling rate"
+        None, "Goes before a channel of times; needed where there is none.", title="Sampling rate"
     )
     gauges: Text = setting(
         "",
@@ -132,39 +138,123 @@ class Sensor:
         ------
         FrictionError : a channel that is needed is not there, or its unit is no unit of it
         """
-        names = {_plain(name): name for name in channels.signals}
+        guesses = self._guesses(channels)
         remarks: list[str] = []
         scaled: dict[str, ScaledChannel] = {}
         matrix: Array | None = None
         gauges: tuple[str, ...] = ()
-        guesses = {
-            meaning: next((names[word] for word in words if word in names), "")
-            for meaning, words in GUESSES.items()
-        }
-        forced = self.calibration or self.gauges
-        raw = calibration is not None and (forced or not guesses["normal"])
-        for meaning in ("normal", "tangential", "position", "time"):
-            asked = getattr(self, meaning)
-            found = guesses[meaning]
+        raw = calibration is not None and bool(self.calibration or self.gauges or not guesses["normal"])
+        for meaning in DIMENSION:
+            asked = getattr(self, meaning, "")
             if raw and DIMENSION[meaning] == "N":
                 continue
-            if asked:
-                scaled[meaning] = self._scaled(meaning, asked, channels)
-            elif found:
-                scaled[meaning] = self._scaled(meaning, found, channels)
-                remarks.append(f'the channel "{found}" was taken as {meaning}')
-            elif DIMENSION[meaning] == "N":
-                channels[GUESSES[meaning][0].capitalize()]  # refused, with the names that there are
+            name = (
+                self._asked(meaning, asked, channels) if asked else self._guessed(meaning, guesses, channels)
+            )
+            if not name:
+                continue
+            scaled[meaning] = self._scaled(meaning, name, channels, turned=asked.startswith("-"))
+            if not asked and meaning != "across":
+                remarks.append(f'the channel "{name}" was taken as {meaning}')
         if raw and calibration is not None:
             matrix = self._rows(calibration)
-            gauges = self._gauges(channels) or _guessed_gauges(names, channels)
+            gauges = self._gauges(channels) or _guessed_gauges(channels)
             if not self.gauges:
                 remarks.append(f"the channels {', '.join(gauges)} were taken as the gauges, in this order")
-        if "time" not in scaled and self.rate is None and channels.rate is None:
-            raise no_rate()
+        scale = scale_of(channels)
+        if scale.counts != 1 and not self.force_unit:
+            remarks.append(f"a title gives {scale.counts:g} counts for a force of 1 {scale.unit or 'N'}")
+        rate = self.rate
+        if "time" not in scaled and rate is None and channels.rate is None:
+            rate = scale.rate
+            if rate is None:
+                raise no_rate()
+            remarks.append(f"the sampling rate, {rate:g} Hz, was taken from a title")
         return ChannelMap(
-            scaled=scaled, rate=self.rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
+            scaled=scaled, rate=rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
             largest_gauge=self.largest_gauge, remarks=tuple(remarks), sign_unknown=not self.normal,
+            axis_unknown=not self.tangential,
+        )  # fmt: skip
+
+    def _guesses(self, channels: Group) -> dict[str, list[str]]:
+        """Names of channels that may be meant, by meaning: those that say it, or else those of the axes."""
+        names = Names.of(channels.signals)
+        texts = Names.of(name for name, one in channels.channels.items() if one.kind == "text")
+        normal = names.normal or names.axes["z"]
+        pressing = [self.normal.removeprefix("-").strip()] if self.normal else normal
+        tangential, across = names.tangential, list[str]()
+        if not tangential:
+            plane = [one for axis in "yxz" if (one := names.axes[axis]) and not set(one) & set(pressing)]
+            asked = self.tangential.removeprefix("-").strip()
+            plane = sorted(plane[:2], key=lambda one: asked not in one) if asked else plane[:2]
+            tangential, across = (*plane, [], [])[:2]
+        time = names.time or texts.time
+        return {
+            "normal": normal, "tangential": tangential, "across": across, "position": names.position,
+            "time": time,
+        }  # fmt: skip
+
+    def _guessed(self, meaning: str, guesses: dict[str, list[str]], channels: Group) -> str:
+        """The channel whose name has this meaning; nothing where none has, and where it is not needed.
+
+        Raises
+        ------
+        FrictionError : several have it, or none and it is needed
+        """
+        names = guesses[meaning]
+        if len(names) == 1:
+            return names[0]
+        if meaning == "across" or (not names and DIMENSION[meaning] != "N"):
+            return ""
+        if not names and FIRST_ROW in channels.properties and NAMES_LINE not in channels.properties:
+            raise self._nameless(meaning, channels)
+        listed = ", ".join(f'"{name}"' for name in names or channels.signals)
+        others = {*guesses["time"], *guesses["position"]}
+        example = (names or [*(one for one in channels.signals if one not in others), "Fz"])[0]
+        raise FrictionError(
+            "conflict" if names else "unknown",
+            argument=f"channel of {WORDS[meaning]}",
+            given=f"several that may be meant: {listed}"
+            if names
+            else f"no usual name among {listed or 'none'}",
+            allowed=f"one channel of {WORDS[meaning]}"
+            + ("" if names else f", such as {USUAL.get(meaning, meaning)}"),
+            cause="the names do not say which it is" if names else "the channels have names of their own",
+            next_step=f'name it, or give its number, in [trials.sensor], such as {meaning} = "{example}"',
+        )
+
+    def _nameless(self, meaning: str, channels: Group) -> FrictionError:
+        first = ", ".join(channels.properties[FIRST_ROW])
+        return FrictionError.unknown(
+            f"channel of {WORDS[meaning]}", first, list(channels.signals),
+            "the file has no line of names: the first line of the table holds numbers", slip=False,
+            allowed=f"columns by number, from 1 to {len(channels.channels)}",
+            next_step='write normal = "4", tangential = "3" and time = "1", with the right numbers, in '
+            "[trials.sensor]",
+        )  # fmt: skip
+
+    def _asked(self, meaning: str, asked: str, channels: Group) -> str:
+        """The channel that the study names, or gives by its number, the first being 1.
+
+        Raises
+        ------
+        FrictionError : there is none
+        """
+        name = asked.removeprefix("-").strip()
+        known = channels.channels if meaning == "time" else channels.signals
+        if name in known:
+            return name
+        alike = [one for one in known if plain(one) == plain(name)]
+        if len(alike) == 1:
+            return alike[0]
+        every = list(channels.channels)
+        if name.isdecimal() and 1 <= int(name) <= len(every) and every[int(name) - 1] in known:
+            return every[int(name) - 1]
+        guess = nearest(name, known) or next(iter(known), name)
+        raise FrictionError.unknown(
+            f"trials.sensor.{meaning}", name, known,
+            "the column has another name, or the file is another one", slip=False,
+            next_step=f'write {meaning} = "{guess}", or the number of the channel, in [trials.sensor]',
         )  # fmt: skip
 
     def _gauges(self, channels: Group) -> tuple[str, ...]:
@@ -180,18 +270,16 @@ class Sensor:
             )
         return gauges
 
-    def _scaled(self, meaning: str, asked: str, channels: Group) -> ScaledChannel:
-        turned = asked.startswith("-")
-        name = asked.removeprefix("-").strip()
-        if name not in channels.signals:
-            name = next((known for known in channels.signals if _plain(known) == _plain(name)), name)
-        channels[name]
+    def _scaled(self, meaning: str, name: str, channels: Group, *, turned: bool) -> ScaledChannel:
         kind = {"N": "force", "m": "position", "s": "time"}[DIMENSION[meaning]]
-        unit = getattr(self, f"{kind}_unit") or channels.signals[name].unit
+        unit = getattr(self, f"{kind}_unit") or channels.channels[name].unit or split(name)[1]
         factor = 1.0
+        if not unit and kind == "force":
+            scale = scale_of(channels)
+            unit, factor = scale.unit, 1 / scale.counts
         if unit:
             try:
-                factor = factor_of(unit, DIMENSION[meaning])
+                factor *= factor_of(unit, DIMENSION[meaning])
             except HaptonicError as error:
                 raise FrictionError.malformed(
                     argument=f"unit of the channel {name}",
@@ -203,15 +291,19 @@ class Sensor:
         return ScaledChannel(name, -factor if turned else factor)
 
     def _rows(self, calibration: Array) -> Array:
-        """(2, 6) rows of the calibration for normal and tangential force."""
-        rows = []
-        for asked, usual in ((self.normal, "Fz"), (self.tangential, "Fy")):
-            axis = asked.removeprefix("-").strip() or usual
+        """(3, 6) rows of the calibration for normal force, tangential one, and the one across."""
+        normal = self.normal.removeprefix("-").strip() or "Fz"
+        along = self.tangential.removeprefix("-").strip() or next(
+            one for one in ("Fy", "Fx") if one != normal
+        )
+        for axis in (normal, along):
             if axis not in AXES[:3]:
                 cause = "a calibration makes the forces, and the name of a raw channel was given"
                 raise FrictionError.unknown("trials.sensor", axis, AXES[:3], cause)
-            rows.append(calibration[AXES.index(axis)] * (-1 if asked.startswith("-") else 1))
-        return np.array(rows)
+        across = next(one for one in AXES[:3] if one not in (normal, along))
+        rows = calibration[[AXES.index(axis) for axis in (normal, along, across)]]
+        signs = [-1.0 if asked.startswith("-") else 1.0 for asked in (self.normal, self.tangential, "")]
+        return np.asarray(rows * np.array(signs)[:, None])
 
 
 def read_calibration(path: Path) -> Array:
@@ -258,11 +350,8 @@ def read_calibration(path: Path) -> Array:
     )
 
 
-def _plain(name: str) -> str:
-    return re.sub(r"[_\-\s]+", " ", name).strip().lower()
-
-
-def _guessed_gauges(names: dict[str, str], channels: Group) -> tuple[str, ...]:
+def _guessed_gauges(channels: Group) -> tuple[str, ...]:
+    names = {re.sub(r"[_\-\s]+", " ", name).strip().lower(): name for name in channels.signals}
     for six in GAUGES:
         if all(name in names for name in six):
             return tuple(names[name] for name in six)

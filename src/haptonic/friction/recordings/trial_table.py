@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -12,7 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError, ResourceError, shown
-from haptonic.friction.signals.tables import LABEL, label_of, numbers_of, read_columns
+from haptonic.friction.signals.record import Label
+from haptonic.friction.signals.tables import (
+    LABEL,
+    labels_of,
+    left_out,
+    numbers_of,
+    read_columns,
+)
 from haptonic.later import pandas as pd
 
 TABLE = "trials.csv"
@@ -39,6 +47,7 @@ class TrialTable:
     labels : (trial,) columns ``participant``, ``block``, ``trial``, ``waveguide``, ``actuation``
     files : (trial,) names; carried : other columns that are kept
     simulated : whether any trial says so
+    doubts : what was left out of the table, or assumed
     """
 
     folder: Path
@@ -47,6 +56,7 @@ class TrialTable:
     files: list[str]
     spans: list[RecordSpan]
     simulated: bool
+    doubts: tuple[str, ...] = ()
 
     @classmethod
     def read(cls, folder: Path) -> TrialTable:
@@ -57,22 +67,21 @@ class TrialTable:
         ResourceError : no such folder, or no table in it
         FrictionError : a column is missing, a cell that means nothing, or files outside of the folder
         """
-        path = folder / TABLE
+        path = table_in(folder)
         if not path.is_file():
             raise ResourceError.not_found(
                 argument="folder of trials",
                 given=folder,
                 allowed=f"a folder with {TABLE}: participant, block, trial, waveguide, actuation, file",
                 cause="the folder holds records without a table" if folder.is_dir() else "no such folder",
-                next_step="haptonic protocol STUDY writes such a table",
+                next_step=f"haptonic friction {folder} --draft writes one from the names of the files"
+                if folder.is_dir()
+                else "check the path",
             )
-        columns = read_columns(path, (*LABEL, "file"))
-        count = len(columns["file"])
-        labels = [label_of(columns, row) for row in range(count)]
-        files = ["" if pd.isna(name) else str(name).strip() for name in columns["file"]]
-        for label, name in zip(labels, files, strict=True):
-            if not name or Path(name).is_absolute() or ".." in Path(name).parts:
-                raise _bad_cell(path, f"file of {label}", name, "the name of a file in this folder")
+        columns, doubts = _with_blocks(read_columns(path, (*(n for n in LABEL if n != "block"), "file")))
+        labels, rows, refusals = labels_of(columns)
+        columns = {name: column[rows] for name, column in columns.items()}
+        count = len(rows)
         origins = {str(word) for word in columns["origin"]} if "origin" in columns else set()
         if not origins <= set(ORIGINS):
             wrong = sorted(origins - set(ORIGINS))[0]
@@ -81,10 +90,13 @@ class TrialTable:
         times = [
             _times(path, columns, name) if name in columns else [None] * count for name in ("start", "stop")
         ]
+        files = _files(path, folder, columns["file"], labels, times)
         spans = [
             RecordSpan(row, "" if pd.isna(group) else str(group), start, stop)
             for row, (group, start, stop) in enumerate(zip(groups, *times, strict=True))
         ]
+        if refusals:
+            doubts.append(left_out(path, refusals))
         return cls(
             folder=folder,
             labels={name: np.array([getattr(label, name) for label in labels]) for name in LABEL},
@@ -92,6 +104,7 @@ class TrialTable:
             files=files,
             spans=spans,
             simulated="simulated" in origins,
+            doubts=tuple(doubts),
         )
 
     def portions(self) -> Iterator[list[tuple[str, list[RecordSpan]]]]:
@@ -109,6 +122,57 @@ class TrialTable:
         """Some trials by files."""
         by_file = groupby(rows, self.files.__getitem__)
         return [(name, [self.spans[row] for row in group]) for name, group in by_file]
+
+
+def table_in(folder: Path) -> Path:
+    """The table of trials of a folder, whatever the capitals of its name."""
+    exact = folder / TABLE
+    if exact.is_file() or not folder.is_dir():
+        return exact
+    return next((one for one in sorted(folder.iterdir()) if one.name.casefold() == TABLE), exact)
+
+
+def _with_blocks(columns: dict[str, NDArray[Any]]) -> tuple[dict[str, NDArray[Any]], list[str]]:
+    """The columns with a block for every trial, and what was assumed."""
+    if "block" in columns:
+        return columns, []
+    ones = np.ones(len(columns["trial"]), dtype=int)
+    return columns | {"block": ones}, [f"{TABLE} has no column block: all trials were taken as of one block"]
+
+
+def _files(
+    path: Path, folder: Path, cells: NDArray[Any], labels: Sequence[Label], times: Sequence[Sequence[Any]]
+) -> list[str]:
+    """Names of files in the folder; nothing for a trial without one, or without times where others have them.
+
+    Raises
+    ------
+    FrictionError : no trial has a file in the folder
+    """
+    files, first = list[str](), None
+    for label, cell in zip(labels, cells, strict=True):
+        name = "" if pd.isna(cell) else str(cell).strip().replace("\\", "/")
+        outside = not name or Path(name).is_absolute() or ".." in Path(name).parts
+        if outside:
+            first = first or _bad_cell(path, f"file of {label}", name, "the name of a file in this folder")
+        files.append("" if outside else _with_ending(folder, name))
+    if first is not None and not any(files):
+        raise first
+    shared, timed = Counter(files), [any(time is not None for time in column) for column in times]
+    for row, name in enumerate(files):
+        if shared[name] > 1 and any(
+            has and column[row] is None for has, column in zip(timed, times, strict=True)
+        ):
+            files[row] = ""
+    return files
+
+
+def _with_ending(folder: Path, name: str) -> str:
+    """The name, with the ending that it lacks if a single file in the folder has this name."""
+    if Path(name).suffix or "*" in name or not (folder / name).parent.is_dir() or (folder / name).is_file():
+        return name
+    found = [one for one in (folder / name).parent.iterdir() if one.stem == Path(name).name and one.is_file()]
+    return str(found[0].relative_to(folder)) if len(found) == 1 else name
 
 
 def _times(path: Path, columns: dict[str, NDArray[Any]], name: str) -> list[float | None]:

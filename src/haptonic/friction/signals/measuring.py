@@ -14,14 +14,20 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools
 from haptonic.friction.signals.filters import design_frequency, smoothed
+from haptonic.friction.signals.limits import RangeEnds
 from haptonic.friction.signals.record import Record
-from haptonic.friction.signals.rules import DEFAULT_RULES, Measured, Rules
+from haptonic.friction.signals.rules import DEFAULT_RULES, OTHER_WAY, Measured, Rules
 
 Columns = dict[str, NDArray[np.generic]]
 
-SATURATED = 5  # equal samples in a row at the largest force: a channel at its end
 FEWEST = 10  # samples of a record that a filter can use
 TOGETHER = 64  # strokes: their channels stay in the processor's cache
+# A sensor without a finger shows little beside the force of a stroke; a finger that lies on it from the start
+# is lifted in the end, which leaves little of the force at the start.
+LITTLE = 0.2
+RETURNED = 0.5  # of the stroke's force: how near to the start the end has to come to be rest
+QUIET = 3.0  # times the noise at the start, or
+QUIET_SHARE = 0.03  # of the force of the stroke: an end that is no louder is rest
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +39,7 @@ class Processed:
     contact, forwards, plateau : (stroke, sample) pressed, moving in the direction of the stroke, at a steady
         speed
     touched : (stroke,) whether there is contact within the window of the bias already
+    pulled : (stroke,) whether the normal force falls where the finger presses
     """
 
     normal: Array
@@ -42,6 +49,7 @@ class Processed:
     forwards: Bools
     plateau: Bools
     touched: Bools
+    pulled: Bools
 
     @property
     def steady(self) -> Bools:
@@ -63,7 +71,18 @@ def measure(record: Record, rules: Rules = DEFAULT_RULES) -> Measured:
 
 
 def measure_all(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> Columns:
-    """What `measure` says of many strokes, (record,) by the names of `Measured`.
+    """Numbers of many strokes, (record,) by the names of `Measured`, with the limits that they share.
+
+    Raises
+    ------
+    FrictionError : a sampling rate too low for the filter
+    """
+    columns, limits = measure_part(records, rules)
+    return marked(columns, limits)
+
+
+def measure_part(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> tuple[Columns, RangeEnds]:
+    """Numbers of some strokes of an experiment, and where their forces stay at an extreme; see `marked`.
 
     Raises
     ------
@@ -73,10 +92,21 @@ def measure_all(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> Colu
         name: np.full(len(records), value, dtype=object if isinstance(value, str) else float)
         for name, value in asdict(Measured()).items()
     }
+    limits = RangeEnds.none(len(records))
     for rows in alike(records):
-        for name, values in _measured([records[row] for row in rows], rules).items():
+        chosen = [records[row] for row in rows]
+        found, ends = _measured(chosen, rules)
+        for name, values in found.items():
             columns[name][rows] = values
-    return columns
+        limits.put(rows, ends)
+    return columns, limits
+
+
+def marked(columns: Columns, limits: RangeEnds) -> Columns:
+    """The columns with the strokes excluded whose force stays at a limit that many strokes share."""
+    excluded = columns["excluded"].copy()
+    excluded[limits.shared() & (excluded != "missing numbers")] = "saturated channel"
+    return {**columns, "excluded": excluded}
 
 
 def alike(records: Sequence[Record]) -> list[list[int]]:
@@ -107,9 +137,16 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
     forces = smooth[:2] if rules.filter == "literal" else smoothed(channels[:2], rate, rules.filter)
     window = round(rules.bias_window * rate)
     touched = np.zeros(channels.shape[1], dtype=bool)
+    pulled = touched
     if window:
+        start = channels[:2, :, :window].mean(axis=2)
+        up, down = (np.abs(end(smooth[0], axis=1) - start[0]) for end in (np.max, np.min))
+        pulled = down > np.maximum(up, rules.threshold)
+        stroke, far = np.maximum(up, down), np.where(up > down, start[0] + up, start[0] - down)
+        back = np.abs(channels[0, :, -window:].mean(axis=1) - start[0]) < RETURNED * stroke
         touched = np.ptp(smooth[0, :, :window], axis=1) > rules.threshold
-        forces = forces - channels[:2, :, :window].mean(axis=2, keepdims=True)
+        touched |= (stroke > rules.threshold) & ~back & (np.abs(far) < LITTLE * np.abs(start[0]))
+        forces = forces - rest_of(channels[:2], smooth[0], start, back, window)
     normal, tangential = forces
     contact = normal > rules.threshold
     velocity, forwards, plateau = _motion(smooth[2:], rate, tangential, contact, rules)
@@ -121,10 +158,38 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         forwards=forwards,
         plateau=plateau,
         touched=touched,
+        pulled=pulled & ~touched,
     )
 
 
-def _measured(records: list[Record], rules: Rules) -> dict[str, NDArray[np.generic]]:
+def rest_of(forces: Array, smooth: Array, start: Array, back: Bools, window: int) -> Array:
+    """Forces (channel, stroke, sample) that the sensor shows without a finger.
+
+    They are those at the start; where the record ends at rest as well, a line from the one to the other, for
+    a sensor drifts while it warms up.
+
+    Parameters
+    ----------
+    smooth : (stroke, sample) normal force; start : (channel, stroke) means over the window at the start
+    back : (stroke,) whether the normal force comes back to where it started
+    """
+    samples = forces.shape[2]
+    rest = np.repeat(start[:, :, None], samples, axis=2)
+    noise = np.maximum(QUIET * smooth[:, :window].std(axis=1), QUIET_SHARE * np.ptp(smooth, axis=1))
+    unsettled = back.copy()
+    for part in (window, window // 2, window // 4):
+        if part < 2 or samples < 2 * window + part:
+            continue
+        still = unsettled & (smooth[:, -part:].std(axis=1) <= noise)
+        drift = forces[:, :, -part:].mean(axis=2) - start
+        middles = 0.5 * (window - 1), samples - 0.5 * (part + 1)
+        place = np.clip((np.arange(samples) - middles[0]) / (middles[1] - middles[0]), 0, 1)
+        rest += np.where(still[:, None], drift[:, :, None] * place, 0.0)
+        unsettled &= ~still
+    return rest
+
+
+def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np.generic]], RangeEnds]:
     rate = records[0].rate
     design_frequency(rules.filter, rate)
     channels = channels_of(records)
@@ -132,11 +197,13 @@ def _measured(records: list[Record], rules: Rules) -> dict[str, NDArray[np.gener
     excluded = np.full(count, "", dtype=object)
     whole = np.isfinite(channels).all(axis=(0, 2))
     excluded[~whole] = "missing numbers"
+    limits = RangeEnds.none(count)
     if samples < FEWEST:
         excluded[whole] = "record too short"
     else:
+        limits = RangeEnds.of(channels[:2])
         flagged = np.array([record.saturated for record in records])
-        excluded[whole & (flagged | saturated(channels[:2]))] = "saturated channel"
+        excluded[whole & (flagged | limits.sure)] = "saturated channel"
     usable = np.flatnonzero(excluded == "")
     found = {name: np.full(count, value) for name, value in asdict(Measured()).items() if name != "excluded"}
     if usable.size:
@@ -144,7 +211,7 @@ def _measured(records: list[Record], rules: Rules) -> dict[str, NDArray[np.gener
         excluded[usable] = reasons
         for name, column in values.items():
             found[name][usable] = column
-    return {**found, "excluded": excluded}
+    return {**found, "excluded": excluded}, limits
 
 
 def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Array], NDArray[np.object_]]:
@@ -155,6 +222,7 @@ def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Ar
     excluded = np.full(len(count), "", dtype=object)
     excluded[duration < rules.steady] = "steady part too short"
     excluded[~contact.any(axis=1)] = "no contact"
+    excluded[stroke.pulled] = OTHER_WAY
     excluded[stroke.touched] = "contact before the stroke"
     enough, least = excluded == "", np.maximum(count, 1)
 
@@ -214,15 +282,3 @@ def _median(values: Array, mask: Bools) -> Array:
     places = np.stack([np.maximum(count - 1, 0) // 2, np.minimum(count // 2, mask.shape[1] - 1)], axis=1)
     middle = np.take_along_axis(ordered, places, axis=1)
     return np.asarray(np.where(count > 0, np.where(count[:, None] > 0, middle, 0.0).mean(axis=1), 0.0))
-
-
-def saturated(channels: Array) -> Bools:
-    """(stroke,) whether one of (channel, stroke, sample) stays at its largest size for some samples."""
-    size = np.abs(channels)
-    largest = size.max(axis=2, keepdims=True)
-    at_end = (size == largest) & (largest > 0)
-    found = np.zeros(channels.shape[1], dtype=bool)
-    for channel, stroke in np.argwhere(at_end.sum(axis=2) >= SATURATED):
-        run = np.convolve(at_end[channel, stroke], np.ones(SATURATED, dtype=int), "valid")
-        found[stroke] |= bool((run == SATURATED).any())
-    return found

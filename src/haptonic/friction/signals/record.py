@@ -72,6 +72,8 @@ class Record:
     rate : sampling rate, Hz
     position : (samples,) m along the stroke, or None
     saturated : whether a channel of the sensor was at its end, where the forces themselves do not show it
+    across : (samples,) N, the other force in the plane, or None
+    remarks : what was done to the samples, such as bridged gaps
     """
 
     normal: Array
@@ -79,6 +81,8 @@ class Record:
     rate: float
     position: Array | None = None
     saturated: bool = False
+    across: Array | None = None
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.rate) and self.rate > 0):

@@ -15,11 +15,13 @@ Share = Annotated[float, Quantity("", at_least=0.01, at_most=1.0)]
 Force = Annotated[float, Quantity("N", at_least=0.0, at_most=100.0)]
 Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 
+OTHER_WAY = "normal force in the other direction"
 REASONS = (
     "missing numbers",
     "record too short",
     "saturated channel",
     "contact before the stroke",
+    OTHER_WAY,
     "no contact",
     "steady part too short",
     "normal force outside of the rule",
@@ -29,6 +31,44 @@ REASONS = (
 UNREADABLE, DECLARED = "unreadable record", "declared beforehand"
 OMISSIONS = (UNREADABLE, DECLARED)
 """Why a trial has no record that counts; the column ``detail`` says more."""
+REMEDIES = {
+    "missing numbers": (
+        "cells of the record are empty or no numbers",
+        "look at these files in a text editor",
+    ),
+    "record too short": ("the files were cut", "record these trials again"),
+    "saturated channel": (
+        "a force stays at one value, the end of the channel's range",
+        "choose a larger range of the sensor; largest_force in [trials.sensor] gives its end",
+    ),
+    "contact before the stroke": (
+        "the finger lies on the plate within the bias window, at the start of the record",
+        'shorten bias_window in [trials], or write bias_window = "0 s" if the sensor was set to zero before',
+    ),
+    OTHER_WAY: (
+        "the sensor was turned round, or the sign in [trials.sensor] is the other one",
+        'turn the sign of normal in [trials.sensor], as in normal = "-Fz"',
+    ),
+    "no contact": (
+        "the normal force stays below the threshold: another channel, another unit or a light touch",
+        "check normal and force_unit in [trials.sensor], or lower threshold in [trials]",
+    ),
+    "steady part too short": (
+        "too few samples have contact and a steady speed in one direction",
+        "check position in [trials.sensor], or change plateau, middle or steady in [trials]",
+    ),
+    "normal force outside of the rule": (
+        "the unit of the forces is another one, or people pressed harder or less than planned",
+        "check force_unit in [trials.sensor], or change force in [trials]",
+    ),
+    "speed outside of the rule": (
+        "the unit of the position or of the times is another one, or people were faster or slower",
+        "check position_unit and time_unit in [trials.sensor], or change speed in [trials]",
+    ),
+    "unreadable record": ("files that cannot be read", "put the files or the table of trials right"),
+    "declared beforehand": ("[[trials.exclude]] excludes them", "exclude fewer trials"),
+}
+"""Likely cause and next step where trials were left out for a reason."""
 
 
 @described("trials", FrictionError)

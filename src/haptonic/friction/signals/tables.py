@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,8 @@ from numpy.typing import NDArray
 from haptonic import hdf5
 from haptonic.channels import Notebook, delimited, hdf5 as stored
 from haptonic.errors import ChannelError, FrictionError, ResourceError, nearest
+from haptonic.friction.signals.clock import clock_of
+from haptonic.friction.signals.columns import UNSURE, meanings, plain_word, renamed, whole_number
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
 from haptonic.later import pandas as pd, xarray as xr
@@ -26,8 +27,9 @@ LABEL = ("participant", "block", "trial", "waveguide", "actuation")
 RECORD = (*LABEL, "time", "normal", "tangential")
 TRIALS = (*LABEL, "friction")
 WHOLE = ("block", "trial")
-TEXTS = ("participant", "waveguide", "actuation")
-JITTER = 0.1  # of a sampling interval, by which times may be off
+LEFT_OUT = "left_out"  # attribute of a table of trials: rows that say no trial
+FEW = 3  # rows that a sentence names
+TEXTS = ("participant", "waveguide", "actuation", "file")
 FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
 
 
@@ -58,7 +60,12 @@ def read_records(path: Path) -> Iterator[tuple[Label, Record]]:
         normal, tangential = (
             numbers_of(path, columns, name)[start:stop] for name in ("normal", "tangential")
         )
-        yield label, Record(normal, tangential, rate_of(time, f"{path.name}, {label}"), position)
+        clock = clock_of(time, f"{path.name}, {label}")
+        position = None if position is None else clock.regular(position)
+        yield label, Record(
+            clock.regular(normal), clock.regular(tangential), clock.rate, position,
+            remarks=(clock.remark,) if clock.remark else (),
+        )  # fmt: skip
 
 
 def read_trials(path: Path) -> xr.Dataset:
@@ -73,17 +80,21 @@ def read_trials(path: Path) -> xr.Dataset:
     FrictionError : a column is missing, or a cell that means nothing
     """
     columns = read_columns(path, TRIALS)
-    labels = [label_of(columns, row) for row in range(len(columns["trial"]))]
+    labels, rows, refusals = labels_of(columns)
+    columns = {name: column[rows] for name, column in columns.items()}
     table = dict(columns) | {name: np.array([getattr(label, name) for label in labels]) for name in LABEL}
     friction = numbers_of(path, columns, "friction")
     excluded = table.get("excluded", np.full(len(labels), "", dtype=object))
     table["excluded"] = np.array(["" if pd.isna(reason) else str(reason) for reason in excluded])
-    bad = ((friction < 0) | (friction > 10) | ~np.isfinite(friction)) & (table["excluded"] == "")
+    empty = np.isnan(friction) & (table["excluded"] == "")
+    table["excluded"] = np.where(empty, "missing numbers", table["excluded"].astype(object)).astype(str)
+    bad = ((friction < 0) | (friction > 10)) & (table["excluded"] == "")
     if bad.any():
         row = int(np.flatnonzero(bad)[0])
         raise _bad_table(path, f"{labels[row]}: friction {friction[row]:g}", "coefficients from 0 to 10")
     table["friction"] = friction
-    return xr.Dataset({name: ("stroke", values) for name, values in table.items()})
+    attributes = {LEFT_OUT: left_out(path, refusals)} if refusals else {}
+    return xr.Dataset({name: ("stroke", values) for name, values in table.items()}, attrs=attributes)
 
 
 def write_trials(trials: xr.Dataset, path: Path) -> None:
@@ -116,7 +127,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
     if path.suffix not in FORMATS:
         raise _other_format(path, list(FORMATS))
     try:
-        columns = _READERS[path.suffix](path)
+        columns = renamed(_READERS[path.suffix](path), path.name)
     except (OSError, MemoryError, ChannelError) as error:
         raise unread(
             ResourceError,
@@ -135,7 +146,9 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
                 given=", ".join(columns) or "no columns",
                 allowed=f"the columns {', '.join(required)}",
                 cause="the column has another name, or the table is of another kind",
-                next_step=f'rename "{guess}" to "{name}"' if guess else f'add the column "{name}"',
+                next_step=f'rename "{guess}" to "{name}"'
+                if guess
+                else f'add the column "{name}", or rename one',
             )
     lengths = {len(column) for column in columns.values()}
     if lengths == {0} or len(lengths) != 1:
@@ -149,8 +162,20 @@ def _from_hdf5(path: Path) -> dict[str, Column]:
     return {one.name: np.asarray(one) for one in channels if len(one.shape) == 1 and one.kind != "complex"}
 
 
+def _from_csv(path: Path) -> dict[str, Column]:
+    """Names of people, regions and files stay words, though they may look like numbers."""
+    columns = delimited.columns(path, TEXTS)
+    by_meaning = meanings(columns, path.name)
+    words = {by_meaning[name] for name in TEXTS if name in by_meaning}
+    words |= {name for name in columns if plain_word(name) in UNSURE}
+    known = {name.casefold() for name in TEXTS}
+    if all(name.casefold() in known for name in words):
+        return columns
+    return delimited.columns(path, words)
+
+
 _READERS: Mapping[str, Callable[[Path], dict[str, Column]]] = {
-    ".csv": partial(delimited.columns, texts=TEXTS),
+    ".csv": _from_csv,
     **dict.fromkeys((".nc", ".h5", ".hdf5"), _from_hdf5),
 }
 
@@ -164,13 +189,40 @@ def label_of(columns: dict[str, Column], row: int) -> Label:
     """
     cells: dict[str, Any] = {name: columns[name][row] for name in LABEL}
     for name in WHOLE:
-        value = cells[name]
-        if isinstance(value, int | float | np.integer | np.floating) and float(value).is_integer():
-            cells[name] = int(value)
+        cells[name] = whole_number(cells[name])
     for name in set(LABEL) - set(WHOLE):
         cells[name] = "" if pd.isna(cells[name]) else visible(str(cells[name])).strip()
     cells["actuation"] = cells["actuation"].lower()
     return Label(**cells)
+
+
+def labels_of(columns: dict[str, NDArray[Any]]) -> tuple[list[Label], list[int], list[str]]:
+    """Labels of the rows that say what trial they are, the rows, and what is wrong with the others.
+
+    Raises
+    ------
+    FrictionError : no row says it
+    """
+    labels, rows, refusals = list[Label](), list[int](), list[str]()
+    first: FrictionError | None = None
+    for row in range(len(columns["trial"])):
+        try:
+            labels.append(label_of(columns, row))
+        except FrictionError as error:
+            first = first or error
+            refusals.append(f"row {row + 1}: {error.argument.split(' of ')[0]} is {error.given}")
+        else:
+            rows.append(row)
+    if first is not None and not rows:
+        raise first
+    return labels, rows, refusals
+
+
+def left_out(path: Path, refusals: Sequence[str]) -> str:
+    """A sentence about rows of a table that say no trial."""
+    first = "; ".join(refusals[:FEW])
+    more = f"; and {len(refusals) - FEW} more" if len(refusals) > FEW else ""
+    return f"rows of {path.name} were left out: {first}{more}"
 
 
 def numbers_of(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.float64]:
@@ -184,26 +236,6 @@ def numbers_of(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.
         return np.asarray(columns[name], dtype=float)
     except (TypeError, ValueError):
         raise _bad_table(path, f"text in the column {name}", f"numbers in the column {name}") from None
-
-
-def rate_of(time: NDArray[np.float64], where: str) -> float:
-    """Sampling rate, Hz, of equidistant times in s.
-
-    Raises
-    ------
-    FrictionError : times that do not advance evenly; ``where`` says in what
-    """
-    steps = np.diff(time)
-    typical = float(np.median(steps)) if steps.size else 0.0
-    if not (typical > 0 and (np.abs(steps - typical) < JITTER * typical).all()):
-        raise FrictionError.malformed(
-            argument=where,
-            given="times that do not advance evenly",
-            allowed="equidistant times in s, ascending",
-            cause="rows were lost, sorted or joined",
-            next_step="look at these rows",
-        )
-    return 1 / typical
 
 
 def _bad_table(path: Path, given: str, allowed: str) -> FrictionError:

@@ -1,0 +1,132 @@
+"""What the records of an experiment show about the sensor, and what may be wrong with them, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.friction.recordings.channel_map import ChannelMap
+from haptonic.friction.recordings.mounting import Mounting, mounting_of
+from haptonic.friction.signals.record import Record
+from haptonic.friction.signals.rules import OTHER_WAY, REMEDIES
+from haptonic.later import xarray as xr
+
+SLIPPERY = 0.03  # median friction below which no fingertip slides on a plate that is not driven
+STICKY = 1.0  # median friction above which normal and tangential force may be exchanged
+MOST_NAMED = 10  # participants that a sentence names
+
+
+def mounted(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) -> ChannelMap:
+    """The channel map with how the sensor lay for each participant, and with what is unusual about it."""
+    sign, angle = channel_map.sign_unknown, channel_map.axis_unknown
+    lay = {name: mounting_of(some, sign=sign, angle=True) for name, some in records.items()}
+    remarks, doubts = _signs(lay)
+    along, across = channel_map.plane
+    if angle:
+        doubts += [
+            f'the strokes of {listed(names)} go {text} from "{along}" towards "{across}": the force along '
+            "them was taken as tangential"
+            for text, names in _alike(lay)
+        ]
+    else:
+        doubts += [
+            f'the strokes of {listed(names)} go {text} from "{along}", which trials.sensor.tangential names, '
+            f'towards "{across}": part of the friction is left out; leave tangential out in '
+            "[trials.sensor] to have both forces combined"
+            for text, names in _alike(lay)
+        ]
+        lay = {name: Mounting(one.sign) for name, one in lay.items()}
+    return channel_map.mounted(lay, tuple(remarks), tuple(doubts))
+
+
+def _signs(lay: Mapping[str, Mounting]) -> tuple[list[str], list[str]]:
+    """What was guessed of the sign of the normal force, and whose is unlike that of the others."""
+    turned = [name for name, one in lay.items() if one.sign < 0]
+    if not turned:
+        return [], []
+    if len(turned) == len(lay):
+        return ["the normal force falls where the finger presses: its sign was turned"], []
+    few = turned if 2 * len(turned) <= len(lay) else [name for name in lay if name not in turned]
+    return [], [
+        f"the normal force of {listed(few)} goes the other way than that of the others: each participant's "
+        "sign was taken so that the finger presses"
+    ]
+
+
+def _alike(lay: Mapping[str, Mounting]) -> list[tuple[str, list[str]]]:
+    """Participants by the direction of their strokes, in words; without those along the named channel."""
+    found: dict[str, list[str]] = {}
+    for name, one in lay.items():
+        if one.angle:
+            found.setdefault(f"{5 * round(np.degrees(one.angle) / 5)}°", []).append(name)
+    every = len(lay)
+    return [(text, names if len(names) < every else []) for text, names in found.items()]
+
+
+def listed(names: Sequence[str]) -> str:
+    """Participants in a sentence; none are all of them."""
+    if not names:
+        return "all participants"
+    more = len(names) - MOST_NAMED
+    return ", ".join(names[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+def remarked(remarks: NDArray[Any], people: NDArray[Any]) -> list[str]:
+    """What was done to records, with the number of trials and whose they are."""
+    rows: dict[str, list[int]] = {}
+    for row, some in enumerate(remarks):
+        for text in some:
+            rows.setdefault(text, []).append(row)
+    return [
+        f"{text} ({len(where)} of {len(remarks)} trials, {_whose(where, people)})"
+        for text, where in rows.items()
+    ]
+
+
+def _whose(rows: Sequence[int], people: NDArray[Any]) -> str:
+    names = list(dict.fromkeys(str(people[row]) for row in rows))
+    every = len(set(people.tolist()))
+    return "all participants" if len(names) == every else listed(names)
+
+
+def explained(trials: xr.Dataset) -> xr.Dataset:
+    """The table with a detail for every trial that was left out: the likely cause."""
+    detail = trials["detail"].values.astype(object)
+    for row, reason in enumerate(trials["excluded"].values.tolist()):
+        if reason in REMEDIES and not detail[row]:
+            cause, next_step = REMEDIES[reason]
+            detail[row] = f"{cause}; {next_step}"
+    return trials.assign(detail=("stroke", detail.astype(str)))
+
+
+def doubts_of(trials: xr.Dataset, normal: str) -> list[str]:
+    """What is unlikely about the trials: a sign against the study's, or a friction that no fingertip has."""
+    excluded, people = trials["excluded"].values, trials["participant"].values
+    doubts = []
+    against = excluded == OTHER_WAY
+    for person in dict.fromkeys(people[against].tolist()):
+        rows = people == person
+        share = int((against & rows).sum())
+        named = f'normal = "{normal}" in [trials.sensor]' if normal else "the other trials"
+        doubts.append(
+            f"the normal force of {person} goes the other way than {named} says, in {share} of "
+            f"{int(rows.sum())} trials: they were left out"
+        )
+    counts = excluded == ""
+    off = counts & (trials["actuation"].values == "off")
+    friction = trials["friction"].values[off if off.any() else counts]
+    middle = float(np.median(friction)) if friction.size else np.nan
+    if middle < SLIPPERY:
+        doubts.append(
+            f"a friction of {middle:.2g} is no fingertip's: the tangential force is another channel or has "
+            "another unit; check tangential and force_unit in [trials.sensor]"
+        )
+    elif middle > STICKY:
+        doubts.append(
+            f"a friction of {middle:.2g} is high for a fingertip: if normal and tangential force are "
+            "exchanged, name them with normal and tangential in [trials.sensor]"
+        )
+    return doubts

@@ -1,0 +1,168 @@
+"""Times of samples as computers write them: scattered, rounded, doubled, with lost rows, or times of day."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from haptonic.arrays import Array
+from haptonic.errors import FrictionError
+
+JITTER = 0.1  # of a sampling interval: times that scatter by less are even
+ROUNDED = 0.75  # of the step to which times are rounded: how far even samples may lie off their grid
+SCATTERED = 1.5  # sampling intervals by which the times of even samples may scatter
+LOST = 4.0  # times the usual step: rows are lost there
+LONGEST_GAP = 0.03  # s that are bridged: forces below 50 Hz change little within half a period of that
+MOST_LOST = 0.2  # of the record that may lie in gaps
+COARSEST = 0.05  # error of a sampling rate from rounded times
+FASTEST = 1e6  # Hz: no force sensor gives more, so times that say so are in another unit
+DAY = 86400.0
+
+SCATTER = "the times scatter: the samples were taken as equidistant"
+UNEVEN = "the samples lie at uneven times: they were interpolated on an even grid"
+BRIDGED = f"rows are missing for up to {1e3 * LONGEST_GAP:g} ms at a time: these gaps were bridged by lines"
+OTHER_RATE = "the column of times says another sampling rate than trials.sensor.rate, which was used"
+ADVICE = 'give rate = "1 kHz", or what it was, in [trials.sensor]: it goes before the times'
+
+_OF_DAY = re.compile(
+    r"(?:.*[\sT])?(?P<hour>\d{1,2}):(?P<minute>\d{2})(?::(?P<second>\d{2}(?:[.,:]\d+)?))?"
+    r"\s*(?P<half>[AaPp])?\.?(?:[Mm]\.?)?(?:Z|[+-]\d{2}:?\d{2})?\s*"
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Clock:
+    """Sampling rate of a file, and how its rows come to lie at even times.
+
+    rate : Hz
+    times : (row,) s, ascending, at which the rows lie; None where they lie at even times already
+    remark : what was done about the times; empty if nothing
+    """
+
+    rate: float
+    times: Array | None = None
+    remark: str = ""
+
+    def regular(self, values: Array) -> Array:
+        """Samples at even times; rows of one time count as their mean."""
+        if self.times is None:
+            return values
+        times, first, count = np.unique(self.times, return_index=True, return_counts=True)
+        means = np.add.reduceat(np.asarray(values, dtype=float), first) / count
+        grid = np.arange(np.floor((times[-1] - times[0]) * self.rate + 1e-6) + 1) / self.rate
+        return np.asarray(np.interp(times[0] + grid, times, means))
+
+
+def clock_of(time: Array, where: str) -> Clock:
+    """The clock of a record from the times of its rows, s.
+
+    Times that scatter about even ones, or are rounded, belong to even samples; others are interpolated. Rows
+    that are missing for a short time are bridged.
+
+    Raises
+    ------
+    FrictionError : times that are missing, go back or are too coarse, or a longer gap; ``where`` is the file
+    """
+    if len(time) < 2:
+        raise _unusable(where, f"{len(time)} times", "an empty or a cut record", "look at the file")
+    if not np.isfinite(time).all():
+        row = int(np.flatnonzero(~np.isfinite(time))[0]) + 1
+        raise _unusable(where, f"sample {row} without a time", "a cell is empty or holds text", ADVICE)
+    steps, span = np.diff(time), float(time[-1] - time[0])
+    mean = span / len(steps)
+    if span < 0 or steps.min() < -SCATTERED * abs(mean):
+        raise _going_back(where, steps)
+    if span == 0:
+        raise _unusable(
+            where, "the same time in every row", "the clock is too coarse, or stood still", ADVICE
+        )
+    typical = float(np.median(steps))
+    if (np.abs(steps - typical) < JITTER * typical).all():
+        return _plausible(Clock(1 / mean), where)
+    rounded = float(steps[steps > 0].min())
+    if (steps == 0).any():
+        coarse = float(np.median(steps[steps > 0]))
+        if coarse > COARSEST * span:
+            raise _unusable(
+                where, f"times that are rounded to {coarse:g} s, in a record of {span:.3g} s",
+                "the clock does not show fractions of a second", ADVICE,
+            )  # fmt: skip
+    tidy = np.mean(np.abs(steps - typical) < JITTER * typical) > 0.9
+    usual = 1.5 * typical if tidy else LOST * max(typical, mean)
+    usual = max(usual, 1.5 * rounded) if (steps == 0).any() else usual
+    gaps = steps > usual
+    if not gaps.any():
+        place = np.arange(len(time))
+        step, start = np.polyfit(place, time - time[0], 1)
+        allowed = max(SCATTERED * step, ROUNDED * rounded if (steps == 0).any() else 0.0)
+        if step > 0 and np.abs(time - time[0] - start - step * place).max() <= allowed:
+            return _plausible(Clock(float(1 / step), remark=SCATTER), where)
+    if steps.min() < 0:
+        raise _going_back(where, steps)
+    even = typical if tidy else float(np.median(np.diff(np.unique(time))))
+    if gaps.any():
+        longest = int(np.argmax(steps))
+        lost = float((steps[gaps] - even).sum())
+        if steps[longest] > LONGEST_GAP + even or lost > MOST_LOST * span:
+            raise _unusable(
+                where,
+                f"times that do not advance evenly: no sample for {steps[longest]:.3g} s after "
+                f"{time[longest] - time[0]:.3g} s",
+                "rows were lost",
+                "record this trial again; or, if the samples follow each other evenly, " + ADVICE,
+            )  # fmt: skip
+    return _plausible(Clock(1 / even, times=time, remark=BRIDGED if gaps.any() else UNEVEN), where)
+
+
+def _going_back(where: str, steps: Array) -> FrictionError:
+    row = int(np.flatnonzero(steps < 0)[0]) + 2
+    return _unusable(
+        where, f"times that do not advance evenly: they go back at sample {row}",
+        "rows were sorted or joined, or the clock started again: several records in one file",
+        "divide the file there; or, if the samples follow each other evenly, " + ADVICE,
+    )  # fmt: skip
+
+
+def seconds_of_day(texts: Sequence[Any], where: str) -> Array:
+    """Times of day such as "10:31:00.002", "1/5/2024 10:31:00.002 AM", in s; beyond midnight they go on.
+
+    Raises
+    ------
+    FrictionError : a text that is no time of day
+    """
+    seconds = np.empty(len(texts))
+    for row, text in enumerate(texts):
+        found = _OF_DAY.fullmatch(str(text).strip())
+        if found is None:
+            raise _unusable(
+                where, f'"{text}" in sample {row + 1}', "no time of day, such as 10:31:00.002", ADVICE
+            )
+        hour = float(found["hour"])
+        if found["half"]:
+            hour = hour % 12 + 12 * (found["half"] in "pP")
+        whole = (found["second"] or "0").replace(",", ".").replace(":", ".")
+        seconds[row] = 3600 * hour + 60 * float(found["minute"]) + float(whole)
+    return seconds + DAY * np.concatenate([[0.0], np.cumsum(np.diff(seconds) < -0.5 * DAY)])
+
+
+def _plausible(clock: Clock, where: str) -> Clock:
+    if clock.rate > FASTEST:
+        raise _unusable(
+            where, f"{clock.rate:.3g} samples per second", "the times are in another unit than they say",
+            'give time_unit, such as time_unit = "ms", in [trials.sensor]',
+        )  # fmt: skip
+    return clock
+
+
+def _unusable(where: str, given: str, cause: str, next_step: str) -> FrictionError:
+    return FrictionError.malformed(
+        argument=where,
+        given=given,
+        allowed="ascending times of the samples",
+        cause=cause,
+        next_step=next_step,
+    )

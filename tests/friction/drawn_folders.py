@@ -1,0 +1,287 @@
+"""Folders of force records as other laboratories write them, drawn from known friction."""
+
+from __future__ import annotations
+
+import csv
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from haptonic.errors import HaptonicError
+from haptonic.friction.recordings import Sensor, analysed
+from haptonic.friction.signals import Rules
+from haptonic.friction.signals.rules import OTHER_WAY
+
+OFF, ON = 0.50, 0.25
+ERROR = 0.01  # of a coefficient of friction
+PEOPLE, TRIALS = ("P1", "P2", "P3"), 4
+NAMES = {
+    "Fz": ("Fx", "Fy", "Fz"), "F_z": ("F_x", "F_y", "F_z"), "fz": ("fx", "fy", "fz"),
+    "Force Z": ("Force X", "Force Y", "Force Z"), "Force_Z": ("Force_X", "Force_Y", "Force_Z"),
+    "Kraft_z": ("Kraft_x", "Kraft_y", "Kraft_z"), "Z Force": ("X Force", "Y Force", "Z Force"),
+    "none": (), "strange": ("A", "B", "C"), "twice": ("Fy", "F_y", "Fz"),
+}  # fmt: skip
+FORCES = {
+    "": 1.0, "N": 1.0, "mN": 1e3, "gf": 1 / 9.80665e-3, "lbf": 1 / 4.4482216152605, "V": 1.0,
+    "counts": 1e6,
+}  # fmt: skip
+ANGLES = {"y": 0.0, "x": 90.0, "oblique": 35.0, "other": -60.0}
+REASONS = {
+    "": (),
+    "gap": ("unreadable record",),
+    "clipped": ("saturated channel",),
+    "early": ("contact before the stroke", "no contact", OTHER_WAY, "steady part too short"),
+    "empty cell": ("missing numbers", "unreadable record"),
+    "no file": ("unreadable record",),
+    "restart": ("unreadable record",),
+    "sign": (OTHER_WAY,),
+}
+# What is drawn of each folder; the first of every kind is the plain case.
+KINDS: Mapping[str, tuple[Any, ...]] = {
+    "seed": tuple(range(1000)),
+    "rate": (500.0, 250.0, 400.0, 1000.0, 2000.0),
+    "clock": (
+        "even", "scatter", "scatter and rate", "milliseconds", "rounded", "polling", "doubled", "lost",
+        "time of day", "12 hours", "ms unsaid", "no times", "ticks", "epoch",
+    ),
+    "names": tuple(NAMES),
+    "unit": tuple(FORCES),
+    "unit_in": ("brackets", "square", "name"),
+    "direction": tuple(ANGLES),
+    "turned_plane": (False, False, True),
+    "sign": ("up", "down", "one down", "one up"),
+    "named": (False, False, True),
+    "separator": (",", ";", "\t", "; and comma", "tab and comma", "blanks"),
+    "step": (0.0, 1e-3, 5e-3, 20e-3),
+    "drift": (0.0, 0.05, -0.1),
+    "rest_after": (0.25, 0.15, 0.0),
+    "titles": ("none", "comments", "plain"),
+    "position": ("none", "m", "mm"),
+    "spoil": tuple(REASONS),
+    "table": ("plain", "semicolons", "tabs", "capitals", "subjects", "german", "numbers", "empty row"),
+    "bias": (0.0, 0.3, -2.0),
+    "wander": (0.08, 0.0),
+}  # fmt: skip
+
+
+def drawn_at(number: int) -> dict[str, Any]:
+    """The draw of this number."""
+    rng = np.random.default_rng(number)
+    return {name: some[rng.integers(len(some))] for name, some in KINDS.items()}
+
+
+class Folder:
+    """A folder of records, and what has to come out of it."""
+
+    def __init__(self, folder: Path, draw: Mapping[str, Any]) -> None:
+        self.folder, self.draw = folder, dict(draw)
+        self.rng = np.random.default_rng(draw["seed"])
+        self.truth: dict[tuple[str, int], float] = {}
+        self.spoiled, self.clipped = ("P2", 2), dict[tuple[str, int], bool]()
+        if self.draw["names"] == "none":  # a number gives the sign too
+            self.draw |= {"sign": "up", "direction": "y", "turned_plane": False}
+        if self.draw["spoil"] == "clipped":  # no converter has less than a hundred steps
+            self.draw |= {"step": min(self.draw["step"], 5e-3)}
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        rows = []
+        for person in PEOPLE:
+            for trial in range(1, TRIALS + 1):
+                friction = (OFF, ON)[trial % 2]
+                self.truth[person, trial] = friction
+                name = f"{person}-{trial}.csv"
+                spoil = self.draw["spoil"] if (person, trial) == self.spoiled else ""
+                if spoil != "no file":
+                    (folder / name).write_text(
+                        self._record((person, trial), friction, spoil), encoding="utf-8"
+                    )
+                rows.append((person, 1, trial, "WG1", ("off", "on")[trial % 2], name))
+        self._table(rows)
+
+    @property
+    def sensor(self) -> Sensor:
+        """What a user would say who knows the files, as far as the draw has it."""
+        said: dict[str, Any] = {}
+        if self.draw["clock"] in ("scatter and rate", "no times"):
+            said["rate"] = self.draw["rate"]
+        if self.draw["names"] == "none" and self.draw["named"]:
+            first = 1 if self.draw["clock"] == "no times" else 2
+            said |= {"normal": str(first + 2), "tangential": str(first + 1)}
+            said |= {} if first == 1 else {"time": "1"}
+        return Sensor(**said)
+
+    @property
+    def refused(self) -> bool:
+        """Whether the files do not say enough, so that a refusal is right."""
+        names, unit = self.draw["names"], self.draw["unit"]
+        nameless = names == "none" and not self.draw["named"]
+        unsaid = unit not in ("", "N") and names == "none"
+        return (
+            nameless or unsaid or names in ("strange", "twice") or unit == "V"
+            or self.draw["clock"] == "ms unsaid" or (self.draw["clock"] == "milliseconds" and names == "none")
+        )  # fmt: skip
+
+    def _record(self, key: tuple[str, int], friction: float, spoil: str) -> str:
+        draw, rng, rate, person = self.draw, self.rng, self.draw["rate"], key[0]
+        after = draw["rest_after"]
+        count = round((0.25 + 0.8 + after) * rate)
+        even = np.arange(count) / rate
+        time = self._taken(even)
+        # forces at the times at which they were taken
+        taken = even if draw["clock"] in ("scatter", "scatter and rate") else time
+        wander = 1 + draw["wander"] * np.sin(2 * np.pi * 1.7 * taken + rng.uniform(0, 6))
+        force = rng.uniform(0.6, 1.4)
+        pressed = np.clip(np.minimum(taken - 0.25, 1.05 - taken if after else 9) / 0.1, 0, 1)
+        normal = force * pressed * wander
+        along = friction * normal * np.clip((taken - 0.35) / 0.05, 0, 1)
+        angle = np.radians(ANGLES[draw["direction"]] + 90.0 * (draw["turned_plane"] and person == "P3"))
+        one = 1 - 2 * (person == "P3")
+        sign = {"up": 1, "down": -1, "one down": one, "one up": -one}
+        turned = sign[draw["sign"]] * (-1 if spoil == "sign" else 1)
+        axes = np.array([np.sin(angle) * along, np.cos(angle) * along, turned * normal])
+        noise = max(3e-3, 0.4 * draw["step"])
+        ramp = draw["drift"] * taken / taken[-1] * bool(after)
+        axes = axes + noise * rng.standard_normal(axes.shape)
+        axes += np.array([0.5, -1.0, 1.0])[:, None] * (draw["bias"] + ramp)
+        if draw["step"]:
+            axes = np.round(axes / draw["step"]) * draw["step"]
+        if draw["spoil"] == "clipped":
+            end = np.round((abs(draw["bias"]) + 0.8) / 5e-3) * 5e-3
+            self.clipped[key] = bool((np.abs(axes[2]) > end).any())
+            axes[2] = np.clip(axes[2], -end, end)
+        keep = np.ones(count, dtype=bool)
+        if draw["clock"] == "lost":
+            keep[rng.choice(np.arange(5, count - 5), 6, replace=False)] = False
+        if spoil == "gap":
+            first = round(0.55 * rate)
+            keep[first : first + round(0.2 * rate)] = False
+        if spoil == "early":
+            keep[: round(0.5 * rate)] = False
+        if spoil == "restart":
+            time = np.where(np.arange(count) > count // 2, time - time[count // 2], time)
+        position = 0.08 * np.clip(taken - 0.4, 0, None)
+        return self._text(time[keep], axes[:, keep], position[keep], spoil)
+
+    def _taken(self, even: np.ndarray) -> np.ndarray:
+        """Times at which samples are taken, before they are written."""
+        rng, step = self.rng, 1 / self.draw["rate"]
+        clock = self.draw["clock"]
+        if clock in ("scatter", "scatter and rate"):
+            return even + rng.uniform(-0.3, 0.3, len(even)) * step
+        if clock == "polling":
+            steps = step * rng.uniform(0.6, 1.5, len(even))
+            steps[rng.choice(len(even), 3, replace=False)] += 0.012
+            return np.cumsum(steps) - steps[0]
+        return even
+
+    def _text(self, time: np.ndarray, axes: np.ndarray, position: np.ndarray, spoil: str) -> str:
+        draw, clock = self.draw, self.draw["clock"]
+        scale, unit = FORCES[draw["unit"]], draw["unit"]
+        x, y, z = NAMES[draw["names"]] or ("", "", "")
+        written = {"counts": "", "": ""}.get(unit, unit)
+        label = {"brackets": " ({})", "square": " [{}]", "name": "_{}"}[draw["unit_in"]].format(written)
+        names = [name + (label if written and name else "") for name in (x, y, z)]
+        values = axes * scale
+        if not NAMES[draw["names"]]:
+            order = values[[0, 1, 2]]
+            values = order[[1, 1, 2]] if draw["direction"] == "y" else order
+        columns = {names[k] or str(k): [f"{one:.6g}" for one in values[k]] for k in range(3)}
+        if clock != "no times":
+            columns = {self._time_name(): self._times(time), **columns}
+        if draw["position"] != "none" and NAMES[draw["names"]]:
+            factor = {"m": 1.0, "mm": 1e3}[draw["position"]]
+            columns[f"position ({draw['position']})"] = [f"{factor * one:.6g}" for one in position]
+        rows = [list(row) for row in zip(*columns.values(), strict=True)]
+        if clock == "doubled":
+            rows = [row for k, row in enumerate(rows) for _ in range(1 + (k % 7 == 3))]
+        if spoil == "empty cell":
+            rows[len(rows) // 2][-1] = ""
+        separator = {"; and comma": ";", "tab and comma": "\t", "blanks": " "}.get(
+            draw["separator"], draw["separator"]
+        )
+        head = list(columns)
+        if separator == " ":
+            separator = "\t" if any(" " in cell or not cell for row in [head, *rows] for cell in row) else " "
+        if "and comma" in draw["separator"]:
+            rows = [[cell.replace(".", ",") if ":" not in cell else cell for cell in row] for row in rows]
+        lines = [separator.join(row) for row in rows]
+        if NAMES[draw["names"]]:
+            lines = [separator.join(head), *lines]
+        titles = {"none": [], "comments": ["# recorded in the laboratory", "# sensor 3"],
+                  "plain": ["Recorded by the program", "Sensor: 3"]}[draw["titles"]]  # fmt: skip
+        if unit == "counts":
+            titles = ["Force Units: N", "Counts per Unit Force: 1000000", *titles]
+        return "\n".join([*titles, *lines]) + "\n"
+
+    def _time_name(self) -> str:
+        clock = self.draw["clock"]
+        return {"milliseconds": "time (ms)", "time of day": "Time", "12 hours": "Time"}.get(clock, "time")
+
+    def _times(self, time: np.ndarray) -> list[str]:
+        clock = self.draw["clock"]
+        if clock in ("milliseconds", "ms unsaid"):
+            return [f"{1e3 * one:.4f}" for one in time]
+        if clock == "rounded":
+            return [f"{one:.3f}" for one in time]
+        if clock == "ticks":
+            return [f"{0.0156 * np.floor(one / 0.0156):.4f}" for one in time]
+        if clock == "epoch":
+            return [f"{1.7e9 + one:.6f}" for one in time]
+        if clock in ("time of day", "12 hours"):
+            return [self._of_day(86399.5 + one) for one in time]
+        return [f"{one:.6f}" for one in time]
+
+    def _of_day(self, seconds: float) -> str:
+        milliseconds = round(1e3 * seconds) % 86_400_000
+        hour, rest = divmod(milliseconds, 3_600_000)
+        minute, rest = divmod(rest, 60_000)
+        text = f"{minute:02d}:{rest // 1000:02d}.{rest % 1000:03d}"
+        if self.draw["clock"] == "time of day":
+            return f"{hour:02d}:{text}"
+        return f"1/5/2024 {(hour - 1) % 12 + 1}:{text} {'AP'[hour >= 12]}M"
+
+    def _table(self, rows: list[tuple[Any, ...]]) -> None:
+        kind = self.draw["table"]
+        head = ["participant", "block", "trial", "waveguide", "actuation", "file"]
+        if kind == "capitals":
+            head = [name.capitalize() for name in head]
+        if kind == "subjects":
+            head = ["Subject ID", "Session", "Trial No", "Region", "Condition", "File name"]
+        if kind == "german":
+            head = ["Proband", "Block", "Versuch", "Bereich", "Zustand", "Datei"]
+            rows = [(*row[:4], {"on": "ein", "off": "aus"}[row[4]], row[5]) for row in rows]
+        if kind == "numbers":
+            head = ["participant", "block", "trial", "waveguide", "vibration", "file"]
+            rows = [(*row[:4], {"on": 1, "off": 0}[row[4]], row[5]) for row in rows]
+        if kind == "empty row":
+            rows = [*rows, ("P3", "", 9, "WG1", "on", "P3-1.csv")]
+        with (self.folder / "trials.csv").open("w", newline="", encoding="utf-8") as file:
+            table = csv.writer(file, delimiter={"semicolons": ";", "tabs": "\t"}.get(kind, ","))
+            table.writerow(head)
+            table.writerows(rows)
+
+
+def outcome(folder: Path, draw: Mapping[str, Any]) -> str:
+    """Whether a drawn folder is "right", with a trial "left out", "refused", or something else: a fault."""
+    made = Folder(folder, draw)
+    try:
+        trials = analysed(folder, made.sensor, Rules()).trials
+    except HaptonicError as error:
+        whole = made.refused and all(error.parts().values())
+        return "refused" if whole else f"fault: refused: {error.argument}: {error.given}; {error.cause}"
+    found = "right"
+    for row in range(trials.sizes["stroke"]):
+        key = str(trials["participant"].values[row]), int(trials["trial"].values[row])
+        reason, friction = str(trials["excluded"].values[row]), float(trials["friction"].values[row])
+        spoil = draw["spoil"] if key == made.spoiled else ""
+        spoil = "clipped" if made.clipped.get(key) else "" if spoil == "clipped" else spoil
+        if reason:
+            if reason not in REASONS[spoil]:
+                return f"fault: left out: {key}: {reason}: {trials['detail'].values[row]}"
+            found = "left out"
+        elif not abs(friction - made.truth[key]) <= ERROR:
+            return f"wrong: {key}: {friction:.4f} instead of {made.truth[key]}"
+    return found
