@@ -25,13 +25,17 @@ class Dropped:
 
 @dataclass
 class Notebook:
-    """Collects what is dropped and what is assumed while a reader works."""
+    """Collects what is dropped and what is assumed while a reader works.
+
+    unread : what is in the file and cannot be read, by name
+    """
 
     path: Path
     format: str
     dropped: list[Dropped] = field(default_factory=list)
     missing: list[str] = field(default_factory=list)
     remarks: dict[str, None] = field(default_factory=dict)  # each once, found again at once
+    unread: dict[str, str] = field(default_factory=dict)
 
     def drop(self, what: str, reason: str) -> None:
         self.dropped.append(Dropped(what, reason))
