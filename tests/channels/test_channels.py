@@ -103,7 +103,6 @@ def test_numbers_without_a_name_are_refused(tmp_path, more, everywhere):
     refused(
         lambda: opened(tmp_path / "a.csv"),
         "line 2",
-        "more cells",
         code="unreadable",
         argument="a.csv",
         kind=ChannelError,

@@ -1,166 +1,106 @@
-"""Text tables (CSV): a line of names, perhaps with units in brackets, and numbers below it.
+"""Text tables (CSV) as channels, and as columns of words and numbers; `text_table` reads them.
 
-Columns are parted by commas, semicolons or tabs; between the others a decimal comma is read too. Lines that
-begin with "#" are comments, and so is a title above the names; a comment that says "simulated", or a column
-``origin`` that does, marks the file.
+A file is simulated if a comment above its rows, or a column ``origin``, says so.
 """
 
 from __future__ import annotations
 
-import codecs
 import csv
-import io
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from haptonic.channels.dialect import is_comment
 from haptonic.channels.notes import Notebook
-from haptonic.channels.signals import ORIGIN, SIMULATED, Channel, Group, Samples
-from haptonic.errors import ChannelError
-from haptonic.later import pandas as pd
-from haptonic.names import cell, from_cell
-from haptonic.paths import source
+from haptonic.channels.signals import ORIGIN, SIMULATED, Channel, Group, Kind, Samples
+from haptonic.channels.text_table import TextColumn, TextTable, missing_as_nan, read_table
+from haptonic.names import cell
 
-HEAD = 20  # lines in which comments and the names are looked for
-MISSING = ("", "NA", "N/A", "n/a", "NaN", "nan", "-nan", "<NA>", "NULL", "null", "None", "none")
-UNEVEN = "uneven_line"  # property: number of the first line with another number of cells than the names
-# the last pair of brackets, which may hold others: "Fz (mN)", "real ((m/s)/V)"
-_UNIT = re.compile(r"(?P<name>.*?)\s*[\[(](?P<unit>(?:[^()\[\]]|\([^()]*\))*)[\])]\s*")
+HEAD = 20  # lines in which a comment marks a file
+UNEVEN = "uneven_line"  # property: number of the first line with fewer cells than columns
+NAMES_LINE = "names_line"  # property: number of the line of names; absent where the columns are only numbered
+FIRST_ROW = "first_row"  # property: cells of the first row, as the file writes them
+TITLES = "titles"  # property: lines above the table
 
 
-def read(path: Path, notes: Notebook) -> dict[str, Group]:
-    """The columns as channels of the one group "".
+def read(path: Path, notes: Notebook, texts: Collection[str] = (), skip: int = 0) -> dict[str, Group]:
+    """The columns as channels of the one group ""; without names they are called 1, 2, ...
+
+    Parameters
+    ----------
+    texts : names of columns that hold words, whatever these look like
+    skip : lines at the top that are no part of the table
 
     Raises
     ------
     ChannelError : no table, or bytes that no text has
     OSError : there is no such file, or it may not be read
     """
-    text = text_of(path).replace("\r\n", "\n").replace("\r", "\n")
-    lines = text.split("\n", HEAD)[:HEAD]
-    comments = " ".join(line.lower() for line in lines if line.startswith("#"))
-    above, names, separator = _names(lines)
-    below = lines[above:] + text.split("\n", HEAD)[HEAD:]
-    text = "\n" * above + "\n".join(below)  # lines keep their numbers
-    # spreadsheets write rows of empty cells below a table
-    end = text.find("\n", len(text.rstrip(f"{separator} \t\r\n")))
-    text = text if end < 0 else text[:end]
-    uneven = _uneven_line(path, text, names, separator)
-    decimal = "," if separator != "," and re.search(r"[0-9],[0-9]", text) else "."
-    try:
-        # without index_col, a separator behind every row would put each column below the name of the next
-        table = pd.read_csv(
-            io.StringIO(text), sep=separator, decimal=decimal, comment="#", skipinitialspace=True,
-            index_col=False, usecols=lambda name: True,
-        )  # fmt: skip
-    except pd.errors.EmptyDataError as error:
-        raise _no_table(path, "no columns") from error
-    except ValueError as error:  # of which pandas' other errors are kinds
-        raise _no_table(path, str(error)) from error
-    simulated = SIMULATED in comments or (ORIGIN in table and bool((table[ORIGIN] == SIMULATED).any()))
-    properties: dict[str, Any] = {ORIGIN: SIMULATED} if simulated else {}
-    if uneven is not None:
-        properties[UNEVEN] = uneven
-    channels = {}
-    for head in map(str, table.columns):
-        found = _UNIT.fullmatch(head)
-        name, unit = (found["name"], found["unit"].strip()) if found else (head, "")
-        # words in a column are a fault of its numbers, which whoever asks for them hears of
-        if name != ORIGIN:
-            values = table[head].to_numpy()
-            channels[name] = Channel(name, values.shape, _from(values), unit=unit, streamed=False)
+    table = read_table(path, texts=texts, skip=skip)
+    for remark in table.remarks:
+        notes.remark(f"{path.name}: {remark}")
+    comments = " ".join(line.lower() for line in table.titles[:HEAD] if is_comment(line))
+    columns = table.columns_by_name
+    origin = columns.pop(ORIGIN, None)
+    simulated = SIMULATED in comments or (origin is not None and bool((origin.values == SIMULATED).any()))
+    properties: dict[str, Any] = {FIRST_ROW: table.first_row, TITLES: table.titles}
+    properties |= {ORIGIN: SIMULATED} if simulated else {}
+    properties |= {UNEVEN: table.short[0]} if table.short else {}
+    properties |= {NAMES_LINE: table.names_line} if table.names_line else {}
+    channels = {name: _channel(table, name, column) for name, column in columns.items()}
     return {"": Group("", channels, properties)}
 
 
-def heads(path: Path) -> list[str]:
-    """Names of the columns, with what stands in brackets behind them.
-
-    Raises
-    ------
-    ChannelError : bytes that no text has
-    OSError : there is no such file, or it may not be read
-    """
-    _, line, separator = _names(re.split(r"\r\n|\r|\n", text_of(path), maxsplit=HEAD)[:HEAD])
-    return [name.strip(' "') for name in line.split(separator)]
+def _channel(table: TextTable, name: str, column: TextColumn) -> Channel:
+    kind: Kind = "complex" if column.values.dtype.kind == "c" else "number"
+    return Channel(
+        name, column.values.shape, _rows(table, column), kind=kind, unit=column.unit, streamed=False
+    )
 
 
-def _names(lines: Sequence[str]) -> tuple[int, str, str]:
-    """How many lines stand above that of the names, this line, and what parts its columns."""
-    said = [(k, line) for k, line in enumerate(lines) if line.strip() and not line.startswith("#")]
-    # a title has no columns; where nothing has, there is one column
-    above, names = next((one for one in said if re.search(r"[;,\t]", one[1])), [*said, (0, "")][0])
-    return above, names, ";" if names.count(";") > names.count(",") else "\t" if "\t" in names else ","
+def _rows(table: TextTable, column: TextColumn) -> Callable[[int, int], Samples]:
+    # words in a column are a fault of its numbers, which whoever asks for them hears of
+    def rows(first: int, last: int) -> Samples:
+        return (column.values if column.is_text else table.numbers(column))[first:last]
+
+    return rows
 
 
-def _from(values: Samples) -> Any:
-    return lambda first, last: values[first:last]
+def columns(path: Path, texts: Collection[str], skip: int = 0) -> dict[str, Samples]:
+    """Columns of a table of words and numbers, by the whole text of their heading.
 
-
-def _uneven_line(path: Path, text: str, heads: str, separator: str) -> int | None:
-    """The first line with fewer cells than there are names, or with empty ones behind them.
-
-    Raises
-    ------
-    ChannelError : a line with a number behind the last name: pandas would leave it out
-    """
-    expected, first = heads.count(separator), None
-    for number, line in enumerate(text.split("\n"), start=1):
-        if line.count(separator) == expected or '"' in line or not line.strip() or line.startswith("#"):
-            continue
-        if line.rstrip(f"{separator} \t\r").count(separator) > expected:
-            raise _no_table(path, f"line {number} has more cells than the line of names")
-        first = first or number
-    return first
-
-
-def columns(path: Path, texts: Sequence[str]) -> dict[str, Samples]:
-    """Columns of a table of words and numbers; those in ``texts`` hold words, whatever these look like.
+    Those in ``texts`` hold words, whatever these look like; in others an empty cell is NaN.
 
     Raises
     ------
     ChannelError : no table, or bytes that no text has
     OSError : there is no such file, or it may not be read
     """
-    text = text_of(path)
-    try:
-        heads = [str(name) for name in pd.read_csv(io.StringIO(text), nrows=0).columns]
-        # "NA" and "None" are missing numbers, but names of people and guides
-        missing = {name: MISSING for name in heads if name not in texts}
-        table = pd.read_csv(
-            io.StringIO(text), dtype=dict.fromkeys(texts, str), keep_default_na=False, na_values=missing
+    table = read_table(path, texts=texts, skip=skip)
+    # a column of numbers in which a cell is a word is one of words
+    mixed = [column.heading.text for column in table.columns if column.bad]
+    if mixed:
+        table = read_table(path, texts=[*texts, *mixed], skip=skip)
+    known = {text.casefold() for text in texts}
+    return {
+        name if column.name == name and not column.unit else column.heading.text or name: _plain_column(
+            column, known
         )
-    except ValueError as error:
-        raise _no_table(path, str(error)) from error
-    for name in set(texts) & set(heads):
-        table[name] = table[name].map(from_cell)
-    return {str(name): table[name].to_numpy() for name in table.columns}
+        for name, column in table.columns_by_name.items()
+    }
 
 
-def text_of(path: Path) -> str:
-    """The text of a file, which names or units in the code page of an older program do not spoil.
-
-    Raises
-    ------
-    ChannelError : it holds bytes that no text has, or is no file that ends
-    OSError : there is no such file, or it may not be read
-    """
-    try:
-        content = source(path, path.name, ChannelError).read_bytes()
-    except ChannelError as error:
-        raise _no_table(path, error.cause) from error
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):  # a spreadsheet's "Unicode text"
-        text = content.decode("utf-16", errors="replace")
-    else:
-        try:
-            text = content.decode("utf-8-sig")
-        except UnicodeDecodeError:
-            text = content.decode("latin-1")
-    if "\0" in text:
-        raise _no_table(path, "bytes that no text has")
-    return text
+def _plain_column(column: TextColumn, texts: Collection[str]) -> Samples:
+    """Texts, floats, or integers if all numbers are whole."""
+    values = column.values
+    if column.is_text:
+        return values if column.name.casefold() in texts else missing_as_nan(column)
+    if values.dtype.kind == "f" and np.isfinite(values).all() and (np.abs(values) < 2**53).all():
+        whole = values.astype(np.int64)
+        return whole if len(values) and (whole == values).all() else values
+    return values
 
 
 def write(path: Path, table: Mapping[str, Sequence[Any] | Samples]) -> None:
@@ -176,13 +116,3 @@ def _plain(column: Sequence[Any] | Samples) -> list[Any]:
     if isinstance(column, np.ndarray) and column.dtype.kind in "fiu":
         return list(column.tolist())
     return [cell(value) for value in column]
-
-
-def _no_table(path: Path, found: str) -> ChannelError:
-    return ChannelError.unreadable(
-        argument=path.name,
-        given=found,
-        allowed="a text table: a line of names, and rows of as many numbers below it",
-        cause="it is damaged, or saved in another format than its name says",
-        next_step="open it in a text editor to see",
-    )

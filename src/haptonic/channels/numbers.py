@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.channels.delimited import text_of
+from haptonic.channels.text_file import text_of
 from haptonic.errors import ChannelError, shown
 
 FORMS = (

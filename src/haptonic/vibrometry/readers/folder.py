@@ -19,6 +19,7 @@ from haptonic.arrays import Array
 from haptonic.channels import Channel, Notebook, delimited
 from haptonic.channels.labels import label_of, ratio_of
 from haptonic.channels.signals import SIMULATED, Origin
+from haptonic.channels.text_table import read_table
 from haptonic.errors import ChannelError, ScanError
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
@@ -107,7 +108,10 @@ def _table_of_points(path: Path, notes: Notebook) -> Path:
     named = []
     for file in sorted(path.glob("*.csv")):
         try:
-            if _meant(dict.fromkeys(delimited.heads(file)), PLACES).keys() == PLACES.keys():
+            if (
+                _meant(dict.fromkeys(read_table(file, texts=PLACES["file"]).names), PLACES).keys()
+                == PLACES.keys()
+            ):
                 named.append(file)
         except (ChannelError, OSError):
             continue  # what is wrong with it is said when it is read as a point
@@ -135,7 +139,7 @@ def _geometry(
     places: dict[str, Point] = {}
     files: dict[str, Path] = {}
     try:
-        group = delimited.read(table, notes)[""]
+        group = delimited.read(table, notes, texts=PLACES["file"])[""]
     except ChannelError as error:
         raise ScanError.unreadable(
             argument=f"{table.name} of a scan",

@@ -1,0 +1,149 @@
+"""What parts the columns of a text table, and which sign numbers have before their decimals."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from haptonic.channels.cells import is_missing, joined, number_of
+from haptonic.channels.headings import COMMENT
+
+# Where several read every row, the first is meant: a semicolon is no part of a number, a comma may be one.
+SEPARATORS = ("\t", ";", "|", ",", "")
+TAIL, SPREAD = 24, 12  # lines at the end and between, which show what the table is like
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """How rows are written.
+
+    separator : "" for blanks; decimal : "." or ","
+    cells : of a row; empty : how many of them, at its end, are empty in all rows
+    numeric : for each cell, True if its column holds numbers
+    """
+
+    separator: str
+    decimal: str
+    cells: int
+    empty: int
+    numeric: tuple[bool, ...]
+
+    def split(self, line: str) -> list[str]:
+        """The cells of a line."""
+        return split(line, self.separator)
+
+    def is_row(self, cells: Sequence[str]) -> bool:
+        """True if all numeric columns have a number or a missing one, and one of them has a number."""
+        if not self.cells - self.empty <= len(cells) <= self.cells:
+            return False
+        pairs = zip(cells, self.numeric, strict=False)
+        found = [number_of(cell, self.decimal) for cell, numeric in pairs if numeric]
+        return None not in found and any(value == value for value in found)
+
+
+def split(line: str, separator: str) -> list[str]:
+    """The cells of a line."""
+    if "(" in line or "i" in line or "j" in line or "I" in line:
+        line = joined(line)
+    if not separator:
+        line = re.sub(r"(?<=\d)\s*\*\s*(?=[ij])", "*", line)
+        return [cell.strip('"') for cell in line.split()]
+    if '"' in line:
+        rows = list(csv.reader([line], delimiter=separator, skipinitialspace=True))
+        return [cell.strip() for cell in rows[0]] if rows else []
+    return [cell.strip() for cell in line.split(separator)]
+
+
+def is_comment(line: str) -> bool:
+    """True if a line begins with %, #, ! or //."""
+    begin = line.lstrip()[:2]
+    return begin[:1] in ("%", "#", "!") or begin == "//"
+
+
+def sample_of(lines: Sequence[str]) -> list[str]:
+    """Lines with text that are no comments: some of all, then the last ones."""
+    tail: list[str] = []
+    for line in reversed(lines):
+        if len(tail) == TAIL:
+            break
+        if line.strip() and not is_comment(line):
+            tail.append(line)
+    spread = lines[:: max(1, len(lines) // SPREAD)] if len(lines) > TAIL else []
+    return [line for line in spread if line.strip() and not is_comment(line)] + tail[::-1]
+
+
+def dialect_of(sample: Sequence[str]) -> Dialect | None:
+    """The dialect in which most lines are rows of as many cells; None without lines.
+
+    Rows in which every cell is a number show a dialect better than words that are parted alike.
+    """
+    best: tuple[tuple[Fraction, Fraction, int], Dialect] | None = None
+    late = sample[len(sample) // 2 :]
+    for rank, separator in enumerate(SEPARATORS):
+        if separator and rank and not 2 * sum(separator in line for line in late) >= len(late):
+            continue
+        rows = [split(line, separator) for line in sample]
+        for decimal in (".", ","):
+            for cells, count in Counter(map(len, rows)).most_common(2):
+                alike = [row for row in rows if len(row) == cells]
+                held = [[number_of(cell, decimal) is not None for cell in row] for row in alike]
+                filled = [[not is_missing(cell) for cell in row] for row in alike]
+                part = len(alike) // 2  # titles and names lie above it
+                numeric = tuple(
+                    2 * sum(row[k] for row in held[part:]) >= len(held) - part for k in range(cells)
+                )
+                whole = sum(all(h) and any(f) for h, f in zip(held, filled, strict=True)) if cells > 1 else 0
+                numbers = sum(
+                    a and b for h, f in zip(held, filled, strict=True) for a, b in zip(h, f, strict=True)
+                )
+                score = (
+                    Fraction(whole, len(rows)) if all(numeric) else Fraction(0),
+                    # blanks are within words too, and lines of a single cell show nothing
+                    Fraction(count, len(rows) * (1 if cells > 1 and separator else 2))
+                    * (1 + Fraction(numbers, max(1, sum(map(sum, filled))))),
+                    -rank,
+                )
+                if best is None or score > best[0]:
+                    empty = next(
+                        (k for k in range(cells) if any(row[cells - 1 - k] for row in filled[part:])), cells
+                    )
+                    best = (score, Dialect(separator, decimal, cells, empty, numeric))
+            if best and best[0][0] == 1:
+                return best[1]
+    return best[1] if best else None
+
+
+def comma_meaning(sample: Sequence[str], dialect: Dialect) -> str:
+    """What is unsure about the commas of a table, in words; "" if they have one meaning only."""
+    rows = [dialect.split(line) for line in sample]
+    rows = [row for row in rows if len(row) == dialect.cells]
+    cells = [cell for row in rows for cell, numeric in zip(row, dialect.numeric, strict=True) if numeric]
+    if dialect.decimal == ",":
+        commas = [cell.lstrip("+-") for cell in cells if "," in cell]
+        sure = any(
+            not re.fullmatch(r"[1-9]\d{0,2}(,\d{3})+", cell) and cell.count(",") == 1 for cell in commas
+        )
+        if commas and not sure:
+            return f'"{commas[0]}" may be {commas[0].replace(",", "")} or {commas[0].replace(",", ".", 1)}'
+    elif dialect.separator == "," and not any("." in cell or "e" in cell.lower() for cell in cells):
+        zeros = [cell for cell in cells if re.fullmatch(r"[+-]?0\d+", cell)]
+        if zeros:
+            return f'"{zeros[0]}" looks like decimals behind a comma, and commas part the columns too'
+    return ""
+
+
+def is_unclear_title(cells: Sequence[str], dialect: Dialect) -> bool:
+    """True for a line above the numbers that begins as a row of numbers and is none."""
+    found = [number_of(cell, dialect.decimal) is not None and not is_missing(cell) for cell in cells]
+    if len(cells) < 2 or not found[0]:
+        return False
+    return 2 * sum(found) >= len(cells) if len(cells) == dialect.cells else 2 * sum(found) > len(cells)
+
+
+def comment_text(line: str) -> str:
+    """A line without the marks of a comment."""
+    return COMMENT.sub("", line, count=1).strip()

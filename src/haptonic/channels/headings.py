@@ -1,0 +1,151 @@
+"""Names of columns and their units, as programs write them above a table."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from haptonic.channels.cells import is_missing, number_of
+from haptonic.units import TYPOGRAPHIC
+
+LONGEST = 300  # characters of one name; longer ones have no unit
+COMMENT = re.compile(r"\s*(?:%|#|!|//|\*)+\s?")
+# the last pair of brackets, which may hold others: "Fz (mN)", "real ((m/s)/V)"; behind it COMSOL's parameter
+_BRACKETED = re.compile(
+    r"(?P<name>[^\[\]]*?[^\s\[\]]|)(?P<gap>\s*)"
+    r"(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>(?:[^()\[\]]|\([^()]*\))*)\))"
+    r"\s*(?P<behind>@.*|,.*=.*|)"
+)
+_HERTZ = re.compile(r"(?P<name>.*?[^\s_])?[\s_]+(?P<unit>[kMGT]?Hz|k?hz|ghz|rad/s|rpm)")
+_ATOM = (
+    r"(?:[fpnuµmckMGT]?(?:m|s|Hz|N|V|W|Pa|g|rad)|[kKmMgG]?[hH][zZ]|sec|min|inch|in|ft|lbf|gf|kgf|deg|°|degrees?|"
+    r"dB|%|1|rpm|°C|(?:2\s*\*?\s*)?(?:pi|π)|counts?|turns?)"
+)
+_FACTOR = rf"{_ATOM}(?:(?:\^|\*\*)?-?\d)?"
+_UNIT = re.compile(rf"\(?{_FACTOR}\)?(?:\s*(?:[*/]|\s|per)\s*\(?(?:{_FACTOR}|a)\)?){{0,4}}")
+_KEY = re.compile(r"[^:=()\[\]]{1,60}(?::(?:\s|$)|=\s*\S)")
+_RULE = re.compile(r"[\s\-=_*+|#%.]*")
+
+
+@dataclass(frozen=True)
+class Heading:
+    """What stands above a column.
+
+    text : all of it; name : without unit; unit : as the file writes it, "" where it does not say
+    """
+
+    text: str
+    name: str
+    unit: str
+
+    @classmethod
+    def of(cls, cell: str) -> Heading:
+        """The heading in a cell: "Fz (mN)", "freq [Hz] @ k=0.1", "f / Hz", "Zeit in s", "f, kHz", "f_Hz"."""
+        text = cell.strip().strip('"').strip()
+        if len(text) > LONGEST:
+            return cls(text, text, "")
+        found = _BRACKETED.fullmatch(text)
+        if found:
+            unit = (found["square"] if found["square"] is not None else found["round"]).strip()
+            # "max(w)" is a name; "max (w)" has a unit that nobody knows, which is refused where it matters
+            if is_unit(unit) or found["gap"] or found["square"] is not None or not found["name"]:
+                return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), unit)
+        if is_unit(text):
+            return cls(text, text, text if re.search("hz|rad/s", text, re.IGNORECASE) else "")
+        for part in ("/", ",", " in "):
+            name, _, unit = text.partition(part) if part != " in " else text.rpartition(part)
+            if name.strip() and is_unit(unit.strip()) and not unit.strip().isdigit():
+                return cls(text, name.strip(), unit.strip())
+        found = _HERTZ.fullmatch(text)
+        if found and found["name"]:
+            return cls(text, found["name"], found["unit"])
+        return cls(text, text, "")
+
+
+def is_unit(text: str) -> bool:
+    """True if a text is a unit as instruments write it: "Hz", "(m/s)/V", "rad s^-1"."""
+    return len(text) <= LONGEST and bool(_UNIT.fullmatch(text.translate(TYPOGRAPHIC)))
+
+
+def is_title(line: str) -> bool:
+    """True for a line such as "Force Units: N" or "rate = 500 Hz", which names no columns."""
+    return bool(_KEY.match(line.lstrip(' "')))
+
+
+def is_rule(line: str) -> bool:
+    """True for an empty line and for one of dashes."""
+    return len(line) <= LONGEST * 20 and bool(_RULE.fullmatch(line))
+
+
+def units_in(cells: Sequence[str]) -> list[str] | None:
+    """The units of a line that has nothing else, without their brackets; else None."""
+    units, known = [], False
+    for cell in cells:
+        text = cell.strip().strip('"').strip()
+        inner = text[1:-1].strip() if re.fullmatch(r"\[.*\]|\((?:[^()]|\([^()]*\))*\)", text) else None
+        if inner is None and text not in ("", "-") and not is_unit(text):
+            return None
+        unit = text if inner is None else inner
+        known |= unit not in ("", "-", "1")
+        units.append("" if unit == "-" else unit)
+    return units if known else None
+
+
+def could_be_names(cells: Sequence[str]) -> bool:
+    """False if a cell is a number that numbers no band: names are words, or whole numbers behind a word."""
+    filled = [cell.strip() for cell in cells if not is_missing(cell)]
+    numbers = [cell for cell in filled if number_of(cell) is not None]
+    return (
+        bool(filled)
+        and number_of(filled[0]) is None
+        and all(re.fullmatch(r"\d{1,4}", cell) for cell in numbers)
+    )
+
+
+def names_by_blanks(
+    line: str, count: int, starts: Sequence[int] | None = None, ends: Sequence[int] | None = None
+) -> list[str] | None:
+    """As many names as columns in a line that blanks part, or None.
+
+    Parameters
+    ----------
+    starts, ends : places of the first character of the cells below, and behind their last one, where all rows
+        have the same ones
+    """
+    plain = COMMENT.sub(lambda found: " " * len(found[0]), line, count=1)
+    text = plain.strip()
+    for part in ("\t", ";", "|", ","):
+        cells = [cell.strip() for cell in text.split(part)]
+        if len(cells) == count > 1 and all(cells):
+            return cells
+    # two blanks part names of two words, and so does the bracket that ends a unit
+    wide = re.split(r"\s{2,}(?![\[(@])|(?<=[\])])\s+(?![\[(@])", text)
+    if len(wide) == count and not any(_holds_wavevector(cell) for cell in wide):
+        return wide
+    bound = re.findall(r"\S+(?:\s+[\[(][^)\]]*[\])])?(?:\s+@\s*\S+)?", text)
+    if len(bound) == count:
+        return bound
+    for cuts in ((starts or ())[1:], (ends or ())[:-1]):
+        if cuts and (aligned := _cut(plain, cuts)):
+            return aligned
+    words, lacking = wide[0].split(), count - len(wide)
+    if 0 < lacking < len(words) and all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
+        return [*words[:lacking], " ".join(words[lacking:]), *wide[1:]]
+    return None
+
+
+_WAVEVECTOR = re.compile(r"[kqβκ](?:_?[xyz12])?|kappa|beta|wavevector|wavenumber|segment|path", re.IGNORECASE)
+
+
+def _holds_wavevector(cell: str) -> bool:
+    """True if the name of a wavevector and the next one may have been taken for one name."""
+    words = cell.split()
+    return len(words) > 1 and bool(_WAVEVECTOR.fullmatch(words[0])) and words[1][:1] not in "[(@"
+
+
+def _cut(line: str, cuts: Sequence[int]) -> list[str] | None:
+    """Pieces of a line between places where no word is cut in two; None if there are none such."""
+    pieces = [line[a:b] for a, b in zip([0, *cuts], [*cuts, len(line)], strict=True)]
+    apart = all(line[cut - 1 : cut].isspace() or line[cut : cut + 1].isspace() for cut in cuts)
+    return [" ".join(piece.split()) for piece in pieces] if apart and all(map(str.strip, pieces)) else None

@@ -1,0 +1,293 @@
+"""The one reader of text tables: CSV files, exports of other programs, tables of trials and of points.
+
+Columns are parted by tabs, semicolons, bars, commas or blanks; numbers have a decimal point or comma, may be
+complex, infinite or missing. Lines that begin with %, #, ! or // are comments. The line of names is the last
+line above the numbers that has as many cells, a comment or not; a line of units may lie below it. Without one
+columns have numbers, from 1. Every line that is left out is counted or refused, never passed over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.channels.cells import is_missing, numbers_in
+from haptonic.channels.dialect import Dialect, comma_meaning, dialect_of, is_comment, sample_of
+from haptonic.channels.headings import Heading
+from haptonic.channels.text_file import refused, text_of
+from haptonic.channels.text_head import head_of
+from haptonic.errors import ChannelError, shown
+from haptonic.names import from_cell
+
+PORTION = 20_000  # lines that are read at a time
+MOST_NOTED = 5  # comments among the rows that are named
+
+
+@dataclass(frozen=True, eq=False)
+class TextColumn:
+    """A column.
+
+    heading : its name and unit; both empty where the file has no names
+    number : of the column, from 1
+    values : (row,) float, complex, or texts (object)
+    bad : line and text of its first cell that is no number, if it is a column of numbers
+    """
+
+    heading: Heading
+    number: int
+    values: NDArray[Any] = field(repr=False)
+    bad: tuple[int, str] | None = None
+
+    @property
+    def name(self) -> str:
+        """Its name without the unit, or its number."""
+        return self.heading.name or str(self.number)
+
+    @property
+    def unit(self) -> str:
+        return self.heading.unit
+
+    @property
+    def is_text(self) -> bool:
+        return self.values.dtype.kind == "O"
+
+
+@dataclass(frozen=True, eq=False)
+class TextTable:
+    """A table.
+
+    lines : (row,) number of the line in the file that each row is in, from 1
+    blocks : (row,) 0, 1, ...: how many empty lines, or groups of them, lie above the row within the table
+    names_line : number of the line of names, None without one; names_text : this line
+    titles : lines above the table, comments among them
+    short : lines with fewer cells than columns, which are filled with missing numbers
+    remarks : what was left out or assumed, in words
+    """
+
+    path: Path
+    columns: tuple[TextColumn, ...]
+    lines: NDArray[np.int64] = field(repr=False)
+    blocks: NDArray[np.int64] = field(repr=False)
+    names_line: int | None
+    names_text: str
+    titles: tuple[str, ...]
+    short: tuple[int, ...]
+    remarks: tuple[str, ...]
+    first_row: tuple[str, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(column.name for column in self.columns)
+
+    @property
+    def has_names(self) -> bool:
+        return self.names_line is not None
+
+    @cached_property
+    def columns_by_name(self) -> dict[str, TextColumn]:
+        """The columns by their names; the second of two of one name gets ".1" behind it."""
+        known: dict[str, TextColumn] = {}
+        for column in self.columns:
+            name, count = column.name, 0
+            while name in known:
+                count += 1
+                name = f"{column.name}.{count}"
+            known[name] = column
+        return known
+
+    def numbers(self, column: TextColumn) -> NDArray[Any]:
+        """(row,) float or complex numbers of a column.
+
+        Raises
+        ------
+        ChannelError : a cell of it is no number; the line is named
+        """
+        line, text = column.bad or (0, "")
+        if column.is_text and len(column.values):
+            line, text = int(self.lines[0]), str(column.values[0])
+        if line:
+            raise ChannelError.malformed(
+                argument=f"{self.path.name}, column {column.name}",
+                given=f"line {line}: {shown(text, 40)}",
+                allowed="a number in every row, or an empty cell",
+                cause="a title or a note among the rows, or a number in a form that is not read",
+                next_step=f"correct line {line} of {self.path.name}, or put # before it",
+            )
+        return column.values
+
+    def without_names(self) -> str:
+        """What to say of a table that has no names: its first row and how its columns are called."""
+        first = shown(", ".join(self.first_row), 80)
+        return f"no line of names; its columns are called 1 to {len(self.columns)}, and begin with {first}"
+
+
+def read_table(
+    path: Path, *, texts: Collection[str] = (), skip: int = 0, option: str = "", largest: int | None = None
+) -> TextTable:
+    """The table of a text file.
+
+    Parameters
+    ----------
+    texts : names of columns that hold words, whatever these look like; capitals make no difference
+    skip : lines at the top that are no part of the table
+    option : how the user sets ``skip``, such as "--skip-lines"; it is named where it may help
+    largest : bytes of a file that is still read
+
+    Raises
+    ------
+    ChannelError : no text, no rows, a line that is neither a row nor a title, or commas that may be either of
+        two things
+    OSError : there is no such file, or it may not be read
+    """
+    if largest is not None and path.is_file() and path.stat().st_size > largest:
+        raise refused(path, f"more than {largest // 10**6} MB", "export fewer columns or rows")
+    lines = text_of(path).rstrip().replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    sample = sample_of(lines[skip:])
+    dialect = dialect_of(sample)
+    if dialect is None:
+        raise refused(path, "no line with a number", "export it as text, a row of numbers a line")
+    if unsure := comma_meaning(sample, dialect):
+        raise refused(path, unsure, "export it with a decimal point, or with semicolons between the columns")
+    head = head_of(path, lines, dialect, skip, option)
+    count = len(head.names) or dialect.cells - dialect.empty
+    headings = [Heading.of(cell) for cell in head.names] or [Heading("", "", "")] * count
+    for k, unit in enumerate(head.units[:count]):
+        headings[k] = replace(headings[k], unit=headings[k].unit or unit)
+    words = {text.casefold() for text in texts}
+    numeric = [
+        dialect.numeric[k] and words.isdisjoint((one.name.casefold(), one.text.casefold()))
+        for k, one in enumerate(headings)
+    ]
+    body = _Body(path, dialect, numeric)
+    for first in range(head.first, len(lines), PORTION):
+        body.add(first + 1, lines[first : first + PORTION])
+    return TextTable(
+        path=path,
+        columns=tuple(body.column(k, heading) for k, heading in enumerate(headings)),
+        lines=np.array(body.lines, dtype=np.int64),
+        blocks=np.array(body.blocks, dtype=np.int64),
+        names_line=head.line,
+        names_text=head.text,
+        titles=(*(line.strip() for line in lines[:skip]), *head.titles),
+        short=tuple(body.short),
+        remarks=(*head.remarks, *body.remarks()),
+        first_row=tuple(dialect.split(lines[head.first])) if head.first < len(lines) else (),
+    )
+
+
+class _Body:
+    """The rows of a table, portion by portion."""
+
+    def __init__(self, path: Path, dialect: Dialect, numeric: Sequence[bool]) -> None:
+        self.path, self.dialect, self.numeric, self.count = path, dialect, numeric, len(numeric)
+        self.parts: list[list[NDArray[Any]]] = [[] for _ in range(self.count)]
+        self.bad: list[tuple[int, str] | None] = [None] * self.count
+        self.lines: list[int] = []
+        self.blocks: list[int] = []
+        self.short: list[int] = []
+        self.comments: list[tuple[int, str]] = []
+        self.block, self.apart = 0, False
+
+    def add(self, first: int, portion: Sequence[str]) -> None:
+        """Take lines, of which the first has this number."""
+        rows = self._regular(portion)
+        if rows is None:
+            numbers, rows = self._one_by_one(first, portion)
+        else:
+            numbers = list(range(first, first + len(rows)))
+            self.blocks += self._begun(len(rows))
+        self.lines += numbers
+        for k, cells in enumerate(zip(*rows, strict=True) if rows else []):
+            if not self.numeric[k]:
+                column = np.empty(len(cells), dtype=object)
+                column[:] = [from_cell(cell.strip()) for cell in cells]
+                self.parts[k].append(column)
+                continue
+            values, bad = numbers_in(cells, self.dialect.decimal)
+            if bad is not None and self.bad[k] is None:
+                self.bad[k] = (numbers[bad], cells[bad])
+            self.parts[k].append(values)
+
+    def _begun(self, count: int) -> list[int]:
+        if self.apart:
+            self.block, self.apart = self.block + bool(self.blocks), False
+        return [self.block] * self.count
+
+    def _regular(self, portion: Sequence[str]) -> list[list[str]] | None:
+        """Cells of lines that are all rows, without comments and quotes; else None."""
+        text = "\n".join(portion)
+        if any(mark in text for mark in ("%", "#", "!", '"', "(", "//")):
+            return None
+        rows = [line.split(self.dialect.separator or None) for line in portion]
+        if set(map(len, rows)) != {self.dialect.cells} or not all(map(any, rows)):
+            return None
+        if self.count < self.dialect.cells:
+            if any(any(row[self.count :]) for row in rows):
+                return None
+            rows = [row[: self.count] for row in rows]
+        return rows
+
+    def _one_by_one(self, first: int, portion: Sequence[str]) -> tuple[list[int], list[list[str]]]:
+        numbers: list[int] = []
+        rows: list[list[str]] = []
+        for number, line in enumerate(portion, start=first):
+            if is_comment(line):
+                self.comments.append((number, line.strip()))
+                continue
+            cells = self.dialect.split(line) if line.strip() else []
+            if not any(cells):
+                self.apart = True
+                continue
+            rows.append(self._row(number, line, cells))
+            numbers.append(number)
+            self.blocks += self._begun(1) if self.apart else [self.block]
+        return numbers, rows
+
+    def _row(self, number: int, line: str, cells: list[str]) -> list[str]:
+        """The cells of a row, one for each column."""
+        if len(cells) > self.count:
+            if any(cells[self.count :]):
+                raise self._refused(
+                    f"line {number} has more cells than the table has columns: {shown(line.strip(), 40)}",
+                    number,
+                )
+            return cells[: self.count]
+        if len(cells) < self.count:
+            _, bad = numbers_in(
+                [cell for cell, numeric in zip(cells, self.numeric, strict=False) if numeric],
+                self.dialect.decimal,
+            )
+            if bad is not None or not self.dialect.separator or len(cells) == 1:
+                raise self._refused(
+                    f"line {number} is no row of {self.count} cells: {shown(line.strip(), 40)}", number
+                )
+            self.short.append(number)
+        return [*cells, *[""] * (self.count - len(cells))]
+
+    def _refused(self, given: str, number: int) -> ChannelError:
+        return refused(self.path, given, f"complete line {number} of {self.path.name}, or put # before it")
+
+    def column(self, k: int, heading: Heading) -> TextColumn:
+        """A column with all rows."""
+        parts = self.parts[k]
+        empty: NDArray[Any] = np.zeros(0, dtype=float if self.numeric[k] else object)
+        return TextColumn(heading, k + 1, np.concatenate(parts) if parts else empty, self.bad[k])
+
+    def remarks(self) -> list[str]:
+        """Comments among the rows, which are no part of the table."""
+        if not self.comments:
+            return []
+        named = "; ".join(f"line {number}: {shown(text, 40)}" for number, text in self.comments[:MOST_NOTED])
+        more = len(self.comments) - MOST_NOTED
+        return [f"comments among the rows are left out: {named}{f'; and {more} more' if more > 0 else ''}"]
+
+
+def missing_as_nan(column: TextColumn) -> NDArray[Any]:
+    """Texts of a column, with NaN for a cell that has no text or a word for a missing number."""
+    return np.array([np.nan if is_missing(text) else text for text in column.values], dtype=object)
