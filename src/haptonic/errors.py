@@ -129,12 +129,20 @@ class HaptonicError(Exception):
 
     @classmethod
     def missing(
-        cls, *, argument: str, allowed: str, cause: str, next_step: str, given: object = "nothing"
+        cls,
+        *,
+        argument: str,
+        allowed: str,
+        cause: str,
+        next_step: str,
+        given: object = "nothing",
+        command: str = "",
     ) -> Self:
         """Something that is needed was not given."""
         return cls(
-            "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step
-        )
+            "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step,
+            command=command,
+        )  # fmt: skip
 
     malformed = _Code("A value of another form or type than is read here.")
     out_of_range = _Code("A value beyond its bounds.")

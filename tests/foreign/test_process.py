@@ -130,8 +130,8 @@ class TestFaults:
             ("raise KeyError(path)", ChannelError, "KeyError"),
             ("import os; os.abort()", ChannelError, "crashed"),
             ("import os; os._exit(0)", ChannelError, "crashed"),
-            ("bytearray(2**33)", ChannelError, "GB"),
-            ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", ChannelError, "GB"),
+            ("bytearray(2**33)", ResourceError, "GB"),
+            ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", ResourceError, "GB"),
         ],
     )
     def test_every_end(self, good, answering, monkeypatch, code, error, words):
@@ -146,7 +146,7 @@ class TestFaults:
         ("code", "error"),
         [
             ("while True: pass", ChannelError),
-            ("kept = [bytearray(2**22) for _ in iter(int, 1)]", ChannelError),
+            ("kept = [bytearray(2**22) for _ in iter(int, 1)]", ResourceError),
         ],
     )
     def test_without_limits_of_the_system(self, good, answering, monkeypatch, code, error):

@@ -70,7 +70,8 @@ def arrays_of(path: Path, content: Mapping[str, Any], names: Sequence[str]) -> d
 
     Raises
     ------
-    ChannelError : the data or what is said of their packing is damaged, or they are too large for the file
+    ChannelError : the data or what is said of their packing is damaged
+    ResourceError : they take more memory than a file of this size may
     """
     refuse_larger(path, sum(math.prod(content["sets"][name]["shape"]) for name in names))
     read = ask("hdf5.read", path, names=list(names))

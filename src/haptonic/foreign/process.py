@@ -59,9 +59,9 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
 
     Raises
     ------
-    ChannelError : the parser raised an error, crashed, or took more time or memory than this file may
+    ChannelError : the parser raised an error, crashed, or took more time than this file may
     OSError : there is no such file, or it may not be read
-    ResourceError : no process can be started
+    ResourceError : no process can be started, or it took more memory than this file may
     """
     with path.open("rb") as file:
         limits = Limits.of(os.fstat(file.fileno()).st_size)
@@ -103,7 +103,7 @@ def refuse_larger(path: Path, numbers: int) -> None:
 
     Raises
     ------
-    ChannelError : more memory than `Limits` allows
+    ResourceError : more memory than `Limits` allows
     OSError : there is no such file
     """
     memory = Limits.of(path.stat().st_size).memory
@@ -111,9 +111,9 @@ def refuse_larger(path: Path, numbers: int) -> None:
         raise too_large(path, memory)
 
 
-def too_large(path: Path, memory: int) -> ChannelError:
+def too_large(path: Path, memory: int) -> ResourceError:
     """The error for a file whose content needs more memory (bytes) than a file of its size may take."""
-    return ChannelError.too_large(
+    return ResourceError.too_large(
         argument=path.name,
         given=f"a file of {path.stat().st_size} bytes whose content takes more than {memory / 1e9:.1f} GB",
         allowed=f"at most {MEMORY / 1e9:.1f} GB and {MEMORY_A_BYTE} bytes for each byte of the file",

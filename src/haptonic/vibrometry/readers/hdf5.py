@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -60,6 +61,12 @@ def write_records(scan: TimeScan, path: Path) -> None:
                 file["reference"][first : first + len(reference)] = reference
             file["response"][first : first + len(response)] = response
         file["response"].attrs["measured"] = len(scan.names)
+
+
+def is_records(attributes: Mapping[str, Any]) -> bool:
+    """True for attributes of a file that `write_records` made."""
+    kind = attributes.get("kind")
+    return isinstance(kind, str) and kind == KIND
 
 
 def read_records(group: Group, notes: Notebook) -> TimeScan:
