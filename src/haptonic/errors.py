@@ -6,7 +6,7 @@ import difflib
 import reprlib
 from collections.abc import Iterable, Mapping
 from functools import partial
-from typing import Protocol, Self, TypedDict, TypeVar, Unpack
+from typing import NotRequired, Protocol, Self, TypedDict, TypeVar, Unpack
 
 from haptonic.names import visible
 
@@ -22,6 +22,7 @@ class Parts(TypedDict):
     allowed: str
     cause: str
     next_step: str
+    command: NotRequired[str]
 
 
 class _Made(Protocol[C]):
@@ -55,6 +56,7 @@ class HaptonicError(Exception):
     allowed : what is allowed
     cause : the likely cause
     next_step : what to do now
+    command : the next step for users of the command line, where it differs from that in Python
 
     Any of them may quote what a file holds, so control characters are written out in all.
     """
@@ -66,6 +68,7 @@ class HaptonicError(Exception):
         self.allowed = visible(parts["allowed"])
         self.cause = visible(parts["cause"])
         self.next_step = visible(parts["next_step"])
+        self.command = visible(parts.get("command") or parts["next_step"])
         super().__init__(
             f"{self.argument}: got {self.given}\n"
             f"  allowed: {self.allowed}\n  likely cause: {self.cause}\n  next step: {self.next_step}\n"
@@ -77,13 +80,18 @@ class HaptonicError(Exception):
         names = ("code", "argument", "given", "allowed", "cause", "next_step")
         return {name: getattr(self, name) for name in names}
 
+    def for_command(self) -> Self:
+        """The same error with the next step for users of the command line."""
+        return self.changed(type(self), next_step=self.command)
+
     def changed(self, kind: type[E], /, **parts: str) -> E:
         """The same as an error of another kind, or with other parts."""
-        return _rebuilt(kind, self.parts() | parts)
+        command = "" if "next_step" in parts else self.command
+        return _rebuilt(kind, self.parts() | parts, command)
 
     def __reduce__(self) -> tuple[object, ...]:
         # Exceptions with keyword-only arguments do not pickle by default; workers send them back.
-        return (_rebuilt, (type(self), self.parts()))
+        return (_rebuilt, (type(self), self.parts(), self.command))
 
     @classmethod
     def unknown(
@@ -96,6 +104,7 @@ class HaptonicError(Exception):
         slip: bool = True,
         allowed: str = "",
         next_step: str = "choose one of these",
+        command: str = "",
     ) -> Self:
         """A name that is none of those known.
 
@@ -103,7 +112,7 @@ class HaptonicError(Exception):
         ----------
         known : the names; slip : whether the nearest of them may be meant
         allowed : in words, where that is more than one of the names
-        next_step : where no name is near
+        next_step, command : where no name is near
         """
         names = list(known)
         guess = nearest(str(given), names) if slip else None
@@ -115,16 +124,25 @@ class HaptonicError(Exception):
             or (f"one of {', '.join(names)}" if names else "none: there is nothing to choose"),
             cause=cause,
             next_step=f'write "{guess}"' if guess else next_step,
+            command="" if guess else command,
         )
 
     @classmethod
     def missing(
-        cls, *, argument: str, allowed: str, cause: str, next_step: str, given: object = "nothing"
+        cls,
+        *,
+        argument: str,
+        allowed: str,
+        cause: str,
+        next_step: str,
+        given: object = "nothing",
+        command: str = "",
     ) -> Self:
         """Something that is needed was not given."""
         return cls(
-            "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step
-        )
+            "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step,
+            command=command,
+        )  # fmt: skip
 
     malformed = _Code("A value of another form or type than is read here.")
     out_of_range = _Code("A value beyond its bounds.")
@@ -145,9 +163,17 @@ class HaptonicError(Exception):
     worker = _Code("Processes that do the work cannot be started, or were lost.")
 
 
-def _rebuilt(kind: type[E], parts: Mapping[str, str]) -> E:
+def _rebuilt(kind: type[E], parts: Mapping[str, str], command: str = "") -> E:
     code, argument, given, allowed, cause, next_step = parts.values()
-    return kind(code, argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step)
+    return kind(
+        code,
+        argument=argument,
+        given=given,
+        allowed=allowed,
+        cause=cause,
+        next_step=next_step,
+        command=command,
+    )
 
 
 class StudyError(HaptonicError):

@@ -515,7 +515,7 @@ class TestOwnNames:
     @pytest.mark.parametrize(
         ("options", "code", "argument", "given"),
         [
-            ((), "mismatch", "own.mat: x, y or points", ""),
+            ((), "mismatch", "own.mat: frequency", "Xmm (number, 1 x 24)"),
             (("--variables", "response=FRX"), "unknown", "variables.response", "FRX"),
             (("--variables", "answer=FRF"), "unknown", "variables.answer", ""),
             (("--variables", "response"), "malformed", "--variables", ""),

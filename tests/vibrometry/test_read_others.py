@@ -324,7 +324,7 @@ class TestFolder:
         (path / "p6.csv").write_text("frequency,real (Pa),imaginary\n1,2,3\n")
         (path / "p7.csv").write_bytes(b"\xff\xfe\x00")
         (path / "stray.csv").write_text("x\n")
-        table = (path / "geometry.csv").read_text() + "p0.csv, 1, 1\n../p0.csv, 1, 1\nlost.csv, one, 1\n"
+        table = (path / "geometry.csv").read_text() + "p0.csv, 1, 1\n../p0.csv, 1, 1\nlost.csv, n/a, 1\n"
         (path / "geometry.csv").write_text(table)
         scan = read_scan(path)
         keep = [0, 8, 9, 10, 11]
@@ -349,7 +349,7 @@ class TestFolder:
             (path / f"p{i}.csv").write_text("")
         with pytest.raises(ScanError) as caught:
             read_scan(path)
-        assert_told(caught.value, "no columns", code="missing", argument="scan")
+        assert_told(caught.value, "no line with a number", code="missing", argument="scan")
 
 
 class TestOtherFiles:

@@ -13,7 +13,7 @@ UNITS = {"m": 1.0, "mm": 1e-3, "": 1.0}
 
 
 @pytest.mark.parametrize("below", ["scan", "monday/scan"])
-@pytest.mark.parametrize("files", [["geometry.csv", "p1.csv"], ["p1.csv"]])
+@pytest.mark.parametrize("files", [["a.csv", "p1.csv"], ["p1.csv"]])
 def test_csv_files_in_a_folder_below_are_pointed_at(tmp_path, below, files):
     there = tmp_path / below
     there.mkdir(parents=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import size_of
@@ -20,6 +20,7 @@ from haptonic.results.cost import BASE, Cost
 from haptonic.results.scan.value import ScanResult
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
+from haptonic.units import to_si
 from haptonic.vibrometry import read_scan
 
 PROGRESS = "estimating"  # folder in which an estimation that was stopped goes on
@@ -28,13 +29,13 @@ HELD = 4.0  # of a file in memory at once, times its size
 
 
 def names_of(variables: str) -> Mapping[str, str]:
-    """Names of variables by what they mean, from ``response=FRF,x=Xmm``.
+    """Names of arrays by their meanings, from ``response=FRF,x=Xmm``.
 
     Raises
     ------
     ScanError : another form
     """
-    pairs = [one.split("=") for one in variables.split(",")] if variables else []
+    pairs = [one.split("=", 1) for one in variables.split(",")] if variables else []
     if any(len(pair) != 2 or not all(part.strip() for part in pair) for pair in pairs):
         raise ScanError.malformed(
             argument="--variables",
@@ -46,6 +47,11 @@ def names_of(variables: str) -> Mapping[str, str]:
     return {meaning.strip(): name.strip() for meaning, name in pairs}
 
 
+def frequency_or_points(text: str) -> float | str:
+    """A frequency in Hz, or the places of points: lengths with commas between them."""
+    return text if "," in text else to_si(text, "Hz", "--at")
+
+
 @dataclass(frozen=True, kw_only=True)
 class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
     """What is read, and how it is analysed."""
@@ -55,16 +61,21 @@ class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
         None, "Judge the model as well: a study; or, after STUDY, the response (.nc) that it has given.",
         metavar="MODEL",
     )  # fmt: skip
-    at: float | None = option(
-        None, "Of the operating shape; else the loudest.", unit="Hz", metavar="FREQUENCY"
-    )
-    unit: str = option("m/s/V", "Of responses or records in files that give none.")
+    at: Any = option(
+        None, "Frequency of the operating shape, else the loudest; or the places of points in a file without "
+        'coordinates, "10 mm, 5 mm; 15 mm, 5 mm".', read=frequency_or_points, metavar="FREQUENCY|X,Y;...",
+    )  # fmt: skip
+    unit: str | None = option(None, "Of responses or records in files that give none; else m/s/V.")
     length_unit: str | None = option(None, 'Of coordinates, where it is not the file\'s, such as "mm".')
     variables: Any = option(
-        None, "Names in a MATLAB file, such as response=FRF,x=X.", read=names_of,
+        None, "Names of arrays, columns or channels by meaning, such as response=FRF,x=X.", read=names_of,
         metavar="MEANING=NAME,...",
     )  # fmt: skip
     reference: str | None = option(None, 'Name and unit of the reference, such as "A1, V".')
+    phase_unit: str | None = option(None, "Of phases in files that give none: rad or deg.", metavar="UNIT")
+    points_in: Literal["rows", "columns"] | None = option(
+        None, "Of arrays with as many points as frequencies.", metavar="SIDE"
+    )
     simulated: bool = option(False, "The file is of a simulation.")
 
     @property
@@ -115,13 +126,16 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     on = None if study is None else _on(study, options, runner)
     state = runner.folder / PROGRESS if runner.folder else None
     runner.progress(0, 0, "reading")
+    at = options.at if isinstance(options.at, int | float) else None
     content = read_scan(
         options.path, unit=options.unit, reference=options.reference,
         origin="simulated" if options.simulated else "measured", length_unit=options.length_unit,
         frequency_unit=options.frequency_unit, variables=options.variables or {},
+        phase_unit=options.phase_unit, points_in=options.points_in, estimator=options.estimator,
+        at=None if at is not None else options.at,
     )  # fmt: skip
     found = compute_scan(
-        content, options, on, at=options.at, state=state, store=runner.store, progress=runner.progress
+        content, options, on, at=at, state=state, store=runner.store, progress=runner.progress
     )
     verdict = None
     if study is not None and options.against:

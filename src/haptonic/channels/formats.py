@@ -10,7 +10,7 @@ from pathlib import Path
 from haptonic.channels import delimited, hdf5, matlab, tdms, uff, wav
 from haptonic.channels.notes import Notebook
 from haptonic.channels.signals import Group, SignalFile
-from haptonic.errors import ChannelError
+from haptonic.errors import ChannelError, ResourceError
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,9 @@ def opened(path: Path) -> SignalFile:
             raise _refused(path, f'"{path.suffix}" is no ending of a format that is read', "save it as CSV")
         notes = Notebook(path, form.name)
         return SignalFile(path, form.read(path, notes), notes)
-    except MemoryError as error:
+    except (MemoryError, ResourceError) as error:
+        if isinstance(error, ResourceError) and error.code != "too-large":
+            raise
         raise _refused(path, "it does not fit into memory, or is damaged", "divide it") from error
     except OSError as error:
         found = f"it cannot be read ({type(error).__name__})"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from haptonic import hdf5
 from haptonic.channels.notes import ELSEWHERE, Notebook
 from haptonic.channels.signals import Channel, Group, Samples
-from haptonic.foreign.process import ask, damaged
+from haptonic.foreign.process import ask, damaged, refuse_larger
 from haptonic.later import h5py, xarray as xr
 
 PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "dtype", "_Unsigned")
@@ -25,7 +26,7 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
     Raises
     ------
     ChannelError : the file is damaged
-    OSError, MemoryError : it may not be read, or does not fit into memory
+    OSError : it may not be read
     """
     content = ask("hdf5.tree", path)
     for name in content["elsewhere"]:
@@ -49,12 +50,13 @@ def _channel(path: Path, label: str, name: str, form: Mapping[str, Any]) -> Chan
     says, shape = form["attributes"], tuple(form["shape"])
     unit = says.get("units")
     in_parts = form["kind"] == "number" and shape and not any(word in says for word in PACKING)
-    rows = partial(_rows, path, label) if in_parts else partial(_whole, path, label, form)
+    rows = partial(_rows, path, label, shape) if in_parts else partial(_whole, path, label, form)
     unit = unit if isinstance(unit, str) else ""
     return Channel(name=name, shape=shape, rows=rows, kind=form["kind"], unit=unit, properties=says)
 
 
-def _rows(path: Path, name: str, first: int, last: int) -> Samples:
+def _rows(path: Path, name: str, shape: tuple[int, ...], first: int, last: int) -> Samples:
+    refuse_larger(path, (min(last, shape[0]) - first) * math.prod(shape[1:]))
     return np.asarray(ask("hdf5.rows", path, names=[name], start=first, stop=last)[0])
 
 
@@ -69,8 +71,9 @@ def arrays_of(path: Path, content: Mapping[str, Any], names: Sequence[str]) -> d
     Raises
     ------
     ChannelError : the data or what is said of their packing is damaged
-    MemoryError : too large
+    ResourceError : they take more memory than a file of this size may
     """
+    refuse_larger(path, sum(math.prod(content["sets"][name]["shape"]) for name in names))
     read = ask("hdf5.read", path, names=list(names))
     return {
         name: _unpacked(path, name, values, content["sets"][name]["attributes"])

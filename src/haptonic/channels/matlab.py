@@ -25,25 +25,28 @@ USER_BLOCK = 512  # bytes before the HDF5 part of a MATLAB file
 
 
 def read(path: Path, notes: Notebook, large: int = LARGE) -> dict[str, Group]:
-    """Numeric variables. A structure is a group; the group "" has all, its fields as ``structure.field``.
+    """Variables of numbers and texts. A structure is a group; the group "" has all, its fields as
+    ``structure.field``.
 
-    Single numbers and a text ``origin`` are properties as well.
+    Single numbers and single texts are properties as well.
 
     Raises
     ------
     ChannelError : the file is of neither version, or damaged
-    OSError, MemoryError : it may not be read, or does not fit into memory
+    OSError : it may not be read
     """
     found = ask("matlab.variables", path, large=large)
-    for name in found["others"]:
-        notes.remark(f'the variable "{name}" holds no numbers')
+    notes.unread.update(found["others"])
+    for name, what in found["others"].items():
+        notes.remark(f'the variable "{name}" was not read: it is {what}')
     for name in found["elsewhere"]:
         notes.drop(f'the variable "{name}"', ELSEWHERE)
     every = {name: Channel.of(name, array) for name, array in found["arrays"].items()}
     for name, (inside, shape) in found["stored"].items():
         every[name] = Channel(name, tuple(shape), partial(_rows, path, inside))
-    said = {} if found[ORIGIN] is None else {ORIGIN: found[ORIGIN]}
-    whole = _group("", every, said)
+    for name, text in found["texts"].items():
+        every[name] = Channel.of(name, np.array(text, dtype=object))
+    whole = _group("", every, {})
     starts = {name[: i + 1] for name in every for i, letter in enumerate(name) if letter == "."}
     groups = (_group(start, every, whole.properties) for start in sorted(starts))
     return {"": whole} | {group.name: group for group in groups}
@@ -51,7 +54,9 @@ def read(path: Path, notes: Notebook, large: int = LARGE) -> dict[str, Group]:
 
 def _group(start: str, every: Mapping[str, Channel], of_file: Mapping[str, Any]) -> Group:
     inside = {name.removeprefix(start): one for name, one in every.items() if name.startswith(start)}
-    single = {name: one.__array__().item() for name, one in inside.items() if one.size == 1}
+    single = {
+        name: one.__array__().item() for name, one in inside.items() if one.size == 1 and "." not in name
+    }
     return Group(start.removesuffix("."), inside, single, of_file)
 
 

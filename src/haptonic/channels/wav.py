@@ -20,7 +20,7 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
     Raises
     ------
     ChannelError : the file is damaged
-    OSError, MemoryError : it may not be read, or does not fit into memory
+    OSError : it may not be read
     """
     found = ask("wav.signals", path)
     notes.remark("a WAV file has no units: its samples are numbers of the converter")

@@ -78,7 +78,8 @@ class Voice:
             _print_json({**values, "warnings": self.warned})
 
     def refuse(self, error: HaptonicError) -> None:
-        """Say what is wrong, in five parts."""
+        """Print the five parts of an error, with the next step for a command line."""
+        error = error.for_command()
         if self.machine:
             _print_json({"error": error.parts(), "warnings": self.warned})
         rows = {

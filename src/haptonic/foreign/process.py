@@ -27,6 +27,7 @@ SECONDS, BYTES_A_SECOND = 5.0, 4e6
 WAITING = 12  # times longer on the clock than on the processor: other work, a slow disk
 # Memory of a question, beyond what the process has. A compressed file unfolds; its text is held beside it.
 MEMORY, MEMORY_A_BYTE = 2**30, 16
+LARGEST_NUMBER = 16  # bytes of a complex number
 COMMAND = ["-m", "haptonic.foreign.child"]
 START_SECONDS = 60.0  # on a busy machine; 0.2 s on an idle one
 LOOK_SECONDS = 0.1  # how often the process is looked at
@@ -58,10 +59,9 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
 
     Raises
     ------
-    ChannelError : the parser raised an error, crashed, or took too long
-    MemoryError : it took more memory than a file of this size may
+    ChannelError : the parser raised an error, crashed, or took more time than this file may
     OSError : there is no such file, or it may not be read
-    ResourceError : no process can be started
+    ResourceError : no process can be started, or it took more memory than this file may
     """
     with path.open("rb") as file:
         limits = Limits.of(os.fstat(file.fileno()).st_size)
@@ -81,14 +81,45 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
                 # what an earlier file did to the memory of the process is not this file's fault
                 if fresh or error.reason:
                     raise _told(path, error, limits) from error
+            except MemoryError as error:  # of this process, whose memory others may limit
+                _end()
+                raise too_large(path, limits.memory) from error
             except BaseException:
                 _end()  # an answer that nobody took would be taken for the next one
                 raise
     if "error" not in answer:
         return answer["answer"]
     if answer["error"] == "MemoryError":
-        raise MemoryError(f"more than {limits.memory / 1e9:.1f} GB for {path}")
+        raise too_large(path, limits.memory)
     raise damaged(path, answer["error"])
+
+
+def refuse_larger(path: Path, numbers: int) -> None:
+    """Refuse arrays that need more memory than a file of this size may take, before they are read.
+
+    Parameters
+    ----------
+    numbers : how many there are; each counts as a complex number of double precision
+
+    Raises
+    ------
+    ResourceError : more memory than `Limits` allows
+    OSError : there is no such file
+    """
+    memory = Limits.of(path.stat().st_size).memory
+    if numbers * LARGEST_NUMBER > memory:
+        raise too_large(path, memory)
+
+
+def too_large(path: Path, memory: int) -> ResourceError:
+    """The error for a file whose content needs more memory (bytes) than a file of its size may take."""
+    return ResourceError.too_large(
+        argument=path.name,
+        given=f"a file of {path.stat().st_size} bytes whose content takes more than {memory / 1e9:.1f} GB",
+        allowed=f"at most {MEMORY / 1e9:.1f} GB and {MEMORY_A_BYTE} bytes for each byte of the file",
+        cause="it is damaged, or holds far more than one scan or one set of records",
+        next_step="export fewer points or a shorter band, or copy the file again",
+    )
 
 
 def damaged(path: Path, found: str) -> ChannelError:
@@ -105,7 +136,7 @@ def damaged(path: Path, found: str) -> ChannelError:
 def _told(path: Path, error: _EndedError, limits: Limits) -> Exception:
     # killed, and not by us: that is what a system does that runs out of memory
     if error.reason == "memory" or (not error.reason and error.code == -getattr(signal, "SIGKILL", 0)):
-        return MemoryError(f"more than {limits.memory / 1e9:.1f} GB for {path}")
+        return too_large(path, limits.memory)
     if error.reason == "time":
         return damaged(path, f"not read within {limits.seconds:.0f} s")
     return damaged(path, "its parser crashed")

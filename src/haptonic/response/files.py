@@ -20,6 +20,7 @@ from haptonic.foreign.process import ask
 from haptonic.gate import json_from, passed
 from haptonic.later import xarray as xr
 from haptonic.paths import source
+from haptonic.response.checks import DIRECTIONS
 from haptonic.response.value import FrequencyResponse
 
 KIND = "haptonic frequency response"
@@ -60,12 +61,13 @@ def read(path: Path | str) -> FrequencyResponse:
     try:
         content = ask("hdf5.tree", path, deep=False)
         says = content["attributes"]
-        if says.get("kind") != KIND:
+        if not is_response(says):
             raise _foreign(path, "a NetCDF file of another kind")
-        if says["form"] > FORM:
+        if int(says["form"]) > FORM:
             raise _foreign(path, f"form {says['form']} of the file, from a later haptonic")
         if any(name in content["elsewhere"] for name in PARTS):
             raise _foreign(path, "links to another file, which are not followed")
+        _check_sizes(path, content["sets"])
         return _made(arrays_of(path, content, [name for name in PARTS if name in content["sets"]]), says)
     except FileNotFoundError as error:
         next_step = "check the name and the folder"
@@ -75,11 +77,35 @@ def read(path: Path | str) -> FrequencyResponse:
         raise _refused("unreadable", path, cause, "choose a readable file") from error
     except MemoryError as error:
         cause = "it does not fit into memory, or it is damaged"
-        raise _refused("unreadable", path, cause, "copy it again") from error
+        raise _refused("too-large", path, cause, "copy it again") from error
     except ChannelError as error:
         raise _foreign(path, f"not a NetCDF 4 file, or one that is damaged ({error.given})") from error
     except (KeyError, ValueError, TypeError, AttributeError, OverflowError) as error:
         raise _foreign(path, f"a part is missing or damaged ({type(error).__name__})") from error
+
+
+def is_response(attributes: Mapping[str, Any]) -> bool:
+    """True for attributes of a file that `write` made."""
+    kind = attributes.get("kind")
+    return isinstance(kind, str) and kind == KIND
+
+
+def _check_sizes(path: Path, sets: Mapping[str, Mapping[str, Any]]) -> None:
+    """Refuse parts of other kinds or sizes than a response has, before any of them is read.
+
+    A compressed data set of some kB may unfold to gigabytes.
+    """
+    shapes = {name: tuple(sets[name]["shape"]) for name in PARTS if name in sets}
+    lines, points, directions = (*shapes["response_real"], *(-1,) * 3)[:3]
+    wanted = {
+        "response_real": (lines, points, directions), "response_imag": (lines, points, directions),
+        "frequency": (lines,), "x": (points,), "y": (points,), "direction": (directions,),
+        "coherence": (lines, points), "region": (points,),
+    }  # fmt: skip
+    for name, shape in shapes.items():
+        kind = "text" if name in ("direction", "region") else "number"
+        if shape != wanted[name] or sets[name]["kind"] != kind or directions > len(DIRECTIONS):
+            raise _foreign(path, f"{name} is {sets[name]['kind']} of shape {shape}")
 
 
 def from_plain(data: xr.Dataset) -> FrequencyResponse:

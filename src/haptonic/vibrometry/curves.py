@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import shlex
 from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -31,6 +32,7 @@ class Curve:
     frequency, values : (line,)
     motion : what moves; of a coherence it says nothing
     reference : what it is divided by; empty for a coherence
+    estimator : H1, H2 or Hv, if the file says which
     """
 
     source: str
@@ -41,6 +43,7 @@ class Curve:
     values: NDArray[Any]
     motion: Motion
     reference: Reference
+    estimator: str = ""
 
 
 @dataclass(frozen=True)
@@ -57,23 +60,27 @@ def assemble(
     notes: Notebook,
     *,
     reference: str | None = None,
+    estimator: str = "H1",
     origin: Literal["measured", "simulated"] = "measured",
     title: str = "",
     inputs: Mapping[str, Any] | None = None,
 ) -> FrequencyResponse:
-    """One response from curves. What does not fit the most frequent lines and unit is named in the notes.
+    """One response from curves. The notes name what does not fit the most frequent lines and unit.
 
     Parameters
     ----------
     places : of the points; one without is dropped
     reference : which reference, if the file has several; its name or its name and unit
+    estimator : which estimator, if the file has several
 
     Raises
     ------
     ScanError : several references and none chosen, or nothing is left
     """
+    curves = _ascending(curves, notes)
     measured = [curve for curve in curves if curve.kind == "response"]
-    measured = _of_one_reference(measured, reference)
+    measured = _of_one_reference(measured, reference, notes)
+    measured = _of_one_estimator(measured, estimator, notes)
     measured = _kept(measured, notes, _not_finite)
     measured = _kept(measured, notes, lambda curve: None if curve.point in places else "no coordinates")
     measured = _on_common_lines(measured, notes)
@@ -116,30 +123,110 @@ def assemble(
     )
 
 
+REMEDIES = (  # a word of the reason, the likely cause, the next step in Python and for a command
+    (
+        "no coordinates",
+        "the responses were exported without the places of their points",
+        'give the places of the points: read_scan(path, at="10 mm, 5 mm; 15 mm, 5 mm")',
+        'haptonic scan {path} --at "10 mm, 5 mm" (several places: with semicolons between them)',
+    ),
+    (
+        "twice",
+        "two measurements were joined, or a line was measured again",
+        "leave one of the two out",
+        "leave one of the two out",
+    ),
+    (
+        "no displacement, velocity or acceleration",
+        "the unit is misspelt, or that of another quantity such as the sensor's voltage",
+        'export a motion, such as velocity in mm/s or (m/s)/V; or give unit="mm/s/V" if the file has none',
+        "export a motion, such as velocity in mm/s or (m/s)/V; or give --unit mm/s/V if the file has none",
+    ),
+)
+
+
 def nothing_left(notes: Notebook) -> ScanError:
     """The error of a file of which no point can be used."""
+    reasons = notes.first_reasons()
+    cause = "the file holds something else than a scan, or only its geometry, or was cut short"
+    next_step = command = "export the frequency responses of all points together with their coordinates"
+    for word, of_word, in_python, for_command in REMEDIES:
+        if notes.dropped and all(word in one.reason for one in notes.dropped):
+            cause, next_step, command = of_word, in_python, for_command
     return ScanError.missing(
         argument="scan",
-        given=f"{notes.path}: {notes.first_reasons()}",
+        given=f"{notes.path}: {reasons}",
         allowed="at least one point with a measured frequency response and its coordinates",
-        cause="the file holds something else than a scan, or only its geometry, or was cut short",
-        next_step="export the frequency responses of all points together with their coordinates",
+        cause=cause,
+        next_step=next_step,
+        command=command.format(path=shlex.quote(str(notes.path))),
     )
 
 
-def _of_one_reference(curves: list[Curve], asked: str | None) -> list[Curve]:
+def _ascending(curves: Sequence[Curve], notes: Notebook) -> list[Curve]:
+    """The curves with their lines in ascending order."""
+    result, turned = [], dict[str, None]()
+    for curve in curves:
+        lines = np.asarray(curve.frequency)
+        if lines.ndim == 1 and lines.shape == np.shape(curve.values) and (np.diff(lines) <= 0).any():
+            order = np.argsort(lines, kind="stable")
+            lines, values = lines[order], np.asarray(curve.values)[order]
+            again = np.append(False, (np.diff(lines) == 0) & (np.diff(values) == 0))
+            curve = replace(curve, frequency=lines[~again], values=values[~again])
+            turned[curve.point] = None
+        result.append(curve)
+    if turned:
+        count = f"{len(turned)} points" if len(turned) > 1 else f"point {next(iter(turned))}"
+        notes.remark(f"the frequencies of {count} did not ascend: the lines were sorted")
+    return result
+
+
+def _of_one_reference(curves: list[Curve], asked: str | None, notes: Notebook) -> list[Curve]:
+    """The curves of the reference that was asked for, or of the only one that there is."""
     known = list(dict.fromkeys(curve.reference for curve in curves))
+    named = [one for one in known if one]
     if asked is None and len(known) <= 1:
         return curves
-    chosen = [one for one in known if asked in (str(one), one.name)]
+    if asked is None and len(named) == 1:
+        chosen = named
+    else:
+        chosen = [one for one in known if asked in (str(one), one.name)]
     if len(chosen) != 1:
-        several = "the file holds responses to several references"
+        option = str(named[0] if named else "A1, V")
         raise ScanError.unknown(
-            "reference", asked, map(str, known), several if asked is None else "the name is misspelt",
+            "reference", asked, map(str, known),
+            "the file holds responses to several references" if asked is None else "the name is misspelt",
             allowed="one of " + "; ".join(f'"{one}"' for one in known),
-            next_step=f'choose one: read_scan(path, reference="{known[0] if known else "A1"}")',
+            next_step=f"choose one: read_scan(path, reference={option!r})",
+            command=f"haptonic scan {shlex.quote(str(notes.path))} --reference {shlex.quote(option)}",
         )  # fmt: skip
-    return [curve for curve in curves if curve.reference == chosen[0]]
+    taken = [curve for curve in curves if curve.reference == chosen[0]]
+    if chosen[0]:
+        notes.remark(f'responses to "{chosen[0]}" were taken')
+    if chosen[0] and (rest := sum(not curve.reference for curve in curves)):
+        notes.remark(f"{rest} spectra without a reference were not used")
+    elif asked is not None and len(taken) < len(curves):
+        notes.remark(f"{len(curves) - len(taken)} curves of other references were not used")
+    return taken
+
+
+def _of_one_estimator(curves: list[Curve], asked: str, notes: Notebook) -> list[Curve]:
+    """The curves of the estimator that was asked for, or else of the first one that there is."""
+    known = list(dict.fromkeys(curve.estimator for curve in curves if curve.estimator))
+    if not known:
+        return curves
+    chosen = asked if asked in known else min(known)
+    notes.remark(f"transfer functions {chosen} were taken" + (f", not {asked}" if chosen != asked else ""))
+    with_it = {(curve.point, abs(curve.axis)) for curve in curves if curve.estimator in ("", chosen)}
+    rest = [curve for curve in curves if curve.estimator not in ("", chosen)]
+    names = sorted({curve.estimator for curve in rest})
+    other = [curve for curve in rest if (curve.point, abs(curve.axis)) in with_it]
+    if other:
+        notes.remark(f"{len(other)} transfer functions {' and '.join(names)} were not used (--estimator)")
+    for curve in rest:
+        if (curve.point, abs(curve.axis)) not in with_it:
+            notes.drop(f"point {curve.point} ({curve.source})", f"no {chosen}, only {curve.estimator}")
+    return [curve for curve in curves if curve.estimator in ("", chosen)]
 
 
 def _kept(curves: list[Curve], notes: Notebook, refuse: Callable[[Curve], str | None]) -> list[Curve]:
@@ -155,12 +242,17 @@ def _kept(curves: list[Curve], notes: Notebook, refuse: Callable[[Curve], str | 
 
 
 def _not_finite(curve: Curve) -> str | None:
+    """Why the numbers of a curve cannot be used."""
     bad = np.count_nonzero(~np.isfinite(curve.values))
     if bad:
         return f"{bad} of its {len(curve.values)} numbers are not finite"
     lines = curve.frequency
-    if not (np.isfinite(lines).all() and len(lines) and lines[0] >= 0 and (np.diff(lines) > 0).all()):
-        return "its frequencies do not ascend from zero or above"
+    if not (len(lines) and np.isfinite(lines).all()):
+        return "its frequencies are not finite"
+    if lines[0] < 0:
+        return "it has frequencies below zero"
+    if (again := np.flatnonzero(np.diff(lines) <= 0)).size:
+        return f"the frequency {lines[again[0]]:g} Hz twice, with other values"
     return None
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from haptonic.channels import Dropped, Notebook
+from haptonic.channels.notes import by_kind
 
 __all__ = ["Dropped", "ReadReport"]
 LISTED = 12  # lines of a text that is printed; the value itself holds them all
@@ -60,7 +61,7 @@ class ReadReport:
 
     def __str__(self) -> str:
         lines = [f"{self.path}: {self.format}, {self.points} points"]
-        lines += _listed("dropped", [str(one) for one in self.dropped])
+        lines += _listed("dropped", by_kind(self.dropped))
         lines += _listed("not measured", self.missing)
         return "\n".join([*lines, *(f"  note: {remark}" for remark in self.remarks)])
 

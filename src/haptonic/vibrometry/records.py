@@ -148,7 +148,7 @@ class TimeScan:
             return self.source.load(start, stop)
         except ChannelError as error:
             raise error.changed(ScanError) from error
-        except MemoryError as error:
+        except (MemoryError, ResourceError) as error:
             raise ResourceError.too_large(
                 argument="records",
                 given=f"{stop - start} points of {self.repeats} x {self.samples} samples",

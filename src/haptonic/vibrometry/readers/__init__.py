@@ -3,41 +3,38 @@
 from __future__ import annotations
 
 import math
+import re
+import shlex
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from haptonic import response
-from haptonic.channels import Group, Notebook
-from haptonic.channels.formats import Format, format_of
-from haptonic.channels.signals import SIMULATED, Origin
-from haptonic.channels.uff import scaled, uff_contents
-from haptonic.errors import ChannelError, HaptonicWarning, ResourceError, ScanError, shown
+from haptonic.channels import Notebook
+from haptonic.channels.formats import format_of
+from haptonic.channels.signals import Origin
+from haptonic.errors import ChannelError, HaptonicError, HaptonicWarning, ResourceError, ScanError, shown
 from haptonic.paths import source
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.units import to_si
-from haptonic.vibrometry.curves import assemble
+from haptonic.vibrometry.curves import Point
+from haptonic.vibrometry.estimation.spectra import Estimator
 from haptonic.vibrometry.findings import ReadReport
-from haptonic.vibrometry.readers import hdf5, uff, uff_time
-from haptonic.vibrometry.readers.folder import read_folder
-from haptonic.vibrometry.readers.tables import Mapped, scan_of, table_of
-from haptonic.vibrometry.readers.tdms import scan_of_groups
+from haptonic.vibrometry.readers.folder import GEOMETRY
+from haptonic.vibrometry.readers.forms import FORMATS, FORMS, form_name
+from haptonic.vibrometry.readers.mapped import Mapped, Side
 from haptonic.vibrometry.readers.uff import LARGEST_PLATE
 from haptonic.vibrometry.records import TimeScan
 
 __all__ = ["Scan", "read_scan"]
 
-FORMATS = (
-    "UFF (.uff, .unv), MATLAB (.mat), TDMS, NetCDF and HDF5 in haptonic's layouts, a folder of CSV files"
-)
-FOLDER = "CSV folder"
-WITHOUT_UNITS = ("MATLAB", FOLDER)  # what they hold has no unit, or need not have one
 LOWEST_TOP = 200.0  # Hz; a scan that ends below is probably in kHz: ultrasonic ones reach some 100 kHz
-EXAMPLES = {"m": "mm", "Hz": "kHz"}
+EXAMPLES = {"m": "mm", "Hz": "kHz", "rad": "deg"}
+OPTIONAL = ("variables", "at", "frequency_unit", "phase_unit", "points_in")  # that not every form takes
+MOST_NAMED = 4  # files of a folder, in a message
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,33 +85,40 @@ def read_scan(
     path: Path | str,
     *,
     variables: Mapping[str, str] | None = None,
-    unit: str = "m/s/V",
+    unit: str | None = None,
     length_unit: float | str | None = None,
     frequency_unit: float | str | None = None,
+    phase_unit: float | str | None = None,
     reference: str | None = None,
+    estimator: Estimator = "H1",
+    at: str | Sequence[float] | Sequence[Sequence[float]] | None = None,
+    points_in: Side | None = None,
     origin: Origin = "measured",
     title: str = "",
 ) -> Scan:
-    """Read a scan, whatever program wrote it; what could not be used is named in ``report``.
+    """Read a scan, whatever program wrote it; ``report`` names what could not be used.
 
     Parameters
     ----------
-    path : of a file, or of a folder with one CSV file for each point
-    variables : how a MATLAB file's variables (a TDMS file's channels) are called, see
-        `haptonic.vibrometry.readers.tables.Mapped`; usual names are guessed
-    unit : of responses in files that give none
+    path : of a file, of a folder with one CSV file for each point, or of a folder that holds one scan
+    variables : names of arrays, columns or channels by their meaning, such as {"response": "FRF"}; see
+        `haptonic.vibrometry.readers.mapped.NAMES`. Others are taken by usual names
+    unit : of responses in files that give none; "m/s/V" if this is left out too
     length_unit : of the coordinates, where it is not that of the file: "mm", or one of it in m, 1e-3
-    frequency_unit : of frequencies in a MATLAB file, or in CSV without a unit: "kHz", or one of it in Hz, 1e3
+    frequency_unit, phase_unit : of arrays and columns without a unit: "kHz", "deg", or one of it in Hz or rad
     reference : which reference, when there are several; or its name and unit, when the file gives none
-    origin : "simulated" for a file of a simulation; files that say so themselves are believed
+    estimator : which estimator, if a file has several
+    at : places of the points of a file without coordinates, in its order: "10 mm, 5 mm; 15 mm, 5 mm", or
+        pairs in m
+    points_in : "rows" or "columns", for arrays with as many points as frequencies
+    origin : "simulated" for a file of a simulation; a file that calls itself simulated is
     title : for people
 
     Raises
     ------
-    ScanError : an unknown format, a file of which nothing can be used, or a unit of frequencies for a form
-        that has its own
-    HaptonicError : a unit that is not one of length or frequency
-    ResponseError : a NetCDF file that haptonic did not write
+    ScanError : an unknown format, a file of which nothing can be used, or an option for another form
+    HaptonicError : a unit that is not one of length, frequency or angle
+    ResponseError : a file of responses that haptonic wrote and that is damaged
     ResourceError : the file may not be read, or does not fit into memory
     """
     path = source(path, "path")
@@ -124,11 +128,22 @@ def read_scan(
             argument="path", given=path, allowed=FORMATS, cause=cause, next_step=next_step
         )
     try:
-        length, frequency = (
-            _one(length_unit, "m", "length_unit"),
-            _one(frequency_unit, "Hz", "frequency_unit"),
+        path = _scan_in(path)
+        lengths = _one(length_unit, "m", "length_unit")
+        how = Mapped(
+            variables=variables or {},
+            unit=unit,
+            length_unit=lengths,
+            reference=Reference.parse(reference or ""),
+            reference_text=reference,
+            frequency_unit=_one(frequency_unit, "Hz", "frequency_unit"),
+            phase_unit=_one(phase_unit, "rad", "phase_unit"),
+            at=points_at(at, lengths or 1.0),
+            points_in=points_in,
+            estimator=estimator,
+            file=path,
         )
-        return _read(path, variables, unit, length, frequency, reference, origin, title)
+        return _read(path, how, origin, title)
     except PermissionError as error:
         next_step = "ask for the right to read it, or copy it"
         raise _unopened("forbidden", path, "you may not read it", next_step) from error
@@ -138,62 +153,91 @@ def read_scan(
         raise _unopened("too-large", path, cause, next_step) from error
 
 
-def _read(
-    path: Path,
-    variables: Mapping[str, str] | None,
-    unit: str,
-    length_unit: float | None,
-    frequency_unit: float | None,
-    reference: str | None,
-    origin: Origin,
-    title: str,
-) -> Scan:
-    how = Mapped(
-        variables=variables or {},
-        unit=unit,
-        length_unit=length_unit or 1.0,
-        reference=Reference.parse(reference or ""),
-        frequency_unit=frequency_unit or 1.0,
-    )
-    form = None if path.is_dir() else _format(path)
-    notes = Notebook(path, FOLDER if form is None else form.name)
-    if frequency_unit is not None and notes.format not in WITHOUT_UNITS:
-        raise ScanError.conflict(
-            argument="frequency_unit",
-            given=f"{frequency_unit:g} Hz, for {notes.format}",
-            allowed=f"a unit for {' or '.join(WITHOUT_UNITS)}",
-            cause="this form says itself in which unit its frequencies are",
-            next_step="leave it out",
-        )
-    content: FrequencyResponse | TimeScan
+def points_at(at: str | Sequence[Any] | None, length_unit: float = 1.0) -> tuple[Point, ...]:
+    """Places that a user gives; numbers without a unit are in ``length_unit``, m.
+
+    Raises
+    ------
+    ScanError : no pairs of lengths
+    """
+    if at is None:
+        return ()
     try:
-        if form is None:
-            content = read_folder(path, how, notes, origin, title)
-        elif form.name == "UFF":
-            content = _uff(path, notes, length_unit, reference, origin, title)
+        if isinstance(at, str):
+            texts = [place.split(",") for place in at.split(";") if place.strip()]
+            plain = {not re.search("[a-zµ]", text) for pair in texts for text in pair}
+            if len(plain) != 1:  # "10,5 mm" is perhaps a decimal comma
+                raise ValueError(at)
+            pairs = [
+                [length_unit * float(text) if plain == {True} else to_si(text, "m", "at") for text in pair]
+                for pair in texts
+            ]
         else:
-            content = _of_groups(form.read(path, notes), how, notes, origin, title)
+            given = [at] if np.ndim(at[0]) == 0 else at
+            pairs = [[length_unit * float(one) for one in pair] for pair in given]
+        places = tuple(Point(*pair) for pair in pairs)
+        if places and np.isfinite(pairs).all():
+            return places
+    except (TypeError, ValueError, IndexError, KeyError, HaptonicError):
+        pass
+    raise ScanError.malformed(
+        argument="at",
+        given=shown(at),
+        allowed='two lengths for each point, "10 mm, 5 mm", with semicolons between points; or pairs in m',
+        cause="a number or a comma is missing, or the unit is none of length",
+        next_step='write at="10 mm, 5 mm"',
+        command='add --at "10 mm, 5 mm"',
+    )
+
+
+def _scan_in(path: Path) -> Path:
+    """The only scan in a folder without a scan of its own; otherwise the path itself.
+
+    Raises
+    ------
+    ScanError : several scans
+    """
+    if not path.is_dir() or any(path.glob("*.csv")):
+        return path
+    inside = [one for one in sorted(path.iterdir()) if one.is_file() and not one.name.startswith(".")]
+    scans = [one for one in inside if (form := format_of(one)) is not None and form.name in FORMS]
+    scans += [one.parent for one in sorted(path.glob(f"*/{GEOMETRY}"))]
+    if len(scans) > 1:
+        listed = ", ".join(one.name for one in scans[:MOST_NAMED])
+        raise ScanError.conflict(
+            argument="path",
+            given=f"{path}: {len(scans)} files ({listed}{', ...' if len(scans) > MOST_NAMED else ''})",
+            allowed="a folder with one scan",
+            cause="the folder holds several scans, or results beside one",
+            next_step=f"choose one: read_scan({str(scans[0])!r})",
+            command=f"haptonic scan {shlex.quote(str(scans[0]))}",
+        )
+    return scans[0] if scans else path
+
+
+def _read(path: Path, how: Mapped, origin: Origin, title: str) -> Scan:
+    name = form_name(path)
+    form, notes = FORMS[name], Notebook(path, name)
+    given = {one: getattr(how, one) for one in OPTIONAL}
+    for option, value in given.items():
+        if value and option not in form.takes:
+            others = [other for other, one in FORMS.items() if option in one.takes]
+            raise ScanError.conflict(
+                argument=option,
+                given=f"{shown(value)}, for {name}",
+                allowed=f"it for {' or '.join(others)}",
+                cause="a file of this form says it itself, or has nothing of the kind",
+                next_step="leave it out",
+                command=f"leave --{option.replace('_', '-')} out",
+            )
+    try:
+        content = form.read(path, how, notes, origin, title)
     except ChannelError as error:
         raise error.changed(ScanError) from error
-    if notes.format in WITHOUT_UNITS:
-        _doubt(content, path, length_unit is None, frequency_unit is None)
+    if "frequency_unit" in form.takes and notes.format == name:
+        _doubt(content, path, how.length_unit is None, how.frequency_unit is None)
     points = len(content.x) if isinstance(content, TimeScan) else content.dataset.sizes["point"]
     return Scan(content, ReadReport.of(notes, points))
-
-
-def _of_groups(
-    groups: Mapping[str, Group], how: Mapped, notes: Notebook, origin: Origin, title: str
-) -> FrequencyResponse | TimeScan:
-    if notes.format == "TDMS":
-        return scan_of_groups(groups, how, notes, origin, title)
-    every = groups[""]
-    if notes.format == "MATLAB":
-        origin = SIMULATED if every.simulated else origin
-        return scan_of(table_of(every.channels, how, notes), how, notes, origin, title)
-    if every.properties.get("kind") == hdf5.KIND:
-        return hdf5.read_records(every, notes)
-    notes.format = "NetCDF"
-    return response.read(notes.path)
 
 
 def _one(unit: float | str | None, si: str, argument: str) -> float | None:
@@ -231,48 +275,6 @@ def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, fre
             )
 
 
-def _uff(
-    path: Path, notes: Notebook, length_unit: float | None, reference: str | None, origin: Origin, title: str
-) -> FrequencyResponse | TimeScan:
-    contents = uff_contents(path, notes)
-    if length_unit is not None:
-        contents = scaled(contents, length_unit)
-    origin = SIMULATED if contents.simulated else origin
-    title = title or contents.title
-    if uff_time.has_records(contents) and not any(f.header.function == 4 for f in contents.functions):
-        return uff_time.time_scan_of(contents, origin, title)
-    curves, places = uff.curves_of(contents)
-    inputs: dict[str, Any] = {"file": path.name, "lines": [line.tolist() for line in contents.lines]}
-    return assemble(curves, places, notes, reference=reference, origin=origin, title=title, inputs=inputs)
-
-
-def _format(path: Path) -> Format:
-    """The format, if scans are read from files of it.
-
-    Raises
-    ------
-    ScanError : a format that is not read
-    """
-    if path.suffix.lower() in (".svd", ".pvd"):
-        raise _refused(
-            path,
-            "a Polytec file, which only the maker's library can read",
-            "the scan was saved in the instrument's own format",
-            "in PSV software: File > Export > Universal File (UFF), FFT > FRF, with geometry; read that file",
-        )
-    form = format_of(path)
-    if form is not None and form.name != "CSV":
-        return form
-    next_step = "choose one of these; a CSV scan is a folder with geometry.csv and one file for each point"
-    raise _refused(path, "a file of an unknown format", "another program wrote it", next_step)
-
-
 def _unopened(code: str, path: Path, cause: str, next_step: str) -> ResourceError:
     allowed = "a file that can be read"
     return ResourceError(code, argument="path", given=path, allowed=allowed, cause=cause, next_step=next_step)
-
-
-def _refused(path: Path, found: str, cause: str, next_step: str) -> ScanError:
-    return ScanError.unreadable(
-        argument="path", given=f"{path}: {found}", allowed=FORMATS, cause=cause, next_step=next_step
-    )

@@ -1,41 +1,57 @@
 """A folder with one CSV file for each point, and a table of the points.
 
 ``geometry.csv``, or the one table of another name that has them, has the columns ``file, x, y`` (in m, or as
-asked). A file of a point has a header line with its columns: ``frequency, real, imaginary`` and perhaps
-``coherence``, or ``frequency, amplitude, phase_deg``. Units may follow in brackets: ``real (mm/s/V)``,
-``x [mm]``. A column ``origin`` in the table of the points may say "simulated".
+asked). A file of a point has a line of names: ``frequency, real, imaginary``, or ``frequency, amplitude,
+phase``, and perhaps ``coherence``. Units may follow in brackets, ``real (mm/s/V)``, ``x [mm]``, or in a line
+below the names. A column ``origin`` in the table of the points may contain "simulated".
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from haptonic.arrays import Array
-from haptonic.channels import Channel, Notebook, delimited
-from haptonic.channels.labels import label_of, ratio_of
+from haptonic.channels import Channel, Group, Notebook, delimited
 from haptonic.channels.signals import SIMULATED, Origin
-from haptonic.channels.text_table import read_table
 from haptonic.errors import ChannelError, ScanError
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
-from haptonic.vibrometry.readers.tables import Mapped
+from haptonic.vibrometry.readers.mapped import NAMES, Mapped, check_meanings, chosen, inventory, unfit
+from haptonic.vibrometry.readers.quantities import (
+    UnfitError,
+    frequency_factor,
+    largest_of,
+    length_factor,
+    numbers,
+    of_amplitude,
+    phase_factor,
+    response_unit,
+    share_factor,
+)
+from haptonic.vibrometry.readers.uff import estimator_of, points_by_order
 
 GEOMETRY = "geometry.csv"
 MOST_NAMED = 3  # folders, in a message
-PLACES = {"file": ("file", "filename", "file name", "name", "point"), "x": ("x",), "y": ("y",)}
-COLUMNS = {
-    "frequency": ("frequency", "freq", "f"),
-    "real": ("real", "re"),
-    "imaginary": ("imaginary", "imag", "im"),
-    "amplitude": ("amplitude", "magnitude", "mag"),
-    "phase": ("phase_deg", "phase"),
-    "coherence": ("coherence", "coh"),
-}
+PLACES = ("file", "x", "y")
+COLUMNS = ("frequency", "response", "real", "imaginary", "amplitude", "phase", "coherence")
+PARTS = (("real", "imaginary"), ("amplitude", "phase"), ("response",))
+
+
+@dataclass(frozen=True, eq=False)
+class _PointFile:
+    """The file of a point: all its columns, and those that have a meaning."""
+
+    path: Path
+    group: Group
+    columns: Mapping[str, Channel]
+
+    @property
+    def parts(self) -> tuple[str, ...] | None:
+        """The columns that make a complex response."""
+        return next((pair for pair in PARTS if {*pair} <= self.columns.keys()), None)
 
 
 def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: str) -> FrequencyResponse:
@@ -45,28 +61,195 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
     ------
     ScanError : there is no table of the points, or no point can be used
     """
-    table = _table_of_points(path, notes)
-    places, files, simulated = _geometry(path, table, how.length_unit, notes)
+    check_meanings(how, (*PLACES, *COLUMNS))
+    if how.at:
+        files = {file.name: file for file in sorted(path.glob("*.csv")) if file.name != GEOMETRY}
+        places = points_by_order(list(files), how.at, notes)
+        known, simulated = set(files), False
+    else:
+        table = _table_of_points(path, how, notes)
+        places, files, simulated = _geometry(path, table, how, notes)
+        known = {file.name for file in files.values()} | {table.name}
+        for file in sorted(path.glob("*.csv")):
+            if file.name not in known:
+                notes.drop(f"file {file.name}", f"it is not in {table.name}")
+    points, errors = _point_files(files, how, notes)
+    if not points and errors:
+        raise errors[0]
+    phases = [_largest_phase(one) for one in points.values()]
     curves: list[Curve] = []
+    for name, point in points.items():
+        try:
+            curves += _curves(name, point, how, notes, max(phases))
+        except UnfitError as error:
+            notes.drop(f"file {point.path.name}", str(error))
+        except ChannelError as error:
+            notes.drop(f"file {point.path.name}", error.given)
+    origin = SIMULATED if simulated else origin
+    return assemble(
+        curves,
+        places,
+        notes,
+        estimator=how.estimator,
+        origin=origin,
+        title=title,
+        inputs={"folder": path.name},
+    )
+
+
+def _point_files(
+    files: Mapping[str, Path], how: Mapped, notes: Notebook
+) -> tuple[dict[str, _PointFile], list[ScanError]]:
+    """The files of the points that hold responses; and errors of the others, which list what these hold."""
+    points: dict[str, _PointFile] = {}
+    errors: list[ScanError] = []
+    mine = replace(how, variables={k: name for k, name in how.variables.items() if k in COLUMNS})
     for name, file in files.items():
         try:
-            curves += _curves(name, file, how, notes)
+            group = delimited.read(file, notes)[""]
+            point = _PointFile(file, group, chosen(group.channels, mine, Notebook(file, ""), COLUMNS))
         except FileNotFoundError:
             notes.missing.append(name)
-        except (_UnfitError, OSError) as error:
+        except OSError as error:
             notes.drop(f"file {file.name}", str(error))
+        except ScanError as error:
+            errors.append(error)
+            notes.drop(f"file {file.name}", f"{error.argument}: {error.given}")
         except ChannelError as error:
             notes.drop(f"file {file.name}", error.given)
-    known = {file.name for file in files.values()} | {table.name}
+        else:
+            if "frequency" in point.columns and point.parts:
+                points[name] = point
+                continue
+            needed = ("frequency", "real", "imaginary")
+            lacking = "no columns frequency, real, imaginary (or amplitude, phase)"
+            errors.append(unfit(file.name, lacking, group.channels, notes, how, needed))
+            notes.drop(f"file {file.name}", f"{lacking}; it has {inventory(group.channels, notes)}")
+    return points, errors
+
+
+def _largest_phase(point: _PointFile) -> float:
+    """The largest phase of a point that has no unit, or 0."""
+    try:
+        return largest_of(numbers(point.columns["phase"])) if "phase" in point.columns else 0.0
+    except (UnfitError, ChannelError):
+        return 0.0  # the error comes when the response is made
+
+
+def _curves(name: str, point: _PointFile, how: Mapped, notes: Notebook, largest_phase: float) -> list[Curve]:
+    """The response of a point, and its coherence."""
+    columns, parts = point.columns, point.parts
+    assert parts is not None
+    if delimited.UNEVEN in point.group.properties:
+        line = point.group.properties[delimited.UNEVEN]
+        raise UnfitError(f"line {line} has another number of cells than the header; cut short?")
+    lines = frequency_factor(columns["frequency"].unit, how) * numbers(columns["frequency"])
+    if not lines.size:
+        raise UnfitError("it holds no values")
+    if parts == ("response",):
+        if columns["response"].kind != "complex":
+            raise UnfitError("real numbers: the phase is missing")
+        values = np.asarray(columns["response"]).ravel()
+    elif parts == ("real", "imaginary"):
+        values = numbers(columns["real"]) + 1j * numbers(columns["imaginary"])
+    else:
+        factor = phase_factor(columns["phase"], largest_phase, how, notes)
+        values = of_amplitude(
+            numbers(columns["amplitude"]), factor * numbers(columns["phase"]), columns["amplitude"].unit
+        )
+    of_unit = [columns[part] for part in parts if part != "phase"]
+    ratio = response_unit(of_unit, how, notes)
+    like = Curve(
+        source=f"file {point.path.name}", point=name, axis=3, kind="response", frequency=lines,
+        values=ratio.factor * values, motion=ratio.over.motion or "velocity",
+        reference=how.reference_of(ratio),
+        estimator=estimator_of([*point.group.properties.get(delimited.TITLES, ()), *point.group.channels]),
+    )  # fmt: skip
+    if "coherence" not in columns:
+        return [like]
+    share = share_factor(columns["coherence"].unit) * numbers(columns["coherence"])
+    return [like, replace(like, kind="coherence", values=share, reference=Reference(), estimator="")]
+
+
+def _table_of_points(path: Path, how: Mapped, notes: Notebook) -> Path:
+    """``geometry.csv``, or the only other table with names of files, x and y."""
+    if (path / GEOMETRY).is_file():
+        return path / GEOMETRY
+    tables = []
     for file in sorted(path.glob("*.csv")):
-        if file.name not in known:
-            notes.drop(f"file {file.name}", f"it is not in {table.name}")
-    origin = SIMULATED if simulated else origin
-    return assemble(curves, places, notes, origin=origin, title=title, inputs={"folder": path.name})
+        try:
+            if _of_points(file, how, Notebook(file, ""))[1].keys() == {*PLACES}:
+                tables.append(file)
+        except (ChannelError, ScanError, OSError):
+            continue  # the error comes when it is read as a point
+    if len(tables) != 1:
+        raise _without_points(path, how)
+    notes.remark(f"{tables[0].name} was taken as the table of the points")
+    return tables[0]
 
 
-def _without_points(path: Path) -> ScanError:
-    """What to say of a folder that is no scan, but perhaps holds one."""
+def _of_points(table: Path, how: Mapped, notes: Notebook) -> tuple[Group, dict[str, Channel]]:
+    """A table, and its columns of the names of files and of the places."""
+    words = [how.variables["file"]] if "file" in how.variables else list(NAMES["file"])
+    group = delimited.read(table, notes, texts=[*words, *NAMES["file"], "file name"])[""]
+    mine = replace(how, variables={k: name for k, name in how.variables.items() if k in PLACES})
+    arrays = {
+        name: replace(one, kind="text" if _is_words(one) else one.kind)
+        for name, one in group.channels.items()
+    }
+    return group, chosen(arrays, mine, Notebook(table, ""), PLACES)
+
+
+def _is_words(channel: Channel) -> bool:
+    return channel.rows(0, channel.shape[0]).dtype.kind == "O" if channel.size else False
+
+
+def _geometry(
+    path: Path, table: Path, how: Mapped, notes: Notebook
+) -> tuple[dict[str, Point], dict[str, Path], bool]:
+    """Places and files of the points by name, and whether they are simulated."""
+    places: dict[str, Point] = {}
+    files: dict[str, Path] = {}
+    try:
+        group, columns = _of_points(table, how, notes)
+    except ScanError:
+        raise
+    except ChannelError as error:
+        raise ScanError.unreadable(
+            argument=f"{table.name} of a scan",
+            given=f"{table}: {error.given}",
+            allowed="a text table with the columns file, x, y",
+            cause=error.cause,
+            next_step=error.next_step,
+        ) from error
+    if missing := {*PLACES} - columns.keys():
+        raise _without_columns(table, how, inventory(group.channels, notes), sorted(missing))
+    try:
+        factors = [length_factor(columns[axis].unit, how, notes) for axis in "xy"]
+    except UnfitError as error:
+        raise _without_columns(table, how, str(error), ["x", "y"]) from error
+    rows = zip(*(columns[one].rows(0, columns[one].shape[0]) for one in PLACES), strict=True)
+    first = int(group.properties.get(delimited.NAMES_LINE, 0)) + 1
+    for number, row in enumerate(rows, start=first):
+        name = str(row[0]).strip()
+        try:
+            place = Point(factors[0] * float(row[1]), factors[1] * float(row[2]))
+        except (TypeError, ValueError):
+            place = Point(np.nan, np.nan)
+        if name in ("", "nan") or Path(name).name != name:
+            notes.drop(f"line {number} of {table.name}", "no name of a file in this folder")
+        elif name in files:
+            notes.drop(f"line {number} of {table.name}", f"{name} a second time; the first line is used")
+        elif not np.isfinite([place.x, place.y]).all():
+            notes.drop(f"point {name}", "no coordinates: x or y is not a number")
+            files[name] = path / name
+        else:
+            places[name], files[name] = place, path / name
+    return places, {name: file for name, file in files.items() if name in places}, group.simulated
+
+
+def _without_points(path: Path, how: Mapped) -> ScanError:
+    """The error for a folder that is no scan, but perhaps contains one."""
     cause, next_step = (
         "another folder was chosen, or the coordinates were not exported",
         f"write {GEOMETRY}: a header file,x,y and one line for each file, in m; or x [mm],y [mm]",
@@ -81,150 +264,21 @@ def _without_points(path: Path) -> ScanError:
     return ScanError.missing(
         argument="folder of a scan",
         given=f"{path}: no {GEOMETRY}",
-        allowed=f"a folder with one CSV file for each point and {GEOMETRY} with the columns file, x, y",
+        allowed=f"a folder with one CSV file for each point and {GEOMETRY} with the columns file, x, y; or a "
+        "folder with one file of a scan",
         cause=cause,
         next_step=next_step,
     )
 
 
-def _without_columns(table: Path, found: Iterable[str], missing: Iterable[str]) -> ScanError:
+def _without_columns(table: Path, how: Mapped, given: str, missing: Sequence[str]) -> ScanError:
+    named = ", ".join(f'"{one}": "NAME"' for one in missing)
     return ScanError.missing(
         argument=f"{table.name} of a scan",
-        given=f"columns {', '.join(found) or 'without names'}",
-        allowed="the columns file, x, y, parted by commas, semicolons or tabs",
-        cause=f"no column is called {' or '.join(sorted(missing))}",
-        next_step=f"name them in the first line of {table.name}: file,x,y",
+        given=f"columns {given}",
+        allowed="the columns file, x, y, with lengths in m or in a unit behind the name",
+        cause=f"no column is called {' or '.join(missing)}",
+        next_step=f"name them: read_scan(path, variables={{{named}}}), or in {table.name}: file,x,y",
+        command=f"haptonic scan {how.path} --variables {','.join(f'{one}=NAME' for one in missing)}, or name "
+        f"them in {table.name}: file,x,y",
     )
-
-
-class _UnfitError(Exception):
-    """A file of a point cannot be used; the text says why."""
-
-
-def _table_of_points(path: Path, notes: Notebook) -> Path:
-    """``geometry.csv``, or the only other table with names of files, x and y."""
-    if (path / GEOMETRY).is_file():
-        return path / GEOMETRY
-    named = []
-    for file in sorted(path.glob("*.csv")):
-        try:
-            if (
-                _meant(dict.fromkeys(read_table(file, texts=PLACES["file"]).names), PLACES).keys()
-                == PLACES.keys()
-            ):
-                named.append(file)
-        except (ChannelError, OSError):
-            continue  # what is wrong with it is said when it is read as a point
-    if len(named) != 1:
-        raise _without_points(path)
-    notes.remark(f"{named[0].name} was taken as the table of the points")
-    return named[0]
-
-
-def _meant(found: Mapping[str, Any], known: Mapping[str, tuple[str, ...]]) -> dict[str, Any]:
-    """What belongs to the columns of a table, by what they mean; a unit behind a name is none of it."""
-    # a unit whose bracket is not closed is none, and no reason to lose the column
-    plain = {re.split(r"[\[(]", head)[0].strip().lower(): one for head, one in found.items()}
-    return {
-        meaning: next(plain[head] for head in heads if head in plain)
-        for meaning, heads in known.items()
-        if not plain.keys().isdisjoint(heads)
-    }
-
-
-def _geometry(
-    path: Path, table: Path, length_unit: float, notes: Notebook
-) -> tuple[dict[str, Point], dict[str, Path], bool]:
-    """Places and files of the points by name, and whether they are simulated."""
-    places: dict[str, Point] = {}
-    files: dict[str, Path] = {}
-    try:
-        group = delimited.read(table, notes, texts=PLACES["file"])[""]
-    except ChannelError as error:
-        raise ScanError.unreadable(
-            argument=f"{table.name} of a scan",
-            given=f"{table}: {error.given}",
-            allowed="a table in UTF-8 with the columns file, x, y",
-            cause="the file is no text, or of another encoding",
-            next_step="save it again as CSV in UTF-8",
-        ) from error
-    columns = _meant(group.channels, PLACES)
-    if missing := PLACES.keys() - columns.keys():
-        raise _without_columns(table, group.channels, missing)
-    units = {axis: label_of(columns[axis].unit) for axis in "xy"}
-    scale = {axis: one.factor if one.unit == "m" else length_unit for axis, one in units.items()}
-    for number, row in enumerate(zip(*(np.asarray(columns[one]) for one in PLACES), strict=True), start=2):
-        name = str(row[0]).strip()
-        try:
-            place = Point(scale["x"] * float(row[1]), scale["y"] * float(row[2]))
-        except ValueError:
-            place = Point(np.nan, np.nan)
-        if name in ("", "nan") or Path(name).name != name:
-            notes.drop(f"line {number} of {table.name}", "no name of a file in this folder")
-        elif name in files:
-            notes.drop(f"line {number} of {table.name}", f"{name} a second time; the first line is used")
-        elif not np.isfinite([place.x, place.y]).all():
-            notes.drop(f"point {name}", "no coordinates: x or y is not a number")
-            files[name] = path / name
-        else:
-            places[name], files[name] = place, path / name
-    return places, {name: file for name, file in files.items() if name in places}, group.simulated
-
-
-def _curves(name: str, file: Path, how: Mapped, notes: Notebook) -> list[Curve]:
-    group = delimited.read(file, notes)[""]
-    columns = _meant(group.channels, COLUMNS)
-    if "frequency" not in columns or not ({"real", "imaginary"} <= columns.keys()
-                                          or {"amplitude", "phase"} <= columns.keys()):  # fmt: skip
-        raise _UnfitError("no columns frequency, real, imaginary (or amplitude, phase_deg)")
-    if delimited.UNEVEN in group.properties:
-        line = group.properties[delimited.UNEVEN]
-        raise _UnfitError(f"line {line} has another number of cells than the header; cut short?")
-    column = {meaning: _numbers(channel) for meaning, channel in columns.items()}
-    if not column["frequency"].size:
-        raise _UnfitError("it holds no values")
-    if "real" in column and "imaginary" in column:
-        values, unit = column["real"] + 1j * column["imaginary"], columns["real"].unit
-    else:
-        values = column["amplitude"] * np.exp(1j * np.deg2rad(column["phase"]))
-        unit = columns["amplitude"].unit
-    ratio = ratio_of(unit or how.unit)
-    if ratio.over.motion is None:
-        raise _UnfitError(f'"{unit}" is no displacement, velocity or acceleration')
-    written = label_of(columns["frequency"].unit)
-    lines = (written.factor if written.unit == "Hz" else how.frequency_unit) * column["frequency"]
-    source, motion = f"file {file.name}", ratio.over.motion
-    reference = how.reference_of(ratio)
-    made = [
-        Curve(
-            source=source,
-            point=name,
-            axis=3,
-            kind="response",
-            frequency=lines,
-            values=ratio.factor * values,
-            motion=motion,
-            reference=reference,
-        )
-    ]
-    if "coherence" in column:
-        made.append(
-            Curve(
-                source=source,
-                point=name,
-                axis=3,
-                kind="coherence",
-                frequency=lines,
-                values=column["coherence"],
-                motion=motion,
-                reference=Reference(),
-            )
-        )
-    return made
-
-
-def _numbers(channel: Channel) -> Array:
-    try:
-        return np.asarray(channel, dtype=float)
-    except ValueError as error:
-        raise _UnfitError(f"a cell is not a number ({error})") from None

@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -62,6 +63,12 @@ def write_records(scan: TimeScan, path: Path) -> None:
         file["response"].attrs["measured"] = len(scan.names)
 
 
+def is_records(attributes: Mapping[str, Any]) -> bool:
+    """True for attributes of a file that `write_records` made."""
+    kind = attributes.get("kind")
+    return isinstance(kind, str) and kind == KIND
+
+
 def read_records(group: Group, notes: Notebook) -> TimeScan:
     """Time records that `write_records` or an instrument's program wrote in this layout.
 
@@ -71,7 +78,7 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
     """
     path, says, sets = notes.path, group.properties, group.channels
     try:
-        if int(says["form"]) > FORM:
+        if not isinstance(says["form"], int | float) or says["form"] > FORM:
             raise _foreign(path, f"form {says['form']}, from a later haptonic")
         dropped = {one.what for one in notes.dropped}
         for name in ("x", "y", "name", "response", "reference"):
@@ -84,6 +91,9 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
             raise _foreign(path, "text or complex numbers where it should have real ones")
         if not sets["x"].shape == sets["y"].shape == shape[:1]:
             raise _foreign(path, f"{shape[0]} points, and places of other points")
+        if "name" in sets and (sets["name"].kind, sets["name"].shape) != ("text", shape[:1]):
+            raise _foreign(path, f"{shape[0]} points, and names of kind {sets['name'].kind} and shape "
+                                 f"{sets['name'].shape}")  # fmt: skip
         x, y = (np.asarray(sets[name], float) for name in "xy")
         measured = int(sets["response"].properties.get("measured", -1))
         scan = TimeScan(

@@ -1,241 +1,341 @@
-"""Named arrays, as MATLAB files, TDMS files and folders of CSV hold them, made into a scan."""
+"""Named arrays, as MATLAB and HDF5 files hold them, made into a scan."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import prod
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.channels import Channel, Notebook
-from haptonic.channels.labels import Ratio, ratio_of
-from haptonic.channels.signals import ORIGIN, Origin
+from haptonic.arrays import Array
+from haptonic.channels import Channel, Group, Notebook
+from haptonic.channels.signals import SIMULATED, Origin
 from haptonic.errors import ScanError
+from haptonic.foreign.process import refuse_larger
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
+from haptonic.vibrometry.readers.mapped import Mapped, check_meanings, chosen, unfit
+from haptonic.vibrometry.readers.quantities import (
+    UnfitError,
+    frequency_factor,
+    largest_of,
+    length_factor,
+    numbers,
+    of_amplitude,
+    phase_factor,
+    response_unit,
+    share_factor,
+)
 from haptonic.vibrometry.records import InMemory, OfChannels, Source, TimeScan
 
-# What a variable may be called when nothing else is said; the first that is there is taken.
-GUESSES: dict[str, tuple[str, ...]] = {
-    "frequency": ("frequency", "freq", "frequencies", "f", "freqs", "fvec", "f_hz"),
-    "response": ("response", "frf", "h1", "h", "hf", "vel_frf", "velocity", "v", "data", "y_resp"),
-    "coherence": ("coherence", "coh", "gamma2", "cxy"),
-    "x": ("x", "xs", "x_m", "xpos", "xcoord", "x_mm"),
-    "y": ("y", "ys", "y_m", "ypos", "ycoord", "y_mm"),
-    "points": ("points", "xyz", "xy", "coords", "coordinates", "nodes", "pos", "positions"),
-    "reference": ("reference", "ref", "drive", "input", "voltage", "excitation"),
-    "sample_rate": ("sample_rate", "fs", "samplerate", "sampling_rate", "rate"),
-}
-NEEDED = "response, x and y (or points), and frequency for responses or reference and sample_rate for records"
+MEANINGS = (
+    "frequency", "response", "real", "imaginary", "amplitude", "phase", "coherence", "x", "y", "points",
+    "reference", "sample_rate", "unit",
+)  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Mapped:
-    """How variables of a file are understood.
-
-    variables : name of the variable for "frequency", "response", "coherence", "x", "y", "points",
-        "reference", "sample_rate"; what is left out is guessed from usual names
-    unit : of the response, such as "mm/s/V" or, for time records, "mm/s"
-    length_unit : one unit of the coordinates, m
-    reference : as somebody gave it, or empty
-    frequency_unit : one unit of the frequencies, Hz
-    """
-
-    variables: Mapping[str, str]
-    unit: str
-    length_unit: float
-    reference: Reference
-    frequency_unit: float = 1.0
-
-    def reference_of(self, unit: Ratio) -> Reference:
-        """What somebody called it, or else what the unit of the responses is over."""
-        named = Reference("reference", unit.under.unit) if unit.under.unit else Reference()
-        return self.reference or named
-
-
-def table_of(arrays: Mapping[str, Channel], how: Mapped, notes: Notebook) -> dict[str, Channel]:
-    """The arrays by what they mean.
-
-    Raises
-    ------
-    ScanError : the mapping names an unknown meaning or a variable that is not there
-    """
-    for meaning, name in how.variables.items():
-        for word, known, what in ((meaning, GUESSES, "meanings"), (name, arrays, "variables")):
-            if word not in known:
-                cause = f"none of the {what} has this name, or the file is another one"
-                raise ScanError.unknown(f"variables.{meaning}", word, sorted(known), cause)
-    found = {meaning: arrays[name] for meaning, name in how.variables.items()}
-    lower = {name.lower(): name for name in arrays}
-    taken = set(how.variables.values())
-    for meaning, guesses in GUESSES.items():
-        guess = next((lower[g] for g in guesses if g in lower and lower[g] not in taken), None)
-        if meaning not in found and guess is not None:
-            found[meaning] = arrays[guess]
-            taken.add(guess)
-            notes.remark(f'the variable "{guess}" was taken as {meaning}')
-    for name in arrays:
-        if name not in taken and name != ORIGIN:
-            notes.remark(f'the variable "{name}" was not used')
-    return found
-
-
-def scan_of(
-    table: Mapping[str, Channel], how: Mapped, notes: Notebook, origin: Origin, title: str
+def scan_of_groups(
+    groups: Mapping[str, Group], how: Mapped, notes: Notebook, origin: Origin, title: str, separator: str
 ) -> FrequencyResponse | TimeScan:
-    """The arrays of a table as responses, or as time records when they come with a sample rate.
+    """The scan of a file of named arrays: of all of them, or of the only structure that holds a scan.
+
+    Parameters
+    ----------
+    separator : between the names of a group and of its arrays
 
     Raises
     ------
     ScanError : arrays are missing or do not fit together, or nothing is left
     """
-    places = _places(table, how, notes)
-    if "response" not in table:
-        raise _unfit("response", "no such variable", notes)
-    unit = ratio_of(how.unit)
-    if unit.over.motion is None:
-        raise ScanError.malformed(
-            argument="unit",
-            given=f'"{how.unit}"',
-            allowed='a unit of displacement, velocity or acceleration, such as "mm/s/V"',
-            cause="the unit is that of the sensor's voltage, or misspelt",
-            next_step="give the unit after the vibrometer's sensitivity was applied",
+    check_meanings(how, MEANINGS)
+    every: dict[str, Channel] = {}
+    for group in groups.values():
+        start = f"{group.name}{separator}" if group.name else ""
+        for name, channel in _arrays_of(group).items():
+            every.setdefault(f"{start}{name}", replace(channel, name=f"{start}{name}"))
+    if any(group.simulated for group in groups.values()):
+        origin = SIMULATED
+    known = every
+    if not how.variables and not _is_scan(_arrays_of(groups[""]), how):
+        whole = [name for name, group in groups.items() if name and _is_scan(_arrays_of(group), how)]
+        if len(whole) > 1:
+            raise unfit("structures", f"{', '.join(whole)}, each of which is a scan", every, notes, how)
+        if whole:
+            notes.remark(f'"{whole[0]}" was taken as the scan')
+            known = _arrays_of(groups[whole[0]])
+    table = chosen(known, how, notes, MEANINGS)
+    return _Arrays(table, every, how, notes).scan(origin, title)
+
+
+def _arrays_of(group: Group) -> dict[str, Channel]:
+    """The arrays of a group, and its attributes that are a number or a text."""
+    found = dict(group.channels)
+    for name, value in group.properties.items():
+        if isinstance(value, int | float | str) and name not in found:
+            found[name] = Channel.of(name, np.array(value, dtype=object if isinstance(value, str) else float))
+    return found
+
+
+def _is_scan(arrays: Mapping[str, Channel], how: Mapped) -> bool:
+    """True if arrays have usual names of all that a scan needs."""
+    try:
+        table = chosen(arrays, how, Notebook(how.file, ""), MEANINGS).keys()
+    except ScanError:  # two arrays of one meaning; the error comes when they are read
+        return True
+    placed = bool(how.at) or {"x", "y"} <= table or "points" in table
+    answered = any(parts <= table for parts in ({"response"}, {"real", "imaginary"}, {"amplitude", "phase"}))
+    return placed and answered and not table.isdisjoint({"frequency", "sample_rate"})
+
+
+@dataclass(frozen=True, eq=False)
+class _Arrays:
+    """The arrays of a scan by what they mean, and all that the file holds."""
+
+    table: Mapping[str, Channel]
+    every: Mapping[str, Channel]
+    how: Mapped
+    notes: Notebook
+
+    def scan(self, origin: Origin, title: str) -> FrequencyResponse | TimeScan:
+        """Responses, or time records if the arrays come with a sample rate."""
+        try:
+            if "sample_rate" in self.table and "frequency" not in self.table:
+                return self._records(origin, title)
+            return self._responses(origin, title)
+        except UnfitError as error:
+            raise self._unfit("arrays", str(error)) from error
+
+    def _unfit(self, argument: str, given: str, *needed: str) -> ScanError:
+        wanted = needed or ("response", "frequency", "x", "y")
+        name = f"{self.notes.path.name}: {argument}"
+        return unfit(name, given, self.every, self.notes, self.how, wanted)
+
+    @property
+    def _order(self) -> Literal["C", "F"]:
+        """The order of the points of a grid: MATLAB counts its first axis fastest."""
+        return "F" if self.notes.format == "MATLAB" else "C"
+
+    def _numbers(self, meaning: str) -> Array:
+        refuse_larger(self.notes.path, self.table[meaning].size)
+        return numbers(self.table[meaning], self._order)
+
+    def _responses(self, origin: Origin, title: str) -> FrequencyResponse:
+        table, how, notes = self.table, self.how, self.notes
+        parts = next(
+            (
+                pair
+                for pair in (("response",), ("real", "imaginary"), ("amplitude", "phase"))
+                if {*pair} <= table.keys()
+            ),
+            None,
         )
-    if "sample_rate" in table:
-        return _records(table, places, how, notes, origin, title)
-    if "frequency" not in table:
-        raise _unfit("frequency", "neither frequencies nor a sample rate", notes)
-    lines = how.frequency_unit * np.asarray(table["frequency"], dtype=float).ravel()
-    values = _points_first(np.squeeze(np.asarray(table["response"])), len(places), len(lines), notes)
-    if not np.iscomplexobj(values):
-        raise _unfit("response", "real numbers: the phase is missing", notes)
-    reference = how.reference_of(unit)
-    motion = unit.over.motion
-    curves = [
-        Curve(
-            source=f"row {i + 1}",
-            point=str(i + 1),
-            axis=3,
-            kind="response",
-            frequency=lines,
-            values=unit.factor * row,
-            motion=motion,
-            reference=reference,
-        )
-        for i, row in enumerate(values)
-    ]
-    if "coherence" in table:
-        both = _points_first(np.squeeze(np.asarray(table["coherence"])), len(places), len(lines), notes)
-        curves += [
-            Curve(
-                source=f"row {i + 1}",
-                point=str(i + 1),
-                axis=3,
-                kind="coherence",
-                frequency=lines,
-                values=row,
-                motion=motion,
-                reference=Reference(),
-            )
-            for i, row in enumerate(both)
+        if parts is None:
+            raise self._unfit("response", "no such variable")
+        if "frequency" not in table:
+            raise self._unfit("frequency", "neither frequencies nor a sample rate")
+        lines = frequency_factor(table["frequency"].unit, how) * self._numbers("frequency")
+        places, grid = self._places(max(prod(table[parts[0]].shape) // max(len(lines), 1), 1))
+        shape = _Layout(len(places), len(lines), grid)
+        ratio = response_unit([table[part] for part in parts], how, notes, self._unit_in_file())
+        if parts == ("response",):
+            if table["response"].kind != "complex":
+                raise self._unfit("response", "real numbers: the phase is missing")
+            values = self._rows("response", shape)
+        elif parts == ("real", "imaginary"):
+            values = self._rows("real", shape) + 1j * self._rows("imaginary", shape)
+        else:
+            phase = self._rows("phase", shape).astype(float)
+            factor = phase_factor(table["phase"], largest_of(phase), how, notes)
+            amplitude = self._rows("amplitude", shape).astype(float)
+            values = of_amplitude(amplitude, factor * phase, table["amplitude"].unit)
+        like = Curve(
+            source="", point="", axis=3, kind="response", frequency=lines, values=lines,
+            motion=ratio.over.motion or "velocity", reference=how.reference_of(ratio),
+        )  # fmt: skip
+        curves = [
+            replace(like, source=f"row {i}", point=str(i), values=ratio.factor * row)
+            for i, row in enumerate(values, start=1)
         ]
-    known = {str(i + 1): place for i, place in enumerate(places) if place is not None}
-    return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
+        if "coherence" in table:
+            share = share_factor(table["coherence"].unit)
+            curves += [
+                replace(like, source=f"row {i}", point=str(i), kind="coherence", values=share * row,
+                        reference=Reference())
+                for i, row in enumerate(self._rows("coherence", shape), start=1)
+            ]  # fmt: skip
+        known = {str(i): place for i, place in enumerate(places, start=1) if place is not None}
+        return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
 
+    def _unit_in_file(self) -> str:
+        """A text ``unit`` that lies beside the arrays."""
+        if "unit" not in self.table or self.table["unit"].size != 1:
+            return ""
+        return str(np.asarray(self.table["unit"]).item()).strip()
 
-def _places(table: Mapping[str, Channel], how: Mapped, notes: Notebook) -> list[Point | None]:
-    if "x" in table and "y" in table:
-        columns = [np.asarray(table[name], dtype=float).ravel() for name in ("x", "y")]
-    elif "points" in table and len(table["points"].shape) == 2:
-        both = np.asarray(table["points"], dtype=float)
-        both = both.T if both.shape[0] in (2, 3) and both.shape[1] not in (2, 3) else both
-        columns = [both[:, 0], both[:, 1]]
-    else:
-        raise _unfit("x, y or points", "no coordinates", notes)
-    if len(columns[0]) != len(columns[1]):
-        raise _unfit("x and y", f"{len(columns[0])} and {len(columns[1])} numbers", notes)
-    pairs = [how.length_unit * column for column in columns]
-    fine = np.isfinite(pairs[0]) & np.isfinite(pairs[1])
-    return [
-        Point(float(x), float(y)) if ok else None for x, y, ok in zip(pairs[0], pairs[1], fine, strict=True)
-    ]
+    def _places(self, expected: int) -> tuple[list[Point | None], tuple[int, ...]]:
+        """Places of the points, and the axes of their arrays if these are more than one.
 
-
-def _points_first(values: NDArray[Any], points: int, lines: int, notes: Notebook) -> NDArray[Any]:
-    """(point, line), whichever way they came; MATLAB files have points in columns as often as in rows."""
-    if values.shape == (points, lines):
-        if points == lines:
-            notes.remark("as many points as lines: rows were taken as points")
-        return values
-    if values.shape == (lines, points):
-        return values.T
-    if values.size == points * lines and values.ndim == 1:
-        return values.reshape(points, lines)
-    raise _unfit("response", f"shape {values.shape}, for {points} points and {lines} lines", notes)
-
-
-def _records(
-    table: Mapping[str, Channel],
-    places: list[Point | None],
-    how: Mapped,
-    notes: Notebook,
-    origin: Origin,
-    title: str,
-) -> TimeScan:
-    if "reference" not in table:
-        raise _unfit("reference", "time records without the record of the drive", notes)
-    response, reference = (_records_first(table[name], len(places)) for name in ("response", "reference"))
-    (count, repeats, samples), driven = _shape(response), _shape(reference)
-    if count != len(places) or driven[1:] != (repeats, samples) or driven[0] not in (1, count):
-        raise _unfit(
-            "response", f"{response.shape}, reference {reference.shape}, {len(places)} points", notes
+        Parameters
+        ----------
+        expected : points, by the size of the response
+        """
+        table, how = self.table, self.how
+        grid: tuple[int, ...] = ()
+        if how.at:
+            return list(how.at), grid
+        if "x" in table and "y" in table:
+            channels = [table["x"], table["y"]]
+            columns = [self._numbers("x"), self._numbers("y")]
+            axes = [tuple(n for n in channel.shape if n != 1) for channel in channels]
+            if axes[0] != axes[1]:
+                raise self._unfit("x and y", f"{len(columns[0])} and {len(columns[1])} numbers")
+            grid = axes[0] if len(axes[0]) > 1 else ()
+        elif "points" in table and len(table["points"].shape) == 2:
+            channels = [table["points"]] * 2
+            columns = self._columns(expected)
+        else:
+            raise self._unfit("x, y or points", "no coordinates")
+        x, y = (
+            length_factor(channel.unit, how, self.notes) * column
+            for channel, column in zip(channels, columns, strict=True)
         )
-    keep = [i for i, place in enumerate(places) if place is not None]
-    source: Source = OfChannels(reference, response, repeats, samples)
-    if len(keep) < count:
-        rows, moved = source.load(0, count)
-        source = InMemory(rows if driven[0] == 1 else rows[keep], moved[keep])
-    for i, place in enumerate(places):
-        if place is None:
-            notes.drop(f"point {i + 1}", "no coordinates")
-    found = [place for place in places if place is not None]
-    unit = ratio_of(how.unit).over
-    return TimeScan(
-        source=source,
-        names=tuple(str(i + 1) for i in keep),
-        x=np.array([place.x for place in found]), y=np.array([place.y for place in found]),
-        repeats=repeats, samples=samples,
-        sample_rate=float(np.asarray(table["sample_rate"], dtype=float).ravel()[0]),
-        reference=how.reference or Reference("reference", "V"),
-        motion=unit.motion or "velocity", response_scale=unit.factor, origin=origin, title=title,
-    )  # fmt: skip
+        fine = np.isfinite(x) & np.isfinite(y)
+        places = [Point(float(a), float(b)) if ok else None for a, b, ok in zip(x, y, fine, strict=True)]
+        return places, grid
+
+    def _columns(self, expected: int) -> list[Array]:
+        """x and y of one table of the points, whichever way it lies."""
+        channel = self.table["points"]
+        both = self._numbers("points").reshape(channel.shape, order=self._order)
+        rows, columns = both.shape
+        fits = {
+            "rows": columns in (2, 3) and rows == expected,
+            "columns": rows in (2, 3) and columns == expected,
+        }
+        if not any(fits.values()):
+            raise self._unfit("points", f"a table of {rows} x {columns}, for {expected} points")
+        side = self.how.points_in
+        if all(fits.values()) and side is None:
+            raise self._ask_side("points", channel.shape)
+        turned = side == "columns" if all(fits.values()) else fits["columns"]
+        both = both.T if turned else both
+        return [both[:, 0], both[:, 1]]
+
+    def _ask_side(self, meaning: str, shape: tuple[int, ...]) -> ScanError:
+        return ScanError.conflict(
+            argument=f"{self.notes.path.name}: {self.table[meaning].name}",
+            given=f"shape {shape}, in which rows as well as columns may be points",
+            allowed="one number of points and another number of frequencies, or a word on which is which",
+            cause="as many points as frequencies",
+            next_step='say it: read_scan(path, points_in="rows"), or "columns"',
+            command=f"haptonic scan {self.how.path} --points-in rows (or columns)",
+        )
+
+    def _rows(self, meaning: str, layout: _Layout) -> NDArray[Any]:
+        """(point, line) numbers of an array, whichever way it lies."""
+        channel = self.table[meaning]
+        sides = layout.sides(channel.shape)
+        if not sides:
+            raise self._unfit(
+                meaning, f"shape {channel.shape}, for {layout.points} points and {layout.lines} lines"
+            )
+        if len(sides) > 1 and self.how.points_in is None:
+            raise self._ask_side(meaning, channel.shape)
+        side = self.how.points_in if len(sides) > 1 else sides[0]
+        refuse_larger(self.notes.path, channel.size)
+        values = np.asarray(channel)
+        if values.dtype.kind not in "fciu":
+            raise UnfitError(f"{channel.name} does not hold numbers")
+        flat = (layout.points, layout.lines) if side == "rows" else (layout.lines, layout.points)
+        table = values.squeeze().reshape(flat, order=self._order)
+        return table if side == "rows" else table.T
+
+    def _records(self, origin: Origin, title: str) -> TimeScan:
+        table, how, notes = self.table, self.how, self.notes
+        if "response" not in table:
+            raise self._unfit("response", "no such variable", "response", "reference", "x", "y")
+        if "reference" not in table:
+            raise self._unfit("reference", "time records without the record of the drive",
+                              "response", "reference", "x", "y")  # fmt: skip
+        if not {table[name].kind for name in ("response", "reference")} <= {"number"}:
+            raise self._unfit("response", "time records that are not real numbers")
+        places, _ = self._places(max(table["response"].shape[:1] or (1,)))
+        response, reference = (self._records_first(name, len(places)) for name in ("response", "reference"))
+        (count, repeats, samples), driven = _shape(response), _shape(reference)
+        if count != len(places) or driven[1:] != (repeats, samples) or driven[0] not in (1, count):
+            raise self._unfit(
+                "response", f"{response.shape}, reference {reference.shape}, {len(places)} points"
+            )
+        ratio = response_unit([table["response"]], how, notes, self._unit_in_file())
+        keep = [i for i, place in enumerate(places) if place is not None]
+        source: Source = OfChannels(reference, response, repeats, samples)
+        if len(keep) < count:
+            rows, moved = source.load(0, count)
+            source = InMemory(rows if driven[0] == 1 else rows[keep], moved[keep])
+        for i, place in enumerate(places):
+            if place is None:
+                notes.drop(f"point {i + 1}", "no coordinates")
+        placed = [place for place in places if place is not None]
+        return TimeScan(
+            source=source,
+            names=tuple(str(i + 1) for i in keep),
+            x=np.array([place.x for place in placed]), y=np.array([place.y for place in placed]),
+            repeats=repeats, samples=samples,
+            sample_rate=self._rate(),
+            reference=how.reference or Reference("reference", "V"),
+            motion=ratio.over.motion or "velocity", response_scale=ratio.over.factor, origin=origin,
+            title=title,
+        )  # fmt: skip
+
+    def _rate(self) -> float:
+        channel = self.table["sample_rate"]
+        if channel.size != 1:
+            raise self._unfit("sample_rate", f"{channel.size} numbers")
+        return float(self._numbers("sample_rate")[0]) * frequency_factor(channel.unit, self.how)
+
+    def _records_first(self, meaning: str, points: int) -> Channel:
+        """(point, repeat, sample) or (point, sample) of records, which came so or with the samples first.
+
+        Those with the points first stay in their file.
+        """
+        channel = self.table[meaning]
+        axes = len(channel.shape)
+        if axes == 3 or (axes == 2 and channel.shape[0] == points and channel.shape[1] != points):
+            return channel
+        refuse_larger(self.notes.path, channel.size)
+        table = np.atleast_2d(np.squeeze(np.asarray(channel)))
+        if table.ndim != 2:
+            raise self._unfit(meaning, f"shape {channel.shape}, for {points} points", "response", "reference")
+        if table.shape == (points, points) and points > 1 and self.how.points_in is None:
+            raise self._ask_side(meaning, channel.shape)
+        turned = table.shape[0] != points and table.shape[1] in (1, points)
+        turned = turned or (table.shape == (points, points) and self.how.points_in == "columns")
+        return Channel.of(channel.name, np.asarray((table.T if turned else table)[:, None]))
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """How many points and lines an array has; ``grid`` are the axes of its points if they have several."""
+
+    points: int
+    lines: int
+    grid: tuple[int, ...]
+
+    def sides(self, shape: Sequence[int]) -> list[str]:
+        """Which of rows and columns can be points."""
+        axes = tuple(n for n in shape if n != 1)
+        found = []
+        for side in ("rows", "columns"):
+            for points in {(self.points,), self.grid or (self.points,)}:
+                wanted = (*points, self.lines) if side == "rows" else (self.lines, *points)
+                if tuple(n for n in wanted if n != 1) == axes and side not in found:
+                    found.append(side)
+        return found[:1] if 1 in (self.points, self.lines) else found
 
 
 def _shape(of: Channel) -> tuple[int, int, int]:
     """Points, repeats and samples of records that may lack the middle one."""
     return (of.shape[0], of.shape[1], of.shape[2]) if len(of.shape) == 3 else (of.shape[0], 1, of.shape[1])
-
-
-def _records_first(values: Channel, points: int) -> Channel:
-    """(point, repeat, sample) or (point, sample) of records that came so, as (sample, point) or (sample,).
-
-    Those with the points first stay in their file.
-    """
-    if len(values.shape) == 3 or (len(values.shape) == 2 and values.shape[0] == points):
-        return values
-    table = np.atleast_2d(np.squeeze(np.asarray(values)))
-    turned = table.shape[0] != points and table.shape[1] in (1, points)
-    return Channel.of(values.name, np.asarray((table.T if turned else table)[:, None]))
-
-
-def _unfit(argument: str, given: str, notes: Notebook) -> ScanError:
-    return ScanError.mismatch(
-        argument=f"{notes.path.name}: {argument}",
-        given=given,
-        allowed=NEEDED,
-        cause="variables have other names than usual, or belong to different scans",
-        next_step='name them: read_scan(path, variables={"response": "...", "x": "...", "y": "..."}), or '
-        "haptonic scan --variables response=...,x=...,y=...",
-    )

@@ -12,13 +12,16 @@ import numpy as np
 from haptonic.channels import Channel, Group, Notebook, tdms
 from haptonic.channels.labels import label_of, ratio_of
 from haptonic.channels.signals import SIMULATED, Origin, Samples, number_of
+from haptonic.errors import ScanError
 from haptonic.foreign.process import damaged
 from haptonic.response import Reference
 from haptonic.vibrometry.curves import nothing_left
-from haptonic.vibrometry.readers.tables import Mapped
+from haptonic.vibrometry.readers.mapped import Mapped, check_meanings, find_named
+from haptonic.vibrometry.readers.quantities import UNIT
 from haptonic.vibrometry.records import TimeScan
 
-POSITION = (("x", "y"), ("X", "Y"), ("x_m", "y_m"))
+POSITION = (("x", "y"), ("X", "Y"), ("x_m", "y_m"), ("x_mm", "y_mm"))
+MEANINGS = ("response", "reference", "x", "y")
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,21 +52,31 @@ def scan_of_groups(
     ------
     ScanError : the file holds no usable point
     """
+    check_meanings(how, MEANINGS)
     if any(group.simulated for group in groups.values()):
         origin = SIMULATED
+    lacking: list[ScanError] = []
     names, rows, places = [], [], []
     form: tuple[Any, ...] | None = None
     for group in groups.values():
-        chosen = _channels(group, how)
-        place = _place(group.properties, how.length_unit)
+        try:
+            chosen = _channels(group, how, notes)
+        except ScanError as error:
+            lacking.append(error)
+            notes.drop(f"point {group.name}", f"it has no channel {error.given}")
+            continue
+        place = _place(group.properties, how)
         if chosen is None:
-            notes.drop(f"point {group.name}", "no pair of a response and a reference channel")
+            among = ", ".join(group.signals) or "none"
+            notes.drop(
+                f"point {group.name}", f"no pair of a response and a reference among its channels ({among})"
+            )
         elif place is None:
             notes.drop(f"point {group.name}", "no coordinates: its group has no properties x and y")
         else:
             response, reference = chosen
             times = [(channel.start, channel.rate) for channel in chosen]
-            found = (response.size, *times, response.unit or how.unit)
+            found = (response.size, *times, response.unit or how.unit or UNIT)
             form = form or found
             if found != form or reference.size != response.size or not response.size:
                 notes.drop(f"point {group.name}", f"{found[0]} samples, rate or unit differ from the first's")
@@ -71,6 +84,8 @@ def scan_of_groups(
                 names.append(group.name)
                 rows.append((reference, response))
                 places.append(place)
+    if not rows and lacking:
+        raise lacking[0]
     if not rows or form is None:
         raise nothing_left(notes)
     (start, rate), motion = form[1], ratio_of(form[3]).over
@@ -90,23 +105,38 @@ def scan_of_groups(
     )  # fmt: skip
 
 
-def _channels(group: Group, how: Mapped) -> tuple[Channel, Channel] | None:
-    """Response and reference: as the mapping names them, else the one that moves and the other one."""
-    names = (how.variables.get("response", ""), how.variables.get("reference", ""))
-    if all(name in group.signals for name in names):
-        return group.signals[names[0]], group.signals[names[1]]
-    channels = list(group.signals.values())
-    if len(channels) != 2:
+def _channels(group: Group, how: Mapped, notes: Notebook) -> tuple[Channel, Channel] | None:
+    """Response and reference: as the user names them, else the one that moves and the other one.
+
+    Raises
+    ------
+    ScanError : the group has no channel of a name that the user gives
+    """
+    channels = dict(group.signals)
+    named = {
+        meaning: channels.pop(find_named(how.variables[meaning], meaning, group.signals, notes))
+        for meaning in ("response", "reference")
+        if meaning in how.variables
+    }
+    if len(named) == 2:
+        return named["response"], named["reference"]
+    if len(named) == 1 and len(channels) == 1:
+        (other,) = channels.values()
+        return (named["response"], other) if "response" in named else (other, named["reference"])
+    if named or len(channels) != 2:
         return None
-    moves = [ratio_of(one.unit).over.motion is not None for one in channels]
+    first, second = channels.values()
+    moves = [ratio_of(one.unit).over.motion is not None for one in (first, second)]
     if moves[0] == moves[1]:
         return None
-    return (channels[0], channels[1]) if moves[0] else (channels[1], channels[0])
+    return (first, second) if moves[0] else (second, first)
 
 
-def _place(properties: Mapping[str, Any], length_unit: float) -> tuple[float, float] | None:
-    for names in POSITION:
+def _place(properties: Mapping[str, Any], how: Mapped) -> tuple[float, float] | None:
+    wanted = tuple(how.variables[axis] for axis in "xy") if {"x", "y"} <= how.variables.keys() else None
+    for names in [wanted] if wanted else POSITION:
         if all(name in properties for name in names):
-            x, y = (length_unit * number_of(properties[name]) for name in names)
+            factor = how.length_unit or (1e-3 if names == ("x_mm", "y_mm") else 1.0)
+            x, y = (factor * number_of(properties[name]) for name in names)
             return (x, y) if np.isfinite([x, y]).all() else None
     return None

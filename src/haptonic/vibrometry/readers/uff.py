@@ -2,27 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from haptonic.channels import Notebook
 from haptonic.channels.labels import Motion, Ratio, UnitLabel, label_of, ratio_of
 from haptonic.channels.uff import Function, UffContents, uff_contents
 from haptonic.channels.uff_blocks import Header, UnreadableError
+from haptonic.errors import ScanError
 from haptonic.response import Reference
 from haptonic.vibrometry.curves import AXES, Curve, Point
+from haptonic.vibrometry.readers.mapped import Mapped
+from haptonic.vibrometry.readers.quantities import UnfitError, frequency_factor
 
 __all__ = ["UffContents", "curves_of", "ratio_in", "reference_of", "uff_contents"]
 
 RESPONSES = {4: "response", 5: "response", 12: "response", 6: "coherence"}
 MOTIONS: dict[int, Motion] = {8: "displacement", 11: "velocity", 12: "acceleration"}
 REFERENCES = {9: "N", 13: "N", 15: "Pa"}
+SPECTRUM = 12
+MOST_LISTED = 6  # points, in a message
 LARGEST_PLATE = 10.0  # m; a larger one is in mm without saying so
+_ESTIMATOR = re.compile(r"\bH([12v])\b", re.IGNORECASE)
 
 
-def curves_of(contents: UffContents) -> tuple[list[Curve], dict[str, Point]]:
-    """Responses and coherences in SI units, and the places of the points. What is neither is named."""
+def curves_of(contents: UffContents, given: Sequence[Point] = ()) -> tuple[list[Curve], dict[str, Point]]:
+    """Responses and coherences in SI units, and the places of the points. The notes name what is neither.
+
+    Parameters
+    ----------
+    given : places of the points, in their order in the file, where the file has none
+    """
     notes = contents.notes
     if contents.length is None:
         notes.remark("no data set 164: lengths without a unit were taken as m, forces as N")
@@ -30,8 +44,15 @@ def curves_of(contents: UffContents) -> tuple[list[Curve], dict[str, Point]]:
     extent = max((abs(v) for p in places.values() for v in (p.x, p.y)), default=0.0)
     if extent > LARGEST_PLATE:
         notes.remark(f"points lie {extent:g} m from the origin: they are probably in mm; give length_unit")
-    curves = [curve for function in contents.functions if (curve := _curve(function, contents))]
+    unused: Counter[str] = Counter()
+    curves = [
+        curve for function in contents.functions if (curve := _curve(function, contents, unused, bool(given)))
+    ]
+    for unit, count in unused.items():
+        notes.remark(f"{count} spectra in {unit} were not used")
     curves += [curve for shape in _frequency_shapes(contents) for curve in shape]
+    if given:
+        places = points_by_order(list(dict.fromkeys(curve.point for curve in curves)), given, notes)
     # a point whose curve cannot be used was measured all the same: it is named among what was dropped
     measured = {curve.point for curve in curves} | {str(f.header.response_node) for f in contents.functions}
     if measured & places.keys():
@@ -39,13 +60,35 @@ def curves_of(contents: UffContents) -> tuple[list[Curve], dict[str, Point]]:
     return curves, places
 
 
-def _curve(function: Function, contents: UffContents) -> Curve | None:
+def points_by_order(names: Sequence[str], given: Sequence[Point], notes: Notebook) -> dict[str, Point]:
+    """Places that a user gives of the points of a file, in the order in which the file has them.
+
+    Raises
+    ------
+    ScanError : another number of places than of points
+    """
+    if len(names) != len(given):
+        listed = ", ".join(names[:MOST_LISTED]) + (", ..." if len(names) > MOST_LISTED else "")
+        raise ScanError.mismatch(
+            argument="at",
+            given=f"{len(given)} places, for {len(names)} points ({listed})",
+            allowed="one place for each point of the file",
+            cause="a place is missing, or the file holds other points",
+            next_step='give one for each point, in the order of the file: "0 mm, 0 mm; 5 mm, 0 mm"',
+        )
+    notes.remark("places were taken as given, in the order of the points in the file")
+    return dict(zip(names, given, strict=True))
+
+
+def _curve(function: Function, contents: UffContents, unused: Counter[str], is_placed: bool) -> Curve | None:
     header, notes = function.header, contents.notes
     kind = RESPONSES.get(header.function)
     node = header.response_node
-    name = str(node) if node else header.response_name
+    name = str(node) if node else header.response_name or (function.source if is_placed else "")
     if kind is None:  # time records make a scan of their own, see `uff_time`
-        notes.drop(f"{function.source}, point {name or '?'}", f"a {function.kind}, not a frequency response")
+        article = "an" if function.kind.startswith("auto") else "a"
+        what = f"{article} {function.kind}, not a frequency response"
+        notes.drop(f"{function.source}, point {name or '?'}", what)
         return None
     if not name:
         notes.drop(function.source, "it does not say at which point it was measured")
@@ -61,17 +104,21 @@ def _curve(function: Function, contents: UffContents) -> Curve | None:
     )  # fmt: skip
     try:
         abscissa, ordinate = function.values()
-    except UnreadableError as error:
+        abscissa = frequency_factor(header.abscissa.unit, Mapped({})) * abscissa
+    except (UnreadableError, UnfitError) as error:
         notes.drop(f"point {name} ({function.source})", str(error))
         return None
     if kind == "coherence":
         return replace(like, frequency=abscissa, values=np.real(ordinate))
     ratio = ratio_in(header, contents)
     if ratio.over.motion is None:
-        found = header.over.unit or header.over.label or f"type {header.over.kind}"
-        notes.drop(
-            f"point {name} ({function.source})", f'"{found}" is no displacement, velocity or acceleration'
-        )
+        unit = header.over.unit or header.over.label or f"type {header.over.kind}"
+        if header.function == SPECTRUM:  # of a reference channel, which vendors export beside the responses
+            unused[unit] += 1
+        else:
+            notes.drop(
+                f"point {name} ({function.source})", f'"{unit}" is no displacement, velocity or acceleration'
+            )
         return None
     if np.isrealobj(ordinate):
         notes.drop(f"point {name} ({function.source})", "real numbers: the phase is missing")
@@ -82,8 +129,14 @@ def _curve(function: Function, contents: UffContents) -> Curve | None:
         values = -values  # driven against the axis
     return replace(
         like, kind="response", frequency=abscissa, values=values, motion=ratio.over.motion,
-        reference=reference,
+        reference=reference, estimator="" if header.function == SPECTRUM else estimator_of(header.lines),
     )  # fmt: skip
+
+
+def estimator_of(lines: Iterable[str]) -> str:
+    """The estimator H1, H2 or Hv if lines of text name one and no other, or nothing."""
+    names = {letter.lower() for line in lines for letter in _ESTIMATOR.findall(line)}
+    return f"H{names.pop()}" if len(names) == 1 else ""
 
 
 def ratio_in(header: Header, contents: UffContents) -> Ratio:
