@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-import tomllib
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -24,7 +23,6 @@ from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_scan import rescanned
 from haptonic.errors import HaptonicError, HaptonicWarning
-from haptonic.fields import read
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.simulation import Experiment
 from haptonic.friction.statistics import Alarms, Population, false_alarms
@@ -233,22 +231,11 @@ def changed(study: Description, changes: Mapping[str, Any], origin: str) -> Desc
     ------
     HaptonicError : no such key, or a value that it cannot have
     """
-    data = tomllib.loads(study.with_parameters({}).to_toml())
-    for key, value in changes.items():
-        data = _with(data, key.replace("[", ".").replace("]", "").split("."), value)
-    return read(type(study), data, origin)
-
-
-def _with(given: Any, steps: list[str], value: Any) -> Any:
-    """What a file gives, with another value where these steps end; those into a list count from 1."""
-    if not steps:
-        return value
-    step, *left = steps
-    if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
-        row = int(step) - 1
-        return [*given[:row], _with(given[row], left, value), *given[row + 1 :]]
-    table = given if isinstance(given, dict) else {}  # a step that leads nowhere is refused when it is read
-    return table | {step: _with(table.get(step), left, value)}
+    try:
+        return study.with_keys(changes)
+    except HaptonicError as error:
+        argument = error.argument.replace("study: ", f"{origin}: ", 1)
+        raise error.changed(type(error), argument=argument) from None
 
 
 def cost(study: Description, options: ReproduceOptions) -> Cost:
