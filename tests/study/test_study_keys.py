@@ -118,7 +118,6 @@ def test_every_other_key_can_be_left_out_of_its_table(path, every_key_text):
     assert found.get(path, "") == default or float(found[path]) == float(default)
 
 
-@pytest.mark.filterwarnings("ignore:.*is unusual")
 def test_bounds_are_those_that_are_checked():
     """Each quantity accepts its bounds and refuses what lies just outside."""
     base = load_plain()

@@ -96,7 +96,6 @@ def test_what_is_wrong_has_five_parts(case):
 
 
 @settings(deadline=None, max_examples=30)
-@pytest.mark.filterwarnings("ignore:.*is unusual")
 @given(studies(), st.data())
 def test_a_number_that_is_changed_by_its_path_is_that_number_and_no_other(study, data):
     before = numbers(study)

@@ -3,7 +3,6 @@
 import tomllib
 import warnings
 
-import pytest
 from hypothesis import given, settings, strategies as st
 
 from haptonic.errors import HaptonicWarning
@@ -44,7 +43,6 @@ def studies(draw):
 
 
 @settings(deadline=None)
-@pytest.mark.filterwarnings("ignore:.*is unusual")
 @given(studies())
 def test_round_trip_is_exact(study):
     with warnings.catch_warnings():

@@ -6,7 +6,7 @@ import time
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -100,7 +100,9 @@ class Reproduction(Result):
 
     def facts(self) -> dict[str, Any]:
         sweeps = self.parts.get("sweep")
-        return {**self.bands.facts(), "seconds": self.results.timings, **(sweeps.facts() if sweeps else {})}
+        told = {**self.bands.facts(), "seconds": self.results.timings, **(sweeps.facts() if sweeps else {})}
+        rows = [asdict(one) for one in self.results.comparisons]
+        return told | ({"comparison": rows} if rows else {})
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"report": str(folder / "report.html")}
