@@ -14,7 +14,7 @@ from itertools import product
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
@@ -139,21 +139,22 @@ class Lattice:
         alias="lattice",
         default="square",
         title="Lattice",
-        description="How the cells repeat in the plane; the last three have two sites or three each.",
+        description="How the cells repeat in the plane; the last three have two sites or three each. "
+        '"hexagonal" is read as triangular.',
     )
-    period: Annotated[float, size(100e-6, 100e-3)] | None = Field(
+    period: Annotated[float, size(100e-9, 100e-3)] | None = Field(
         alias="pitch",
         default=None,
         title="Pitch",
         description="Period of the lattice; along x for a rectangular or a centred one. Needed unless a1 and "
         "a2 are given.",
     )
-    pitch_y: Annotated[float, size(100e-6, 100e-3)] | None = setting(
+    pitch_y: Annotated[float, size(100e-9, 100e-3)] | None = setting(
         None,
         "Of a rectangular lattice, or of a centred one, whose rectangles have a middle pillar.",
         title="Pitch along y",
     )
-    pitch_2: Annotated[float, size(100e-6, 100e-3)] | None = setting(
+    pitch_2: Annotated[float, size(100e-9, 100e-3)] | None = setting(
         None, "Of an oblique lattice only.", title="Second pitch"
     )
     angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = setting(
@@ -174,6 +175,11 @@ class Lattice:
         examples=['["3.5 mm", "6 mm"]'],
     )
 
+    @field_validator("form", mode="before")
+    @classmethod
+    def _by_its_usual_name(cls, word: Any) -> Any:
+        return "triangular" if word == "hexagonal" else word
+
     @model_validator(mode="before")
     @classmethod
     def _without_default(cls, given: Any) -> Any:
@@ -188,13 +194,9 @@ class Lattice:
             return
         if self.period is None:
             raise problem(
-                "missing",
-                "nothing",
-                "a pitch, or two vectors a1 and a2",
-                "the pitch was left out",
-                'add pitch = "7 mm"',
-                at="pitch",
-            )
+                "missing", "nothing", "a pitch, or two vectors a1 and a2", "the pitch was left out",
+                'add pitch = "7 mm"', at="pitch",
+            )  # fmt: skip
         for field in ("pitch_y", "pitch_2", "angle"):
             value, needed = getattr(self, field), field in FURTHER[self.name]
             having = [name for name, others in FURTHER.items() if field in others]
@@ -211,22 +213,18 @@ class Lattice:
         lengths = np.linalg.norm(self.vectors, axis=1)
         if lengths.max() > MOST_ELONGATED * lengths.min():
             raise problem(
-                "out-of-range",
-                " and ".join(format_quantity(float(length), "m") for length in lengths),
+                "out-of-range", " and ".join(format_quantity(float(length), "m") for length in lengths),
                 f"periods whose ratio is at most {MOST_ELONGATED:g}",
-                "one of them is far longer than the other",
-                "check their units",
-                at=[*FURTHER[self.name], "pitch"][0],
-            )
+                "one is far longer than the other", "check their units", at=[*FURTHER[self.name], "pitch"][0],
+            )  # fmt: skip
         if self.shortest_side < LEAST_SIDE:
             raise problem(
                 "out-of-range",
                 f"{self.name}, a side of its cell {self.shortest_side:.2g} of the circle within",
                 f"six sides, none shorter than {LEAST_SIDE:g} of the radius of the circle within",
-                "its points nearly stand in rectangles, and so short a side cannot be meshed",
-                'change a size by a thousandth, or write lattice = "square" or "rectangular"',
-                at="lattice",
-            )
+                "its points nearly stand in rectangles; so short a side cannot be meshed", 'change a '
+                'size by a thousandth, or write lattice = "square" or "rectangular"', at="lattice",
+            )  # fmt: skip
 
     def _check_vectors(self) -> None:
         given = {"lattice": self.form, "pitch": self.period, "pitch_y": self.pitch_y,
@@ -281,6 +279,8 @@ class Lattice:
     def triangular(cls, pitch: float) -> Lattice:
         """Triangular lattice, also called hexagonal, of period ``pitch`` (m); a1 lies along x."""
         return cls(lattice="triangular", pitch=pitch)
+
+    hexagonal = triangular
 
     @classmethod
     def centred(cls, pitch: float, pitch_y: float) -> Lattice:

@@ -185,6 +185,29 @@ def duration(seconds: float) -> str:
     return f"{seconds / 60:.3g} min" if seconds < 6000 else f"{seconds / 3600:.3g} h"
 
 
+def frequency_scale(*frequencies: float) -> tuple[str, float]:
+    """The unit in which frequencies (Hz) are shown, kHz, MHz or GHz, and what to multiply them by.
+
+    The largest one decides. Below 1 MHz that is kHz, which plates for fingers are given in.
+    """
+    largest = max((abs(one) for one in frequencies if math.isfinite(one)), default=0.0)
+    unit = "GHz" if largest >= 1e9 else "MHz" if largest >= 1e6 else "kHz"
+    return unit, 10.0 ** -PREFIXES[unit[0]]
+
+
+def hz_text(*frequencies: float, form: str = ".4g", error: float | None = None) -> str:
+    """Frequencies (Hz) with the unit that suits: ``52.51 kHz``, ``54.36 MHz``, ``8.1 to 8.9 GHz``.
+
+    Parameters
+    ----------
+    form : of each number, as `format` has it
+    error : bound of the error of the last one, Hz
+    """
+    unit, scale = frequency_scale(*frequencies)
+    text = " to ".join(format(one * scale, form) for one in frequencies)
+    return f"{text}{'' if error is None else f' ± {error * scale:{form}}'} {unit}"
+
+
 def example_of(unit: str) -> str:
     """A quantity in the given SI unit, as an example for a message: ``"7 mm"`` for ``"m"``."""
     return EXAMPLES.get(unit, f"1 {unit}".rstrip())

@@ -104,7 +104,11 @@ def part_of(module: str) -> str:
     """``haptonic.cell.mesh`` belongs to ``cell``; ``haptonic`` itself to ``__init__``."""
     part, *rest = [*module.split("."), "__init__"][1:]
     # what is asked and the study that computes it share a package: the analyses lie between them
-    return "description" if part == "study" and rest[:1] not in (["runs"], ["__init__"], []) else part
+    return (
+        "description"
+        if part == "study" and rest[:1] not in (["runs"], ["computing"], ["__init__"], [])
+        else part
+    )
 
 
 TREES = {module_name(file): ast.parse(file.read_text("utf-8")) for file in FILES}

@@ -53,7 +53,7 @@ def test_declared_once_and_read_everywhere():
     pitch = KEYS["cell.pitch"]
     assert (pitch.title, pitch.unit, pitch.kind, pitch.required) == ("Pitch", "m", "quantity", False)
     assert pitch.label == "Pitch (m)"
-    assert pitch.typical == "100 µm to 100 mm"
+    assert pitch.typical == "100 nm to 100 mm"
     assert KEYS["bands.count"].bounds == "at least 1 and at most 60"
     assert KEYS["bands.count"].default == "10"
     assert KEYS["mesh.order"].bounds == "at least 2 and at most 10"

@@ -154,12 +154,12 @@ def test_inputs_of_a_design_do_not_tell_which_sweep_led_to_it(edited):
     [
         (
             ('pitch = "7 mm"', 'pitch = "7 m"'),
-            ["cell.pitch", "7 m is unusual", "100 mm is typical", "7 mm meant"],
+            ["cell.pitch", "7 m is unusual", "100 mm is typical", "Did you mean 7 mm"],
         ),
-        (('"1.5 mm"', '"1.5 m"'), ["cell.thickness", "1.5 mm meant"]),
-        (('"2700 kg/m^3"', '"2.7 kg/m^3"'), ["material.density", "2700 kg/m^3 meant"]),
-        (('"70 GPa"', '"70 MPa"'), ["material.youngs_modulus", "70 GPa meant"]),
-        (('"60 kHz"', '"60 Hz"'), ["carrier", "60 kHz meant"]),
+        (('"1.5 mm"', '"1.5 m"'), ["cell.thickness", "Did you mean 1.5 mm?"]),
+        (('"2700 kg/m^3"', '"2.7 kg/m^3"'), ["material.density", "Did you mean 2700 kg/m^3?"]),
+        (('"70 GPa"', '"70 MPa"'), ["material.youngs_modulus", "Did you mean 70 GPa?"]),
+        (('"60 kHz"', '"60 Hz"'), ["carrier", "Did you mean 60 kHz?"]),
         (("to = 3.0", "to = 30.0"), ["sweep[2]", "cell.pillar.height", "210 mm is unusual"]),
     ],
 )

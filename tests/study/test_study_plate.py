@@ -274,7 +274,7 @@ class TestRefusals:
         assert all(caught.value.parts().values())
 
     def test_a_region_named_almost_like_a_lattice_is_warned_about(self):
-        with pytest.warns(HaptonicWarning, match=r'plate\.tiles\.o: "Latice".* Was "lattice" meant'):
+        with pytest.warns(HaptonicWarning, match=r'plate\.tiles\.o: "Latice".* Did you mean "lattice"'):
             loads(edited(('o = "lattice"', 'o = "Latice"')))
 
     def test_each_number_of_a_list_has_its_own_usual_range(self):
@@ -284,7 +284,7 @@ class TestRefusals:
     def test_an_unusual_number_is_warned_about_by_its_place(self):
         with pytest.warns(HaptonicWarning, match=r"plate\.actuator\[1\]\.size\[3\]: 5 µm is unusual"):
             loads(edited((PATCH, 'size = ["11.5 mm", "8 mm", "5 um"]')))
-        with pytest.warns(HaptonicWarning, match=r"plate\.widths\.WG1: 8 m is unusual.* Was 8 mm meant"):
+        with pytest.warns(HaptonicWarning, match=r"plate\.widths\.WG1: 8 m is unusual.* Did you mean 8 mm"):
             loads(edited(('WG1 = "8 mm"', 'WG1 = "8 m"')))
 
 

@@ -10,6 +10,7 @@ from typing import Any, Literal, get_args, get_type_hints
 
 from haptonic.analyses.options import NoOptions, option_of
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.tables import example_of, settings_of
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.paths import source
 from haptonic.results.cost import Cost
@@ -64,6 +65,11 @@ class Analysis:
     writes: bool = False
     watches: bool = False
 
+    @property
+    def method(self) -> str:
+        """Name of the method of a study."""
+        return self.name.replace(" ", "_")
+
     def chosen(self, given: Mapping[str, Any]) -> Any:
         """The options, from what was given by name.
 
@@ -74,6 +80,16 @@ class Analysis:
         known = {one.name: one for one in fields(self.options)}
         kinds = get_type_hints(self.options)
         for name in given:
+            if name not in known and name in settings_of(self.name):
+                raise StudyError.unknown(
+                    name,
+                    name,
+                    known,
+                    f"{name} is a setting of the study, in its table [{self.name}], and no option",
+                    slip=False,
+                    next_step=f"write {example_of(self.name, [name], given)}, or "
+                    f'study.with_keys({{"{self.name}.{name}": ...}}).{self.method}()',
+                )
             if name not in known:
                 cause = f"{self.name} has no such option"
                 raise StudyError.unknown(name, name, known, cause, next_step="leave it out")
@@ -99,6 +115,16 @@ class Analysis:
         known = {one.name: option_of(one) for one in fields(self.options)}
         # those that the command takes by their place as well come first
         names = sorted(known, key=lambda name: (one := known[name]) is None or one.place == "option")
+        settings = settings_of(self.name)
+        if settings and not names:
+            first = {settings[0]: value} if isinstance(value, str) else {}
+            return StudyError.malformed(
+                argument=f"options of {self.name}",
+                given=shown(value),
+                allowed=f"none: {self.name} computes what the study gives in its table [{self.name}]",
+                cause=f"settings of the table [{self.name}] were given as options",
+                next_step=f"write {example_of(self.name, settings, first)}, then study.{self.method}()",
+            )
         return StudyError.malformed(
             argument=f"options of {self.name}",
             given=shown(value),

@@ -19,6 +19,7 @@ from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
+from haptonic.units import hz_text
 from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
 from haptonic.vibrometry.of_settings import drive_for, plan_for
 from haptonic.vibrometry.planning import ScanPlan
@@ -84,10 +85,10 @@ class Excitation(Result):
     def tables(self) -> list[Table]:
         told, plan = self.facts(), self.facts()["plan"]
         rows = [
-            ("band", f"{told['low'] / 1e3:.5g} to {told['high'] / 1e3:.5g} kHz"),
+            ("band", hz_text(told['low'], told['high'], form='.5g')),
             ("lines", f"{told['lines']:.0f}, {told['line_spacing_hz']:.4g} Hz apart"),
             ("period", f"{told['duration_s'] * 1e3:.4g} ms, {told['averages']:.0f} recorded at each point"),
-            ("sample rate", f"{told['sample_rate'] / 1e3:.5g} kHz"),
+            ("sample rate", hz_text(told['sample_rate'], form='.5g')),
             ("largest value",
              f"{told['full_scale']:.4g} {told['unit']}, crest factor {told['crest_factor']:.3f}"),
         ]  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
 from haptonic.cell import UnitCell
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, ResourceError
 from haptonic.later import xarray as xr
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
@@ -78,6 +78,7 @@ class Workshop(Result):
     part, cell, study, stem : what is made, the study's cell and title, and the beginning of the files' names
     tolerances : half-widths (SI) of the sizes in the drawing; why_none : why there are none, if so
     wants_tolerances : whether the study asks for tolerances
+    left_out : kinds of files that cannot be made here, and why
     """
 
     title = "Files for the workshop"
@@ -90,6 +91,7 @@ class Workshop(Result):
     tolerances: dict[str, float]
     why_none: str
     wants_tolerances: bool
+    left_out: dict[str, str] = field(default_factory=dict)
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -109,9 +111,18 @@ class Workshop(Result):
     def names(cls, options: Any = None) -> list[str]:
         return (options or ExportOptions()).names("STUDY")
 
+    @property
+    def kinds(self) -> list[str]:
+        """Kinds of the files that are written."""
+        return [kind for kind in self.options.kinds if kind not in self.left_out]
+
+    def _names_of(self, *kinds: str) -> list[str]:
+        """Names of the files of these kinds."""
+        return [name for kind in kinds for name in self.options.named(kind, self.stem)]
+
     def put(self, draft: Path, *_: object) -> None:
         solids = {"dxf": workshop.write_dxf, "stl": workshop.write_stl}
-        for kind in self.options.kinds:
+        for kind in self.kinds:
             paths = [draft / name for name in self.options.named(kind, self.stem)]
             if kind == "drawing":
                 sheet = workshop.part_drawing(
@@ -132,32 +143,47 @@ class Workshop(Result):
             what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
         pillars = f"{self.part.pillars} pillar{'s' * (self.part.pillars != 1)}"
         sizes = " x ".join(f"{side:.4g}" for side in self.part.size)
-        return [
-            f"made: {what}, {sizes} mm, with {pillars}{aside}",
-            f"written: {', '.join(self.options.names(self.stem))}",
-        ]
+        files = ", ".join(self._names_of(*self.kinds))
+        return [f"part: {what}, {sizes} mm, with {pillars}{aside}", f"files of this part: {files}"]
 
     def remarks(self) -> list[str]:
+        missing = [f"{', '.join(self._names_of(kind))} is not written: {why}"
+                   for kind, why in self.left_out.items()]  # fmt: skip
         if not (self.why_none and self.wants_tolerances):
-            return []
-        return [f"the drawing has no tolerances: {self.why_none}"]
+            return missing
+        return [*missing, f"the drawing has no tolerances: {self.why_none}"]
 
     def facts(self) -> dict[str, Any]:
         made = {"whole_plate": self.part.count is None, "size_m": [side / MM for side in self.part.size],
                 "pillars": self.part.pillars}  # fmt: skip
+        if self.left_out:
+            made |= {"left_out": self.left_out}
         if "drawing" not in self.options.kinds:
             return made
         return made | {"tolerances": self.tolerances, "why_no_tolerances": self.why_none or None}
 
     def located(self, folder: Path) -> dict[str, Any]:
-        return {"files": [str(folder / name) for name in self.options.names(self.stem)]}
+        return {"files": [str(folder / name) for name in self._names_of(*self.kinds)]}
 
 
 def check(study: Description, options: ExportOptions) -> None:
-    """Refuse what cannot be made."""
+    """Refuse a part that cannot be made, and a solid that is asked for by name without the extra for it."""
     part = options.part(study)
     if {"dxf", "drawing"} & set(options.kinds):
         part.need_one_face()
+    if options.step:
+        workshop.need_opencascade()
+
+
+def left_out(options: ExportOptions) -> dict[str, str]:
+    """Kinds of files that nobody named and that cannot be made here, each with the reason."""
+    if "step" not in options.kinds:
+        return {}
+    try:
+        workshop.need_opencascade()
+    except ResourceError as error:
+        return {"step": f'{error.cause}; run: pip install "haptonic[cad]"'}
+    return {}
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
@@ -168,7 +194,7 @@ def compute(study: Description, options: ExportOptions, runner: Runner) -> Works
     return Workshop(
         part=options.part(study), cell=study.cell, study=study.title, options=options,
         stem="cell" if runner.about is None else runner.about.stem, tolerances=tolerances,
-        why_none=why_none, wants_tolerances=bool(study.tolerance_settings.of),
+        why_none=why_none, wants_tolerances=bool(study.tolerance_settings.of), left_out=left_out(options),
     )  # fmt: skip
 
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import time
-import tomllib
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -24,7 +23,6 @@ from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_scan import rescanned
 from haptonic.errors import HaptonicError, HaptonicWarning
-from haptonic.fields import read
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.simulation import Experiment
 from haptonic.friction.statistics import Alarms, Population, false_alarms
@@ -102,7 +100,9 @@ class Reproduction(Result):
 
     def facts(self) -> dict[str, Any]:
         sweeps = self.parts.get("sweep")
-        return {**self.bands.facts(), "seconds": self.results.timings, **(sweeps.facts() if sweeps else {})}
+        told = {**self.bands.facts(), "seconds": self.results.timings, **(sweeps.facts() if sweeps else {})}
+        rows = [asdict(one) for one in self.results.comparisons]
+        return told | ({"comparison": rows} if rows else {})
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"report": str(folder / "report.html")}
@@ -233,22 +233,11 @@ def changed(study: Description, changes: Mapping[str, Any], origin: str) -> Desc
     ------
     HaptonicError : no such key, or a value that it cannot have
     """
-    data = tomllib.loads(study.with_parameters({}).to_toml())
-    for key, value in changes.items():
-        data = _with(data, key.replace("[", ".").replace("]", "").split("."), value)
-    return read(type(study), data, origin)
-
-
-def _with(given: Any, steps: list[str], value: Any) -> Any:
-    """What a file gives, with another value where these steps end; those into a list count from 1."""
-    if not steps:
-        return value
-    step, *left = steps
-    if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
-        row = int(step) - 1
-        return [*given[:row], _with(given[row], left, value), *given[row + 1 :]]
-    table = given if isinstance(given, dict) else {}  # a step that leads nowhere is refused when it is read
-    return table | {step: _with(table.get(step), left, value)}
+    try:
+        return study.with_keys(changes)
+    except HaptonicError as error:
+        argument = error.argument.replace("study: ", f"{origin}: ", 1)
+        raise error.changed(type(error), argument=argument) from None
 
 
 def cost(study: Description, options: ReproduceOptions) -> Cost:

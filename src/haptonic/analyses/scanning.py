@@ -26,7 +26,7 @@ from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.results.scan import ScanResult
 from haptonic.store import Store
 from haptonic.study.schema import Description
-from haptonic.units import to_si
+from haptonic.units import hz_text, to_si
 from haptonic.vibrometry import (
     Estimate,
     MeasuredGap,
@@ -224,7 +224,7 @@ def compute_scan(
         waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
         told += without_mode(layout)
         shortest = 2 * np.pi / float(waves["wavenumber"].max())
-        warn_if_aliased(grid_step(response), shortest, f"the flexural wave at {span[1] / 1e3:.4g} kHz")
+        warn_if_aliased(grid_step(response), shortest, f"the flexural wave at {hz_text(span[1], form='.4g')}")
     if registration.misfit > FAR * grid_step(response):
         told.append(
             f"points lie {registration.misfit * 1e3:.2g} mm off the planned places: check the registration"

@@ -13,7 +13,7 @@ from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.symmetry import WAVES, Waves
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
-from haptonic.units import Hertz, format_quantity
+from haptonic.units import Hertz, format_quantity, hz_text
 
 COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says
@@ -223,9 +223,7 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
     """
     gap, widest = gap_at(gaps, carrier), widest_gap(gaps)
     if gap is None:
-        nearest = (
-            f"; the widest is {widest.lower / 1e3:.2f} to {widest.upper / 1e3:.2f} kHz" if widest else ""
-        )
+        nearest = f"; the widest is {hz_text(widest.lower, widest.upper, form='.2f')}" if widest else ""
         raise StudyError.no_answer(
             argument="carrier",
             given=format_quantity(carrier, "Hz"),

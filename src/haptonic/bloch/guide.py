@@ -20,6 +20,7 @@ from haptonic.bloch.plate_waves import PlateWaves
 from haptonic.bloch.rows import CondensedRows
 from haptonic.errors import StudyError
 from haptonic.later import linalg as la
+from haptonic.units import hz_text
 
 LEAD = "A0"  # the wave that is guided
 SAMPLES = 401  # of a mode across the strip
@@ -335,4 +336,4 @@ def _no_mode(nodal_lines: int, where: str) -> StudyError:
 
 
 def _kilohertz(omega: float) -> str:
-    return f"{omega / (2 * np.pi) * 1e-3:.4g} kHz"
+    return hz_text(omega / (2 * np.pi))

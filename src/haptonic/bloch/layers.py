@@ -18,6 +18,7 @@ from haptonic.bloch.plate_waves import FAMILIES, HIGHER, PlainPlate, PlateWaves
 from haptonic.bloch.rows import CondensedRows
 from haptonic.errors import StudyError
 from haptonic.later import linalg as la
+from haptonic.units import hz_text
 
 OUTGOING = (*FAMILIES, HIGHER)  # kinds of waves that carry energy away
 
@@ -299,7 +300,7 @@ def _too_short(wavenumber: float, highest: float) -> StudyError:
 def _no_such_wave(family: str, omega: float) -> StudyError:
     return StudyError.no_answer(
         argument="layers.incident",
-        given=f"{family} at {omega / (2 * np.pi) * 1e-3:.4g} kHz",
+        given=f"{family} at {hz_text(omega / (2 * np.pi))}",
         allowed=f"one of {', '.join(FAMILIES)} that propagates towards the layers",
         cause="with this tangential wavenumber the wave only fades, or there is no wave of that name",
         next_step="ask for a smaller angle or a higher frequency",

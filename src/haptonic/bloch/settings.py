@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,22 @@ from haptonic.bloch.reach import LARGEST_BUDGET, starting_rung
 from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
 from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError
-from haptonic.fields import TOP, Frequency, Length, Quantity, ascending, described, setting
+from haptonic.fields import (
+    FASTEST,
+    TOP,
+    Aliases,
+    Frequency,
+    Length,
+    Quantity,
+    absent,
+    ascending,
+    described,
+    meant,
+    setting,
+)
 from haptonic.units import format_quantity
 
-CARRIER = Quantity("Hz", at_least=1.0, at_most=1e9, typical=(10e3, 1e6))
+CARRIER = Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(10e3, FASTEST))
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a spectrum where none are given
 OF_INCIDENCE = Quantity("rad", above=-0.5 * math.pi, below=0.5 * math.pi, typical=(-1.5, 1.5))
 COARSEST = 0.1  # accuracy: bands that are less exact tell nothing of gaps
@@ -38,6 +50,18 @@ class MeshSettings:
 @described("bands")
 class BandSettings:
     """How many bands, where, and how exactly."""
+
+    aliases: ClassVar[Aliases] = {
+        **meant("count", "n", "number", "bands", "modes", "nbands", "num_bands", "n_bands"),
+        **meant("points", "kpoints", "k_points", "nk", "n_k", "resolution", "wavevectors", "steps"),
+        **meant("accuracy", "tolerance", "tol", "error", "precision"),
+        **absent(
+            "path",
+            "k_path",
+            cause="the path along the irreducible zone follows from the lattice",
+            next_step='leave it out; `haptonic bands STUDY --modes-at "1, 0.5"` shows modes at a wavevector',
+        ),
+    }
 
     count: Annotated[int, Field(ge=1, le=60, strict=True)] = setting(
         10, "Counted from the lowest.", title="Number of bands"

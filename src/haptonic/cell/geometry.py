@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from itertools import product
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -30,11 +30,28 @@ from haptonic.cell.sites import (
 )
 from haptonic.cell.tile import HALF_TURNED, FreeEdge, PlacedTile, TileShape
 from haptonic.errors import GeometryError
-from haptonic.fields import INLINE, TOP, described, needed, numbers, problem, setting, size, with_numbers
+from haptonic.fields import (
+    INLINE,
+    TOP,
+    Aliases,
+    absent,
+    described,
+    meant,
+    needed,
+    numbers,
+    problem,
+    setting,
+    size,
+    unusual_beside,
+    with_numbers,
+)
 from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
+from haptonic.units import format_quantity
 
 LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
+# of the pitch: usual ratios of sizes, whatever the size of the cell; a slip of a prefix is a factor of 1000
+USUAL_THICKNESS, USUAL_HEIGHT, USUAL_DIAMETER = (0.01, 3.0), (0.02, 8.0), (0.03, 1.0)
 
 
 @described("cell", GeometryError)
@@ -51,8 +68,35 @@ class UnitCell(TileShape):
         that do not fit together, or a material that half a turn about the normal does not leave as it is
     """
 
+    aliases: ClassVar[Aliases] = {
+        **meant("pitch", "a", "period", "lattice_constant", "spacing", "pitch_x", "size"),
+        **meant("lattice", "type", "kind", "symmetry", "form"),
+        **meant("thickness", "t", "e", "plate_thickness"),
+        **meant(
+            "thickness", "height", "h",
+            cause="the plate has a thickness; a height belongs to a pillar",
+            next_step='write "thickness", or move it to [cell.pillar]',
+        ),
+        **meant("pillar", "resonator", "inclusion", "post"),
+        **meant("site", "sites", "pillars"),
+        **absent(
+            "hole", "holes", "void", "slot",
+            cause="a cell is a plate with pillars; holes through the plate are not computed here",
+            next_step="leave this key out",
+        ),
+        **absent(
+            "width", "size_x", "size_y",
+            cause="the size of a cell follows from its lattice",
+            next_step='write "pitch", and "pitch_y" for a rectangular lattice',
+        ),
+        **absent(
+            "radius", cause="it belongs to the pillar of the cell",
+            next_step="write diameter in [cell.pillar]; it is twice a radius",
+        ),
+    }  # fmt: skip
+
     lattice: Annotated[Lattice, INLINE] = needed("How the cells repeat.")
-    thickness: Annotated[float, size(20e-6, 20e-3)] = needed(
+    thickness: Annotated[float, size(10e-9, 20e-3)] = needed(
         "Without the pillar.", title="Plate thickness", examples=["1.5 mm"]
     )
     material: Annotated[Material, GIVEN, TOP] = needed(
@@ -117,13 +161,26 @@ class UnitCell(TileShape):
             raise problem(
                 "repeated",
                 f"the place of site[{pair[0] + 1}]",
-                f"a place more than {least * 1e3:.3g} mm from every other site",
+                f"a place more than {format_quantity(least, 'm', digits=3)} from every other site",
                 "two sites are one place of the lattice, or nearly",
                 "move one of them, or leave it out",
                 at=f"site[{pair[1] + 1}].at",
             )
         tiles = self.tiles
         check_tiles(tiles, len(self.site), self.lattice.pitch, LEAST_CLEARANCE * self.lattice.pitch)
+
+    def doubtful(self) -> dict[str, str]:
+        """Words, by path below the cell, on sizes that are unusual for its pitch."""
+        pitch = self.lattice.pitch
+        words = f"for a pitch of {format_quantity(pitch, 'm')}"
+        sizes = {"thickness": (self.thickness, USUAL_THICKNESS)}
+        for path, sites in self.pillar_tables.items():
+            pillar, below = self.pillars[sites[0]], path.removeprefix("cell.")
+            assert pillar is not None
+            sizes[f"{below}.diameter"] = (pillar.diameter, USUAL_DIAMETER)
+            sizes[f"{below}.height"] = (pillar.height, USUAL_HEIGHT)
+        return {path: unusual_beside(value, "m", shares, pitch, words)
+                for path, (value, shares) in sizes.items()}  # fmt: skip
 
     @property
     def is_simple(self) -> bool:
@@ -287,13 +344,17 @@ class UnitCell(TileShape):
         return replace(self, pillar=None, site=tuple(replace(one, pillar=None) for one in self.site))
 
 
+def _text(length: float) -> str:
+    return format_quantity(length, "m")
+
+
 def _too_wide(pillar: Pillar, room: float) -> Exception:
     """A pillar, or its fillet, for which half the width that there is (m) is not enough."""
     free = "so that a hundredth of the pitch stays free on either side"
     if room <= 0:
         return problem(
             "out-of-range",
-            f"{pillar.diameter * 1e3:g} mm",
+            _text(pillar.diameter),
             f"no pillar, {free}",
             "the lattice's translations are nearly parallel, so that its rows nearly meet",
             "turn one of the translations away from the other",
@@ -304,8 +365,8 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
         most = pillar.fillet * (room - pillar.radius) / (pillar.arc.centre[0] - pillar.radius)
         return problem(
             "out-of-range",
-            f"{pillar.fillet * 1e3:.4g} mm",
-            f"less than {most * 1e3:.4g} mm, {free}",
+            _text(pillar.fillet),
+            f"less than {_text(most)}, {free}",
             "the fillet reaches beyond the cell",
             "choose a smaller radius, a thinner pillar or a larger pitch",
             at="pillar.fillet",
@@ -313,9 +374,8 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
     beyond = 2 * (sharp.widest - pillar.radius)
     return problem(
         "out-of-range",
-        f"{pillar.diameter * 1e3:g} mm"
-        + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
-        f"less than {(2 * room - beyond) * 1e3:.4g} mm, {free}",
+        _text(pillar.diameter) + (f", and {_text(beyond)} more where the pillar is widest" if beyond else ""),
+        f"less than {_text(2 * room - beyond)}, {free}",
         "the pillar is wider than the cell",
         "choose a thinner pillar or a larger pitch",
         at="pillar.diameter",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,19 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
-from haptonic.fields import LARGEST, Quantity, described, needed, problem, setting, size
+from haptonic.fields import (
+    LARGEST,
+    Aliases,
+    Quantity,
+    absent,
+    described,
+    meant,
+    needed,
+    problem,
+    setting,
+    size,
+)
+from haptonic.units import format_quantity
 
 Section = Literal["round", "square"]
 Faces = Literal["one", "both"]
@@ -28,10 +40,10 @@ USUAL_DRAFT = (0.0, math.radians(10))
 class Step:
     """Where a pillar becomes narrower, m."""
 
-    diameter: Annotated[float, size(50e-6, 50e-3)] = needed(
+    diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
         "Smaller than below it by more than 5 %.", title="Diameter above the step"
     )
-    height: Annotated[float, size(50e-6, 100e-3)] = needed(
+    height: Annotated[float, size(10e-9, 100e-3)] = needed(
         "Above the face of the plate.", title="Height of the step"
     )
 
@@ -63,13 +75,34 @@ class Pillar:
     GeometryError : sizes that do not make a body
     """
 
-    diameter: Annotated[float, size(50e-6, 50e-3)] = needed(
+    aliases: ClassVar[Aliases] = {
+        **meant(
+            "diameter", "radius", "r",
+            cause="a pillar is given by its diameter, which is twice its radius",
+            next_step='write "diameter", with twice the value',
+        ),
+        **meant("diameter", "d", "width", "side", "w", "diameter_bottom"),
+        **meant("height", "h", "length", "pillar_height"),
+        **meant("section", "shape", "form", "cross_section"),
+        **meant("draft", "taper", "taper_angle", "draft_angle"),
+        **absent(
+            "material", "density", "youngs_modulus", "poisson_ratio", "coating",
+            cause="plate and pillars are one body of one material; a pillar of another one is not computed",
+            next_step="give the material of both at the top, in material or [material]",
+        ),
+        **absent(
+            "hole", "bore", "inner_diameter", "hollow",
+            cause="pillars are solid; hollow ones are not computed here", next_step="leave this key out",
+        ),
+    }  # fmt: skip
+
+    diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
         "At the foot, its fillet not counted; of a square section the side. "
         "Smaller than the pitch by more than 2 %.",
         title="Pillar diameter",
         examples=["3.5 mm"],
     )
-    height: Annotated[float, size(50e-6, 100e-3)] = needed(
+    height: Annotated[float, size(10e-9, 100e-3)] = needed(
         "Above the face of the plate.", title="Pillar height", examples=["14.7 mm"]
     )
     section: Section = setting("round", "Seen from above; the sides of a square lie along the cell's.")
@@ -100,8 +133,8 @@ class Pillar:
             if not self.step.diameter < (1 - LEAST_SHARE) * below:
                 raise problem(
                     "out-of-range",
-                    _mm(self.step.diameter),
-                    f"less than {_mm((1 - LEAST_SHARE) * below)}: the part below it is {_mm(below)} wide",
+                    _text(self.step.diameter),
+                    f"less than {_text((1 - LEAST_SHARE) * below)}: the part below it is {_text(below)} wide",
                     "the pillar would be no narrower above the step, which a tool from above cannot cut",
                     "choose a thinner upper part, or leave the step out",
                     at="step.diameter",
@@ -111,8 +144,8 @@ class Pillar:
             if ends > room:
                 raise problem(
                     "out-of-range",
-                    _mm(self.fillet),
-                    f"at most {_mm(room * self.fillet / ends)}",
+                    _text(self.fillet),
+                    f"at most {_text(room * self.fillet / ends)}",
                     "the arc would reach the end of the pillar's lower part",
                     "choose a smaller radius",
                     at="fillet",
@@ -123,8 +156,8 @@ class Pillar:
         if not step.height < self.height:
             raise problem(
                 "out-of-range",
-                _mm(step.height),
-                f"less than the pillar's height, {_mm(self.height)}",
+                _text(step.height),
+                f"less than the pillar's height, {_text(self.height)}",
                 "the step lies above the pillar's top",
                 "lower the step, or leave it out",
                 at="step.height",
@@ -132,8 +165,8 @@ class Pillar:
         if step.diameter < LEAST_SHARE * self.diameter:
             raise problem(
                 "out-of-range",
-                _mm(step.diameter),
-                f"at least {_mm(LEAST_SHARE * self.diameter)}",
+                _text(step.diameter),
+                f"at least {_text(LEAST_SHARE * self.diameter)}",
                 "above the step next to nothing would be left of the pillar",
                 "choose a thicker upper part",
                 at="step.diameter",
@@ -261,5 +294,5 @@ class Pillar:
         return min(slopes)
 
 
-def _mm(length: float) -> str:
-    return f"{length * 1e3:.4g} mm"
+def _text(length: float) -> str:
+    return format_quantity(length, "m")

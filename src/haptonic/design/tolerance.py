@@ -23,7 +23,7 @@ from pydantic import Field
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.design.parameters import PILLAR, OfCell, values_of
-from haptonic.fields import Quantity, described, needed, once, problem, setting
+from haptonic.fields import FASTEST, Quantity, described, needed, once, problem, setting
 from haptonic.units import format_quantity
 
 CUT = 3.0  # standard deviations at which normal spreads are cut off
@@ -96,7 +96,7 @@ class ToleranceSettings:
     """How much the parts differ, and how sure the gap has to hold the carrier."""
 
     of: tuple[Spread, ...] = setting((), "What differs, and how much.", title="Spreads", max_length=12)
-    margin: Annotated[float, Quantity("Hz", at_least=0.0, at_most=1e9)] = setting(
+    margin: Annotated[float, Quantity("Hz", at_least=0.0, at_most=FASTEST)] = setting(
         0.0, "Least distance of the carrier from the gap's edges."
     )
     confidence: Annotated[float, Quantity("", above=0.0, below=1.0, typical=(0.9, 0.9999))] = setting(

@@ -1,5 +1,6 @@
 """Fields declared once, with title, unit, bounds, usual range, help: for checks, files and labels."""
 
+from haptonic.fields.aliases import Aliases, absent, meant
 from haptonic.fields.described import described, extended, needed, remade, setting, unchecked
 from haptonic.fields.entries import Entries
 from haptonic.fields.keys import ByPattern, Key, leaves, table
@@ -7,6 +8,7 @@ from haptonic.fields.numbers import numbers, unknown_number, with_numbers
 from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
 from haptonic.fields.placing import INLINE, TOP, Named, Placed
 from haptonic.fields.quantity import (
+    FASTEST,
     FROM_FILE,
     LARGEST,
     SMALLEST,
@@ -20,13 +22,16 @@ from haptonic.fields.quantity import (
     size,
 )
 from haptonic.fields.reading import read
+from haptonic.fields.unusual import caller, unusual_beside, unusual_values, warn_caller
 
 __all__ = [
+    "FASTEST",
     "FROM_FILE",
     "INLINE",
     "LARGEST",
     "SMALLEST",
     "TOP",
+    "Aliases",
     "ByPattern",
     "Entries",
     "Frequency",
@@ -38,11 +43,14 @@ __all__ = [
     "OfNumber",
     "Placed",
     "Quantity",
+    "absent",
     "ascending",
+    "caller",
     "described",
     "extended",
     "handed_on",
     "leaves",
+    "meant",
     "needed",
     "number_of",
     "numbers",
@@ -55,5 +63,8 @@ __all__ = [
     "table",
     "unchecked",
     "unknown_number",
+    "unusual_beside",
+    "unusual_values",
+    "warn_caller",
     "with_numbers",
 ]

@@ -9,12 +9,13 @@
 
 The declaration stands beside the field and nowhere else: the check, the study file, its keys, help and labels
 read it. A value is checked whenever it is made, in Python, ``Pillar(diameter=3.5e-3, height="14 mm")``, or
-from a file. What has to hold between fields is checked in ``__post_init__``, which raises `problem`.
+from a file. Unusual numbers are warned about then, but not where this package makes the value. What has to
+agree between fields is checked in ``__post_init__``, which raises `problem`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import fields
 from functools import wraps
 from typing import Any, TypeVar, cast, dataclass_transform
@@ -26,6 +27,7 @@ from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields.keys import slots
 from haptonic.fields.problems import refusal
 from haptonic.fields.reading import any_placed, arranged
+from haptonic.fields.unusual import caller, unusual_values, warn_caller
 
 T = TypeVar("T")
 
@@ -73,6 +75,7 @@ def described(
             except ValidationError as error:
                 refused = refusal(error, value, place=place, family=family, names=names)
             else:
+                warn_caller(_slips(self, place, (*given, *named.values())), caller(), value)
                 return
             raise refused  # out here it does not drag what pydantic saw along as its context
 
@@ -80,6 +83,14 @@ def described(
         return cast("type[T]", value)
 
     return made
+
+
+def _slips(made: Any, place: str, given: tuple[Any, ...]) -> Iterator[str]:
+    """Words on unusual numbers of a value made in Python; values in it that were made before had theirs."""
+    ready = {id(one) for each in given for one in (each if isinstance(each, list | tuple) else (each,))}
+    prefix = f"{place}." if place else ""
+    for path, words in unusual_values(made, prefix, ready).items():
+        yield f"{path}: {words}"
 
 
 def extended(kind: type[T]) -> type[T]:

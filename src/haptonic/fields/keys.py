@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from types import NoneType, UnionType
@@ -171,21 +171,29 @@ def fields_of(kind: Any) -> dict[str, FieldInfo]:
     return declared
 
 
-def leaves(model: Any, prefix: str = "", *, names: bool = True) -> Iterator[tuple[str, Any, Quantity | None]]:
+def leaves(
+    model: Any, prefix: str = "", *, names: bool = True, without: Container[int] = frozenset()
+) -> Iterator[tuple[str, Any, Quantity | None]]:
     """(path, value, declaration) of every key that has a value, tables inside tables included.
 
-    ``names`` : whether a value that a file may give by its name is that name, not the numbers behind it.
+    Parameters
+    ----------
+    names : whether a value that a file may give by its name is that name, not the numbers behind it
+    without : identities (`id`) of described values that are left out
     """
     for slot in slots(type(model)):
         path, value = slot.path(prefix), getattr(model, slot.name)
+        if id(value) in without and is_described(value):
+            continue
         if names and (name := slot.name_of(value)):
             yield path, name, None
         elif is_described(value):
-            yield from leaves(value, slot.below(prefix), names=names)
+            yield from leaves(value, slot.below(prefix), names=names, without=without)
         elif isinstance(value, tuple):
             for index, item in enumerate(value, start=1):
                 if is_described(item):
-                    yield from leaves(item, f"{path}[{index}].", names=names)
+                    if id(item) not in without:
+                        yield from leaves(item, f"{path}[{index}].", names=names, without=without)
                 else:
                     yield f"{path}[{index}]", item, slot.quantities[index - 1]
         elif isinstance(value, Entries):

@@ -8,6 +8,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from haptonic.errors import HaptonicError, StudyError, nearest, shown
+from haptonic.fields.aliases import Alias, aliases
 from haptonic.fields.keys import Key, key_of, slots, table
 
 TAG = "<"  # begins the tags of a union, which pydantic puts into the path
@@ -39,6 +40,7 @@ def refusal(
     names : fields that arguments without a keyword stand for, in order
     """
     keys = table(kind, f"{place}." if place else "")
+    known_aliases = aliases(kind, f"{place}." if place else "")
     details: list[Any] = [dict(each) for each in error.errors(include_url=False)]
     for each in details:
         if each["loc"] and isinstance(each["loc"][0], int):  # an argument without a keyword
@@ -48,10 +50,10 @@ def refusal(
         below = each.get("ctx", {}).get("at", "").split(".")[0]
         if below and _path((*each["loc"], below), kind, place)[0] == below:
             each["path"] = ""  # the key that is blamed stands at the top
-    slips = {_meant(each["pattern"], keys) for each in details if each["type"] in UNKNOWN}
-    details = [each for each in details if each["type"] != "missing" or each["pattern"] not in slips]
+    slips = {_meant(each["pattern"], keys, known_aliases) for each in details if each["type"] in UNKNOWN}
+    details = [each for each in details if _left_out(each) not in slips]
     details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains what follows
-    first, *others = (_in_parts(each, keys) for each in details)
+    first, *others = (_in_parts(each, keys, known_aliases) for each in details)
     next_step = first.next_step
     if others:
         lines = [
@@ -65,7 +67,7 @@ def refusal(
     return first.changed(family, argument=argument, next_step=next_step)
 
 
-def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
+def _in_parts(details: Any, keys: Mapping[str, Key], known: Mapping[str, Alias]) -> StudyError:
     """One error of pydantic in five parts."""
     kind, context = details["type"], details.get("ctx", {})
     path, pattern = details["path"], details["pattern"]
@@ -78,7 +80,7 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
             cause="there are more arguments than fields", next_step="give fields by their names",
         )  # fmt: skip
     if kind in UNKNOWN:
-        return _unknown(path, pattern, details["input"], keys)
+        return _unknown(path, pattern, details["input"], keys, known)
     key = key_of(pattern, keys)
     of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
     form = "a text in quotes" if of_an_entry else allowed_at(key)
@@ -89,7 +91,8 @@ def _in_parts(details: Any, keys: Mapping[str, Key]) -> StudyError:
         code, given, cause = "missing", "nothing", f"the {title} was left out"
         next_step = f"add {example_at(key)}" if key else "add it"
     elif key and key.choices:
-        code, given, cause = "unknown", shown(details["input"]), "it is not one of the words known here"
+        code, given = "unknown", shown(details["input"])
+        cause = f"it is none of the words known here: {', '.join(key.choices)}"
         guess = nearest(str(details["input"])[:40], key.choices)
         next_step = f'write "{guess}"' if guess else "choose one of them"
     else:
@@ -140,18 +143,40 @@ def _guess(pattern: str, keys: Mapping[str, Key]) -> str | None:
     return nearest(name.lower(), _neighbours(section, keys))
 
 
-def _meant(pattern: str, keys: Mapping[str, Key]) -> str:
+def _left_out(details: Any) -> str | None:
+    """The path of a key that was left out, if that is what an error is about."""
+    if details["type"] == "missing":
+        return str(details["pattern"])
+    context = details.get("ctx", {})
+    if details["type"] != "haptonic" or context["code"] != "missing":
+        return None
+    return ".".join(part for part in (details["pattern"], context["at"]) if part)
+
+
+def _meant(pattern: str, keys: Mapping[str, Key], known: Mapping[str, Alias]) -> str:
     """The key that a misspelt one stands for, as the table has it."""
     section = pattern.rpartition(".")[0]
-    return f"{section}.{_guess(pattern, keys)}".lstrip(".")
+    alias = _alias(pattern, known)
+    return f"{section}.{alias.key if alias else _guess(pattern, keys)}".lstrip(".")
 
 
-def _unknown(path: str, pattern: str, value: object, keys: Mapping[str, Key]) -> StudyError:
+def _alias(pattern: str, known: Mapping[str, Alias]) -> Alias | None:
+    """The declared alias that a key is, in whatever case."""
+    section, dot, name = pattern.rpartition(".")
+    return known.get(pattern) or known.get(f"{section}{dot}{name.lower()}")
+
+
+def _unknown(
+    path: str, pattern: str, value: object, keys: Mapping[str, Key], known: Mapping[str, Alias]
+) -> StudyError:
     section, _, name = pattern.rpartition(".")
     here, guess = _neighbours(section, keys), _guess(pattern, keys)
     elsewhere = [key for key in keys if key.rpartition(".")[2] == name]
     inside = [key for key in elsewhere if section and key.startswith(f"{section}.")]
-    if name in here:
+    alias = _alias(pattern, known)
+    if alias is not None:
+        cause, next_step = alias.cause, alias.next_step
+    elif name in here:
         cause, next_step = "a value that was given holds it already", "leave it out, or change that value"
     elif guess and not inside:
         cause, next_step = "a slip in the name", f'write "{guess}"'

@@ -23,6 +23,7 @@ from haptonic.units import example_of, format_quantity, to_si
 FROM_FILE = {"from a file": True}  # validation context: there, a number with a dimension needs its unit
 
 
+FASTEST = 1e11  # Hz; beyond it waves are shorter than the smallest cells that are continua
 SMALLEST, LARGEST = 1e-9, 1e3  # m; below, no continuum; above, no plate that a hand could touch
 
 
@@ -110,16 +111,20 @@ class Quantity:
         lowest, highest = (format_quantity(end, self.unit) for end in self.typical)
         return f"{lowest} to {highest}"
 
-    def unusual(self, value: float) -> str:
-        """Words on a value (in ``unit``) outside the typical range; empty for an ordinary one."""
+    def unusual(self, value: float, beside: str = "") -> str:
+        """Words on a value (in ``unit``) outside the typical range; empty for an ordinary one.
+
+        ``beside`` names what the range depends on, such as "for a pitch of 7 mm".
+        """
         if self.typical is None or self.typical[0] <= value <= self.typical[1]:
             return ""
-        words = f"{format_quantity(value, self.unit)} is unusual: {self.usual} is typical"
+        where = f" {beside}" if beside else ""
+        words = f"{format_quantity(value, self.unit)} is unusual{where}: {self.usual} is typical"
         near = self.typical[0] / 10 <= value <= self.typical[1] * 10  # too near to be a slip of the unit
         for power in () if near or not self.unit else (3, -3, 6, -6, 9, -9):
             slipped = value * 10.0**power
             if self.typical[0] <= slipped <= self.typical[1]:
-                return f"{words}. Was {format_quantity(slipped, self.unit)} meant?"
+                return f"{words}. Did you mean {format_quantity(slipped, self.unit)}?"
         return words
 
 
@@ -189,6 +194,6 @@ def _printable(name: str) -> str:
 
 
 Length = Annotated[float, Quantity("m", at_least=SMALLEST, at_most=LARGEST)]
-Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1e3, 1e6))]
+Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(1e3, FASTEST))]
 Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_printable)]
 """What somebody calls a part, a region or a person."""

@@ -5,14 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 import numpy as np
 from pydantic import ValidationInfo, field_validator
 
 from haptonic.arrays import Array
 from haptonic.errors import shown
-from haptonic.fields import Entries, Quantity, described, needed, number_of, problem, setting
+from haptonic.fields import (
+    Aliases,
+    Entries,
+    Quantity,
+    absent,
+    described,
+    meant,
+    needed,
+    number_of,
+    problem,
+    setting,
+)
 from haptonic.fields.quantity import collected
 from haptonic.materials.common import DENSITY, spread_of
 
@@ -31,6 +42,31 @@ class IsotropicMaterial:
     ------
     StudyError : a property outside its limits
     """
+
+    aliases: ClassVar[Aliases] = {
+        **meant("youngs_modulus", "e", "young", "youngs", "young_modulus", "elastic_modulus", "modulus"),
+        **meant("poisson_ratio", "nu", "poisson", "poissons_ratio", "v"),
+        **meant("density", "rho", "mass_density"),
+        **meant("loss_factor", "eta", "loss", "tan_delta", "structural_loss"),
+        **meant(
+            "loss_factor", "damping", "damping_ratio", "zeta",
+            cause="damping is given by the loss factor, which is twice a damping ratio",
+            next_step='write "loss_factor"',
+        ),
+        **meant(
+            "loss_factor", "q", "quality_factor", cause="damping is given by the loss factor, 1 / Q",
+            next_step='write "loss_factor"',
+        ),
+        **absent(
+            "g", "shear_modulus", "lambda", "mu", "lame", "bulk_modulus", "k",
+            cause="an isotropic material is given by Young's modulus and Poisson's ratio",
+            next_step="write youngs_modulus and poisson_ratio; E = 2 G (1 + nu)",
+        ),
+        **absent(
+            "speed", "c", "velocity", cause="speeds of waves follow from the constants",
+            next_step="write youngs_modulus, poisson_ratio and density",
+        ),
+    }  # fmt: skip
 
     youngs_modulus: Annotated[float, Quantity("Pa", at_least=1e3, at_most=1e13, typical=(1e9, 5e11))] = (
         needed("Stiffness in tension.", title="Young's modulus")

@@ -89,7 +89,7 @@ class Edges:
 class Clamp:
     """What holds the plate at the four corners of the rectangle around it."""
 
-    corners: Annotated[float, size(100e-6, 100e-3)] = needed(
+    corners: Annotated[float, size(100e-9, 100e-3)] = needed(
         "Of each side face, from the corner on.", title="Held length"
     )
     spring: FoundationStiffness | None = setting(

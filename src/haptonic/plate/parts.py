@@ -8,11 +8,23 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from haptonic.fields import LARGEST, Name, Quantity, described, needed, problem, setting, size
+from haptonic.fields import (
+    LARGEST,
+    Aliases,
+    Name,
+    Quantity,
+    absent,
+    described,
+    meant,
+    needed,
+    problem,
+    setting,
+    size,
+)
 from haptonic.materials import Material, PiezoelectricMaterial
 from haptonic.materials.library import CERAMIC, SOLID
 from haptonic.plate.holding import Support
@@ -20,11 +32,18 @@ from haptonic.plate.layout import Layout
 from haptonic.units import format_quantity
 
 Position = Annotated[float, Quantity("m", at_least=-LARGEST, at_most=LARGEST)]
-Width = Annotated[float, size(100e-6, 100e-3)]
-PatchThickness = Annotated[float, size(20e-6, 10e-3)]
-BondThickness = Annotated[float, size(0.5e-6, 1e-3)]
+Width = Annotated[float, size(100e-9, 100e-3)]
+PatchThickness = Annotated[float, size(10e-9, 10e-3)]
+BondThickness = Annotated[float, size(1e-9, 1e-3)]
 Phase = Annotated[float, Quantity("rad", at_least=-2 * math.pi, at_most=2 * math.pi)]
 CENTRE = "From the lower left corner of the smallest rectangle around the region, else around the plate."
+
+
+ONE_CARRIER = {
+    "cause": "all actuators and forces of a plate work at one frequency, and a study has one carrier",
+    "next_step": "write carrier at the top of the study; for another frequency use "
+    '`haptonic plate STUDY --at "40 kHz"`, or a second study',
+}
 
 
 @described("plate.actuator.bond")
@@ -41,6 +60,19 @@ class Actuator:
 
     The voltage counts between its free and its glued electrode.
     """
+
+    aliases: ClassVar[Aliases] = {
+        **absent("carrier", "frequency", "f", **ONE_CARRIER),
+        **meant("centre", "center", "position", "at", "place", "x", "y"),
+        **meant(
+            "size", "width", "length", "height", "thickness", "diameter", "radius",
+            cause="a patch is a rectangle that is given by its three sizes",
+            next_step='write size = ["11.5 mm", "8 mm", "0.7 mm"]: along x, along y, and its thickness',
+        ),
+        **meant("voltage", "amplitude", "drive", "v"),
+        **meant("region", "guide", "waveguide", "tile"),
+        **meant("bond", "glue", "adhesive"),
+    }  # fmt: skip
 
     name: Name = needed("Shown in results.", examples=["A1"])
     centre: tuple[Position, Position] = needed(CENTRE)
@@ -78,6 +110,12 @@ class Actuator:
 @described("plate.force")
 class Force:
     """A force normal to the flat face, at a point or spread evenly over a rectangle."""
+
+    aliases: ClassVar[Aliases] = {
+        **absent("carrier", "frequency", "f", **ONE_CARRIER),
+        **meant("centre", "center", "position", "at", "place", "x", "y"),
+        **meant("force", "amplitude", "f0"),
+    }
 
     name: Name = needed("Shown in results.", examples=["F1"])
     centre: tuple[Position, Position] = needed(CENTRE)

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.fields import Quantity, ascending, described, setting, size, unchecked
+from haptonic.fields import FASTEST, Quantity, ascending, described, setting, size, unchecked
 
-ResponseFrequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=1e9, typical=(1.0, 1e6))]
+ResponseFrequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(1.0, FASTEST))]
 
 
 @described("plate.response", kw_only=True)
@@ -25,7 +25,7 @@ class ResponseSettings:
     tolerance: Annotated[float, Quantity("", at_least=1e-10, at_most=0.1, typical=(1e-8, 1e-2))] = setting(
         1e-3, "Largest allowed at every frequency, relative.", title="Field error"
     )
-    grid: Annotated[float, size(50e-6, 20e-3)] = setting(
+    grid: Annotated[float, size(1e-9, 20e-3)] = setting(
         2e-3, "Distance of neighbouring points on the flat face."
     )
 

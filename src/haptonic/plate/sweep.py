@@ -21,6 +21,7 @@ from haptonic.plate.model import PlateModel
 from haptonic.plate.parts import Finger, Plate
 from haptonic.plate.vibration import ReducedPlate, Vibration
 from haptonic.progress import Progress, silent
+from haptonic.units import hz_text
 
 SPACING = 8e3  # Hz between neighbouring shifts, at most
 MODES = 85  # between neighbouring shifts, about, at most
@@ -146,7 +147,7 @@ class Band:
                 argument="plate.response.tolerance",
                 given=f"{tolerance:g}",
                 allowed=f"what can be reached: {len(poor)} of {len(omega)} lines stay above it, the worst at "
-                f"{worst / 1e3:.3f} kHz with {vibration.error.max():.1e}",
+                f"{hz_text(worst, form='.3f')} with {vibration.error.max():.1e}",
                 cause="very little loss, or a tolerance near rounding",
                 next_step="ask for a larger tolerance, or give the plate its loss",
             )
@@ -232,7 +233,7 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     asked = "at" if single else f"with {plate.layout.pillars} pillars, for a basis up to"
     raise ResourceError.too_large(
         argument="plate.map",
-        given=f"{tiles} tiles {asked} {high / 1e3:.4g} kHz",
+        given=f"{tiles} tiles {asked} {hz_text(high, form='.4g')}",
         allowed=f"about {fits} such tiles in the {there / 1e9:.1f} GB of this machine",
         cause=f"its equations, factorised, need at least {gigabytes}"
         if needed > basis
@@ -288,7 +289,7 @@ def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure
     if needed > free:
         raise ResourceError.too_large(
             argument="plate.response.highest",
-            given=f"{np.sqrt(high) / (2e3 * np.pi * (1 + BEYOND)):.4g} kHz, for a plate of "
+            given=f"{hz_text(np.sqrt(high) / (2 * np.pi * (1 + BEYOND)))}, for a plate of "
             f"{model.plate.layout.pillars} pillars and {model.assembly.size} unknowns",
             allowed=f"what fits into the {free / 1e9:.1f} GB that are free",
             cause=f"{how_sure}{modes} modes lie in the band; their basis needs {how_sure or 'about '}"

@@ -13,7 +13,8 @@ from haptonic.arrays import Array, Ints
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage
-from haptonic.plots.text import khz
+from haptonic.plots.text import band_text
+from haptonic.units import hz_text
 
 MARK_EVERY = 5  # wavevectors between two markers on a curve
 
@@ -88,7 +89,7 @@ def dispersion(
         if carrier_hz / 1e3 > axes.get_ylim()[1]:
             axes.set_ylim(0, 1.05 * carrier_hz / 1e3)
         axes.axhline(carrier_hz / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
-        labels.append((carrier_hz / 1e3, f"carrier\n{carrier_hz / 1e3:g} kHz", style.CARRIER))
+        labels.append((carrier_hz / 1e3, f"carrier\n{hz_text(carrier_hz, form='g')}", style.CARRIER))
     style.label_right(axes, labels, lines=3)
     return on.figure
 
@@ -112,7 +113,7 @@ def _gap_labels(dataset: xr.Dataset) -> list[tuple[float, str]]:
     return [
         (
             0.5 * (lower + upper) / 1e3,
-            f"complete gap\n{khz(lower, lower_error)}\nto {khz(upper, upper_error)} kHz",
+            "complete gap\n" + band_text(lower, lower_error, upper, upper_error).replace(" to ", "\nto "),
         )
         for lower, upper, lower_error, upper_error in complete_gaps(dataset)
     ]

@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage
+from haptonic.units import hz_text
 
 STAGES = {
     "look": ("starts", style.PALE_INK, "o"),
@@ -42,7 +43,7 @@ def search(dataset: xr.Dataset) -> Figure:
         gaps.bar(number[~there], (lower - upper)[~there], 0.8, upper[~there], facecolor="white",
                  edgecolor=style.PALE_INK, hatch="/////", lw=0.6, label="no gap: bands overlap")  # fmt: skip
     gaps.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1,
-                 label=f"carrier {carrier / 1e3:g} kHz", gid="carrier")  # fmt: skip
+                 label=f"carrier {hz_text(carrier, form='g')}", gid="carrier")  # fmt: skip
     gaps.set_ylabel("frequency (kHz)")
     margins.axhline(0.0, color=style.CARRIER, ls=style.DASHED, lw=1.1)
     for name, (label, colour, marker) in STAGES.items():
@@ -85,7 +86,8 @@ def front(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     if not held.all():
         axes.plot(pitch[~held], np.full((~held).sum(), carrier), "x", color=style.INK, gid="none", zorder=3,
                   label="no allowed design holds it")  # fmt: skip
-    axes.axhline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1, label=f"carrier {carrier:g} kHz",
+    name = f"carrier {hz_text(1e3 * carrier, form='g')}"
+    axes.axhline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1, label=name,
                  gid="carrier")  # fmt: skip
     room = 0.3 * step + 0.04 * (pitch[-1] - pitch[0])
     axes.set_xlim(pitch[0] - room, pitch[-1] + room)

@@ -22,6 +22,7 @@ from haptonic.plots.plates import HALO, region_borders, rows_of
 from haptonic.plots.stage import stage
 from haptonic.plots.text import absolute, driven
 from haptonic.response import FrequencyResponse
+from haptonic.units import hz_text
 
 Gap = tuple[float, float] | None
 
@@ -168,7 +169,10 @@ def _draw_map(
     bar.set_label(f"normal {line.dataset.attrs['quantity']} ({unit})")
     bar.locator = MaxNLocator(4, symmetric=True)
     bar.update_ticks()
-    said = [_beside(frequency, gap), f"{frequency / 1e3:.1f} kHz, {line.dataset.attrs['origin']}"]
+    said = [
+        _beside(frequency, gap),
+        f"{hz_text(frequency, form='.1f')}, {line.dataset.attrs['origin']}",
+    ]
     if frequency and line.dataset.attrs["quantity"] == "velocity":
         moved, times = absolute(line.units.replace("m/s", "m", 1), largest / (2 * np.pi * frequency), drive)
         said.append(

@@ -15,6 +15,7 @@ from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import Stage, stage
 from haptonic.plots.text import in_pi
+from haptonic.units import hz_text
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
 DEEPEST = 1.2 * np.pi  # rad per row, imaginary part up to which waves are shown
@@ -170,6 +171,6 @@ def _mark(axes: Axes, dataset: xr.Dataset, along: Literal["x", "y"]) -> list[Art
     if low <= carrier <= high:
         line = axes.axvline if along == "x" else axes.axhline
         dashes = line(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1)
-        dashes.set(label=f"carrier {carrier:g} kHz", gid="carrier")
+        dashes.set(label=f"carrier {hz_text(1e3 * carrier, form='g')}", gid="carrier")
         handles.append(dashes)
     return handles

@@ -19,6 +19,7 @@ from haptonic.bloch.bands import mode_names
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.moving import moments, moving
+from haptonic.units import hz_text
 
 SHOWN = 8  # modes, as in Fig. 4B of the paper
 COLUMNS = 4
@@ -92,7 +93,7 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
         axes.plot(*rest, color=style.PALE_INK, lw=0.5, zorder=0, gid="undeformed")
         frequency = float(dataset["mode_frequency"][k]) / 1e3
-        axes.set_title(f"M{k + 1}  {frequency:.2f} kHz\n{names[k]}", fontsize=8.5)
+        axes.set_title(f"M{k + 1}  {hz_text(1e3 * frequency, form='.2f')}\n{names[k]}", fontsize=8.5)
     figure.suptitle(f"modes at {dataset.attrs['modes_at']}", fontsize=9, gid="wavevector")
     bar = figure.colorbar(
         ScalarMappable(Normalize(0, 1), style.perceptual()),

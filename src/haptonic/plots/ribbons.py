@@ -11,6 +11,7 @@ from matplotlib.tri import Triangulation
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage
+from haptonic.units import hz_text
 
 LONG, MOST_PERIODS = 1.5, 30  # of a drawn field: its length over its width, and the most periods of it
 FADED = 0.12  # opacity of a bulk band's shade: where bands overlap it is darker
@@ -94,6 +95,8 @@ def ribbon_field(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     axes.set_xlabel("position along the ribbon (mm)")
     axes.set_ylabel("position across (mm)")
     what = DIRECTIONS[int(dataset["field_component"])]
-    axes.set_title(f"{float(dataset['field_frequency']) / 1e3:.2f} kHz, phase {turn / np.pi:.3f} π; {what}")
+    axes.set_title(
+        f"{hz_text(float(dataset['field_frequency']), form='.2f')}, phase {turn / np.pi:.3f} π; {what}"
+    )
     on.figure.colorbar(drawn, ax=axes, label="displacement (dimensionless)")
     return on.figure

@@ -17,6 +17,7 @@ from haptonic.plots import style
 from haptonic.plots.spectra import curves, finished, shaded
 from haptonic.plots.stage import stage
 from haptonic.plots.text import absolute, in_pi
+from haptonic.units import hz_text
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
@@ -91,9 +92,7 @@ def measured_contrast(
             axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0, facecolor="none",
                          edgecolor=style.PURPLE, hatch="///", zorder=0.5)  # fmt: skip
             line = axes.axvline(edge / 1e3, color=style.PURPLE, lw=1.1, zorder=3)
-        line.set_label(
-            f"high contrast, {gap.lower / 1e3:.1f} to {gap.upper / 1e3:.1f} kHz; standard error hatched"
-        )
+        line.set_label(f"high contrast, {hz_text(gap.lower, gap.upper, form='.1f')}; standard error hatched")
         handles.append(line)
     axes.set_ylabel("contrast (dB)")
     finished(axes, frequency, origin)

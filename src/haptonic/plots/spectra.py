@@ -15,6 +15,7 @@ from haptonic.arrays import AnyComplex, Array
 from haptonic.plots import style
 from haptonic.plots.stage import stage
 from haptonic.plots.text import absolute, driven, label
+from haptonic.units import hz_text
 
 Gap = tuple[float, float] | None
 Looks = Sequence[tuple[str, Any]]
@@ -147,7 +148,7 @@ def shaded(axes: Axes, frequency: Array, gap: Gap, name: str = "band gap") -> li
         return []
     low, high = gap[0] / 1e3, gap[1] / 1e3
     shade = axes.axvspan(low, high, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
-    shade.set_label(f"{name}, {low:.1f} to {high:.1f} kHz")
+    shade.set_label(f"{name}, {hz_text(1e3 * low, 1e3 * high, form='.1f')}")
     return [shade]
 
 

@@ -17,11 +17,12 @@ from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.text import Text
-from matplotlib.ticker import FuncFormatter, LogFormatterSciNotation
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogFormatterSciNotation, MaxNLocator
 
 from haptonic.names import latex
 from haptonic.paths import inside, target
 from haptonic.store import refuse_overwrite, write_atomically
+from haptonic.units import frequency_scale
 
 P = ParamSpec("P")
 
@@ -95,6 +96,7 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
                 return make(*args, **kwargs)
         with styled():
             figure = make(*args, **kwargs)
+            suit_units(figure)
             arrange(figure)  # ticks and their labels are made late: make them in this style
             return figure
 
@@ -116,6 +118,41 @@ def _safe_in_latex(axes: Axes) -> Iterator[None]:
         own = axis.get_major_formatter()
         if isinstance(own, FuncFormatter | PowersOfTen):  # names of places, or our powers of ten
             axis.set_major_formatter(FuncFormatter(lambda x, pos, own=own: latex(own(x, pos))))
+
+
+def suit_units(figure: Figure) -> None:
+    """Show the ticks of every axis and colour bar in kHz in MHz or GHz, in mm in µm or nm, where that suits.
+
+    What is drawn stays in kHz and mm; labels of ticks and the unit in the axis's name change.
+    """
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            name = axis.get_label().get_text()
+            unit = next((one for one in TICKS if f"({one})" in name), None)
+            if unit is None or axis.get_scale() != "linear":
+                continue
+            low, high = axis.get_view_interval()
+            suited, scale = TICKS[unit](max(abs(low), abs(high)))
+            if suited == unit:
+                continue
+            places = MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
+            axis.set_major_locator(FixedLocator([one for one in places if low <= one <= high]))
+            axis.set_major_formatter(FuncFormatter(lambda x, _, scale=scale: f"{x * scale:.10g}"))
+            axis.get_label().set_text(name.replace(f"({unit})", f"({suited})"))
+
+
+def _length_scale(largest: float) -> tuple[str, float]:
+    """Unit for lengths up to ``largest`` (mm), and the factor from mm to it."""
+    return ("mm", 1.0) if largest >= 0.1 else ("µm", 1e3) if largest >= 1e-4 else ("nm", 1e6)
+
+
+def _frequency_scale(largest: float) -> tuple[str, float]:
+    """Unit for frequencies up to ``largest`` (kHz), and the factor from kHz to it."""
+    unit, scale = frequency_scale(1e3 * largest)
+    return unit, 1e3 * scale
+
+
+TICKS = {"kHz": _frequency_scale, "mm": _length_scale}
 
 
 def arrange(figure: Figure) -> None:

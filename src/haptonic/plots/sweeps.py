@@ -16,6 +16,7 @@ from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage
 from haptonic.plots.text import readable, scaled_unit
+from haptonic.units import hz_text
 
 BAR = 0.8  # width of a bar, as a share of the step
 SUBSCRIPTED = ("f₁", "f₂", "f₃")
@@ -63,7 +64,7 @@ def sweep(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     carrier = dataset.attrs.get("carrier_hz")
     if carrier is not None:
         axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
-        names.append((carrier / 1e3, f"carrier {carrier / 1e3:g} kHz", style.CARRIER))
+        names.append((carrier / 1e3, f"carrier {hz_text(carrier, form='g')}", style.CARRIER))
     axes.set_xlabel(f"{readable(dataset.attrs['expression'])} ({unit})", parse_math=False)
     axes.set_ylabel("frequency (kHz)")
     on.legend(handles, ncols=2, handlelength=2.6)

@@ -7,6 +7,7 @@ import re
 from typing import SupportsFloat
 
 from haptonic.names import visible
+from haptonic.units import frequency_scale
 
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten that they take away
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
@@ -21,21 +22,33 @@ _OF_SITE = re.compile(r"\bcell\.site\[(\d*)\]\.([\w.]*\w)")
 MOST_DECIMALS = 6
 
 
-def khz(frequency: float, error: float) -> str:
-    """``52.51 ± 0.05``: kHz, from a frequency and the bound of its error in Hz.
+def uncertain_hertz(frequency: float, error: float) -> str:
+    """``52.51 ± 0.05 kHz``: a frequency and the bound of its error, Hz; see `uncertain`."""
+    unit, scale = frequency_scale(frequency)
+    return f"{uncertain(frequency * scale, error * scale)} {unit}"
+
+
+def band_text(lower: float, lower_error: float, upper: float, upper_error: float) -> str:
+    """``52.51 ± 0.05 to 60.2 ± 0.1 kHz``: both ends of a band with the bounds of their errors, Hz."""
+    unit, scale = frequency_scale(lower, upper)
+    low, high = uncertain(lower * scale, lower_error * scale), uncertain(upper * scale, upper_error * scale)
+    return f"{low} to {high} {unit}"
+
+
+def uncertain(value: float, bound: float) -> str:
+    """``52.51 ± 0.05``: a value and the bound of its error, both in the unit that is shown.
 
     The bound is rounded up to one digit, to two where the first is a 1; the value has the same decimals.
     """
-    bound = error / 1e3
     if not (math.isfinite(bound) and bound > 0):
-        return f"{frequency / 1e3:.3f}"
+        return f"{value:.3f}"
     power = math.floor(math.log10(bound) + 1e-9)
     power -= bound < 2 * 10.0**power  # of 1.02, one digit would make twice as much
     digit = math.ceil(bound / 10.0**power - 1e-9)
     if digit == 10:
         digit, power = 1, power + 1
     decimals = min(max(-power, 0), MOST_DECIMALS)
-    return f"{frequency / 1e3:.{decimals}f} ± {digit * 10.0**power:.{decimals}f}"
+    return f"{value:.{decimals}f} ± {digit * 10.0**power:.{decimals}f}"
 
 
 def label(name: str) -> str:

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.text import readable
+from haptonic.units import hz_text
 
 SIDES = (("lower edge", style.BLUE), ("upper edge", style.ORANGE))
 
@@ -38,11 +39,12 @@ def _draw_edges(axes: Axes, dataset: xr.Dataset) -> None:
     bins = np.linspace(min(drawn.min(), carrier), max(drawn.max(), carrier), 90).tolist()
     for side, (label, colour) in enumerate(SIDES):
         axes.hist(drawn[:, side], bins=bins, color=colour, alpha=0.85, label=label, gid=label)
-    axes.axvline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.2, label=f"carrier {carrier:g} kHz",
+    name = f"carrier {hz_text(1e3 * carrier, form='g')}"
+    axes.axvline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.2, label=name,
                  gid="carrier")  # fmt: skip
     if margin:
         axes.axvspan(carrier - margin, carrier + margin, color=style.CARRIER, alpha=0.12, lw=0,
-                     label=f"margin {margin:g} kHz", gid="margin")  # fmt: skip
+                     label=f"margin {hz_text(1e3 * margin, form='g')}", gid="margin")  # fmt: skip
     axes.set_xlabel("frequency (kHz)")
     axes.set_ylabel("plates drawn, in each bin")
 

@@ -17,7 +17,7 @@ from haptonic.lattice import Lattice, PointGroup
 from haptonic.plots import style
 from haptonic.plots.bands import complete_gaps
 from haptonic.plots.stage import stage
-from haptonic.plots.text import khz
+from haptonic.plots.text import band_text
 
 LEVELS = 9
 
@@ -95,7 +95,7 @@ def density_of_states(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     for lower, upper, lower_error, upper_error in found:
         axes.axvspan(
             lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap",
-            label=f"complete gap, {khz(lower, lower_error)} to {khz(upper, upper_error)} kHz",
+            label=f"complete gap, {band_text(lower, lower_error, upper, upper_error)}",
         )  # fmt: skip
     axes.axvspan(whole, end, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond",
                  label="states of higher bands, which were not computed, are missing")  # fmt: skip

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
+from functools import cached_property
 from typing import Self, TypeVar
 
 from haptonic.friction.statistics import Alarms
 from haptonic.later import xarray as xr
 from haptonic.pages import Picture
+from haptonic.report.against import Comparison, compared
+from haptonic.report.derived import derived, inputs_of
 from haptonic.results.references import References, Variant
 from haptonic.results.result import Result
 from haptonic.results.sweeps import Sweeps
@@ -50,6 +53,15 @@ class Results:
         """One for each of the study's sweeps that was computed."""
         found = self.of(Sweeps)
         return tuple(one.dataset for one in found.rows) if found else ()
+
+    @cached_property
+    def comparisons(self) -> list[Comparison]:
+        """A row for every published value; none without references."""
+        if self.references is None:
+            return []
+        answers = {name: one.to_json() for name, one in self.parts.items()}
+        answers |= {"study": inputs_of(self.study), "derived": derived(self.study, answers)}
+        return compared(self.references, answers)
 
     def of(self, kind: type[R]) -> R | None:
         """The result of a kind, if it was computed."""

@@ -17,13 +17,13 @@ from haptonic.fields import Quantity, table
 from haptonic.fields.keys import key_of, leaves
 from haptonic.materials import built_in_name
 from haptonic.pages import filled
-from haptonic.plots.text import khz
+from haptonic.plots.text import uncertain_hertz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.report.chapters import IN_ORDER, others
 from haptonic.report.chapters.dispersion import gap_text
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.study.schema import Description
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, hz_text
 
 TEMPLATE = "page.html"
 MESH = {
@@ -89,14 +89,14 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
         ("Material", study.cell.material.name),
-        ("Carrier", "not given" if study.carrier is None else f"{study.carrier / 1e3:g} kHz"),
+        ("Carrier", "not given" if study.carrier is None else hz_text(study.carrier, form="g")),
         ("Complete gap", "; ".join(gap_text(gap) for gap in complete) or "none found"),
     ]
     if complete:
         widest = max(complete, key=lambda gap: gap.width)
         relative = widest.width / widest.centre
-        width = khz(widest.width, widest.lower_error + widest.upper_error)
-        facts.append(("Width of the gap", f"{width} kHz, {relative:.1%} of its centre"))
+        width = uncertain_hertz(widest.width, widest.lower_error + widest.upper_error)
+        facts.append(("Width of the gap", f"{width}, {relative:.1%} of its centre"))
     if results.started is not None:
         facts.append(("Computed", results.started.strftime("%d %B %Y, %H:%M %Z").strip()))
     return facts

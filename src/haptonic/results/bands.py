@@ -14,11 +14,11 @@ from haptonic import plots, vtu
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
-from haptonic.plots.text import khz
+from haptonic.plots.text import band_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, hz_text
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
@@ -53,16 +53,16 @@ class Bands(Result):
     def summary(self) -> list[str]:
         complete = [gap for gap in self.gaps if gap.complete]
         said = [
-            f"Complete gap from {khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz, "
+            f"Complete gap from {band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}, "
             f"between bands {gap.between[0]} and {gap.between[1]}"
             + ("." if gap.certain else "; it is not wider than the errors of its edges, so it may not exist.")
             for gap in complete
         ]
         said += [] if complete else ["There is no complete gap among the bands that were computed."]
         said += [
-            f"Gap of {gap.waves} waves alone from {khz(gap.lower, gap.lower_error)} to "
-            f"{khz(gap.upper, gap.upper_error)} kHz, between their bands {gap.between[0]} and "
-            f"{gap.between[1]}."
+            f"Gap of {gap.waves} waves alone from "
+            f"{band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}, "
+            f"between their bands {gap.between[0]} and {gap.between[1]}."
             for gap in self.gaps
             if gap.waves != "all"
         ]
@@ -79,7 +79,10 @@ class Bands(Result):
         )
         # the nearer edge, unless only the other one is so uncertain that the gap may not hold the carrier
         room, edge, _ = next((one for one in ends if one[0] <= one[2]), ends[0])
-        name, away = f"The carrier, {format_quantity(carrier, 'Hz')},", f"{abs(room) / 1e3:.2g} kHz"
+        name, away = (
+            f"The carrier, {format_quantity(carrier, 'Hz')},",
+            hz_text(abs(room), form=".2g"),
+        )
         if room <= 0:
             said = f"{name} lies in no complete gap, {away} from the nearest edge"
             return [f"{said}: at this frequency the lattice lets waves through."]

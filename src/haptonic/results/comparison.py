@@ -16,7 +16,7 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, hz_text
 
 LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
 FEW = 3  # differences that are told in a sentence
@@ -193,7 +193,9 @@ class Comparison(Result):
         if moved:
             bands, low, high, *new = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
             shifts = [float(to) - float(was) for was, to in zip((low, high), new, strict=True)]  # type: ignore[arg-type]
-            first, last = (f"{abs(one) / 1e3:.3g} kHz {'higher' if one > 0 else 'lower'}" for one in shifts)
+            first, last = (
+                f"{hz_text(abs(one), form='.3g')} {'higher' if one > 0 else 'lower'}" for one in shifts
+            )
             said.append(f"The gap between bands {bands} begins {first} and ends {last}.")
         if (losses := self._losses()) is not None:
             said.append(losses)

@@ -11,12 +11,12 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.parameters import UNITS
 from haptonic.later import Axes, Figure, xarray as xr
-from haptonic.plots.text import khz
+from haptonic.plots.text import band_text
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, hz_text
 
 
 def _has_front(result: Design) -> bool:
@@ -58,8 +58,8 @@ class Design(Result):
     def summary(self) -> list[str]:
         gap, carrier = self.gap, float(self.dataset.attrs["carrier_hz"])
         said = [
-            f"The gap {khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz holds the "
-            f"carrier, {carrier / 1e3:g} kHz, with a margin of {self.margin / 1e3:.3f} kHz.",
+            f"The gap {band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)} holds the "
+            f"carrier, {hz_text(carrier, form='g')}, with a margin of {hz_text(self.margin, form='.3f')}.",
             f"Held back by {', '.join(self.held_back_by) or 'no bound and no limit'}.",
         ]
         return said + [

@@ -12,6 +12,7 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
+from haptonic.units import hz_text
 
 COLUMNS = (
     Column("width", shown="mm", form=".2f"), Column("length", shown="mm", form=".1f"),
@@ -49,7 +50,7 @@ class Guides(Result):
     def summary(self) -> list[str]:
         best = self.best
         return [
-            f"Mode {self.across}x{self.along} lies at {best.frequency / 1e3:.3f} kHz in a waveguide "
+            f"Mode {self.across}x{self.along} lies at {hz_text(best.frequency, form='.3f')} in a waveguide "
             f"{best.mode.width * 1e3:.2f} mm wide and {best.length * 1e3:.1f} mm long between two mirrors.",
             f"Its amplitude falls to {best.mode.at_edge:.0%} of its peak at the lattice, and there by "
             f"{best.decay:.1f} dB per row.",

@@ -16,6 +16,7 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
+from haptonic.units import hz_text
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -91,8 +92,8 @@ class Layers(Result):
 
     def tables(self) -> list[Table]:
         passed = Table.of(
-            f"transmitted energy at {self.carrier / 1e3:g} kHz {self.incidence}, dB below the incident wave: "
-            "all waves, then the same kind alone",
+            f"transmitted energy at {hz_text(self.carrier, form='g')} {self.incidence}, dB below the "
+            "incident wave: all waves, then the same kind alone",
             self.few_rows,
             "rows",
             (

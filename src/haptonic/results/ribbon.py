@@ -9,9 +9,10 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.later import Axes, Figure, xarray as xr
-from haptonic.plots.text import khz
+from haptonic.plots.text import uncertain_hertz
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
+from haptonic.units import hz_text
 
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
 HIDING = 0.1  # of the range, from which errors are said to hide modes: these lie between errors of bulk bands
@@ -66,11 +67,11 @@ class RibbonWaves(Result):
     def summary(self) -> list[str]:
         found = self.guided
         low, high = self.dataset.attrs["range_hz"]
-        where = f"from {low / 1e3:.4g} to {high / 1e3:.4g} kHz"
+        where = f"from {hz_text(low, high, form='.4g')}"
         best = self.best
         if best is None:
             largest = float(self.dataset["frequency_error"].values.max(initial=0.0))
-            unsure = f" Errors of up to {largest / 1e3:.2g} kHz may hide one: ask for more accuracy."
+            unsure = f" Errors of up to {hz_text(largest, form='.2g')} may hide one: ask for more accuracy."
             none = f"The ribbon holds no wave between the bulk bands {where}."
             return [none + unsure if largest > HIDING * (high - low) else none]
         kind = f"The {self.dataset.attrs['kind']}"
@@ -84,8 +85,8 @@ class RibbonWaves(Result):
             self._of_defect(where)
             or f"{kind} holds {found.sizes['mode']} modes between the bulk bands {where}, at "
             f"{self.dataset.sizes['wavevector']} wavevectors.",
-            f"Nearest to {self.target / 1e3:.4g} kHz: "
-            f"{khz(near, float(best['frequency_error']))} kHz ({name}phase "
+            f"Nearest to {hz_text(self.target, form='.4g')}: "
+            f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "
             f"{float(best['phase_share']):.3f} pi per period): {inside:.0%} of its energy "
             f"is there{fades}; group velocity {speed:.0f} m/s.",
             *self._of_copies(near),
@@ -110,7 +111,7 @@ class RibbonWaves(Result):
         nearest = [apart[found["phase"].values == phase].min() for phase in np.unique(found["phase"].values)]
         loss = self.dataset.attrs["loss_factor"]
         damped = f"; the plate's material damps it to a quality of {1 / loss:.0f}" if loss else ""
-        return [f"Copies of it {lines} cells apart move it by {max(nearest) / 1e3:.2g} kHz{damped}."]
+        return [f"Copies of it {lines} cells apart move it by {hz_text(max(nearest), form='.2g')}{damped}."]
 
     def tables(self) -> list[Table]:
         found = self.guided
@@ -118,7 +119,7 @@ class RibbonWaves(Result):
         rows = self.dataset.attrs["rows"]
         what = f"resonances of a guide {rows} cells long with free ends" if rows else "modes that are held"
         left = found.sizes["mode"] - len(near)
-        more = f"; {left} farther from {self.target / 1e3:.4g} kHz are in the file" if left else ""
+        more = f"; {left} farther from {hz_text(self.target, form='.4g')} are in the file" if left else ""
         columns = [one for one in COLUMNS if one.name not in ALONG or self.dataset.attrs["kind"] != "defect"]
         return [Table.of(f"{what}{more}", found.isel(mode=near), "mode", columns)]
 

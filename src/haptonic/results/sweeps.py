@@ -16,7 +16,7 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import Writer, write_netcdf
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, hz_text
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ class Sweeps(Result):
             value = format_quantity(float(one.dataset["value"][step]), one.unit)
             said.append(
                 f"Along {name}, the widest complete gap of {count} designs is at {value}: "
-                f"{best['lower_hz'] / 1e3:.2f} to {best['upper_hz'] / 1e3:.2f} kHz."
+                f"{hz_text(best['lower_hz'], best['upper_hz'], form='.2f')}."
             )
         return said
 

@@ -12,7 +12,7 @@ from functools import cache
 from haptonic import names
 from haptonic.errors import HaptonicError
 from haptonic.later import pandas as pd, xarray as xr
-from haptonic.units import to_si
+from haptonic.units import frequency_scale, to_si
 
 NOTHING = "-"  # stands for what is not there
 
@@ -35,6 +35,12 @@ class Ranged:
     value: float | None = None
 
 
+SUITED = {
+    ("Hz", "kHz"): lambda largest: frequency_scale(largest)[0],
+    ("m", "mm"): lambda largest: (
+        "mm" if largest >= 1e-4 or not largest else "µm" if largest >= 1e-7 else "nm"
+    ),
+}  # by unit and declared unit of a column: the unit for its largest value
 Cell = float | int | str | None | Uncertain | Ranged
 
 
@@ -74,6 +80,14 @@ class Column:
             low, high = (data[end].values.tolist() for end in self.ends)
             cells = [Ranged(*three) for three in zip(low, high, cells, strict=True)]
         yield found, cells
+
+    def suited(self, cells: Iterable[Cell]) -> Column:
+        """The column with the unit that suits its cells, where these are too large, or lengths too small, for
+        the unit that is declared: MHz for kHz, µm for mm."""
+        if (self.unit, self.shown) not in SUITED:
+            return self
+        sizes = [abs(one) for cell in cells for one in _numbers_in(cell) if math.isfinite(one)]
+        return replace(self, shown=SUITED[self.unit, self.shown](max(sizes, default=0.0)))
 
     @property
     def head(self) -> str:
@@ -133,6 +147,9 @@ class Table:
     ) -> None:
         made = tuple(Column(one) if isinstance(one, str) else one for one in columns)
         assert all(len(row) == len(made) for row in rows), title
+        made = tuple(
+            column.suited(cells) for column, cells in zip(made, _columns(rows, len(made)), strict=True)
+        )
         assert all(column.head for column in made), (
             f"{title}: who hears the table needs a name for every column"
         )
@@ -292,3 +309,20 @@ def check_form(form: object) -> None:
 def _scale(shown: str, unit: str) -> float:
     """What to multiply a value in an SI unit by to have it in another unit."""
     return 100.0 if (shown, unit) == ("%", "") else 1.0 / to_si(f"1 {shown}", unit, shown)
+
+
+def _columns(rows: Sequence[Sequence[Cell]], count: int) -> list[list[Cell]]:
+    """The cells of each column."""
+    return [[row[number] for row in rows] for number in range(count)]
+
+
+def _numbers_in(cell: Cell) -> tuple[float, ...]:
+    """The values of a cell, without bounds of errors."""
+    match cell:
+        case Uncertain(value, _, _):
+            return (value,)
+        case Ranged(low, high, _):
+            return low, high
+        case int() | float():
+            return (float(cell),)
+    return ()

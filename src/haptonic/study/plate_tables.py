@@ -4,13 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from difflib import get_close_matches
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError, nearest, shown
-from haptonic.fields import Entries, Name, described, handed_on, needed, number_of, problem, setting, size
+from haptonic.fields import (
+    Aliases,
+    Entries,
+    Name,
+    absent,
+    described,
+    handed_on,
+    meant,
+    needed,
+    number_of,
+    problem,
+    setting,
+    size,
+)
 from haptonic.fields.keys import pattern_of
 from haptonic.materials import Material
 from haptonic.plate.holding import Clamp, Edges, Loss
@@ -23,7 +36,7 @@ from haptonic.vibrometry.of_settings import CLAMPS
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
 
-TileSize = Annotated[float, size(100e-6, 100e-3)]
+TileSize = Annotated[float, size(100e-9, 100e-3)]
 
 
 @described("plate.cell", kw_only=True)
@@ -71,6 +84,25 @@ def _changeable(path: str) -> None:
 @described("plate", kw_only=True)
 class PlateSettings:
     """A finite plate: a map of tiles, what holds it and what drives it."""
+
+    aliases: ClassVar[Aliases] = {
+        **meant("actuator", "actuators", "piezo", "patch", "transducer"),
+        **meant("force", "forces", "load"),
+        **meant("cell", "lattice", "cells"),
+        **meant("map", "layout", "pattern"),
+        **absent(
+            "carrier", "frequency", cause="a study has one carrier, at its top",
+            next_step="write carrier at the top of the study",
+        ),
+        **absent(
+            "thickness", "material", cause="a plate has the thickness and the material of the study's cell",
+            next_step="give thickness in [cell] and material at the top, and leave this key out",
+        ),
+        **absent(
+            "width", "height", "length", "size", cause="the size of a plate follows from its map",
+            next_step="add letters or rows to the map; [plate.widths] gives the width of columns of a region",
+        ),
+    }  # fmt: skip
 
     map: Annotated[str, Field(max_length=200_000, strict=True)] = needed(
         "A letter for each tile, from above on the face with the pillars, largest y first.",
@@ -175,9 +207,9 @@ class PlateSettings:
         return {solid.name: solid for solid in (*(one.material for one in self.actuator), *bonds)}
 
     def doubtful(self) -> dict[str, str]:
-        """Sentences, by path, on regions whose name is nearly that of a lattice."""
+        """Sentences, by path below the table, on regions whose name is nearly that of a lattice."""
         return {
-            f"plate.tiles.{letter}": f'"{name}" is a region of plain plate. Was "{guess}" meant?'
+            f"tiles.{letter}": f'"{name}" is a region of plain plate. Did you mean "{guess}"?'
             for letter, name in self.tiles.items()
             if name in self.regions
             for guess in get_close_matches(name.lower(), [LATTICE, *(c.name for c in self.cell)], 1, 0.8)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import html
 from contextlib import nullcontext
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from haptonic import analyses
-from haptonic.analyses import named
+from haptonic.analyses import NAMES, named
 from haptonic.analyses.runner import Runner
 from haptonic.errors import StudyError
 from haptonic.fields import extended
@@ -17,6 +15,7 @@ from haptonic.progress import Progress, in_notebook
 from haptonic.results.plan import sentence_of
 from haptonic.results.result import Result
 from haptonic.store import Store
+from haptonic.study.computing import AnalysisMethod
 from haptonic.study.loading import load_as, load_trials_as, loads_as
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
@@ -79,15 +78,9 @@ class Study(Description, Methods):
             return said
         return f"{said}<details><summary>study file</summary><pre>{html.escape(written)}</pre></details>"
 
-    if not TYPE_CHECKING:  # a checker is to know no method that is not there
 
-        def __getattr__(self, name: str) -> Any:
-            if name.replace("_", " ") in analyses.NAMES:
-                return partial(self.run, name.replace("_", " "))
-            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *(name.replace(" ", "_") for name in analyses.NAMES)]
+for _name in NAMES:  # after the class is made: these are methods and no fields of a declared value
+    setattr(Study, _name.replace(" ", "_"), AnalysisMethod(_name, Study.run))
 
 
 def load(path: str | Path) -> Study:

@@ -6,9 +6,11 @@ the file, checks, help, labels and the written file follow from these declaratio
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import Annotated, Any, Self
+from types import FrameType
+from typing import Annotated, Any, ClassVar, Self
 
 from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
@@ -17,17 +19,23 @@ from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import (
+    Aliases,
+    absent,
+    caller,
     described,
     handed_on,
-    leaves,
+    meant,
     needed,
     numbers,
     problem,
     remade,
+    read,
     setting,
     table,
     unchecked,
     unknown_number,
+    unusual_values,
+    warn_caller,
     with_numbers,
 )
 from haptonic.fields.keys import key_of
@@ -36,6 +44,7 @@ from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
 from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.parts import Plate
+from haptonic.study.doubts import doubts_of
 from haptonic.study.experiment_tables import ProtocolSettings
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import plate_of
@@ -58,6 +67,27 @@ class Description:
 
     It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
     """
+
+    aliases: ClassVar[Aliases] = {
+        **meant("title", "name", "description"),
+        **meant("carrier", "frequency", "f", "f0", "drive", "carrier_frequency", "target"),
+        **meant("sweep", "sweeps", "parameters", "scan_parameters"),
+        **meant("cell", "unit_cell", "unitcell", "lattice", "geometry",
+                cause="lattice, pitch, thickness and pillar are keys of the cell",
+                next_step="write them in [cell]"),
+        **absent(
+            "e", "nu", "rho", cause="constants of a material belong to the table [material]",
+            next_step="write youngs_modulus, poisson_ratio and density in [material]",
+        ),
+        **absent(
+            "period", "lattice_constant", cause="the period is the pitch of the cell",
+            next_step="write pitch in [cell]",
+        ),
+        **absent(
+            "radius", "width", cause="sizes belong to the cell and its pillar",
+            next_step="write pitch and thickness in [cell], diameter and height in [cell.pillar]",
+        ),
+    }  # fmt: skip
 
     title: str = setting("Study", "Heads the report.", min_length=1, max_length=200, strict=True)
     carrier: Annotated[float, CARRIER] | None = setting(
@@ -220,7 +250,7 @@ class Description:
 
     def with_parameter(self, path: str, value: float) -> Self:
         """The same study with one numeric parameter changed; see `with_parameters`."""
-        return self.with_parameters({path: value})
+        return self._with_parameters({path: value}, caller())
 
     def with_parameters(self, values: Mapping[str, float]) -> Self:
         """The same study with numeric parameters (SI, by path) changed and without sweeps: one design.
@@ -229,12 +259,53 @@ class Description:
         ------
         StudyError : an unknown name, a value that is out of bounds, or a design that is not possible
         """
+        return self._with_parameters(values, caller())
+
+    def _with_parameters(self, values: Mapping[str, float], frame: FrameType | None) -> Self:
+        """See `with_parameters`; ``frame`` is that of its caller, who is warned."""
         known = self.parameters()
         for path in values:
             if path not in known:
-                raise unknown_number(path, known, self.absent_parameters())
+                raise self._no_parameter(path, known)
         alone = unchecked(self, sweep_settings=(), fit_settings=FitSettings())
-        return alone._with_numbers(values)
+        made = alone._with_numbers(values)
+        words = made._unusual_values() if values else {}
+        warn_caller((f"{path}: {text}" for path, text in words.items() if path in values), frame)
+        return made
+
+    def _no_parameter(self, path: object, known: Mapping[str, float]) -> StudyError:
+        """The error of a path that is no numeric parameter; other keys of a study are changed otherwise."""
+        key = None if path in self.absent_parameters() else key_of(str(path), table(Description))
+        if key is None:
+            return unknown_number(path, known, self.absent_parameters())
+        return StudyError.malformed(
+            argument="name of a number",
+            given=shown(path),
+            allowed="a numeric parameter of the cell, the material or the carrier",
+            cause=f"{path} is a key of the study and not one of its numeric parameters",
+            next_step=f"write study.with_keys({{{str(path)!r}: ...}}), or change it in the study file",
+        )
+
+    def with_keys(self, changes: Mapping[str, Any]) -> Self:
+        """The same study with keys of its file changed, and without sweeps: one design.
+
+        ``study.with_keys({"cell.lattice": "triangular", "bands.count": 20, "cell.pitch": "8 mm"})``
+
+        Parameters
+        ----------
+        changes : new values by key, ``cell.site[2].pillar.height``, as a file has them: quantities with their
+            units, whole tables and lists too
+
+        Raises
+        ------
+        StudyError : no such key, a value that it cannot have, or a study that cannot be written as a file
+        """
+        data = tomllib.loads(self._with_parameters({}, None).to_toml())
+        for key, value in changes.items():
+            data = _with(data, key.replace("[", ".").replace("]", "").split("."), value)
+        made = read(type(self), data, "study")
+        warn_caller((f"{path}: {text}" for path, text in made._unusual_values().items()), caller())
+        return made
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
         """The same study with numbers of [[fit.vary]] (SI, by their names there) changed.
@@ -281,9 +352,11 @@ class Description:
                 yield f"sweep[{row}]: {name} leaves its usual range; {words[0]}"
 
     def _unusual_values(self) -> dict[str, str]:
-        words = {path: quantity.unusual(value) for path, value, quantity in leaves(self) if quantity}
-        words |= self.finite_plate.doubtful() if self.finite_plate else {}
-        return {path: text for path, text in words.items() if text}
+        return unusual_values(self)
+
+    def doubtful(self) -> dict[str, str]:
+        """Words, by path, on values that are unusual for one another."""
+        return doubts_of(self.carrier, self.cell, self.finite_plate)
 
     def to_toml(self) -> str:
         """A study file that loads to an equal study.
@@ -321,3 +394,15 @@ class Description:
             solids = self.finite_plate.materials
             data["plate"]["materials"] = {name: solid.to_dict() for name, solid in solids.items()}
         return data | {"material": self.cell.material.to_dict()}
+
+
+def _with(given: Any, steps: list[str], value: Any) -> Any:
+    """The content of a file with another value where these steps end; steps into a list count from 1."""
+    if not steps:
+        return value
+    step, *left = steps
+    if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
+        row = int(step) - 1
+        return [*given[:row], _with(given[row], left, value), *given[row + 1 :]]
+    inside = given if isinstance(given, dict) else {}  # a step that leads nowhere is refused when it is read
+    return inside | {step: _with(inside.get(step), left, value)}

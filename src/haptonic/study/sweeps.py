@@ -4,13 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.bloch.settings import CARRIER, BandSettings
 from haptonic.cell import UnitCell
-from haptonic.fields import ByPattern, described, needed, number_of, problem, setting, table
+from haptonic.fields import (
+    Aliases,
+    ByPattern,
+    absent,
+    described,
+    meant,
+    needed,
+    number_of,
+    problem,
+    setting,
+    table,
+)
 from haptonic.fields.quantity import collected
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
@@ -27,6 +38,17 @@ def numeric_parameters() -> Mapping[str, str]:
 @described("sweep", kw_only=True)
 class SweepSettings:
     """A row of designs: an expression of parameters taken from one value to another."""
+
+    aliases: ClassVar[Aliases] = {
+        **meant("vary", "parameter", "param", "variable", "key", "name"),
+        **meant("from", "start", "low", "lowest", "min", "first"),
+        **meant("to", "stop", "end", "high", "highest", "max", "last"),
+        **meant("steps", "num", "n", "points", "count", "number"),
+        **absent(
+            "values", "list", "step", "increment", cause="a sweep has evenly spaced values",
+            next_step='write from, to and steps, such as from = "10 mm", to = "16 mm", steps = 7',
+        ),
+    }  # fmt: skip
 
     vary: str = needed(
         "The first parameter in it changes.", title="Expression", strict=True, examples=["cell.pillar.height"]

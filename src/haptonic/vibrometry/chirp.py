@@ -12,6 +12,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.channels import Channel, delimited, hdf5, wav
 from haptonic.errors import HaptonicWarning, ScanError
+from haptonic.units import hz_text
 
 Kind = Literal["chirp", "multisine"]
 DriveUnit = Literal["V", "N"]
@@ -177,9 +178,11 @@ def _warnings(
     safe = NYQUIST_MARGIN * half
     if band[1] > safe:
         notes.append(
-            f"the band reaches {band[1] / 1e3:g} kHz, {100 * band[1] / half:.0f} % of half the sample rate "
-            f"({half / 1e3:g} kHz): lines there are bent by the converters' filters or folded "
-            f"back; stay below {safe / 1e3:g} kHz or sample at {band[1] / safe * sample_rate / 1e3:g} kHz"
+            f"the band reaches {hz_text(band[1], form='g')}, "
+            f"{100 * band[1] / half:.0f} % of half the sample rate "
+            f"({hz_text(half, form='g')}): lines there are bent by the converters' filters or folded "
+            f"back; stay below {hz_text(safe, form='g')} or sample at "
+            f"{hz_text(band[1] / safe * sample_rate, form='g')}"
         )
     if quality_factor is not None:
         needed = RING_DOWNS * quality_factor / band[0]
@@ -187,8 +190,8 @@ def _warnings(
             safe = RING_DOWNS * quality_factor / duration
             notes.append(
                 f"the period of {duration * 1e3:g} ms is shorter than {needed * 1e3:.4g} ms, the ring-down "
-                f"3 Q / f at {band[0] / 1e3:g} kHz: repeat it, and do not record the first period; "
-                f"a single shot would do only above {safe / 1e3:.4g} kHz"
+                f"3 Q / f at {hz_text(band[0], form='g')}: repeat it, and do not record the first period; "
+                f"a single shot would do only above {hz_text(safe, form='.4g')}"
             )
     return notes
 

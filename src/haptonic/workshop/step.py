@@ -103,6 +103,16 @@ def volume_of_step(path: Path) -> float:
     return float(sum(body.mass for body in solids)) / MM**3  # OpenCascade's mass is of density 1
 
 
+def need_opencascade() -> None:
+    """Refuse to go on where no STEP file can be written.
+
+    Raises
+    ------
+    ResourceError : OpenCascade is missing
+    """
+    _occ()
+
+
 def _occ() -> ModuleType:
     try:
         from netgen import occ

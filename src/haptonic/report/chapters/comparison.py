@@ -1,50 +1,46 @@
-"""What somebody else found beside ours, as the study's example brings it."""
+"""Published values beside ours, as the study's example gives them."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections import Counter
+from collections.abc import Sequence
 
 from haptonic.plots.text import minus
+from haptonic.report.against import NONE, Comparison
 from haptonic.report.chapter import Absent, Chapter, Results, Table
-from haptonic.results.references import Value, found_at
-
-NONE = "-"  # no difference to give
+from haptonic.units import hz_text
 
 
 def chapter(results: Results) -> Chapter | Absent:
-    """Reference, haptonic, difference, why; then what one thing changed at a time moves."""
+    """Published value, haptonic, difference and remark; then the effect of single changes."""
     known = results.references
     if known is None:
         return Absent("Comparison", "the study brings no reference values")
-    answers = {name: one.to_json() for name, one in results.parts.items()}
-    rows = [_row(one, answers.get(one.analysis, {})) for one in known.value]
-    head = ("Quantity", known.title[0].upper() + known.title[1:], "haptonic", "Difference", "Why")
-    compared = Table(f"{head[1]} and haptonic, for the same study.", head, rows)
+    head = ("Quantity", known.title[0].upper() + known.title[1:], "haptonic", "Difference", "Remark")
+    compared = Table(
+        f"Every number of {known.title}, and haptonic for the same study.",
+        head,
+        [one.cells for one in results.comparisons],
+    )
     return Chapter(
         title=f"Comparison with {known.title}",
         identifier="comparison",
         paragraphs=(f"It is {known.citation}. {known.about}",),
+        findings=(_counted(results.comparisons),),
         tables=(compared, *_variants(results)),
     )
 
 
-def _row(value: Value, answer: dict[str, Any]) -> tuple[str, str, str, str, str]:
-    ours = found_at(answer, value.path) if value.path else None
-    if ours is None:
-        return (value.quantity, value.value, NONE, NONE, value.remark)
-    theirs = value.number
-    if theirs is None or not isinstance(ours, int | float):
-        shown = " and ".join(map(str, ours)) if isinstance(ours, list) else str(ours)
-        same = "none" if shown == value.value else "differ"
-        return (value.quantity, value.value, shown, same, value.remark)
-    number, _, unit = value.value.partition(" ")
-    scale = float(number) / theirs
-    error = found_at(answer, value.error) if value.error else None
-    doubt = f" ± {error * scale:.2g}" if error else ""
-    off = ours - theirs
-    remark = "Agrees within our error." if error and abs(off) <= error else value.remark
-    difference = minus(" ".join(filter(None, (f"{off * scale:+.2f}", unit, f"({off / theirs:+.1%})"))))
-    return (value.quantity, value.value, f"{ours * scale:.2f}{doubt} {unit}".rstrip(), difference, remark)
+def _counted(rows: Sequence[Comparison]) -> str:
+    """How many values are of each kind, and how many agree."""
+    roles = Counter(one.role for one in rows)
+    agree = sum(one.agrees is True for one in rows if one.role == "computed")
+    differ = sum(one.agrees is False for one in rows if one.role == "computed")
+    return (
+        f"{len(rows)} published values: {roles['computed']} are compared with computed ones, and {agree} "
+        f"agree and {differ} differ; {roles['input']} are inputs; {roles['experiment']} are facts of the "
+        "experiment that nothing here computes."
+    )
 
 
 def _variants(results: Results) -> list[Table]:
@@ -55,7 +51,7 @@ def _variants(results: Results) -> list[Table]:
         first = next((value for _, value in found if value), None)
         rows = [
             (label, NONE, NONE) if value is None or first is None
-            else (label, f"{value / 1e3:.2f} kHz", minus(f"{100 * (value / first - 1):+.2f} %"))
+            else (label, hz_text(value, form='.2f'), minus(f"{100 * (value / first - 1):+.2f} %"))
             for label, value in found
         ]  # fmt: skip
         made.append(Table(name, ("one thing changed", "frequency", "against the first"), rows))

@@ -7,7 +7,7 @@ from functools import partial
 
 from haptonic.bloch import Gap, gaps_of
 from haptonic.later import xarray as xr
-from haptonic.plots.text import khz
+from haptonic.plots.text import band_text
 from haptonic.report.chapter import Absent, Chapter, Finding, Results
 
 
@@ -48,4 +48,4 @@ def along(data: xr.Dataset) -> list[str]:
 
 def gap_text(gap: Gap) -> str:
     """``52.51 ± 0.05 to 60.21 ± 0.06 kHz``."""
-    return f"{khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz"
+    return band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)

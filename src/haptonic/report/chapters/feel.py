@@ -10,6 +10,7 @@ from haptonic.friction.phrases import change
 from haptonic.plots.text import in_percent
 from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.feel.value import Feel
+from haptonic.units import hz_text
 
 TITLE = "What a finger feels"
 
@@ -56,9 +57,10 @@ def _findings(friction: FrictionOnPlate) -> list[str]:
     mode = friction.loaded.attrs["mode_hz"]
     if math.isfinite(mode):
         said.append(
-            f"A finger on the driven region lowers the quality factor of the mode at {mode / 1e3:.2f} kHz "
-            f"from {friction.quality('free'):.0f} to {friction.quality():.0f}; the vibration then takes "
-            f"{1e3 * friction.rise:.1f} ms from 10 to 90 %. Cues of {1e3 * CUE_THRESHOLD:.1f} ms are felt."
+            f"A finger on the driven region lowers the quality factor of the mode at "
+            f"{hz_text(mode, form='.2f')} from {friction.quality('free'):.0f} to {friction.quality():.0f}; "
+            f"the vibration then takes {1e3 * friction.rise:.1f} ms from 10 to 90 %. "
+            f"Cues of {1e3 * CUE_THRESHOLD:.1f} ms are felt."
         )
     return said
 

@@ -7,6 +7,7 @@ import numpy as np
 from haptonic.report.chapter import Absent, Chapter, Finding, Results
 from haptonic.results.guides import Guides
 from haptonic.results.layers import Layers
+from haptonic.units import hz_text
 
 TITLE = "Mirror"
 ROWS = 3  # of cells on either side of a guide, as prototypes have them
@@ -52,15 +53,16 @@ def _findings(layers: Layers, guides: Guides | None) -> list[str]:
         total, same = float(seen["insulation"]), float(seen["same_wave"])
         verdict = "almost" if total >= ALMOST_TOTAL else "not"
         told = (
-            f"At the carrier, {carrier / 1e3:g} kHz, three rows let {10 ** (-total / 10):.1%} of the energy "
-            f"of a flexural wave (A0) at this angle through, {total:.1f} dB: {verdict} total reflection. "
-            f"What passes as the same kind of wave is {same:.1f} dB below the incident one; the rest of what "
-            "passes was turned into other waves."
+            f"At the carrier, {hz_text(carrier, form='g')}, three rows let {10 ** (-total / 10):.1%} of the "
+            f"energy of a flexural wave (A0) at this angle through, {total:.1f} dB: {verdict} total "
+            f"reflection. What passes as the same kind of wave is {same:.1f} dB below the incident one; the "
+            "rest of what passes was turned into other waves."
         )
         said.append(Finding(told, "layers"))
         frequency, insulation = _best_in_gap(layers, rows)
         if frequency:
-            told = f"Within the gap three rows stop most at {frequency / 1e3:.1f} kHz: {insulation:.0f} dB."
+            best = hz_text(frequency, form=".1f")
+            told = f"Within the gap three rows stop most at {best}: {insulation:.0f} dB."
             said.append(Finding(told, "layers"))
     if guides is not None:
         best, three = guides.best, rows * guides.best.decay

@@ -8,7 +8,7 @@ from functools import partial
 from haptonic import plots
 from haptonic.bloch.bands import mode_names
 from haptonic.plots.modes import SHOWN
-from haptonic.plots.text import khz
+from haptonic.plots.text import uncertain_hertz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 
 
@@ -20,7 +20,7 @@ def chapter(results: Results) -> Chapter | Absent:
     named = mode_names(data)[:SHOWN]
     where = data.attrs["modes_at"]
     rows = tuple(
-        (f"M{k + 1}", khz(float(data["mode_frequency"][k]), float(data["mode_error"][k])), name)
+        (f"M{k + 1}", uncertain_hertz(float(data["mode_frequency"][k]), float(data["mode_error"][k])), name)
         for k, name in enumerate(named)
     )
     twisted = [f"M{k + 1}" for k, name in enumerate(named) if name.startswith("torsion")]
@@ -28,7 +28,7 @@ def chapter(results: Results) -> Chapter | Absent:
         f"In {' and '.join(twisted)} the pillar turns about its axis. A displacement that is drawn larger "
         "than it is moves every point along the tangent, so the pillar looks wider than it becomes.",
     )
-    listed = ", ".join(f"{number} {name} at {frequency} kHz" for number, frequency, name in rows)
+    listed = ", ".join(f"{number} {name} at {frequency}" for number, frequency, name in rows)
     words = f"Deformed unit cells, one for each mode: {listed}."
     return Chapter(
         title="Mode shapes",
@@ -43,5 +43,5 @@ def chapter(results: Results) -> Chapter | Absent:
             replace(picture, moving=partial(plots.moving_modes, data))
             for picture in results.pictures(results.parts["bands"], {"modes": words})
         ),
-        tables=(Table(f"Modes at the {where}.", ("Mode", "Frequency (kHz)", "Name"), rows),),
+        tables=(Table(f"Modes at the {where}.", ("Mode", "Frequency", "Name"), rows),),
     )

@@ -13,6 +13,7 @@ from haptonic.results.plain import split
 from haptonic.results.plan import border_text
 from haptonic.results.plate.tables import lines_table, modes_table
 from haptonic.results.plate.value import ERRORS, PlateResult
+from haptonic.units import hz_text
 
 TITLE = "Plate"
 LOCALISED = 20.0  # dB of contrast that the prototype is expected to reach in the gap
@@ -53,7 +54,7 @@ def chapter(results: Results) -> Chapter | Absent:
 def _swinging(result: PlateResult) -> Picture:
     """The plate in motion, where its driven region resonates in the gap."""
     shown, layout, drive = result.marked, result.plate.layout, result.drive
-    frequency = f"{result.resonance / 1e3:.2f} kHz"
+    frequency = hz_text(result.resonance, form=".2f")
     return Picture(
         figure=plots.map_at(shown, result.resonance, layout, None, drive=drive),
         caption=f"Simulated normal velocity of the flat face at {frequency}, in motion where motion is "
@@ -66,7 +67,7 @@ def _swinging(result: PlateResult) -> Picture:
 
 def _in_words(line: xr.Dataset) -> str:
     loudest = line["rms"].idxmax("region").item() if "rms" in line else "nothing"
-    return f"at {float(line['frequency']) / 1e3:.1f} kHz {loudest} vibrates most"
+    return f"at {hz_text(float(line['frequency']), form='.1f')} {loudest} vibrates most"
 
 
 def _findings(result: PlateResult) -> list[str]:
@@ -79,12 +80,12 @@ def _findings(result: PlateResult) -> list[str]:
             verdict = "the vibration stays there" if level >= LOCALISED else (
                 "the whole plate vibrates" if level < EVERYWHERE else "part of it goes elsewhere"
             )  # fmt: skip
-            told = f"{name} at {frequency / 1e3:.2f} kHz, {where} the gap: {level:.1f} dB; {verdict}."
+            told = f"{name} at {hz_text(frequency, form='.2f')}, {where} the gap: {level:.1f} dB; {verdict}."
             said.append(Finding(told, "maps"))
     names, frequencies = result.modes["name"].values.tolist(), result.modes["frequency"].values / 1e3
     lobed = [k for k, name in enumerate(names) if has_one_lobe(name)]
     if lobed:
-        told = "; ".join(f"{names[k]} at {frequencies[k]:.2f} kHz" for k in lobed)
+        told = "; ".join(f"{names[k]} at {hz_text(1e3 * frequencies[k], form='.2f')}" for k in lobed)
         said.append(f"Modes near the carrier with one lobe across a guide: {told}.")
     if lobed and result.driven is not None:
         stored = result.modes["strain_energy"]

@@ -10,6 +10,7 @@ from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results, 
 from haptonic.results.plate.value import PlateResult
 from haptonic.results.scan import ScanResult
 from haptonic.results.table import Column
+from haptonic.units import hz_text
 from haptonic.vibrometry import MeasuredGap
 from haptonic.vibrometry.on_plate import contrast_range
 
@@ -70,7 +71,11 @@ def _levels(plate: PlateResult, scan: ScanResult) -> Table:
         }
         for name, level in plate.contrasts(plate.response.at(frequency)).items():
             rows.append(
-                (f"{name}, {frequency / 1e3:.2f} kHz", float(level[0]), float(seen.get(name, np.nan)))
+                (
+                    f"{name}, {hz_text(frequency, form='.2f')}",
+                    float(level[0]),
+                    float(seen.get(name, np.nan)),
+                )
             )
     columns = Column("computed", "dB", form=".1f"), Column("simulated scan", "dB", form=".1f")
     return Table("Simulated contrast at the maps.", ("contrast", *columns), rows)
@@ -89,7 +94,7 @@ def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
         told = (
             f"{name} is given at {given.sum()} of {len(off)} lines, where noise leaves enough of it, and is "
             f"within {CLOSE:g} dB of the plate's at {(off < CLOSE).sum()} of them; it is worst at "
-            f"{plate.response.frequency[worst] / 1e3:.3g} kHz, by {off[worst]:.2f} dB."
+            f"{hz_text(plate.response.frequency[worst], form='.3g')}, by {off[worst]:.2f} dB."
         )
         return [Finding(told, "contrast")]
     return []
@@ -99,7 +104,10 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
     rows = []
     if plate.gap:
         rows.append(
-            ("lattice, computed", *(f"{e / 1e3:.2f} kHz" for e in (plate.gap.lower, plate.gap.upper)))
+            (
+                "lattice, computed",
+                *(f"{hz_text(e, form='.2f')}" for e in (plate.gap.lower, plate.gap.upper)),
+            )
         )
     if scan.lattice:
         edges = (scan.lattice.lower, scan.lattice.upper)
@@ -121,6 +129,6 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
 
 def _edges(gap: MeasuredGap) -> tuple[str, str]:
     return (
-        f"{gap.lower / 1e3:.1f} ± {gap.lower_error / 1e3:.1f} kHz",
-        f"{gap.upper / 1e3:.1f} ± {gap.upper_error / 1e3:.1f} kHz",
+        hz_text(gap.lower, form=".1f", error=gap.lower_error),
+        hz_text(gap.upper, form=".1f", error=gap.upper_error),
     )

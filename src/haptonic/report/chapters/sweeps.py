@@ -10,6 +10,7 @@ from haptonic.plots.sweeps import SUBSCRIPTED
 from haptonic.plots.text import minus, readable, scaled_unit
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results, Table
 from haptonic.report.trend import trend_of
+from haptonic.units import hz_text
 
 TITLE = "Sweeps"
 STRAIGHT = 0.02  # of the edge's mean: how far off a line that is called straight may be
@@ -89,7 +90,7 @@ def _findings(sweep: xr.Dataset) -> list[str]:
     said = [
         f"Along {name}, {certain.any(axis=1).sum()} of {len(value)} designs have a certain complete gap. The "
         f"widest for its frequency is at {value[step]:.4g}{ending}: {lower[step, slot] / 1e3:.1f} to "
-        f"{upper[step, slot] / 1e3:.1f} kHz, {share[step, slot]:.0%} of its centre."
+        f"{hz_text(upper[step, slot], form='.1f')}, {share[step, slot]:.0%} of its centre."
     ]
     trend = trend_of(sweep)
     if trend is not None and np.isfinite(trend.slender).all():
@@ -101,7 +102,7 @@ def _findings(sweep: xr.Dataset) -> list[str]:
             if share_off < STRAIGHT
             else "equation (3) holds for slender pillars only"
         )
-        apart = f"{max(off / 1e3, 0.1):.1f} kHz ({share_off:.1%} of the edge)"
+        apart = f"{hz_text(max(off, 100.0), form='.1f')} ({share_off:.1%} of the edge)"
         said.append(
             f"Against equation (3)'s {resonance} the upper edge of the study's gap {shape} {apart} over "
             f"{len(trend.value)} designs; {why}."

@@ -9,7 +9,8 @@ from typing import Literal
 from haptonic.bloch import Gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
 from haptonic.friction.lubrication.on_plate import Reduction
-from haptonic.plots.text import in_percent, khz
+from haptonic.plots.text import band_text, in_percent
+from haptonic.units import hz_text
 
 FAR = 2.0  # times the smallest drop that people feel: what a driven region should reach
 Colour = Literal["green", "amber", "red"]
@@ -74,11 +75,11 @@ def _time(rise: float, constant: float) -> Requirement:
 def _in_gap(frequency: float, gap: Gap | None) -> Requirement:
     if gap is None:
         return Requirement("red", "the drive lies in a band gap", "no gap around the carrier")
-    edges = f"{khz(gap.lower, gap.lower_error)} to {khz(gap.upper, gap.upper_error)} kHz"
+    edges = band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)
     return Requirement(
         "green" if gap.holds(frequency) else "red",
         "the drive lies in a band gap",
-        f"{frequency / 1e3:.2f} kHz, gap {edges}",
+        f"{hz_text(frequency, form='.2f')}, gap {edges}",
     )
 
 

@@ -21,7 +21,7 @@ from haptonic.results.feel.requirements import Requirement, requirements
 from haptonic.results.plain import determined, split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, hz_text
 
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # told apart without their colour too
 COLUMNS = (
@@ -83,7 +83,7 @@ class Feel(Result):
 
     @property
     def _frequency(self) -> str:
-        return f"{self.friction.frequency / 1e3:.2f} kHz"
+        return hz_text(self.friction.frequency, form=".2f")
 
     @property
     def _drive(self) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from haptonic.later import xarray as xr
 from haptonic.plate.sampling import reference_of
 from haptonic.results.table import Cell, Column, Table
+from haptonic.units import hz_text
 
 if TYPE_CHECKING:
     from haptonic.results.plate.value import PlateResult
@@ -48,7 +49,7 @@ def power_table(result: PlateResult) -> Table:
     ]  # fmt: skip
     rows.append(("given by the drives", given, 1.0))
     return Table(
-        f"power at {result.resonance / 1e3:.3f} kHz for 1 {reference.unit} at {reference.name}",
+        f"power at {hz_text(result.resonance, form='.3f')} for 1 {reference.unit} at {reference.name}",
         ("part", Column("power", "W", form=".3g"), Column("share", "", "%", ".1f")),
         rows,
         [len(rows) - 1],

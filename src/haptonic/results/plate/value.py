@@ -27,6 +27,7 @@ from haptonic.results.plan import border_text
 from haptonic.results.plate.tables import lines_table, modes_table, power_table
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
+from haptonic.units import hz_text
 from haptonic.vtu import write_body
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for the plate at hand is known.
@@ -158,7 +159,7 @@ class PlateResult(Result):
     def summary(self) -> list[str]:
         line = self.maps.sel(frequency=self.resonance)
         levels = [f"{name} {level:.1f} dB" for name, level in split(line.get("contrast"), "pair").items()]
-        said = f"Contrast at {self.resonance / 1e3:.3f} kHz: {'; '.join(levels)}."
+        said = f"Contrast at {hz_text(self.resonance, form='.3f')}: {'; '.join(levels)}."
         basis = int(self.lines.attrs["basis"])
         found = f" on {basis} vectors" if basis else ", each line solved by itself"
         return [

@@ -18,6 +18,7 @@ from haptonic.plate.sampling import driven_region
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import Writer
 from haptonic.results.result import Result
+from haptonic.units import hz_text
 from haptonic.vibrometry import TimeScan, write_records, write_uff, write_uff_records
 from haptonic.vibrometry.chirp import Drive
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
@@ -89,7 +90,7 @@ class SimulatedScan(Result):
         records, what = self.records, "records" if self.kind == "time" else "responses"
         return [
             f"{len(records.names)} points, {records.repeats} periods of {records.samples} samples at "
-            f"{records.sample_rate / 1e3:g} kHz, written as {what}. Simulated."
+            f"{hz_text(records.sample_rate, form='g')}, written as {what}. Simulated."
         ]
 
     def facts(self) -> dict[str, Any]:

@@ -27,6 +27,7 @@ from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
 from haptonic.results.verdict import Verdict
+from haptonic.units import hz_text
 from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Registration
 from haptonic.vibrometry.estimation.quality import FLAGS
 from haptonic.vibrometry.guides import Guiding, Mirror, guides_of
@@ -223,9 +224,7 @@ class ScanResult(Result):
         ]
         said += self.verdict.summary() if self.verdict else []
         if self.lattice is not None:
-            computed = (
-                f"; computed {self.gap.lower / 1e3:.2f} to {self.gap.upper / 1e3:.2f} kHz" if self.gap else ""
-            )
+            computed = f"; computed {hz_text(self.gap.lower, self.gap.upper, form='.2f')}" if self.gap else ""
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
             if self.gap and self.lattice.beside(self.gap.lower, self.gap.upper):
                 computed += ": another range, in which perhaps some waves only fade"
@@ -233,8 +232,9 @@ class ScanResult(Result):
             said += [f"  {text}" for text in self.lattice.reasons]
         if (seen := self.measured) is not None:
             said.append(
-                f"The driven region stands out from the lattice from {seen.lower / 1e3:.2f} ± "
-                f"{seen.lower_error / 1e3:.2f} to {seen.upper / 1e3:.2f} ± {seen.upper_error / 1e3:.2f} kHz."
+                f"The driven region stands out from the lattice from "
+                f"{hz_text(seen.lower, form='.2f', error=seen.lower_error)} to "
+                f"{hz_text(seen.upper, form='.2f', error=seen.upper_error)}."
             )
         if not self.report.complete or self.report.remarks:
             said.append(str(self.report))

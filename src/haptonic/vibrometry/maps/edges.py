@@ -14,7 +14,7 @@ from haptonic.arrays import Array, Bools, Complex
 from haptonic.errors import ScanError
 from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
-from haptonic.units import Hertz
+from haptonic.units import Hertz, hz_text
 from haptonic.vibrometry.maps.noise import HIDDEN, averages_of, noise_power
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
@@ -67,7 +67,7 @@ class Edge:
     error: Hertz
 
     def __str__(self) -> str:
-        return f"{self.frequency / 1e3:.2f} ± {self.error / 1e3:.2f} kHz"
+        return hz_text(self.frequency, form=".2f", error=self.error)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,106 @@
+"""Words on values that are allowed and so unusual that they are probably a slip, such as of a unit.
+
+A number declares its usual range itself (`Quantity.typical`). A described value that compares its numbers
+with each other has a method ``doubtful()``, which gives sentences by path below the value.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Container, Iterable, Iterator
+from types import FrameType
+from typing import Any
+
+from haptonic.errors import HaptonicWarning
+from haptonic.fields.keys import is_described, leaves, slots
+from haptonic.fields.quantity import Quantity
+
+PACKAGE = __name__.partition(".")[0]
+PASSED_BY = ("dataclasses",)  # `dataclasses.replace` makes a value for somebody else
+
+
+def unusual_values(model: Any, prefix: str = "", without: Container[int] = frozenset()) -> dict[str, str]:
+    """Words on every unusual number of a described value, by its path in a study.
+
+    Numbers are compared with each other only where each by itself is usual.
+
+    Parameters
+    ----------
+    prefix, without : see `haptonic.fields.leaves`
+    """
+    numbers = leaves(model, prefix, without=without)
+    found = {path: declared.unusual(number) for path, number, declared in numbers if declared}
+    found = {path: text for path, text in found.items() if text}
+    for place, value in _values(model, prefix, without):
+        doubtful = getattr(value, "doubtful", None)
+        if not found and doubtful is not None:  # a slip of a unit explains what is unusual beside it
+            found = {f"{place}{path}": text for path, text in doubtful().items() if text}
+    return found
+
+
+def unusual_beside(
+    value: float, unit: str, shares: tuple[float, float], yardstick: float, beside: str
+) -> str:
+    """Words on a value that is unusual for another one; empty for an ordinary value.
+
+    Parameters
+    ----------
+    value, yardstick : the number and the one that it is compared with, in ``unit``
+    shares : lowest and highest usual ratio of the two
+    beside : names the yardstick, such as "for a pitch of 7 mm"
+    """
+    low, high = (float(f"{share * yardstick:.2g}") for share in shares)
+    return Quantity(unit, typical=(low, high)).unusual(value, beside)
+
+
+def warn_caller(texts: Iterable[str], frame: FrameType | None, kind: type | None = None) -> None:
+    """Warn whoever made a value, unless that was this package.
+
+    Parameters
+    ----------
+    texts : sentences; they are drawn only where somebody is warned
+    frame : of the caller
+    kind : class whose own constructors (class methods) do not count as callers
+    """
+    while frame is not None and (
+        _package(frame) in PASSED_BY or (kind is not None and frame.f_locals.get("cls") is kind)
+    ):
+        frame = frame.f_back
+    if frame is None or _package(frame) == PACKAGE:
+        return
+    level, above = 1, sys._getframe()
+    while above is not frame and above.f_back is not None:
+        level, above = level + 1, above.f_back
+    for text in texts:
+        warnings.warn(text, HaptonicWarning, stacklevel=level)
+
+
+def caller(depth: int = 2) -> FrameType | None:
+    """Frame that many calls above this function."""
+    try:
+        return sys._getframe(depth)
+    except ValueError:
+        return None
+
+
+def _package(frame: FrameType) -> str:
+    """The package, or the module outside of any, whose code a frame runs."""
+    return str(frame.f_globals.get("__name__", "")).partition(".")[0]
+
+
+def _values(model: Any, prefix: str, without: Container[int]) -> Iterator[tuple[str, Any]]:
+    """The described values in a value, itself first, each with the path that its keys begin with."""
+    if id(model) in without:
+        return
+    yield prefix, model
+    for slot in slots(type(model)):
+        value = getattr(model, slot.name)
+        if slot.name_of(value):
+            continue
+        if is_described(value):
+            yield from _values(value, slot.below(prefix), without)
+        elif isinstance(value, tuple):
+            for index, item in enumerate(value, start=1):
+                if is_described(item):
+                    yield from _values(item, f"{slot.path(prefix)}[{index}].", without)

@@ -1,0 +1,67 @@
+"""Words on values of a study that are unusual for one another, whatever the size of its cell."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from haptonic.cell import UnitCell
+from haptonic.fields import unusual_beside
+from haptonic.plate.settings import ResponseSettings
+from haptonic.study.plate_tables import PlateSettings
+from haptonic.units import format_quantity
+
+# Of the speed of shear waves over the pitch; gaps of pillars lie between 0.03 and 1 of it in the templates.
+USUAL_CARRIER = (0.01, 5.0)
+USUAL_PATCH = (0.01, 5.0)  # thickness of a patch, of that of the plate
+USUAL_GRID = (0.001, 3.0)  # distance of the points of a map, of the pitch
+USUAL_WIDTH = (0.02, 100.0)  # of the pitch: sizes in the plane of a plate's parts
+LENGTH = "m"
+
+
+def doubts_of(carrier: float | None, cell: UnitCell, plate: PlateSettings | None) -> dict[str, str]:
+    """Words, by path in the study, on a carrier and parts of a plate that are unusual for the cell."""
+    pitch = format_quantity(cell.lattice.pitch, LENGTH)
+    found = {}
+    if carrier is not None:
+        solid: Any = cell.material
+        natural = math.sqrt(solid.stiffness[5][5] / solid.density) / cell.lattice.pitch
+        words = f"for a pitch of {pitch} in {solid.name}"
+        found["carrier"] = unusual_beside(carrier, "Hz", USUAL_CARRIER, natural, words)
+    if plate is not None:
+        found |= dict(_of_plate(plate, cell, f"for a pitch of {pitch}"))
+        found |= _not_answered(carrier, plate.response)
+    return found
+
+
+def _of_plate(plate: PlateSettings, cell: UnitCell, words: str) -> Iterator[tuple[str, str]]:
+    pitch, thickness = cell.lattice.pitch, cell.thickness
+    for number, patch in enumerate(plate.actuator, start=1):
+        at, beside = (
+            f"plate.actuator[{number}].size",
+            f"on a plate {format_quantity(thickness, LENGTH)} thick",
+        )
+        for axis in (0, 1):
+            yield (
+                f"{at}[{axis + 1}]",
+                unusual_beside(patch.size[axis], LENGTH, USUAL_WIDTH, pitch, words),
+            )
+        yield f"{at}[3]", unusual_beside(patch.size[2], LENGTH, USUAL_PATCH, thickness, beside)
+    for table in ("widths", "heights"):
+        for name, width in getattr(plate, table).items():
+            yield f"plate.{table}.{name}", unusual_beside(width, LENGTH, USUAL_WIDTH, pitch, words)
+    if plate.clamp is not None:
+        yield "plate.clamp.corners", unusual_beside(plate.clamp.corners, LENGTH, USUAL_WIDTH, pitch, words)
+    yield "plate.response.grid", unusual_beside(plate.response.grid, LENGTH, USUAL_GRID, pitch, words)
+
+
+def _not_answered(carrier: float | None, asked: ResponseSettings) -> dict[str, str]:
+    """Words on a response that leaves the carrier out."""
+    if carrier is None or asked.lowest <= carrier <= asked.highest:
+        return {}
+    ends = f"{format_quantity(asked.lowest, 'Hz')} to {format_quantity(asked.highest, 'Hz')}"
+    return {
+        "plate.response": f"{ends} leaves out the carrier, {format_quantity(carrier, 'Hz')}. Give lowest and "
+        "highest around it"
+    }
