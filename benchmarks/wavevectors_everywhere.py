@@ -22,6 +22,7 @@ from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.model import REST, BlochModel, bloch_model
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.representative import BESIDE
+from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, Site, UnitCell
 from haptonic.lattice import Lattice
@@ -35,8 +36,8 @@ FINER = 1  # orders of the reference's mesh more than the model's
 MM = 1e-3
 
 
-def cells() -> dict[str, tuple[UnitCell, BandSettings]]:
-    """Twelve cells and what is asked of each."""
+def cells() -> dict[str, tuple[UnitCell, BandSettings | Resolution]]:
+    """Twelve cells, and what is asked of each: an accuracy, or ten bands of a mesh."""
     steel, silicon = material("steel"), material("silicon")
     tall, slim, wide = Pillar(3 * MM, 10 * MM), Pillar(1.8 * MM, 5 * MM), Pillar(2.6 * MM, 6 * MM)
     usual, fine = BandSettings(10, accuracy=1e-2), BandSettings(12, accuracy=2e-3)
@@ -68,22 +69,27 @@ def cells() -> dict[str, tuple[UnitCell, BandSettings]]:
         "honeycomb, two pillars": (honeycomb, usual),
         "kagome": (kagome, usual),
         "rectangular, two sites and a glide": (glide, usual),
-        "square, two pillars without symmetry": (anywhere, usual),
+        "square, two pillars without symmetry": (anywhere, Resolution(3, 1)),
     }  # fmt: skip
 
 
 def finer(model: BlochModel) -> Any:
     """The unreduced pencil of a finer mesh with more of the interior; by parity where a mirror parts it."""
     used = model.resolution.grown()
-    more = type(used)(used.order + FINER, used.foot_rings, used.steps, used.block, used.bands)
+    more = Resolution(used.order + FINER, used.foot_rings, used.steps, used.block, used.bands)
     tiling = Tiling.condensed(model.cell, more.plans(model.cell), more.steps, more.block, measured=False)
     return parted(lattice_pencil(tiling))[0]
 
 
-def measured(name: str, cell: UnitCell, settings: BandSettings, count: int, seed: int) -> dict[str, Any]:
+def measured(
+    name: str, cell: UnitCell, settings: BandSettings | Resolution, count: int, seed: int
+) -> dict[str, Any]:
     """Draw wavevectors for a cell and compare."""
     start = time.process_time()
-    model = bloch_model(cell, settings, or_best=True)
+    if isinstance(settings, Resolution):
+        model = BlochModel.of(cell, settings, 10, measured=False)
+    else:
+        model = bloch_model(cell, settings, or_best=True)
     reference = finer(model)
     rng = np.random.default_rng(seed)
     drawn = rng.uniform(-ZONES * np.pi, ZONES * np.pi, (count, 2))
