@@ -78,7 +78,13 @@ def test_the_budget_is_the_same_in_python_in_the_file_and_on_the_command_line(st
     assert caught.value.argument == "begun"
     with pytest.raises(StudyError) as caught:
         plain.bands(budget="10 mm")
-    assert caught.value.argument == "--budget"
+    assert caught.value.argument == "budget"
+
+
+def test_a_budget_that_is_no_time_is_refused_by_its_flag(inside, study):
+    ran = inside("bands", study(), "--budget", "10 mm", "--json")
+    assert ran.code == 2
+    assert ran.json["error"]["argument"] == "--budget"
 
 
 @pytest.mark.parametrize(

@@ -161,7 +161,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     file, dry = rest.pop("study_file", None), rest.pop("dry_run", False)
     budget = rest.pop("budget", None)
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
-    study = None if file is None else load(file).within(budget)
+    study = None if file is None else load(file).within(budget, "--budget")
     analysis.check(study, options)
     cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:

@@ -213,8 +213,10 @@ class Description:
         """
         return plate_of(self.finite_plate, self.cell)
 
-    def within(self, budget: float | str | None) -> Self:
+    def within(self, budget: float | str | None, argument: str = "budget") -> Self:
         """The same study with another budget for the meshes of its cells; s, or a text such as "10 min".
+
+        ``argument`` is how an error calls it.
 
         Raises
         ------
@@ -225,7 +227,7 @@ class Description:
         try:
             return unchecked(self, bands_settings=remade(self.bands_settings, budget=budget))
         except StudyError as error:
-            raise error.changed(StudyError, argument="--budget") from None
+            raise error.changed(StudyError, argument=argument) from None
 
     def without_plate(self) -> Self:
         """The same study of the lattice alone."""
