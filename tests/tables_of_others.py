@@ -107,7 +107,7 @@ DAMAGES = ("", "", "", "word", "short", "long", "text row", "no names", "twice",
 
 @dataclass(frozen=True)
 class Drawn:
-    """A table. kinds : what was drawn; asked : what its user says; truth : (wavevector, 2) in pi over pitch"""
+    """A table. kinds : what was drawn; asked : what its user says; truth : (wavevector, 2), pi over pitch"""
 
     content: bytes
     kinds: dict[str, Any]

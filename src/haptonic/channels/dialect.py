@@ -148,4 +148,5 @@ def is_unclear_title(cells: Sequence[str], dialect: Dialect) -> bool:
 
 def comment_text(line: str) -> str:
     """A line without the marks of a comment."""
-    return COMMENT.sub("", line, count=1).strip()
+    mark = COMMENT.match(line)
+    return line[mark.end() :].strip() if mark else line.strip()
