@@ -270,7 +270,8 @@ def outcome(folder: Path, draw: Mapping[str, Any]) -> str:
     try:
         trials = analysed(folder, made.sensor, Rules()).trials
     except HaptonicError as error:
-        whole = made.refused and all(error.parts().values())
+        nothing_left = bool(made.clipped) and all(made.clipped.values())
+        whole = (made.refused or nothing_left) and all(error.parts().values())
         return "refused" if whole else f"fault: refused: {error.argument}: {error.given}; {error.cause}"
     found = "right"
     for row in range(trials.sizes["stroke"]):

@@ -20,7 +20,7 @@ FEW = 8  # values of a word that is a region rather than a name of a person
 # Letters before a number in the name of a file, and what they stand for.
 LETTERS = {
     "participant": ("p", "s", "vp", "sub", "subj", "subject", "participant", "proband", "pp", "user"),
-    "block": ("b", "blk", "bl", "block", "session", "sess", "ses", "set"),
+    "block": ("b", "blk", "bl", "block", "session", "sess", "ses", "set", "s"),
     "trial": ("t", "tr", "trial", "rep", "r", "stroke", "no", "nr", "run", "versuch"),
     "waveguide": ("wg", "guide", "waveguide", "region", "key", "zone", "area", "pad"),
 }  # fmt: skip
