@@ -16,15 +16,18 @@ import h5py
 import numpy as np
 import pyuff
 import scipy.io
+from containers import damage_hdf5, damage_matlab
 from mutations import mutated
 
 import haptonic.foreign.process as process
+from haptonic.analyses.comparing import of_file
 from haptonic.channels import opened, wav
 from haptonic.errors import HaptonicError
 from haptonic.friction.recordings.analysis import analysed
 from haptonic.friction.recordings.sensor import Sensor
 from haptonic.friction.signals.rules import Rules
-from haptonic.response import FrequencyResponse, Reference, write
+from haptonic.response import FrequencyResponse, Reference, read as read_response, write
+from haptonic.study import loads
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.writers import write_uff, write_uff_records
@@ -117,7 +120,15 @@ def _matlab_5(folder: Path) -> list[Path]:
 
 def _hdf5(folder: Path) -> list[Path]:
     write_records(_records(), folder / "a.h5")
-    return [folder / "a.h5"]
+    response = _response()
+    with h5py.File(folder / "b.h5", "w") as file:  # as anybody stores a scan from Python
+        file["frf"], file["frequency"] = response.values[..., 0].T, response.frequency
+        file["x"], file["y"] = response.points.T
+    with h5py.File(folder / "c.h5", "w") as file:
+        group = file.create_group("scan")
+        group["real"], group["imag"] = response.values[..., 0].real, response.values[..., 0].imag
+        group["f"], group["points"] = response.frequency, response.points
+    return [folder / f"{name}.h5" for name in "abc"]
 
 
 def _netcdf(folder: Path) -> list[Path]:
@@ -158,6 +169,25 @@ def _signals(folder: Path) -> list[Path]:
     return sorted(folder.iterdir())
 
 
+def _signals_hdf5(folder: Path) -> list[Path]:
+    forces = channels([record for _, record in made_up(participants=1, blocks=2, trials=2)[:1]])
+    WRITERS["h5"](forces, folder / "a.h5")
+    return [folder / "a.h5"]
+
+
+def _bands(folder: Path) -> list[Path]:
+    """A file as `haptonic bands` writes it."""
+    study = loads('material = "steel"\n[cell]\npitch = "7 mm"\nthickness = "1.5 mm"\n[cell.pillar]\n'
+                  'diameter = "3 mm"\nheight = "8 mm"\n[bands]\ncount = 4\npoints = 8\naccuracy = 5e-2\n'
+                  '[mesh]\norder = 2\nfoot_rings = 0\n')  # fmt: skip
+    study.bands().write(folder)
+    return [folder / "bands.nc"]
+
+
+def _compare(path: Path) -> None:
+    of_file(path)
+
+
 def _look(path: Path) -> None:
     """All groups and channels, whatever they are."""
     for group in opened(path).groups.values():
@@ -173,6 +203,7 @@ class Attack:
     make: Callable[[Path], list[Path]]
     read: Callable[[Path], None] = _read
     text: bool = False
+    containers: Callable[[Path, np.random.Generator], None] | None = None  # damages these instead of bytes
 
 
 ATTACKS = {
@@ -185,6 +216,13 @@ ATTACKS = {
     "CSV folder": Attack(_csv, text=True),
     "friction folder": Attack(_friction, _analyse),
     "signals": Attack(_signals, _look),
+    "MAT 5 variables": Attack(_matlab_5, containers=damage_matlab),
+    "MAT 7.3 containers": Attack(_matlab_73, containers=damage_hdf5),
+    "HDF5 containers": Attack(_hdf5, containers=damage_hdf5),
+    "NetCDF containers": Attack(_netcdf, containers=damage_hdf5),
+    "responses given": Attack(_netcdf, read_response, containers=damage_hdf5),
+    "bands given": Attack(_bands, _compare, containers=damage_hdf5),
+    "signals containers": Attack(_signals_hdf5, _look, containers=damage_hdf5),
 }
 
 
@@ -222,7 +260,10 @@ def attack(name: str, folder: Path, count: int, seed: int = 0) -> Counts:
             one = sorted(path.iterdir())[int(chance.integers(len(list(path.iterdir()))))]
         content = one.read_bytes()
         text = how.text or one.suffix == ".csv"
-        one.write_bytes(mutated(content, chance, text=text))
+        if how.containers is None:
+            one.write_bytes(mutated(content, chance, text=text))
+        else:
+            how.containers(one, chance)
         before = time.process_time()
         with _counted(counts):
             _tried(how, path, counts, f"{name}, seed {seed}, number {number}, {one.name}")

@@ -154,7 +154,7 @@ def read_scan(
 
 
 def points_at(at: str | Sequence[Any] | None, length_unit: float = 1.0) -> tuple[Point, ...]:
-    """Places that a user gives; numbers without a unit are in ``length_unit``, m.
+    """Places that a user gives; in a text, numbers without a unit are in ``length_unit``, m.
 
     Raises
     ------
@@ -165,16 +165,16 @@ def points_at(at: str | Sequence[Any] | None, length_unit: float = 1.0) -> tuple
     try:
         if isinstance(at, str):
             texts = [place.split(",") for place in at.split(";") if place.strip()]
-            plain = {not re.search("[a-zµ]", text) for pair in texts for text in pair}
-            if len(plain) != 1:  # "10,5 mm" is perhaps a decimal comma
+            plain = {not re.search("[a-zµ]", text) for pair in texts for text in pair if text.strip() != "0"}
+            if len(plain) > 1:  # "10,5 mm" is perhaps a decimal comma
                 raise ValueError(at)
             pairs = [
-                [length_unit * float(text) if plain == {True} else to_si(text, "m", "at") for text in pair]
+                [to_si(text, "m", "at") if plain == {False} else length_unit * float(text) for text in pair]
                 for pair in texts
             ]
         else:
             given = [at] if np.ndim(at[0]) == 0 else at
-            pairs = [[length_unit * float(one) for one in pair] for pair in given]
+            pairs = [[float(one) for one in pair] for pair in given]
         places = tuple(Point(*pair) for pair in pairs)
         if places and np.isfinite(pairs).all():
             return places

@@ -136,10 +136,10 @@ class _Arrays:
             raise self._unfit("response", "no such variable")
         if "frequency" not in table:
             raise self._unfit("frequency", "neither frequencies nor a sample rate")
-        lines = frequency_factor(table["frequency"].unit, how) * self._numbers("frequency")
+        lines = frequency_factor(table["frequency"].unit, how) * self._lines()
         places, grid = self._places(max(prod(table[parts[0]].shape) // max(len(lines), 1), 1))
         shape = _Layout(len(places), len(lines), grid)
-        ratio = response_unit([table[part] for part in parts], how, notes, self._unit_in_file())
+        ratio = response_unit([table[part] for part in parts if part != "phase"], how, notes, self._unit_in_file())
         if parts == ("response",):
             if table["response"].kind != "complex":
                 raise self._unfit("response", "real numbers: the phase is missing")
@@ -168,6 +168,18 @@ class _Arrays:
             ]  # fmt: skip
         known = {str(i): place for i, place in enumerate(places, start=1) if place is not None}
         return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
+
+    def _lines(self) -> Array:
+        """The frequencies, which an array of structures repeats for each point."""
+        lines = self._numbers("frequency")
+        axes = tuple(n for n in self.table["frequency"].shape if n != 1)
+        if len(axes) < 2:
+            return lines
+        table = lines.reshape(axes, order=self._order)
+        for rows in (table, table.T):
+            if len(axes) == 2 and rows.size and (rows == rows[0]).all():
+                return np.asarray(rows[0])
+        raise self._unfit("frequency", f"shape {self.table['frequency'].shape}, where one axis belongs")
 
     def _unit_in_file(self) -> str:
         """A text ``unit`` that lies beside the arrays."""
