@@ -19,6 +19,7 @@ from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
+from haptonic.units import format_quantity
 from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, dimensions_of
 
@@ -142,9 +143,8 @@ class Workshop(Result):
         if self.part.count is not None:
             what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
         pillars = f"{self.part.pillars} pillar{'s' * (self.part.pillars != 1)}"
-        sizes = " x ".join(f"{side:.4g}" for side in self.part.size)
-        files = ", ".join(self._names_of(*self.kinds))
-        return [f"part: {what}, {sizes} mm, with {pillars}{aside}", f"files of this part: {files}"]
+        sizes = " x ".join(format_quantity(side / MM, "m") for side in self.part.size)
+        return [f"part: {what}, {sizes}, with {pillars}{aside}"]
 
     def remarks(self) -> list[str]:
         missing = [f"{', '.join(self._names_of(kind))} is not written: {why}"

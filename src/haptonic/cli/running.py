@@ -200,6 +200,8 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         located = result.located(folder)
         if form is None and folder.is_dir():  # a plan of a lattice has no picture
             voice.tell(f"files: {located.get('report', folder)}")
+            if analysis.writes and isinstance(paths := located.get("files"), list):
+                voice.tell(f"written: {', '.join(Path(one).name for one in paths)}")
     if json:
         voice.answer(result.to_json() | located)
 

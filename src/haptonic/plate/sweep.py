@@ -23,7 +23,9 @@ from haptonic.plate.vibration import ReducedPlate, Vibration
 from haptonic.progress import Progress, silent
 from haptonic.units import hz_text
 
-SPACING = 8e3  # Hz between neighbouring shifts, at most
+# Between neighbouring shifts, at most: Hz for plates as large as a hand, a share of the highest frequency for
+# smaller ones, whose frequencies are as much higher as the plates are smaller.
+SPACING, SPACING_SHARE = 8e3, 0.075
 MODES = 85  # between neighbouring shifts, about, at most
 CROWDED = 2.7  # times as many, from which on they are parted again: modes crowd where a band begins
 ROUNDS = 3  # of parting them, and of adding shifts where modes are still missing
@@ -194,7 +196,8 @@ def evenly(low: float, high: float) -> Array:
     """The first shifts of a basis for a band, (n,) frequencies, Hz."""
     top = high * (1 + BEYOND)
     bottom = max(low * (1 - BEYOND), NEAR_ZERO * top)
-    return np.linspace(bottom, top, int(np.ceil((top - bottom) / SPACING)) + 1)
+    spacing = max(SPACING, SPACING_SHARE * top)
+    return np.linspace(bottom, top, int(np.ceil((top - bottom) / spacing)) + 1)
 
 
 def _between(found: list[Chain], most: float) -> list[float]:

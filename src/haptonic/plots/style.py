@@ -143,7 +143,7 @@ def suit_units(figure: Figure) -> None:
 
 def _length_scale(largest: float) -> tuple[str, float]:
     """Unit for lengths up to ``largest`` (mm), and the factor from mm to it."""
-    return ("mm", 1.0) if largest >= 0.1 else ("µm", 1e3) if largest >= 1e-4 else ("nm", 1e6)
+    return ("mm", 1.0) if largest >= 0.5 else ("µm", 1e3) if largest >= 5e-4 else ("nm", 1e6)
 
 
 def _frequency_scale(largest: float) -> tuple[str, float]:

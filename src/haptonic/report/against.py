@@ -90,7 +90,7 @@ def _numbers(value: Value, head: tuple[str, str, str], ours: list[float], answer
     else:
         text = " to ".join(_number(one * scale, value) for one in ours)
     text = f"{text} {unit}".rstrip()
-    known = {"value": ours[0], "upper": ours[1] if len(ours) > 1 else None, "error": bound}
+    known: dict[str, Any] = {"value": ours[0], "upper": ours[1] if len(ours) > 1 else None, "error": bound}
     agrees, difference = _difference(value, ours, bound or 0.0, scale, unit)
     rounded = agrees and difference != "none" and value.relation == "equal"
     remark = f"Agrees within {'our error and ' * bool(bound)}the rounding of the published value."

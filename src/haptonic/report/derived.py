@@ -112,8 +112,10 @@ def _optima(study: Description, sweeps: Mapping[str, Any]) -> dict[str, Any]:
 def _powers(bands: Mapping[str, Any], sweeps: Mapping[str, Any]) -> dict[str, Any]:
     """By swept expression the power of it that the upper edge of the study's gap follows, and its error."""
     gap = next((one for one in bands.get("gaps", ()) if one["complete"]), None)
+    if gap is None:
+        return {}
     found = {}
-    for one in sweeps.get("sweeps", ()) if gap else ():
+    for one in sweeps.get("sweeps", ()):
         points = [(design["value"], edge["upper_hz"]) for design in one["designs"] for edge in design["gaps"]
                   if edge["between"] == gap["between"]]  # fmt: skip
         if len(points) >= FEWEST and min(value for value, _ in points) > 0:

@@ -76,7 +76,7 @@ class Sweep:
             rows.append((float(value), count, *((edges[1] - edges[0], *edges) if edges else (None,) * 3)))
         return Table(
             "sweep",
-            (Column(data.attrs["expression"], self.unit), "gaps",
+            (Column(data.attrs["expression"], self.unit, "mm" if self.unit == "m" else ""), "gaps",
              *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to"))),
             rows,
         )  # fmt: skip

@@ -35,12 +35,22 @@ class Ranged:
     value: float | None = None
 
 
-SUITED = {
-    ("Hz", "kHz"): lambda largest: frequency_scale(largest)[0],
-    ("m", "mm"): lambda largest: (
-        "mm" if largest >= 1e-4 or not largest else "µm" if largest >= 1e-7 else "nm"
-    ),
-}  # by unit and declared unit of a column: the unit for its largest value
+FIXED = re.compile(r"(\+?)\.(\d+)f")
+
+
+def _frequency_unit(largest: float) -> str:
+    return frequency_scale(largest)[0]
+
+
+def _length_unit(largest: float) -> str:
+    return "mm" if not 0 < largest < 5e-4 else "µm" if largest >= 5e-7 else "nm"
+
+
+# by unit and declared unit of a column: the unit for its largest value
+SUITED: dict[tuple[str, str], Callable[[float], str]] = {
+    ("Hz", "kHz"): _frequency_unit,
+    ("m", "mm"): _length_unit,
+}
 Cell = float | int | str | None | Uncertain | Ranged
 
 
@@ -87,7 +97,13 @@ class Column:
         if (self.unit, self.shown) not in SUITED:
             return self
         sizes = [abs(one) for cell in cells for one in _numbers_in(cell) if math.isfinite(one)]
-        return replace(self, shown=SUITED[self.unit, self.shown](max(sizes, default=0.0)))
+        shown = SUITED[self.unit, self.shown](max(sizes, default=0.0))
+        if shown == self.shown or not FIXED.fullmatch(self.form):
+            return replace(self, shown=shown)
+        # the smallest of them may be below 1 there: a digit more keeps its error in sight
+        return replace(
+            self, shown=shown, form=FIXED.sub(lambda form: f"{form[1]}.{int(form[2]) + 1}f", self.form)
+        )
 
     @property
     def head(self) -> str:

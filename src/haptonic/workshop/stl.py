@@ -27,20 +27,23 @@ from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, PillarShape
 
 CHORD = 5e-6  # m, by default the largest distance between a curved surface and its triangles
+SLIGHT = 0.05  # of the narrowest part
 HALVINGS = 10  # of a side; lattices whose square feet nearly touch need none, feet across a notch two
 ROUND = 3  # pieces of a fillet at least, so that they meet at 30 degrees and look round
 FLAT = 1e-13  # of the part's size squared: areas of triangles between corners on one line
 
 
-def surface(part: Part, *, chord: float = CHORD) -> meshio.Mesh:
+def surface(part: Part, *, chord: float | None = None) -> meshio.Mesh:
     """Closed surface of a part as triangles, anticlockwise from outside, in m.
 
-    Their corners lie on the true surface; its curves are off by at most ``chord`` (m).
+    Their corners lie on the true surface; its curves are off by at most ``chord`` (m), by default 5 um, and
+    less for parts narrower than 0.1 mm.
 
     Raises
     ------
     GeometryError : a useless ``chord``
     """
+    chord = min(CHORD, SLIGHT * part.narrowest / MM) if chord is None else chord
     if not 1e-6 * part.narrowest < chord * MM < 0.1 * part.narrowest:
         raise GeometryError.out_of_range(
             argument="chord",
@@ -82,7 +85,7 @@ def surface(part: Part, *, chord: float = CHORD) -> meshio.Mesh:
     return meshio.Mesh(np.concatenate(points) / MM, [("triangle", np.concatenate(triangles))])
 
 
-def write_stl(path: Path, part: Part, *, chord: float = CHORD, overwrite: bool = False) -> Path:
+def write_stl(path: Path, part: Part, *, chord: float | None = None, overwrite: bool = False) -> Path:
     """Write a part as a binary STL file in mm.
 
     Raises

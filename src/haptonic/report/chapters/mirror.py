@@ -61,8 +61,8 @@ def _findings(layers: Layers, guides: Guides | None) -> list[str]:
         said.append(Finding(told, "layers"))
         frequency, insulation = _best_in_gap(layers, rows)
         if frequency:
-            best = hz_text(frequency, form=".1f")
-            told = f"Within the gap three rows stop most at {best}: {insulation:.0f} dB."
+            where = hz_text(frequency, form=".1f")
+            told = f"Within the gap three rows stop most at {where}: {insulation:.0f} dB."
             said.append(Finding(told, "layers"))
     if guides is not None:
         best, three = guides.best, rows * guides.best.decay
