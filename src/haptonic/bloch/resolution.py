@@ -14,7 +14,7 @@ from haptonic.cell.edges import between_edges, is_unbridged
 from haptonic.cell.pieces import Meshed, pieces_of
 from haptonic.cell.plan import USUAL_BANDS, orders_for_bands
 from haptonic.parallel import threads
-from haptonic.superelement.symmetry import folds_of
+from haptonic.superelement.symmetry import THIRD, folds_of
 from haptonic.superelement.trace import trace_levels
 
 MEASURED = {(3, 1): 0.55, (4, 1): 0.45, (5, 1): 0.75, (5, 2): 0.35, (6, 2): 0.6}  # see `remaining`
@@ -32,6 +32,7 @@ PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `
 # Of the memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
 # and the square of a pencil's size; bytes of the program at rest. See benchmarks/answered_in_budget.py.
 PER_KEPT, PER_PAIR, PER_FACTOR, PER_PENCIL, RESIDENT = 1.3, 52.0, 52.0, 92.0, 4e8
+BY_THIRDS = 1.5  # times the pairs: parts of a tile that a third of a turn leaves have indices of their own
 LEAST_ORDER = 2  # that a study can ask for
 LEAST_STEPS, WIDEST = 2, 40  # of an interior's blocks: fewest, and the size from which depth counts
 UNRESOLVED = 25.0  # see `Resolution.unresolved`
@@ -184,6 +185,7 @@ class Resolution:
             waiting += classes * of_class * (trace + 13 + self.steps * self.block)
             across, along, upward = plan.outward + 1, plan.order + 1, plan.upward + 1
             pairs = of_class * (across * along + along * upward + across * upward)
+            pairs *= BY_THIRDS if piece.tile.has_symmetry(THIRD) else 1.0
             factors = min(threads(), classes) * of_class ** (4 / 3)
             working = max(working, PER_PAIR * pairs + PER_FACTOR * factors)
         return RESIDENT + 8.0 * (PER_KEPT * waiting + working + PER_PENCIL * self._pencil(cell) ** 2)
