@@ -16,7 +16,7 @@ import numpy as np
 import xarray as xr
 
 from haptonic.analyses.comparing import OfTable, of_dataset, of_table
-from haptonic.analyses.table_places import OurPath
+from haptonic.analyses.table_path import OurPath
 from haptonic.errors import HaptonicError
 from haptonic.results.comparison import Comparison
 

@@ -16,7 +16,7 @@ from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
 from haptonic.analyses.comparing import OfTable, of_dataset, of_table
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.table_places import OurPath
+from haptonic.analyses.table_path import OurPath
 from haptonic.bloch import bloch_model
 from haptonic.channels.text_table import read_table
 from haptonic.errors import ChannelError

@@ -60,6 +60,8 @@ class Methods:
         first: str | pathlib.Path,
         second: str | pathlib.Path,
         wavevector: str | None = ...,
+        skip_lines: int = ...,
+        any_difference: bool = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,
