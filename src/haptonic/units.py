@@ -223,11 +223,28 @@ def _factor(unit_text: str, unit: str) -> Fraction:
     if unit_text in known:
         return known[unit_text]
     try:
-        return Fraction(registry().Quantity(Fraction(1), unit_text).to(unit).magnitude)
+        quantity = registry().Quantity(Fraction(1), unit_text)
+        if unit == "Hz" and (turns := _turns(quantity)) is not None:
+            return turns
+        return Fraction(quantity.to(unit).magnitude)
     except Exception as error:  # noqa: BLE001 - pint raises many kinds, some of them only while it writes its text
         if type(error).__name__ in {"UndefinedUnitError", "DefinitionSyntaxError"}:
             raise _UnknownUnitError from None
         raise _OtherKindError from None
+
+
+def _turns(quantity: pint.Quantity[Fraction]) -> Fraction | None:
+    """Turns a second of an angle per time, exact for rpm; None for another quantity.
+
+    To pint an angle has no dimension, so that it takes 1 rad/s for 1 Hz, and 1 rpm for 0.105 Hz.
+    """
+    power = dict(quantity.to_root_units().unit_items()).get("radian", 0)
+    if power == 0:
+        return None
+    if power != 1:
+        raise _OtherKindError
+    turn = registry().Quantity(Fraction(1), "turn").to("radian")
+    return Fraction(quantity.to("radian/second").magnitude) / Fraction(turn.magnitude)
 
 
 @cache

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,16 +14,22 @@ from hypothesis import given, strategies as st
 
 from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
-from haptonic.analyses.comparing import of_dataset, of_table, path_in
+from haptonic.analyses.comparing import OfTable, of_dataset, of_table
 from haptonic.analyses.runner import Runner
-from haptonic.channels.numbers import read_numbers
+from haptonic.analyses.table_places import OurPath
+from haptonic.bloch import bloch_model
+from haptonic.channels.text_table import read_table
 from haptonic.errors import ChannelError
-from haptonic.results.comparison import Comparison
+from haptonic.results.comparison import BandSet, Comparison
 from haptonic.store import Store
 from haptonic.study.loading import load_as
+from haptonic.study.schema import Description
 from quick import QUICK_CELL
 
-CORNERS = (0.0, 450.0, 900.0, 1536.0)  # rad/m
+CORNERS = (0.0, 450.0, 900.0, 900.0 + 450.0 * 2**0.5)  # rad/m
+SQUARE = [[[a, 0], [0, b]] for a in (1, -1) for b in (1, -1)] + [
+    [[0, a], [b, 0]] for a in (1, -1) for b in (1, -1)
+]
 BANDS = 4
 
 
@@ -39,6 +47,9 @@ def ours(count: int = 31) -> xr.Dataset:
         "path_corners": json.dumps([int(np.flatnonzero(position == k)[0]) for k in range(4)]),
         "path_labels": json.dumps(["Γ", "X", "M", "Γ"]),
         "inputs": json.dumps({"cell": {"pitch": 0.007}}),
+        "lattice": json.dumps({"form": "square", "period": np.pi / CORNERS[1]}),
+        "zone": json.dumps([("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0))]),
+        "point_group": json.dumps(SQUARE),
     }
     nothing = {
         name: ("gap", np.zeros(0))
@@ -53,6 +64,11 @@ def ours(count: int = 31) -> xr.Dataset:
     }
     data = {"distance": ("wavevector", distance), "frequency": (("wavevector", "band"), dispersion(position))}
     return xr.Dataset(data | nothing, attrs=attrs)
+
+
+def laid(path: Path, wavevector: str | None = None, unit: str | None = None) -> BandSet:
+    """The bands of a table on our path."""
+    return of_table(path, OurPath.of_dataset(ours()), OfTable(wavevector=wavevector, frequency_unit=unit))
 
 
 @st.composite
@@ -115,19 +131,19 @@ def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export,
     path = tmp_path_factory.mktemp("export") / "theirs.txt"
     path.write_text(text, encoding=data.draw(st.sampled_from(["utf-8", "utf-8-sig", "utf-16"])), newline="")
     said = (None, None) if heads else (wavevector, unit)
-    side = of_table(path, *path_in(ours()), *said)
+    side = laid(path, *said)
     assert side.position == pytest.approx(position, abs=1e-6)
     assert side.frequency == pytest.approx(dispersion(position), rel=1e-7)
     if not heads:
         refused(
-            lambda: of_table(path, *path_in(ours()), None, unit),
+            lambda: laid(path, None, unit),
             wavevector,
             code="missing",
             argument="--wavevector",
             kind=ChannelError,
         )
         refused(
-            lambda: of_table(path, *path_in(ours()), wavevector, None),
+            lambda: laid(path, wavevector, None),
             code="missing",
             argument="--frequency-unit",
             kind=ChannelError,
@@ -139,22 +155,24 @@ def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export,
 @pytest.mark.parametrize(
     ("text", "code", "argument", "given"),
     [
-        ("", "unreadable", "theirs.csv", "two numbers"),
-        ("hello\nworld\n", "unreadable", "theirs.csv", "two numbers"),
-        ("1\n2\n3\n", "unreadable", "theirs.csv", "two numbers"),
+        ("", "unreadable", "theirs.csv", "no line with a number"),
+        ("hello\nworld\n", "malformed", "theirs.csv", "a single column"),
+        ("1\n2\n3\n", "malformed", "theirs.csv", "a single column"),
         ("0,1\n1,2\nend of table\n", "unreadable", "theirs.csv", "line 3"),
-        ("0;1;2\n1;2\n2;3;4\n", "unreadable", "theirs.csv", "line 2"),
-        ("k,f\n0,5,1,5\n1,0,2,5\n", "unreadable", "theirs.csv", "2 names above 4 numbers"),
-        ("2,1\n1,2\n0,3\n", "malformed", "theirs.csv, first column", "2, then 1"),
-        ("1,1\n1,2\n", "malformed", "theirs.csv, first column", ""),
-        ("0,1\n4,2\n", "mismatch", "theirs.csv, first column", "0 to 4"),
+        ("0;1;2\n1;2\n2;3;4\n", "malformed", "theirs.csv", "line 2"),
+        ("k,f\n0,5,1,5\n1,0,2,5\n", "unreadable", "theirs.csv", "line 1 has 2 cells and line 2 has 4"),
+        ("0,1\n0.5,inf\n1,3\n", "malformed", "theirs.csv", "line 2"),
+        ("0,1\n0.5,one\n1,3\n2,3\n", "malformed", "theirs.csv, column 2", "line 2"),
+        ("nan,1\n0.5,2\n1,3\n", "malformed", "theirs.csv", "line 1"),
+        ("0,1,2\n1,2,3\n0,4,5\n1,2,4\n", "malformed", "theirs.csv", "begins anew in line 3"),
+        ("0,1\n4,2\n", "mismatch", "theirs.csv, wavevector", "0 to 4"),
     ],
 )
 def test_what_is_no_table_of_bands(tmp_path, text, code, argument, given):
     path = tmp_path / "theirs.csv"
     path.write_text(text)
     refused(
-        lambda: of_table(path, *path_in(ours()), "segments", "Hz"),
+        lambda: laid(path, "segments", "Hz"),
         given,
         code=code,
         argument=argument,
@@ -172,9 +190,9 @@ def test_what_is_no_table_of_bands(tmp_path, text, code, argument, given):
 def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
     path = tmp_path / "theirs.csv"
     path.write_text("0,1\n1,2\n")
-    refused(lambda: of_table(path, *path_in(ours()), "segments", unit), given, code=code, argument=argument)
+    refused(lambda: laid(path, "segments", unit), given, code=code, argument=argument)
     refused(
-        lambda: of_table(path, *path_in(ours()), unit, "Hz"),
+        lambda: laid(path, unit, "Hz"),
         code="missing",
         argument="--wavevector",
     )
@@ -186,9 +204,9 @@ def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
     corners = np.array([[0, 0], [450, 0], [450, 450], [0, 0]])
     rows = [f"{x},{y},{f[0]},{f[1]}" for (x, y), f in zip(corners, dispersion(np.arange(4.0)), strict=True)]
     path.write_text("\n".join(["kx [rad/m],ky [rad/m],f1 [Hz],f2 [Hz]", *rows]))
-    side = of_table(path, *path_in(ours()), None, None)
-    assert side.position == pytest.approx([0, 1, 2, 3], abs=1e-3)
-    assert side.frequency[:, 1] == pytest.approx(dispersion(np.arange(4.0))[:, 1])
+    side = laid(path, None, None)
+    assert side.position == pytest.approx([0, 1, 2], abs=1e-3)  # the end of the path is its start
+    assert side.frequency[:, 1] == pytest.approx(dispersion(np.arange(3.0))[:, 1])
 
 
 BESIDE = {
@@ -213,7 +231,7 @@ def test_what_is_no_frequency_is_left_out(tmp_path_factory, order, unit, said):
         for f in line
     ]
     path.write_text("\n".join([f"% k,{','.join(heads)}", *(",".join(map(str, row)) for row in rows)]))
-    side = of_table(path, *path_in(ours()), "segments", unit[0] if said else None)
+    side = laid(path, "segments", unit[0] if said else None)
     assert side.frequency == pytest.approx(dispersion(position))
     assert side.left == tuple(one for one in order if one in BESIDE)
     assert "Damping ratio" in Comparison(of_dataset("ours", ours()), side).remarks()[0]
@@ -236,17 +254,53 @@ def test_a_missing_band_is_said(tmp_path):
         for k, f in zip(range(4), dispersion(np.arange(4.0)), strict=True)
     ]
     path.write_text("\n".join(rows))
-    result = Comparison(of_dataset("ours", ours()), of_table(path, *path_in(ours()), "segments", "Hz"))
+    result = Comparison(of_dataset("ours", ours()), laid(path, "segments", "Hz"))
     assert any("band 2" in text and "missing" in text for text in result.remarks())
 
 
 def test_numbers_keep_their_names_and_units(tmp_path):
     path = tmp_path / "table.txt"
     path.write_text("% a comment\n% k          freq (kHz)\n0   1.5+2.1E-4i\n1   NaN\n")
-    read = read_numbers(path)
-    assert (read.names, read.units) == (("k", "freq"), ("", "kHz"))
-    assert read.values.tolist()[0] == [0.0, 1.5]
-    assert np.isnan(read.values[1, 1])
+    table = read_table(path)
+    assert [(one.name, one.unit) for one in table.columns] == [("k", ""), ("freq", "kHz")]
+    assert table.columns[1].values[0] == 1.5 + 2.1e-4j
+    assert np.isnan(table.columns[1].values[1])
+
+
+def _long(head: str, row: Callable[..., str], blocks: bool = False) -> Callable[..., str]:
+    """A table with a row for each frequency, by wavevectors or by bands with empty lines between."""
+
+    def text(position: np.ndarray, vectors: np.ndarray, frequency: np.ndarray) -> str:
+        rows = [
+            [row(k, x, y, f) for f in line]
+            for k, (x, y), line in zip(position, vectors, frequency, strict=True)
+        ]
+        groups = zip(*rows, strict=True) if blocks else rows
+        return "\n".join([head, *(line for group in groups for line in [*group, *([""] if blocks else [])])])
+
+    return text
+
+
+THEIRS = {
+    "damping beside it": _long(
+        "% k,Eigenfrequency (Hz),Quality factor (1)", lambda k, x, y, f: f"{k},{f},Inf"
+    ),
+    "angular": _long("k;omega (rad/s)", lambda k, x, y, f: f"{k};{2 * np.pi * f:.9g}".replace(".", ",")),
+    "complex, rigid modes imaginary": _long(
+        "% k      freq (kHz)",
+        lambda k, x, y, f: f"{k}   " + ("3.1E-06i" if f < 5 else f"{f / 1e3:.9E}+{f / 1e6:.3E}i"),
+    ),
+    "blocks": _long("# k freq (Hz)", lambda k, x, y, f: f"{k} {f}", blocks=True),
+    "kx and ky of another corner, block by block": _long(
+        "kx [rad/mm]\tky [rad/mm]\tf [MHz]",
+        lambda k, x, y, f: f"{-y / 1e3}\t{x / 1e3}\t{f / 1e6}",
+        blocks=True,
+    ),
+    "names of two words": _long(
+        "% k                       Eigenfrequency (Hz)       Angular frequency (rad/s) Damping ratio (1)",
+        lambda k, x, y, f: f"{k:<25} {f:<25} {2 * np.pi * f:<25} 0.001",
+    ),
+}
 
 
 class TestCommand:
@@ -281,6 +335,48 @@ class TestCommand:
             told = inside("compare", one, result, "--json").json
             assert np.abs(told["data"]["difference_hz"]).max() < 2e-3 * 60e3  # straight between wavevectors
             assert told["changed"] == []
+
+    @pytest.fixture(scope="class")
+    @classmethod
+    def bands(cls, written):
+        """Corners and some wavevectors between them, as phases over pi, and their bands in Hz."""
+        cell = load_as(cls.folder / "one.toml", Description).cell
+        settings = load_as(cls.folder / "one.toml", Description).bands_settings
+        path = cell.zone.path(13)
+        model = bloch_model(cell, settings, or_best=True)
+        position = np.interp(path.distance, path.distance[list(path.corners)], range(4))
+        frequency = np.array([model.frequencies(kappa)[:5] for kappa in path.kappa])
+        return position, path.kappa / cell.lattice.pitch, np.maximum(frequency, 0)
+
+    @pytest.mark.parametrize("kind", THEIRS)
+    def test_a_table_of_our_bands_lies_on_them(self, inside, tmp_path, bands, kind):
+        table = tmp_path / "theirs.txt"
+        table.write_text(THEIRS[kind](*bands))
+        wavevector = [] if "kx" in table.read_text() else ["--wavevector", "segments"]
+        ran = inside("compare", self.folder / "one.toml", table, *wavevector, "--json")
+        assert ran.code == 0, ran.err
+        relative = np.abs(ran.json["data"]["difference_hz"]) / bands[2].max()
+        assert relative.shape[1] == 5
+        assert np.nanmax(relative) < 2e-3  # straight between our wavevectors
+
+    def test_more_than_a_tenth_apart_is_an_error_unless_asked_for(self, inside, tmp_path, bands):
+        table = tmp_path / "theirs.csv"
+        position, _, frequency = bands
+        for factor, cause in ((1.2, "1.2 times"), (2 * np.pi, "rad/s"), (1e-3, "kHz")):
+            rows = [",".join(map(str, [k, *(factor * f)])) for k, f in zip(position, frequency, strict=True)]
+            table.write_text("\n".join(["k,f1 (Hz),f2 (Hz),f3 (Hz),f4 (Hz),f5 (Hz)", *rows]))
+            asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
+            assert_five_parts(inside(*asked), "--any-difference", cause, code="mismatch", argument="theirs")
+        assert inside(*asked, "--any-difference", "--out", tmp_path / "out").code == 0
+
+    def test_rigid_modes_alone_are_compared_and_a_lost_one_is_seen(self, inside, tmp_path):
+        """At the centre of the zone alone every difference was a share of nothing, and so none."""
+        table = tmp_path / "theirs.csv"
+        asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
+        table.write_text("k,f (Hz)\n0,0\n0,0\n0,0\n")
+        assert inside(*asked, "--out", tmp_path / "out").code == 0
+        table.write_text("k,f (Hz)\n0,0\n0,0\n0,12000\n")
+        assert_five_parts(inside(*asked), "band 3 at Γ", code="mismatch", argument="theirs")
 
     def test_what_cannot_be_compared(self, inside, tmp_path):
         one, table = self.folder / "one.toml", tmp_path / "theirs.csv"
@@ -334,7 +430,7 @@ class TestCommand:
         asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
         assert_five_parts(inside(*asked, store=store), code="missing", argument="--frequency-unit")
         shares = inside(*asked[:3], "--wavevector", "share", store=store)
-        assert_five_parts(shares, code="mismatch", argument="comsol.csv, first column")
+        assert_five_parts(shares, code="mismatch", argument="comsol.csv, wavevector")
         assert not store.exists()
 
 
@@ -346,7 +442,9 @@ def test_a_study_is_read_once(tmp_path, monkeypatch):
     read = []
     monkeypatch.setattr(compare, "load_as", lambda path, kind: read.append(path) or load_as(path, kind))
     named("compare").run(
-        None, Runner(Store(tmp_path / "store")), {"first": study, "second": table, "wavevector": "share"}
+        None,
+        Runner(Store(tmp_path / "store")),
+        {"first": study, "second": table, "wavevector": "share", "any_difference": True},
     )
     assert read == [study]
 

@@ -8,14 +8,14 @@ from pathlib import Path
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.bands import compute_bands
-from haptonic.analyses.comparing import of_dataset, of_file, of_table, path_in
+from haptonic.analyses.comparing import OfTable, check_table, of_dataset, of_file, of_table
 from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
-from haptonic.channels.numbers import read_numbers
+from haptonic.analyses.table_places import OurPath
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
 from haptonic.later import xarray as xr
-from haptonic.results.comparison import Comparison
+from haptonic.results.comparison import MOST_APART, Comparison
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 from haptonic.study.template import ENDING
@@ -31,8 +31,21 @@ class CompareOptions(UnitsOfFile):
     first: Path = option(help="A study, or the folder of its bands.", place="before")
     second: Path = option(help="Another one, or a table of bands from another program.", place="before")
     wavevector: str | None = option(
-        None, "Of the table: rad/m, rad/mm, share (of the path) or segments.", metavar="UNIT"
+        None,
+        "Unit of the table's wavevector: rad/m, rad/mm, pi/a, 2pi/a, share (of the path) or segments.",
+        metavar="UNIT",
     )
+    skip_lines: int = option(0, "Lines at the top of the table that are left out.", metavar="N", least=0)
+    any_difference: bool = option(
+        False, f"Also report a table that is more than {MOST_APART:.0%} apart; else that is an error."
+    )
+
+    @property
+    def of_table(self) -> OfTable:
+        """What the user says of the table."""
+        return OfTable(
+            wavevector=self.wavevector, frequency_unit=self.frequency_unit, skip_lines=self.skip_lines
+        )
 
     @cached_property
     def studies(self) -> dict[Path, Description]:
@@ -61,12 +74,10 @@ def check(study: None, options: CompareOptions) -> None:
             else "describe the cell in a study: `haptonic new`",
         )
     if kind_of(options.second) == "table":
-        if options.first not in options.studies:
-            read_numbers(options.second)
-        else:  # what the table does not say is asked before bands are computed
-            path = options.studies[options.first].cell.zone.path(FINE)
-            corners = path.distance[list(path.corners)]
-            of_table(options.second, tuple(path.labels), corners, options.wavevector, options.frequency_unit)
+        # what the table does not say is asked before bands are computed
+        ours = options.studies.get(options.first)
+        path = None if ours is None else OurPath.of_cell(ours.cell)
+        check_table(options.second, path, options.of_table)
 
 
 def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
@@ -76,13 +87,17 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     ------
     StudyError : no study, no result, or lattices whose paths differ
     ChannelError : a table that cannot be read, or of which nobody says the units
+    StudyError : a table that is more than `MOST_APART` apart, unless that is allowed
     """
     names = _names(options.first, options.second)
     own = bands_of(options.first, options.studies.get(options.first), runner)
     first = of_dataset(names[0], own)
     if kind_of(options.second) == "table":
-        theirs = of_table(options.second, *path_in(own), options.wavevector, options.frequency_unit)
-        return Comparison(first, theirs)
+        theirs = of_table(options.second, OurPath.of_dataset(own), options.of_table)
+        result = Comparison(first, theirs)
+        if not options.any_difference:
+            result.refuse_apart()
+        return result
     second = of_dataset(names[1], bands_of(options.second, options.studies.get(options.second), runner))
     if first.labels != second.labels:
         raise StudyError.mismatch(

@@ -14,9 +14,10 @@ MISSING = frozenset(
      "-nan(ind)", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind")
 )  # fmt: skip
 _INFINITE = {"1.#inf": "inf", "-1.#inf": "-inf", "+1.#inf": "inf", "∞": "inf", "-∞": "-inf", "+∞": "inf"}
-# "D" is Fortran's exponent of double precision, "*^" Mathematica's; Fortran leaves the letter out of 1.5-101
-_PART = r"(?:(?:\d+\.?\d*|\.\d+)(?:(?:[ed]|\*\^)[+-]?\d+)?|\d+\.\d*[+-]\d{3}|inf(?:inity)?|nan)"
-_REAL = re.compile(rf"[+-]?{_PART}")
+# "D" is Fortran's exponent of double precision, "*^" Mathematica's
+_PART = r"(?:(?:\d+(?:\.\d*)?|\.\d+)(?:(?:[ed]|\*\^)[+-]?\d+)?|inf(?:inity)?|nan)"
+# Fortran leaves the letter out of 1.5-101; with an "i" behind it that is a complex number
+_REAL = re.compile(rf"[+-]?(?:{_PART}|\d+\.\d*[+-]\d{{3}})")
 _IMAGINARY = re.compile(rf"(?P<sign>[+-]?)(?:(?P<before>{_PART})\*?[ij]|[ij]\*?(?P<behind>{_PART}))")
 _SUM = re.compile(
     rf"(?P<real>[+-]?{_PART})(?P<sign>[+-])(?:(?P<before>{_PART})?\*?[ij]|[ij]\*?(?P<behind>{_PART}))"
@@ -58,7 +59,7 @@ def number_of(cell: str, decimal: str = ".") -> complex | None:
         return None
     text = _INFINITE.get(text, text)
     if decimal == ",":
-        if "." in text:
+        if "." in text or text.endswith(","):
             return None
         text = text.replace(",", ".")
     text = _AROUND_SIGNS.sub(r"\1", text)

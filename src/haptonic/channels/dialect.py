@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from haptonic.channels.cells import is_missing, joined, number_of
-from haptonic.channels.headings import COMMENT
+from haptonic.channels.headings import COMMENT, could_be_names
 
 # Where several read every row, the first is meant: a semicolon is no part of a number, a comma may be one.
 SEPARATORS = ("\t", ";", "|", ",", "")
@@ -137,13 +137,16 @@ def comma_meaning(sample: Sequence[str], dialect: Dialect) -> str:
 
 
 def is_unclear_title(cells: Sequence[str], dialect: Dialect) -> bool:
-    """True for a line above the numbers that begins as a row of numbers and is none."""
+    """True for a line above the numbers that looks like a row of them and is none."""
     found = [number_of(cell, dialect.decimal) is not None and not is_missing(cell) for cell in cells]
-    if len(cells) < 2 or not found[0]:
+    if len(cells) < 2 or not any(found):
         return False
-    return 2 * sum(found) >= len(cells) if len(cells) == dialect.cells else 2 * sum(found) > len(cells)
+    if dialect.cells - dialect.empty <= len(cells) <= dialect.cells:
+        return (found[0] or 2 * sum(found) >= len(cells)) and not could_be_names(cells, dialect.decimal)
+    return found[0] and 2 * sum(found) > len(cells)
 
 
 def comment_text(line: str) -> str:
     """A line without the marks of a comment."""
-    return COMMENT.sub("", line, count=1).strip()
+    mark = COMMENT.match(line)
+    return line[mark.end() :].strip() if mark else line.strip()

@@ -10,7 +10,8 @@ from haptonic.channels.cells import is_missing, number_of
 from haptonic.units import TYPOGRAPHIC
 
 LONGEST = 300  # characters of one name; longer ones have no unit
-COMMENT = re.compile(r"\s*(?:%|#|!|//|\*)+\s?")
+LONGEST_LINE = 8_000  # characters of a line whose names may have several words
+COMMENT = re.compile(r"\s*(?:%|#|!|//)+\s?")
 # the last pair of brackets, which may hold others: "Fz (mN)", "real ((m/s)/V)"; behind it COMSOL's parameter
 _BRACKETED = re.compile(
     r"(?P<name>[^\[\]]*?[^\s\[\]]|)(?P<gap>\s*)"
@@ -50,17 +51,24 @@ class Heading:
             unit = (found["square"] if found["square"] is not None else found["round"]).strip()
             # "max(w)" is a name; "max (w)" has a unit that nobody knows, which is refused where it matters
             if is_unit(unit) or found["gap"] or found["square"] is not None or not found["name"]:
-                return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), unit)
+                return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), plain_unit(unit))
         if is_unit(text):
-            return cls(text, text, text if re.search("hz|rad/s", text, re.IGNORECASE) else "")
-        for part in ("/", ",", " in "):
-            name, _, unit = text.partition(part) if part != " in " else text.rpartition(part)
+            return cls(text, text, plain_unit(text) if re.search("hz|rad/s", text, re.IGNORECASE) else "")
+        base, at, behind = text.partition(" @ ")
+        for part in (" in ", "/", ","):
+            name, _, unit = base.partition(part) if part != " in " else base.rpartition(part)
             if name.strip() and is_unit(unit.strip()) and not unit.strip().isdigit():
-                return cls(text, name.strip(), unit.strip())
-        found = _HERTZ.fullmatch(text)
+                return cls(text, f"{name.strip()}{at}{behind}", plain_unit(unit.strip()))
+        found = _HERTZ.fullmatch(base)
         if found and found["name"]:
-            return cls(text, found["name"], found["unit"])
+            return cls(text, f"{found['name']}{at}{behind}", plain_unit(found["unit"]))
         return cls(text, text, "")
+
+
+def plain_unit(unit: str) -> str:
+    """A unit with the capitals that it should have: "khz", "KHZ" and "kHz" are one."""
+    hertz = re.fullmatch(r"([kKMGT]?)hz", unit, re.IGNORECASE) if not unit.startswith("m") else None
+    return f"{hertz[1].replace('K', 'k')}Hz" if hertz else unit
 
 
 def is_unit(text: str) -> bool:
@@ -86,19 +94,19 @@ def units_in(cells: Sequence[str]) -> list[str] | None:
         inner = text[1:-1].strip() if re.fullmatch(r"\[.*\]|\((?:[^()]|\([^()]*\))*\)", text) else None
         if inner is None and text not in ("", "-") and not is_unit(text):
             return None
-        unit = text if inner is None else inner
+        unit = plain_unit(text if inner is None else inner)
         known |= unit not in ("", "-", "1")
         units.append("" if unit == "-" else unit)
     return units if known else None
 
 
-def could_be_names(cells: Sequence[str]) -> bool:
+def could_be_names(cells: Sequence[str], decimal: str = ".") -> bool:
     """False if a cell is a number that numbers no band: names are words, or whole numbers behind a word."""
     filled = [cell.strip() for cell in cells if not is_missing(cell)]
-    numbers = [cell for cell in filled if number_of(cell) is not None]
+    numbers = [cell for cell in filled if number_of(cell, decimal) is not None]
     return (
         bool(filled)
-        and number_of(filled[0]) is None
+        and number_of(filled[0], decimal) is None
         and all(re.fullmatch(r"\d{1,4}", cell) for cell in numbers)
     )
 
@@ -113,8 +121,11 @@ def names_by_blanks(
     starts, ends : places of the first character of the cells below, and behind their last one, where all rows
         have the same ones
     """
-    plain = COMMENT.sub(lambda found: " " * len(found[0]), line, count=1)
+    mark = COMMENT.match(line)
+    plain = " " * mark.end() + line[mark.end() :] if mark else line
     text = plain.strip()
+    if len(text) > LONGEST_LINE:
+        return names if len(names := text.split()) == count else None
     for part in ("\t", ";", "|", ","):
         cells = [cell.strip() for cell in text.split(part)]
         if len(cells) == count > 1 and all(cells):
@@ -123,6 +134,9 @@ def names_by_blanks(
     wide = re.split(r"\s{2,}(?![\[(@])|(?<=[\])])\s+(?![\[(@])", text)
     if len(wide) == count and not any(_holds_wavevector(cell) for cell in wide):
         return wide
+    ended = _ENDED.findall(text)
+    if len(ended) == count and "".join(ended).replace(" ", "") == text.replace(" ", ""):
+        return [cell.strip() for cell in ended]
     bound = re.findall(r"\S+(?:\s+[\[(][^)\]]*[\])])?(?:\s+@\s*\S+)?", text)
     if len(bound) == count:
         return bound
@@ -130,18 +144,26 @@ def names_by_blanks(
         if cuts and (aligned := _cut(plain, cuts)):
             return aligned
     words, lacking = wide[0].split(), count - len(wide)
-    if 0 < lacking < len(words) and all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
+    loose = lacking >= len(words) or words[lacking] in ("in", "/") or wide[0][-1:] not in ")]"
+    if lacking > 0 and not loose and all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
         return [*words[:lacking], " ".join(words[lacking:]), *wide[1:]]
     return None
 
 
+# names that end with a unit in brackets, and what COMSOL writes behind it
+_ENDED = re.compile(r"\S[^()\[\]]*[\[(][^()\[\]]*[\])](?:\s*@\s*[^\s,]+(?:,\s*[^\s,]+=[^\s,]+)*)?(?:\s+|$)")
 _WAVEVECTOR = re.compile(r"[kqβκ](?:_?[xyz12])?|kappa|beta|wavevector|wavenumber|segment|path", re.IGNORECASE)
 
 
 def _holds_wavevector(cell: str) -> bool:
     """True if the name of a wavevector and the next one may have been taken for one name."""
     words = cell.split()
-    return len(words) > 1 and bool(_WAVEVECTOR.fullmatch(words[0])) and words[1][:1] not in "[(@"
+    return (
+        len(words) > 1
+        and bool(_WAVEVECTOR.fullmatch(words[0]))
+        and words[1][:1] not in "[(@/"
+        and words[1] != "in"
+    )
 
 
 def _cut(line: str, cuts: Sequence[int]) -> list[str] | None:

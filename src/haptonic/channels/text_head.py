@@ -22,6 +22,7 @@ class Head:
     first : place of the first row among the lines, from 0
     line, text : number of the line of names, from 1, and the line; None and "" without one
     names, units : of the columns, or nothing
+    unmatched : number of a line that may have names, but not as many as there are columns
     titles : other lines; remarks : what was assumed, in words
     """
 
@@ -30,6 +31,7 @@ class Head:
     text: str = ""
     names: list[str] = field(default_factory=list)
     units: list[str] = field(default_factory=list)
+    unmatched: int | None = None
     titles: list[str] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
@@ -87,7 +89,7 @@ def head_of(path: Path, lines: Sequence[str], dialect: Dialect, skip: int, optio
         k, line = above.pop()
         plain = comment_text(line) if is_comment(line) else line
         names = names_in(line)
-        possible = names is not None and could_be_names(names) and not is_title(plain)
+        possible = names is not None and could_be_names(names, dialect.decimal) and not is_title(plain)
         units = units_in(names) if names else None
         if units and not head.units and above and names_in(above[-1][1]) and not is_title(above[-1][1]):
             head.units = units
@@ -106,6 +108,7 @@ def head_of(path: Path, lines: Sequence[str], dialect: Dialect, skip: int, optio
             )
         else:
             _refuse_rows(path, [(k, line)], dialect, option)
+            head.unmatched = k + 1
             head.remarks.append(
                 f"line {k + 1} holds no {dialect.cells} names that can be matched with the columns, which "
                 f"are called 1 to {dialect.cells}: {shown(line.strip(), 60)}"

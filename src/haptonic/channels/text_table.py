@@ -65,6 +65,7 @@ class TextTable:
     lines : (row,) number of the line in the file that each row is in, from 1
     blocks : (row,) 0, 1, ...: how many empty lines, or groups of them, lie above the row within the table
     names_line : number of the line of names, None without one; names_text : this line
+    unmatched : number of a line above the rows whose names belong to no columns, or None
     titles : lines above the table, comments among them
     short : lines with fewer cells than columns, which are filled with missing numbers
     remarks : what was left out or assumed, in words
@@ -76,6 +77,7 @@ class TextTable:
     blocks: NDArray[np.int64] = field(repr=False)
     names_line: int | None
     names_text: str
+    unmatched: int | None
     titles: tuple[str, ...]
     short: tuple[int, ...]
     remarks: tuple[str, ...]
@@ -174,6 +176,7 @@ def read_table(
         blocks=np.array(body.blocks, dtype=np.int64),
         names_line=head.line,
         names_text=head.text,
+        unmatched=head.unmatched,
         titles=(*(line.strip() for line in lines[:skip]), *head.titles),
         short=tuple(body.short),
         remarks=(*head.remarks, *body.remarks()),
@@ -217,7 +220,7 @@ class _Body:
     def _begun(self, count: int) -> list[int]:
         if self.apart:
             self.block, self.apart = self.block + bool(self.blocks), False
-        return [self.block] * self.count
+        return [self.block] * count
 
     def _regular(self, portion: Sequence[str]) -> list[list[str]] | None:
         """Cells of lines that are all rows, without comments and quotes; else None."""

@@ -11,6 +11,7 @@ import numpy as np
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
+from haptonic.errors import StudyError
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
@@ -19,6 +20,13 @@ from haptonic.units import format_quantity
 
 LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
 FEW = 3  # differences that are told in a sentence
+MOST_APART = 0.1  # relative difference beyond which a table is refused: other bands, another unit or size
+RATIOS = {
+    "angular frequencies, in rad/s, were taken for Hz": 2 * np.pi,
+    "Hz were taken for angular frequencies, in rad/s": 1 / (2 * np.pi),
+    "kHz were taken for Hz, or the like": 1e-3,
+    "Hz were taken for kHz, or the like": 1e3,
+}
 OTHER_BAND = 0.1  # relative difference from which on two bands of one number are hardly the same one
 
 
@@ -33,6 +41,7 @@ class BandSet:
     gaps : complete ones, known of ours
     inputs : plain values of the study, of ours; ours : whether haptonic computed it
     left : columns of a table that hold no frequencies, as it calls them
+    loss : (wavevector, band) loss factors, 1/Q; loss_from : where they are from; remarks : of its reader
     """
 
     name: str
@@ -43,6 +52,18 @@ class BandSet:
     inputs: Mapping[str, Any]
     ours: bool = True
     left: tuple[str, ...] = ()
+    loss: Array | None = None
+    loss_from: str = ""
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def usual_loss(self) -> float | None:
+        """The median loss factor of all modes that have one; rigid modes have none."""
+        if self.loss is None:
+            return None
+        floor = LOW * float(np.nanmax(self.frequency))
+        known = self.loss[np.isfinite(self.loss) & (self.frequency > floor)]
+        return float(np.median(known)) if known.size else None
 
     def at(self, position: Array) -> Array:
         """(position, band) Hz, linear between the wavevectors; NaN beyond them."""
@@ -81,11 +102,65 @@ class Comparison(Result):
 
     @property
     def relative(self) -> Array:
-        """(wavevector, band) the difference over the first's frequency; NaN where that is nearly zero."""
+        """(wavevector, band) the difference over the first's frequency.
+
+        Where that is nearly zero, as of rigid modes at the centre of the zone, it is the difference over
+        `LOW` of the highest frequency: a mode that is there in one of the two only shows in it all the same.
+        """
         difference = self.difference
         own = self.first.at(self.second.position)[:, : difference.shape[1]]
-        floor = LOW * np.nanmax(own)
-        return np.asarray(np.where(own > floor, difference / np.maximum(own, floor), np.nan))
+        floor = max(LOW * float(np.nanmax(self.first.frequency)), np.finfo(float).tiny)
+        return np.asarray(difference / np.maximum(own, floor))
+
+    @property
+    def largest(self) -> tuple[int, int] | None:
+        """(wavevector, band) where the two are most apart, from 0; None where nothing is compared."""
+        relative = np.abs(self.relative)
+        if not np.isfinite(relative).any():
+            return None
+        wavevector, band = np.unravel_index(np.nanargmax(relative), relative.shape)
+        return int(wavevector), int(band)
+
+    def refuse_apart(self) -> None:
+        """Raise StudyError if the two differ by more than `MOST_APART` somewhere."""
+        place = self.largest
+        if place is None:
+            raise StudyError.mismatch(
+                argument=self.second.name, given="no frequency at a wavevector of both",
+                allowed="frequencies at wavevectors of our path",
+                cause="the table has other wavevectors, or none",
+                next_step="export more wavevectors along the path",
+            )  # fmt: skip
+        apart = float(self.relative[place])
+        if abs(apart) <= MOST_APART:
+            return
+        ours = float(self.first.at(self.second.position)[place])
+        theirs = float(self.second.frequency[place])
+        where = self._place(float(self.second.position[place[0]]))
+        raise StudyError.mismatch(
+            argument=self.second.name,
+            given=f"band {place[1] + 1} at {where} is at {format_quantity(theirs, 'Hz')}, and that of "
+            f"{self.first.name} at {format_quantity(ours, 'Hz')}",
+            allowed=f"frequencies that differ by at most {MOST_APART:.0%}",
+            cause=self._likely_cause(),
+            next_step="check units, columns and sizes; add --any-difference to see it all the same",
+        )
+
+    def _likely_cause(self) -> str:
+        """Why the two are far apart, by the ratio of their frequencies."""
+        count = self.difference.shape[1]
+        own = self.first.at(self.second.position)[:, :count]
+        floor = LOW * float(np.nanmax(self.first.frequency))
+        ratio = (self.second.frequency[:, :count] / np.maximum(own, floor))[own > floor]
+        ratio = ratio[np.isfinite(ratio) & (ratio > 0)]
+        if ratio.size:
+            usual = float(np.median(ratio))
+            for name, value in RATIOS.items():
+                if abs(usual / value - 1) < MOST_APART:
+                    return f"its frequencies are {value:.4g} times ours: {name}"
+            if float(np.ptp(ratio)) < 0.02 * usual:
+                return f"all its frequencies are {usual:.4g} times ours: a size or a material differs"
+        return "a band is missing in one of the two, a column holds no frequencies, or a size differs"
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -105,8 +180,9 @@ class Comparison(Result):
 
     def summary(self) -> list[str]:
         a, b = self.first, self.second
-        relative = np.abs(self.relative)
-        place = np.unravel_index(np.nanargmax(relative), relative.shape)
+        relative, place = np.abs(self.relative), self.largest
+        if place is None:
+            return [f"{b.name} and {a.name} have no wavevector in common."]
         said = [
             f"{b.name} against {a.name}: {relative.shape[1]} bands at {len(b.position)} wavevectors, "
             f"{100 * float(np.sqrt(np.nanmean(relative**2))):.3g} % apart on average (root mean square), at "
@@ -119,6 +195,8 @@ class Comparison(Result):
             shifts = [float(to) - float(was) for was, to in zip((low, high), new, strict=True)]  # type: ignore[arg-type]
             first, last = (f"{abs(one) / 1e3:.3g} kHz {'higher' if one > 0 else 'lower'}" for one in shifts)
             said.append(f"The gap between bands {bands} begins {first} and ends {last}.")
+        if (losses := self._losses()) is not None:
+            said.append(losses)
         changed = list(self._changed())
         if 0 < len(changed) <= FEW:
             said.append(
@@ -127,6 +205,16 @@ class Comparison(Result):
         elif changed:
             said.append(f"{len(changed)} keys of the studies differ.")
         return said
+
+    def _losses(self) -> str | None:
+        """The loss factors of both in words, if the second is a table that has some."""
+        theirs, ours = self.second.usual_loss, self.first.usual_loss
+        if self.second.ours or theirs is None:
+            return None
+        said = f"Loss factor of {self.second.name}, from {self.second.loss_from}: {_loss_text(theirs)}"
+        if ours is None:
+            return f"{said}; not compared, because {self.first.name} has materials of several loss factors."
+        return f"{said}; of {self.first.name}, from {self.first.loss_from}: {_loss_text(ours)}."
 
     def tables(self) -> list[Table]:
         a, b = self.first, self.second
@@ -206,6 +294,10 @@ class Comparison(Result):
             said.append(
                 f"{self.second.name} also has {', '.join(self.second.left)}: no frequencies, left out"
             )
+        lacking = self.second.frequency.shape[1] - self.first.frequency.shape[1]
+        if lacking > 0 and not self.second.ours:
+            said.append(f"{lacking} more bands of {self.second.name} are not compared: ask for more of ours")
+        said += self.second.remarks
         if len(self.first.position) < len(self.second.position):
             said.append(
                 f"{self.first.name} is taken as straight between its {len(self.first.position)} wavevectors"
@@ -216,6 +308,7 @@ class Comparison(Result):
         names = ("bands", "first_lower_hz", "first_upper_hz", "second_lower_hz", "second_upper_hz")
         return {
             "data": self.dataset,
+            "loss_factor": {"first": self.first.usual_loss, "second": self.second.usual_loss},
             "gaps": [dict(zip(names, row, strict=True)) for row in self._gap_rows()],
             "changed": [dict(zip(("key", "first", "second"), row, strict=True)) for row in self._changed()],
         }
@@ -232,6 +325,10 @@ class Comparison(Result):
             crosses=not self.second.ours,
             ax=ax,
         )
+
+
+def _loss_text(loss: float) -> str:
+    return f"{loss:.3g} (Q {1 / loss:.4g})" if loss > 0 else "0, undamped"
 
 
 def _flat(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, object]]:

@@ -1,0 +1,319 @@
+"""What the columns of another program's table of bands hold: wavevectors, frequencies, damping, others."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.arrays import Array
+from haptonic.channels.text_table import TextColumn, TextTable
+from haptonic.errors import ChannelError, HaptonicError, shown
+from haptonic.units import to_si
+
+Settings = tuple[tuple[str, float], ...]
+Damping = Literal["quality factor", "damping ratio", "loss factor", "imaginary part"]
+
+SAME = 1e-3  # share by which two columns of one frequency may differ: tables have four digits and more
+_HERTZ = re.compile(r"[kMGT]?Hz", re.IGNORECASE)
+_ANGULAR = re.compile(r"[kMG]?rad(?:\s*/\s*s(?:ec)?|\s+s\^?-1|\*s\^?-1)|rpm|(?:deg|°)/s")
+_WAVEVECTOR_UNIT = re.compile(r"(?:rad|1)/[nuµmck]?m|(?:rad\s+)?[nuµmck]?m\^?-1|(?:2\s*\*?\s*)?(?:pi|π)/a")
+_WAVEVECTOR = re.compile(
+    r"[kqβκ]|kappa|beta|(?:bloch[ _-]?|reduced[ _-]?)?wave[ _-]?(?:vector|number)s?|q[ _-]?points?|"
+    r"k[ _-]?(?:points?|path|bloch|value|par(?:allel)?)|segments?|path|distance|arc[ _-]?length|share|"
+    r"wellenvektor|wellenzahl|wellenzahlvektor|nombre d'onde|vecteur d'onde|n[uú]mero de onda|vector de onda",
+    re.IGNORECASE,
+)
+_AXIS = re.compile(r"[kqβκ][ _-]?(?P<axis>[xyz])", re.IGNORECASE)
+_AXIS_IN_BRACKETS = re.compile(r"[kqβκ][({](?P<axis>[xyz])[)}]", re.IGNORECASE)
+_INDEX = re.compile(
+    r"#|n|no\.?|nr\.?|index|number|band|mode|branch|solution|row|i|(?:solution|mode|band|k|point|row)[ _-]?"
+    r"(?:number|index|no\.?|nr\.?|#|id)",
+    re.IGNORECASE,
+)
+_NO_FREQUENCY = re.compile(
+    r"quality|\bq\b|qeig|q[ _-]?fac|damping|zeta|ζ|loss|\beta\b|η|polari[sz]|^p[_ ]?[a-z]{1,3}$|parit|"
+    r"symmetr|participation|degenera|weight|error|err$|residu|uncert|std|tolerance|target|search|shift|step|"
+    r"reference|güte|dämpfung|amortissement|facteur|velocity|phase|character|energy|ratio|fraction",
+    re.IGNORECASE,
+)
+_DAMPING: dict[Damping, re.Pattern[str]] = {
+    "quality factor": re.compile(r"quality|^q$|qeig|q[ _-]?fac|güte|facteur de qualit", re.IGNORECASE),
+    "damping ratio": re.compile(r"damping ratio|zeta|ζ|damp|dämpfung|amortissement", re.IGNORECASE),
+    "loss factor": re.compile(r"loss|^eta$|η", re.IGNORECASE),
+}
+_IMAGINARY = re.compile(r"^imag|^im\b|^im[({]|imaginary", re.IGNORECASE)
+_AT = re.compile(r"@\s*(?P<what>.*)$|,\s*(?P<other>[^,=]+=.*)$")
+_SETTING = re.compile(r"(?P<name>[A-Za-zκβ_][\w.]*)\s*=\s*(?P<value>[+-]?[\d.]+(?:[eE][+-]?\d+)?)")
+
+
+@dataclass(frozen=True, eq=False)
+class TableOfBands:
+    """A table of bands by its meaning.
+
+    wavevector : (row, 1 or 2) as the file writes it; axes : "k", or "x" and "y" of each
+    unit : of the wavevector, "" where the file does not say
+    frequency : (row, column) Hz, NaN where there is none
+    loss : (row, column) loss factors, 1/Q, or None
+    blocks, lines : (row,) of the text; left : names of other columns; from_column : where the loss is from
+    """
+
+    wavevector: Array
+    axes: str
+    unit: str
+    frequency: Array
+    blocks: NDArray[np.int64]
+    lines: NDArray[np.int64]
+    loss: Array | None = None
+    from_column: str = ""
+    left: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = field(default=())
+
+
+def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
+    """The columns of a table by their names and units; without names the wavevector comes first.
+
+    Raises
+    ------
+    ChannelError : no wavevector or no frequencies, a unit that nobody says, or words among the numbers
+    """
+    if len(table.columns) < 2:
+        raise _refused(table, "a single column", "columns of the wavevector and of frequencies")
+    if table.unmatched and len(table.columns) > 2:
+        raise _refused(
+            table,
+            table.remarks[0],
+            "names that belong to columns, parted as the numbers are or by two blanks",
+            f"part the names in line {table.unmatched} by two blanks; if it has none, leave it out: "
+            f"--skip-lines={table.unmatched}",
+        )
+    if table.short:
+        raise _refused(
+            table, f"fewer cells in line {table.short[0]} than above it", "as many cells in every row"
+        )
+    chosen = _frequencies(table, _axes(table), frequency_unit)
+    axes = [column for column in _axes(table) if column not in chosen]
+    frequency = {c.number: _numbers(table, c) for c in chosen}
+    factor = {c.number: _factor(table, c, chosen, frequency_unit) for c in chosen}
+    values = np.stack([np.real(frequency[c.number]) * factor[c.number] for c in chosen], axis=1)
+    if np.isinf(values).any():
+        line = int(table.lines[np.argwhere(np.isinf(values))[0, 0]])
+        raise _refused(table, f"an infinite frequency in line {line}", "finite frequencies")
+    left = [c for c in table.columns if c not in chosen and c not in axes]
+    values, kept = _once(values, chosen)
+    left += [c for c in chosen if c not in kept]
+    loss, source = _loss(table, left, kept, frequency, values.shape)
+    settings = [_setting(c) for c in kept]
+    named = tuple(c.name for c in sorted(left, key=lambda c: c.number))
+    if not axes or (settings[0] and all(settings)):
+        return _by_headings(table, kept, values, settings, named, axes)
+    wavevector = np.stack([np.real(_numbers(table, c)) for c in axes], axis=1).astype(float)
+    if not np.isfinite(wavevector).all():
+        row = int(np.argwhere(~np.isfinite(wavevector))[0, 0])
+        raise _refused(
+            table,
+            f"no number for the wavevector in line {int(table.lines[row])}",
+            "a wavevector in every row",
+        )
+    names = "".join(_axis_name(c) for c in axes) or "k"
+    if "z" in names:
+        if np.any(wavevector[:, names.index("z")] != 0):
+            raise _refused(table, "wavevectors with a part along z", "wavevectors in the plane of the plate")
+        keep = [k for k, name in enumerate(names) if name != "z"]
+        wavevector, names = wavevector[:, keep], names.replace("z", "")
+    units = {c.unit for c in axes}
+    if len(units) > 1:
+        raise _refused(table, f"wavevectors in {' and '.join(sorted(map(repr, units)))}", "one unit for both")
+    return TableOfBands(
+        wavevector=wavevector, axes=names, unit=units.pop(), frequency=values, blocks=table.blocks,
+        lines=table.lines, loss=loss, from_column=source, left=named, remarks=table.remarks,
+    )  # fmt: skip
+
+
+def _axes(table: TextTable) -> list[TextColumn]:
+    """The columns of the wavevector: kx and ky, or one."""
+    pair = [column for column in table.columns if _axis_name(column)]
+    if pair:
+        return sorted(pair, key=_axis_name)
+    by_unit = [c for c in table.columns if _WAVEVECTOR_UNIT.fullmatch(c.unit)]
+    by_name = [c for c in table.columns if c.heading.name and _WAVEVECTOR.fullmatch(_stem(c))]
+    for found in (by_name, by_unit):
+        if found:
+            both = [c for c in found if c in by_unit]
+            return (both or found)[:1]
+    others = [
+        c
+        for c in table.columns
+        if not (_is_frequency_unit(c.unit) or _INDEX.fullmatch(_stem(c)) or _NO_FREQUENCY.search(_stem(c)))
+    ]
+    if not table.has_names:
+        return [table.columns[0]]
+    return others[:1] if others and others[0].number <= 2 else []
+
+
+def _axis_name(column: TextColumn) -> str:
+    """ "x", "y" or "z" for a component of the wavevector, else ""."""
+    found = _AXIS.fullmatch(_stem(column)) or _AXIS_IN_BRACKETS.fullmatch(_stem(column))
+    return found["axis"].lower() if found else ""
+
+
+def _stem(column: TextColumn) -> str:
+    """The name without what COMSOL writes behind it."""
+    return _AT.sub("", column.heading.name).strip()
+
+
+def _is_frequency_unit(unit: str) -> bool:
+    return bool(_HERTZ.fullmatch(unit) or _ANGULAR.fullmatch(unit))
+
+
+def _frequencies(
+    table: TextTable, axes: Sequence[TextColumn], frequency_unit: str | None
+) -> list[TextColumn]:
+    """The columns of frequencies: those in hertz, else those in rad/s, else those without a unit."""
+    rest = [c for c in table.columns if c not in axes and not c.is_text]
+    plain = [c for c in rest if not _NO_FREQUENCY.search(_stem(c)) and not _IMAGINARY.search(_stem(c))]
+    for kind in (_HERTZ, _ANGULAR):
+        if found := [c for c in plain if kind.fullmatch(c.unit)]:
+            return found
+    unknown = [
+        c for c in plain if not c.unit and not (_INDEX.fullmatch(_stem(c)) and not c.heading.name.isdigit())
+    ]
+    other = {c.unit for c in plain if c.unit not in ("", "1")}
+    if not unknown and frequency_unit is None and other:
+        raise _ask_unit(table, ", ".join(sorted(other)))
+    found = unknown or ([c for c in plain if c.unit] if frequency_unit else [])
+    if not found:
+        raise _refused(
+            table, f"the columns {', '.join(table.names)}", "a column of frequencies, in Hz, kHz or rad/s"
+        )
+    return found
+
+
+def _factor(
+    table: TextTable, column: TextColumn, chosen: Sequence[TextColumn], frequency_unit: str | None
+) -> float:
+    """Hz in one of a column's unit; the unit of the user goes before that of the file."""
+    known = {c.unit for c in chosen if c.unit}
+    unit = frequency_unit or column.unit or (known.pop() if len(known) == 1 else "")
+    if not unit:
+        raise _ask_unit(table, "nothing")
+    try:
+        return to_si(f"1 {unit}", "Hz", "--frequency-unit")
+    except HaptonicError as error:
+        if frequency_unit:
+            raise
+        raise _ask_unit(table, shown(unit)) from error
+
+
+def _ask_unit(table: TextTable, given: str) -> ChannelError:
+    return ChannelError.missing(
+        argument="--frequency-unit",
+        given=given,
+        allowed="Hz, kHz, MHz, rad/s, ...",
+        cause=f"columns of {table.path.name} have no unit, or none of a frequency",
+        next_step="say it: --frequency-unit=kHz",
+    )
+
+
+def _numbers(table: TextTable, column: TextColumn) -> NDArray[Any]:
+    return table.numbers(column)
+
+
+def _once(values: Array, columns: Sequence[TextColumn]) -> tuple[Array, list[TextColumn]]:
+    """Frequencies of which no column is another one, as "Frequency" beside "Eigenfrequency" is.
+
+    Numbered columns are bands, which may be equal where the lattice is symmetric.
+    """
+    kept: list[int] = []
+    for k, column in enumerate(columns):
+        twin = next(
+            (
+                j for j in kept
+                if (not _is_numbered(column, columns[j]))
+                and np.allclose(values[:, j], values[:, k], rtol=SAME, atol=1e-9, equal_nan=True)
+            ),
+            None,
+        )  # fmt: skip
+        if twin is None:
+            kept.append(k)
+    return values[:, kept], [columns[k] for k in kept]
+
+
+def _is_numbered(one: TextColumn, other: TextColumn) -> bool:
+    """True if two columns are bands of one numbering, or bear one name in one unit."""
+    stems = {re.sub(r"[\d@].*$|\d+", "", c.heading.name).strip(" _-") for c in (one, other)}
+    return len(stems) == 1 and one.unit == other.unit
+
+
+def _loss(
+    table: TextTable, left: Sequence[TextColumn], kept: Sequence[TextColumn], read: dict[int, NDArray[Any]],
+    shape: tuple[int, ...],
+) -> tuple[Array | None, str]:  # fmt: skip
+    """Loss factors, from complex frequencies or a column of damping, and where they are from."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for kind, pattern in _DAMPING.items():
+            for column in left:
+                if pattern.search(_stem(column)) and column.bad is None and not column.is_text:
+                    values = np.real(column.values).astype(float)
+                    percent = 0.01 if column.unit == "%" else 1.0
+                    made = {"quality factor": 1 / values, "damping ratio": 2 * percent * values}.get(
+                        kind, percent * values
+                    )
+                    return np.broadcast_to(made[:, None], shape), column.name
+        if any(read[c.number].dtype.kind == "c" for c in kept):
+            made = np.stack(
+                [2 * np.abs(np.imag(read[c.number])) / np.real(read[c.number]) for c in kept], axis=1
+            )
+            return made, "imaginary parts"
+    return None, ""
+
+
+def _setting(column: TextColumn) -> Settings:
+    """Values of parameters behind a name: "freq @ kx=0.1, ky=0" gives those of kx and ky."""
+    behind = _AT.search(column.heading.name)
+    pairs = _SETTING.finditer((behind["what"] or behind["other"]) if behind else "")
+    return tuple(
+        (one["name"], float(one["value"]))
+        for one in pairs
+        if _WAVEVECTOR.fullmatch(one["name"]) or _AXIS.fullmatch(one["name"])
+    )
+
+
+def _by_headings(
+    table: TextTable, columns: Sequence[TextColumn], values: Array, settings: Sequence[Settings],
+    left: tuple[str, ...], axes: Sequence[TextColumn],
+) -> TableOfBands:  # fmt: skip
+    """A table in which each column of frequencies belongs to the wavevector in its heading."""
+    names = {tuple(name for name, _ in one) for one in settings}
+    if len(names) != 1 or not settings[0]:
+        raise _refused(
+            table,
+            f"the columns {', '.join(table.names)}",
+            "a column of the wavevector, such as k, or kx and ky",
+        )
+    found = [_AXIS.fullmatch(name) for name in names.pop()]
+    return TableOfBands(
+        wavevector=np.array([[value for _, value in one] for one in settings]),
+        axes="".join(one["axis"].lower() for one in found if one) or "k",
+        unit="",
+        frequency=values.T,
+        blocks=np.zeros(len(columns), dtype=np.int64),
+        lines=np.full(len(columns), table.names_line or 0, dtype=np.int64),
+        left=(*left, *(c.name for c in axes)),
+        remarks=table.remarks,
+    )
+
+
+def _refused(table: TextTable, given: str, allowed: str, next_step: str = "") -> ChannelError:
+    return ChannelError.malformed(
+        argument=table.path.name,
+        given=given,
+        allowed=allowed,
+        cause="another export than it seems, or a line above the numbers that is not the line of names",
+        next_step=next_step
+        or "export the wavevector and the frequencies, with their names and units above them",
+    )
