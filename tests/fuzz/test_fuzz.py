@@ -9,6 +9,7 @@ import haptonic.foreign.process as process
 
 # Of each format; MATLAB 5 crashes are one in fifty, and hangs of HDF5 (one in thirty) are waited for.
 SHORT = {"MAT 5": 400, "HDF5 records": 60, "NetCDF": 60}
+SHORT |= {name: 40 for name, one in attacks.ATTACKS.items() if one.containers}
 LONG = {"UFF": 50_000, "friction folder": 3_000}  # and 5000 of each other format
 HANGING = 1.0  # s of processor time until a reader counts as hanging; good files of this size take 10 ms
 

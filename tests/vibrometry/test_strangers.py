@@ -27,11 +27,12 @@ def outcome(stranger) -> str:
         path = written(stranger, Path(place))
         said.clear()
         try:
-            found = read_scan(path, **stranger.options).response
+            scan = read_scan(path, **stranger.options)
         except HaptonicError as error:
             if stranger.complete or not all(error.parts().values()):
                 raise
             return "refused"
+    found = scan.response
     values, quantity = expected(stranger)
     size = np.abs(values).max()
     right = (
@@ -45,7 +46,9 @@ def outcome(stranger) -> str:
         return "right"
     if any(issubclass(one.category, HaptonicWarning) for one in said):
         return "warned"
-    return "unsaid" if not stranger.complete and not stranger.said else "wrong"
+    # a file without units, read by somebody who gives none: what was taken is listed
+    assumed = [one for one in scan.report.remarks if "unit" in one and "taken" in one]
+    return "assumed" if assumed and not stranger.complete and not stranger.said else "wrong"
 
 
 @QUICK

@@ -73,7 +73,7 @@ def csv_files(response: FrequencyResponse) -> dict[str, Callable[[Path], object]
     origin, places = str(response.dataset.attrs["origin"]), response.points
     digits = len(str(len(places)))
     names = [f"point-{i + 1:0{digits}d}.csv" for i in range(len(places))]
-    geometry = {"file": names, "x": _rounded(places[:, 0]), "y": _rounded(places[:, 1])}
+    geometry = {"file": names, "x (m)": _rounded(places[:, 0]), "y (m)": _rounded(places[:, 1])}
     geometry[ORIGIN] = [origin] * len(places)
     points: dict[str, Callable[[Path], object]] = {
         name: partial(_write_point, response, i) for i, name in enumerate(names)

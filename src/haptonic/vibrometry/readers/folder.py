@@ -143,7 +143,7 @@ def _curves(name: str, point: _PointFile, how: Mapped, notes: Notebook, largest_
     if delimited.UNEVEN in point.group.properties:
         line = point.group.properties[delimited.UNEVEN]
         raise UnfitError(f"line {line} has another number of cells than the header; cut short?")
-    lines = frequency_factor(columns["frequency"].unit, how) * numbers(columns["frequency"])
+    lines = frequency_factor(columns["frequency"].unit, how, notes) * numbers(columns["frequency"])
     if not lines.size:
         raise UnfitError("it holds no values")
     if parts == ("response",):

@@ -51,7 +51,7 @@ def numbers(channel: Channel, order: Literal["C", "F"] = "C") -> Array:
         raise UnfitError(f"a cell of {channel.name} is not a number ({error})") from None
 
 
-def frequency_factor(unit: str, how: Mapped) -> float:
+def frequency_factor(unit: str, how: Mapped, notes: Notebook | None = None) -> float:
     """The unit of frequencies in Hz, from the file or else from the user.
 
     Raises
@@ -60,6 +60,8 @@ def frequency_factor(unit: str, how: Mapped) -> float:
     """
     written = label_of(unit)
     if not unit.strip():
+        if how.frequency_unit is None and notes is not None:
+            notes.remark("frequencies without a unit were taken in Hz")
         return how.frequency_unit or 1.0
     short = unit.strip().casefold().replace(" ", "").replace("·", "")
     factor = written.factor if written.unit == "Hz" else PER_SECOND.get(short)
@@ -84,6 +86,8 @@ def length_factor(unit: str, how: Mapped, notes: Notebook) -> float:
         return how.length_unit
     if written.unit and written.unit != "m":
         raise UnfitError(f'"{unit}" is no unit of length')
+    if not unit.strip():
+        notes.remark("coordinates without a unit were taken in m")
     return written.factor
 
 

@@ -136,10 +136,11 @@ class _Arrays:
             raise self._unfit("response", "no such variable")
         if "frequency" not in table:
             raise self._unfit("frequency", "neither frequencies nor a sample rate")
-        lines = frequency_factor(table["frequency"].unit, how) * self._lines()
+        lines = frequency_factor(table["frequency"].unit, how, notes) * self._lines()
         places, grid = self._places(max(prod(table[parts[0]].shape) // max(len(lines), 1), 1))
         shape = _Layout(len(places), len(lines), grid)
-        ratio = response_unit([table[part] for part in parts if part != "phase"], how, notes, self._unit_in_file())
+        of_unit = [table[part] for part in parts if part != "phase"]
+        ratio = response_unit(of_unit, how, notes, self._unit_in_file())
         if parts == ("response",):
             if table["response"].kind != "complex":
                 raise self._unfit("response", "real numbers: the phase is missing")
