@@ -27,7 +27,7 @@ from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, PillarShape
 
 CHORD = 5e-6  # m, by default the largest distance between a curved surface and its triangles
-SLIGHT = 0.05  # of the narrowest part
+SLIGHT = 0.004  # of the narrowest part, for parts below 1.25 mm
 HALVINGS = 10  # of a side; lattices whose square feet nearly touch need none, feet across a notch two
 ROUND = 3  # pieces of a fillet at least, so that they meet at 30 degrees and look round
 FLAT = 1e-13  # of the part's size squared: areas of triangles between corners on one line
@@ -37,7 +37,7 @@ def surface(part: Part, *, chord: float | None = None) -> meshio.Mesh:
     """Closed surface of a part as triangles, anticlockwise from outside, in m.
 
     Their corners lie on the true surface; its curves are off by at most ``chord`` (m), by default 5 um, and
-    less for parts narrower than 0.1 mm.
+    less for parts narrower than 1.25 mm.
 
     Raises
     ------
