@@ -171,3 +171,10 @@ def test_a_long_line_takes_no_longer_than_its_length(tmp_path, text):
 def test_an_angle_per_time_is_a_frequency(text, hertz):
     assert factor_of(text, "Hz") == pytest.approx(hertz, rel=1e-14)
     assert to_si(f"{60e3 / hertz!r} {text}", "Hz", "carrier") == pytest.approx(60e3, rel=1e-14)
+
+
+def test_more_names_than_columns_are_not_matched(tmp_path):
+    (tmp_path / "a.txt").write_text("% a  b  c  d\n0 1\n1 2\n")
+    table = read_table(tmp_path / "a.txt")
+    assert (table.unmatched, table.has_names) == (1, False)
+    assert "line 1 holds no 2 names" in table.remarks[0]

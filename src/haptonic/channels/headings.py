@@ -144,8 +144,9 @@ def names_by_blanks(
         if cuts and (aligned := _cut(plain, cuts)):
             return aligned
     words, lacking = wide[0].split(), count - len(wide)
-    loose = lacking >= len(words) or words[lacking] in ("in", "/") or wide[0][-1:] not in ")]"
-    if lacking > 0 and not loose and all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
+    if not 0 < lacking < len(words) or words[lacking] in ("in", "/") or wide[0][-1] not in ")]":
+        return None
+    if all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
         return [*words[:lacking], " ".join(words[lacking:]), *wide[1:]]
     return None
 
