@@ -16,7 +16,7 @@ import numpy as np
 import xarray as xr
 
 from haptonic.analyses.comparing import OfTable, of_dataset, of_table
-from haptonic.analyses.table_places import OurPath
+from haptonic.analyses.table_path import OurPath
 from haptonic.errors import HaptonicError
 from haptonic.results.comparison import Comparison
 
@@ -107,7 +107,7 @@ DAMAGES = ("", "", "", "word", "short", "long", "text row", "no names", "twice",
 
 @dataclass(frozen=True)
 class Drawn:
-    """A table. kinds : what was drawn; asked : what its user says; truth : (wavevector, 2) in pi over pitch"""
+    """A table. kinds : what was drawn; asked : what its user says; truth : (wavevector, 2), pi over pitch"""
 
     content: bytes
     kinds: dict[str, Any]

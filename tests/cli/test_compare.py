@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,12 +16,14 @@ from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
 from haptonic.analyses.comparing import OfTable, of_dataset, of_table
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.table_places import OurPath
+from haptonic.analyses.table_path import OurPath
+from haptonic.bloch import bloch_model
 from haptonic.channels.text_table import read_table
 from haptonic.errors import ChannelError
 from haptonic.results.comparison import BandSet, Comparison
 from haptonic.store import Store
 from haptonic.study.loading import load_as
+from haptonic.study.schema import Description
 from quick import QUICK_CELL
 
 CORNERS = (0.0, 450.0, 900.0, 900.0 + 450.0 * 2**0.5)  # rad/m
@@ -264,6 +267,42 @@ def test_numbers_keep_their_names_and_units(tmp_path):
     assert np.isnan(table.columns[1].values[1])
 
 
+def _long(head: str, row: Callable[..., str], blocks: bool = False) -> Callable[..., str]:
+    """A table with a row for each frequency, by wavevectors or by bands with empty lines between."""
+
+    def text(position: np.ndarray, vectors: np.ndarray, frequency: np.ndarray) -> str:
+        rows = [
+            [row(k, x, y, f) for f in line]
+            for k, (x, y), line in zip(position, vectors, frequency, strict=True)
+        ]
+        groups = zip(*rows, strict=True) if blocks else rows
+        return "\n".join([head, *(line for group in groups for line in [*group, *([""] if blocks else [])])])
+
+    return text
+
+
+THEIRS = {
+    "damping beside it": _long(
+        "% k,Eigenfrequency (Hz),Quality factor (1)", lambda k, x, y, f: f"{k},{f},Inf"
+    ),
+    "angular": _long("k;omega (rad/s)", lambda k, x, y, f: f"{k};{2 * np.pi * f:.9g}".replace(".", ",")),
+    "complex, rigid modes imaginary": _long(
+        "% k      freq (kHz)",
+        lambda k, x, y, f: f"{k}   " + ("3.1E-06i" if f < 5 else f"{f / 1e3:.9E}+{f / 1e6:.3E}i"),
+    ),
+    "blocks": _long("# k freq (Hz)", lambda k, x, y, f: f"{k} {f}", blocks=True),
+    "kx and ky of another corner, block by block": _long(
+        "kx [rad/mm]\tky [rad/mm]\tf [MHz]",
+        lambda k, x, y, f: f"{-y / 1e3}\t{x / 1e3}\t{f / 1e6}",
+        blocks=True,
+    ),
+    "names of two words": _long(
+        "% k                       Eigenfrequency (Hz)       Angular frequency (rad/s) Damping ratio (1)",
+        lambda k, x, y, f: f"{k:<25} {f:<25} {2 * np.pi * f:<25} 0.001",
+    ),
+}
+
+
 class TestCommand:
     @pytest.fixture(scope="class", autouse=True)
     @classmethod
@@ -296,6 +335,48 @@ class TestCommand:
             told = inside("compare", one, result, "--json").json
             assert np.abs(told["data"]["difference_hz"]).max() < 2e-3 * 60e3  # straight between wavevectors
             assert told["changed"] == []
+
+    @pytest.fixture(scope="class")
+    @classmethod
+    def bands(cls, written):
+        """Corners and some wavevectors between them, as phases over pi, and their bands in Hz."""
+        cell = load_as(cls.folder / "one.toml", Description).cell
+        settings = load_as(cls.folder / "one.toml", Description).bands_settings
+        path = cell.zone.path(13)
+        model = bloch_model(cell, settings, or_best=True)
+        position = np.interp(path.distance, path.distance[list(path.corners)], range(4))
+        frequency = np.array([model.frequencies(kappa)[:5] for kappa in path.kappa])
+        return position, path.kappa / cell.lattice.pitch, np.maximum(frequency, 0)
+
+    @pytest.mark.parametrize("kind", THEIRS)
+    def test_a_table_of_our_bands_lies_on_them(self, inside, tmp_path, bands, kind):
+        table = tmp_path / "theirs.txt"
+        table.write_text(THEIRS[kind](*bands))
+        wavevector = [] if "kx" in table.read_text() else ["--wavevector", "segments"]
+        ran = inside("compare", self.folder / "one.toml", table, *wavevector, "--json")
+        assert ran.code == 0, ran.err
+        relative = np.abs(ran.json["data"]["difference_hz"]) / bands[2].max()
+        assert relative.shape[1] == 5
+        assert np.nanmax(relative) < 2e-3  # straight between our wavevectors
+
+    def test_more_than_a_tenth_apart_is_an_error_unless_asked_for(self, inside, tmp_path, bands):
+        table = tmp_path / "theirs.csv"
+        position, _, frequency = bands
+        for factor, cause in ((1.2, "1.2 times"), (2 * np.pi, "rad/s"), (1e-3, "kHz")):
+            rows = [",".join(map(str, [k, *(factor * f)])) for k, f in zip(position, frequency, strict=True)]
+            table.write_text("\n".join(["k,f1 (Hz),f2 (Hz),f3 (Hz),f4 (Hz),f5 (Hz)", *rows]))
+            asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
+            assert_five_parts(inside(*asked), "--any-difference", cause, code="mismatch", argument="theirs")
+        assert inside(*asked, "--any-difference", "--out", tmp_path / "out").code == 0
+
+    def test_rigid_modes_alone_are_compared_and_a_lost_one_is_seen(self, inside, tmp_path):
+        """At the centre of the zone alone every difference was a share of nothing, and so none."""
+        table = tmp_path / "theirs.csv"
+        asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments"]
+        table.write_text("k,f (Hz)\n0,0\n0,0\n0,0\n")
+        assert inside(*asked, "--out", tmp_path / "out").code == 0
+        table.write_text("k,f (Hz)\n0,0\n0,0\n0,12000\n")
+        assert_five_parts(inside(*asked), "band 3 at Γ", code="mismatch", argument="theirs")
 
     def test_what_cannot_be_compared(self, inside, tmp_path):
         one, table = self.folder / "one.toml", tmp_path / "theirs.csv"

@@ -11,7 +11,7 @@ from haptonic.analyses.bands import compute_bands
 from haptonic.analyses.comparing import OfTable, check_table, of_dataset, of_file, of_table
 from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.table_places import OurPath
+from haptonic.analyses.table_path import OurPath
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
 from haptonic.later import xarray as xr

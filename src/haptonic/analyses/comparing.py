@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.analyses.table_columns import TableOfBands, columns_of
-from haptonic.analyses.table_places import OurPath, gathered, positions, unit_of
+from haptonic.analyses.table_path import OurPath, gathered, positions, unit_of
 from haptonic.bloch import gaps_of
 from haptonic.channels.hdf5 import arrays_of
 from haptonic.channels.text_table import TextTable, read_table

@@ -88,7 +88,7 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
             table,
             table.remarks[0],
             "names that belong to columns, parted as the numbers are or by two blanks",
-            f"part the names in line {table.unmatched} by two blanks or commas; if it has none, leave it out: "
+            f"part the names in line {table.unmatched} by two blanks; if it has none, leave it out: "
             f"--skip-lines={table.unmatched}",
         )
     if table.short:

@@ -15,7 +15,7 @@ MISSING = frozenset(
 )  # fmt: skip
 _INFINITE = {"1.#inf": "inf", "-1.#inf": "-inf", "+1.#inf": "inf", "∞": "inf", "-∞": "-inf", "+∞": "inf"}
 # "D" is Fortran's exponent of double precision, "*^" Mathematica's
-_PART = r"(?:(?:\d+\.?\d*|\.\d+)(?:(?:[ed]|\*\^)[+-]?\d+)?|inf(?:inity)?|nan)"
+_PART = r"(?:(?:\d+(?:\.\d*)?|\.\d+)(?:(?:[ed]|\*\^)[+-]?\d+)?|inf(?:inity)?|nan)"
 # Fortran leaves the letter out of 1.5-101; with an "i" behind it that is a complex number
 _REAL = re.compile(rf"[+-]?(?:{_PART}|\d+\.\d*[+-]\d{{3}})")
 _IMAGINARY = re.compile(rf"(?P<sign>[+-]?)(?:(?P<before>{_PART})\*?[ij]|[ij]\*?(?P<behind>{_PART}))")

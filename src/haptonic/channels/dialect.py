@@ -111,7 +111,12 @@ def dialect_of(sample: Sequence[str]) -> Dialect | None:
                     empty = next(
                         (k for k in range(cells) if any(row[cells - 1 - k] for row in filled[part:])), cells
                     )
-                    best = (score, Dialect(separator, decimal, cells, empty, numeric))
+                    best = (
+                        score,
+                        Dialect(
+                            separator=separator, decimal=decimal, cells=cells, empty=empty, numeric=numeric
+                        ),
+                    )
             if best and best[0][0] == 1:
                 return best[1]
     return best[1] if best else None
@@ -148,4 +153,5 @@ def is_unclear_title(cells: Sequence[str], dialect: Dialect) -> bool:
 
 def comment_text(line: str) -> str:
     """A line without the marks of a comment."""
-    return COMMENT.sub("", line, count=1).strip()
+    mark = COMMENT.match(line)
+    return line[mark.end() :].strip() if mark else line.strip()

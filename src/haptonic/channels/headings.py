@@ -10,7 +10,8 @@ from haptonic.channels.cells import is_missing, number_of
 from haptonic.units import TYPOGRAPHIC
 
 LONGEST = 300  # characters of one name; longer ones have no unit
-COMMENT = re.compile(r"\s*(?:%|#|!|//|\*)+\s?")
+LONGEST_LINE = 8_000  # characters of a line whose names may have several words
+COMMENT = re.compile(r"\s*(?:%|#|!|//)+\s?")
 # the last pair of brackets, which may hold others: "Fz (mN)", "real ((m/s)/V)"; behind it COMSOL's parameter
 _BRACKETED = re.compile(
     r"(?P<name>[^\[\]]*?[^\s\[\]]|)(?P<gap>\s*)"
@@ -50,18 +51,24 @@ class Heading:
             unit = (found["square"] if found["square"] is not None else found["round"]).strip()
             # "max(w)" is a name; "max (w)" has a unit that nobody knows, which is refused where it matters
             if is_unit(unit) or found["gap"] or found["square"] is not None or not found["name"]:
-                return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), unit)
+                return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), plain_unit(unit))
         if is_unit(text):
-            return cls(text, text, text if re.search("hz|rad/s", text, re.IGNORECASE) else "")
+            return cls(text, text, plain_unit(text) if re.search("hz|rad/s", text, re.IGNORECASE) else "")
         base, at, behind = text.partition(" @ ")
         for part in (" in ", "/", ","):
             name, _, unit = base.partition(part) if part != " in " else base.rpartition(part)
             if name.strip() and is_unit(unit.strip()) and not unit.strip().isdigit():
-                return cls(text, f"{name.strip()}{at}{behind}", unit.strip())
+                return cls(text, f"{name.strip()}{at}{behind}", plain_unit(unit.strip()))
         found = _HERTZ.fullmatch(base)
         if found and found["name"]:
-            return cls(text, f"{found['name']}{at}{behind}", found["unit"])
+            return cls(text, f"{found['name']}{at}{behind}", plain_unit(found["unit"]))
         return cls(text, text, "")
+
+
+def plain_unit(unit: str) -> str:
+    """A unit with the capitals that it should have: "khz", "KHZ" and "kHz" are one."""
+    hertz = re.fullmatch(r"([kKMGT]?)hz", unit, re.IGNORECASE) if not unit.startswith("m") else None
+    return f"{hertz[1].replace('K', 'k')}Hz" if hertz else unit
 
 
 def is_unit(text: str) -> bool:
@@ -87,7 +94,7 @@ def units_in(cells: Sequence[str]) -> list[str] | None:
         inner = text[1:-1].strip() if re.fullmatch(r"\[.*\]|\((?:[^()]|\([^()]*\))*\)", text) else None
         if inner is None and text not in ("", "-") and not is_unit(text):
             return None
-        unit = text if inner is None else inner
+        unit = plain_unit(text if inner is None else inner)
         known |= unit not in ("", "-", "1")
         units.append("" if unit == "-" else unit)
     return units if known else None
@@ -114,8 +121,11 @@ def names_by_blanks(
     starts, ends : places of the first character of the cells below, and behind their last one, where all rows
         have the same ones
     """
-    plain = COMMENT.sub(lambda found: " " * len(found[0]), line, count=1)
+    mark = COMMENT.match(line)
+    plain = " " * mark.end() + line[mark.end() :] if mark else line
     text = plain.strip()
+    if len(text) > LONGEST_LINE:
+        return names if len(names := text.split()) == count else None
     for part in ("\t", ";", "|", ","):
         cells = [cell.strip() for cell in text.split(part)]
         if len(cells) == count > 1 and all(cells):
@@ -134,8 +144,9 @@ def names_by_blanks(
         if cuts and (aligned := _cut(plain, cuts)):
             return aligned
     words, lacking = wide[0].split(), count - len(wide)
-    loose = lacking >= len(words) or words[lacking] in ("in", "/") or wide[0][-1:] not in ")]"
-    if lacking > 0 and not loose and all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
+    if not 0 < lacking < len(words) or words[lacking] in ("in", "/") or wide[0][-1] not in ")]":
+        return None
+    if all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
         return [*words[:lacking], " ".join(words[lacking:]), *wide[1:]]
     return None
 

@@ -21,6 +21,7 @@ _MOTION = re.compile(
     r"(?:(?P<prefix>[pnuµmc]?)m|(?P<other>inch|in|ft))(?P<per>/s(?:ec)?(?P<squared>\^?2|\*\*2|/s)?)?"
 )
 _PLAIN = re.compile(r"(?P<prefix>[pnuµmkMG]?)(?P<unit>V|N|A|Pa|W|Hz|s)")
+_ANGULAR = re.compile(r"(?P<angle>[kMG]?rad|deg|turn)(?:/s(?:ec)?|\*?s\^?-1)|rpm")
 
 
 @dataclass(frozen=True)
@@ -66,6 +67,10 @@ def label_of(text: str) -> UnitLabel:
     match = _PLAIN.fullmatch(plain)
     if match:
         return UnitLabel(None, match["unit"], PREFIX[match["prefix"]])
+    match = _ANGULAR.fullmatch(plain)
+    if match:  # an angle per time is a frequency
+        per_second = f"1 {match['angle']}/s" if match["angle"] else "1 rpm"
+        return UnitLabel(None, "Hz", to_si(per_second, "Hz", "unit"))
     return UnitLabel(None, text.strip(), 1.0)
 
 

@@ -52,16 +52,16 @@ class OurPath:
         labels = tuple(json_from(data.attrs["path_labels"]))
         distance = data["distance"].values[json_from(data.attrs["path_corners"])]
         if not {"lattice", "zone", "point_group"} <= data.attrs.keys():
-            return cls(labels, distance)
+            return cls(labels=labels, distance=distance)
         given = {key: value for key, value in json.loads(data.attrs["lattice"]).items() if value is not None}
         names = {"form": "lattice", "period": "pitch"}
         corners = dict(json.loads(data.attrs["zone"]))
         return cls(
-            labels,
-            distance,
-            np.pi * np.array([corners[label] for label in labels]),
-            Lattice(**{names.get(key, key): value for key, value in given.items()}),
-            tuple(((a, b), (c, d)) for (a, b), (c, d) in json.loads(data.attrs["point_group"])),
+            labels=labels,
+            distance=distance,
+            phases=np.pi * np.array([corners[label] for label in labels]),
+            lattice=Lattice(**{names.get(key, key): value for key, value in given.items()}),
+            operations=tuple(((a, b), (c, d)) for (a, b), (c, d) in json.loads(data.attrs["point_group"])),
         )
 
     @classmethod
@@ -72,7 +72,13 @@ class OurPath:
         phases = np.array([cell.zone.corner_phases[label] for label in labels])
         steps = np.linalg.norm(np.diff(cell.lattice.wavevector(phases), axis=0), axis=1)
         distance = np.concatenate([[0.0], np.cumsum(steps)])
-        return cls(labels, distance, phases, cell.lattice, cell.point_group.operations)
+        return cls(
+            labels=labels,
+            distance=distance,
+            phases=phases,
+            lattice=cell.lattice,
+            operations=cell.point_group.operations,
+        )
 
 
 def unit_of(path: Path, table: TableOfBands, ours: OurPath, asked: str | None) -> str:
@@ -203,7 +209,9 @@ def _on_path(vectors: Array, ours: OurPath) -> Array:
     return places
 
 
-def gathered(path: Path, table: TableOfBands, places: Array) -> tuple[Array, Array, Array | None, list[str]]:
+def gathered(
+    path: Path, table: TableOfBands, position: Array
+) -> tuple[Array, Array, Array | None, list[str]]:
     """Positions in order, the frequencies of each in order (NaN where there are fewer), their loss, remarks.
 
     Rows of one wavevector belong together wherever they are; a wavevector that is given twice with all its
@@ -214,7 +222,7 @@ def gathered(path: Path, table: TableOfBands, places: Array) -> tuple[Array, Arr
     ChannelError : one wavevector with other frequencies at two places, or blocks of unknown kind
     """
     remarks = []
-    on = np.isfinite(places)
+    on = np.isfinite(position)
     if not on.all():
         remarks.append(f"{int((~on).sum())} rows of {path.name} lie beside the path and are left out")
     size = max(float(np.abs(table.wavevector).max()), 1e-300)
@@ -227,7 +235,7 @@ def gathered(path: Path, table: TableOfBands, places: Array) -> tuple[Array, Arr
     sets: dict[float, list[tuple[Array, Array | None, int]]] = {}
     for one in rows:
         values, loss = _of_wavevector(path, table, one, usual)
-        sets.setdefault(round(float(places[one[0]]), 6), []).append((values, loss, int(one[0])))
+        sets.setdefault(round(float(position[one[0]]), 6), []).append((values, loss, int(one[0])))
     chosen = {place: _agreed(path, table, found) for place, found in sorted(sets.items())}
     most = max(len(values) for values, _ in chosen.values())
     if most == 0:

@@ -1,0 +1,180 @@
+"""Text tables: names, units, numbers and rows, as programs write them."""
+
+from __future__ import annotations
+
+import contextlib
+import time
+
+import numpy as np
+import pytest
+
+from five_parts import refused
+from haptonic.channels import opened
+from haptonic.channels.cells import number_of
+from haptonic.channels.headings import Heading
+from haptonic.channels.labels import factor_of
+from haptonic.channels.text_table import read_table
+from haptonic.errors import ChannelError
+from haptonic.units import to_si
+
+
+@pytest.mark.parametrize(
+    ("heading", "name", "unit"),
+    [
+        ("Fz (mN)", "Fz", "mN"),
+        ("real ((m/s)/V)", "real", "(m/s)/V"),
+        ("max(w) (mm)", "max(w)", "mm"),
+        ("f / Hz", "f", "Hz"),
+        ("F_z/N", "F_z", "N"),
+        ("Zeit in s", "Zeit", "s"),
+        ("Frequency, kHz", "Frequency", "kHz"),
+        ("FREQ [KHZ]", "FREQ", "kHz"),
+        ("freq (Hz) @ k=0.1", "freq @ k=0.1", "Hz"),
+        ("f_MHz", "f", "MHz"),
+        ("F(z)", "F(z)", ""),
+        ("G, 0", "G, 0", ""),
+        ("phase_deg", "phase_deg", ""),
+        ("m/s", "m/s", ""),
+    ],
+)
+def test_a_heading_is_a_name_and_perhaps_a_unit(heading, name, unit):
+    found = Heading.of(heading)
+    assert (found.name, found.unit) == (name, unit)
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("1.5", 1.5),
+        ("-2.5D+03", -2500.0),
+        (" 1.5e-3 ", 1.5e-3),
+        ("Inf", np.inf),
+        ("-1.#INF", -np.inf),
+        ("1.5-101", 1.5e-101),
+        ("3.12E-03i", 3.12e-3j),
+        ("-2j", -2j),
+        ("1+2i", 1 + 2j),
+        ("1.5 - 2.5j", 1.5 - 2.5j),
+        ("(1,2)", 1 + 2j),
+        ("(1.5D0, -2D0)", 1.5 - 2j),
+        ("(1+2j)", 1 + 2j),
+        ("1+j2", 1 + 2j),
+        ("110584.061+111i", 110584.061 + 111j),
+        ("1_000", None),
+        ("12 Hz", None),
+        ("1,5", None),
+        ("2024-01-05", None),
+        ("i", None),
+        ("0x1F", None),
+        ("1 2", None),
+    ],
+)
+def test_numbers_as_programs_write_them(text, number):
+    assert number_of(text) == number
+    if number is not None and not np.isinf(number) and "," not in text:
+        assert number_of(text.replace(".", ","), ",") == number
+
+
+@pytest.mark.parametrize("text", ["", "NaN", "-", "n/a", "1.#QNAN"])
+def test_a_missing_number_is_nan(text):
+    assert np.isnan(number_of(text))
+
+
+TABLES = {
+    "units in a second line": (
+        "Source File Name:\tplate.svd\nSignal:\tH1, real\n\nf\tReal\n[ Hz ]\t[ (m/s)/V ]\n1\t2\n",
+        4,
+        ["f", "Real"],
+        ["Hz", "(m/s)/V"],
+    ),
+    "titles with separators": (
+        '"Start: 1"\n"Force: N","Counts: 10"\n"Fx","Fy","Time"\n"1","2","10:31"\n"2","3","10:32"\n',
+        3,
+        ["Fx", "Fy", "Time"],
+        ["", "", ""],
+    ),
+    "a comment": ("# k, f1, f2\n0 1 2\n1 2 3\n", 1, ["k", "f1", "f2"], ["", "", ""]),
+    "names of two words": (
+        "% k      Angular frequency (rad/s) Damping ratio (1)\n0        1                         2\n",
+        1,
+        ["k", "Angular frequency", "Damping ratio"],
+        ["", "rad/s", "1"],
+    ),
+    "no names": ("0;0,5\n1;1,5\n", None, ["1", "2"], ["", ""]),
+    "a rule below": ("time  force\n----  -----\n0  1\n1  2\n", 1, ["time", "force"], ["", ""]),
+    "bands by number": ("k 1 2 3\n0 1 2 3\n1 2 3 4\n", 1, ["k", "1", "2", "3"], [""] * 4),
+}
+
+
+@pytest.mark.parametrize("kind", TABLES)
+def test_the_line_of_names_is_the_last_above_the_numbers_with_as_many_cells(tmp_path, kind):
+    text, line, names, units = TABLES[kind]
+    (tmp_path / "a.csv").write_text(text)
+    table = read_table(tmp_path / "a.csv")
+    assert (table.names_line, list(table.names), [one.unit for one in table.columns]) == (line, names, units)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("k,f\n0,1\n1,oops,3\n", "line 3"),
+        ("k f\n0 1\nfailed\n2 3\n", "line 3"),
+        ("k;f\n0,250;1,500\n9;9\n", ""),
+        ("0 1.5\n0 x 2\n1 2.5\n", "line 2"),
+        ("0 1.5x\n0 2.5\n1 2.5\n1 3\n", "line 1"),
+        ("13 6 1\n0 1\n1 2\n2 3\n", "line 1"),
+        ("a;b\n1,234;2,345\n2,345;3,456\n", "1,234"),
+        ("0,05,1,07\n1,25,2,08\n", "05"),
+        ("k,f\n1,2,3\n2,3,4\n", "line 1"),
+    ],
+)
+def test_a_row_that_is_no_number_is_never_passed_over(tmp_path, text, words):
+    (tmp_path / "a.csv").write_text(text)
+    if words:
+        refused(lambda: read_table(tmp_path / "a.csv"), words, argument="a.csv", kind=ChannelError)
+    else:
+        read_table(tmp_path / "a.csv")
+
+
+def test_a_word_in_a_column_is_a_fault_of_its_numbers_only(tmp_path):
+    (tmp_path / "a.csv").write_text("time,Fz,note\n0,1,\n1,lost,x\n2,3,\n3,4,\n")
+    group = opened(tmp_path / "a.csv").group("")
+    assert group["time"].tolist() == [0, 1, 2, 3]
+    refused(lambda: group["Fz"], "line 3", "lost", argument="a.csv, column Fz", kind=ChannelError)
+
+
+def test_comments_among_rows_and_short_rows_are_named(tmp_path):
+    (tmp_path / "a.csv").write_text("k;f;g\n0;1;2\n# band 2\n\n0;1\n1;2;3\n")
+    table = read_table(tmp_path / "a.csv")
+    assert "line 3: '# band 2'" in table.remarks[0]
+    assert table.short == (5,)
+    assert table.lines.tolist() == [2, 5, 6]
+    assert table.blocks.tolist() == [0, 1, 1]
+
+
+@pytest.mark.parametrize(
+    "text", ["1" * 10**5, "a(" * 50_000, "( " * 50_000, " " * 10**5 + "a", "1 + " * 40_000, "[  " * 30_000]
+)
+def test_a_long_line_takes_no_longer_than_its_length(tmp_path, text):
+    """Patterns that try every part of a line took minutes for such lines."""
+    (tmp_path / "a.csv").write_text(f"{text}\n1 2\n3 4\n")
+    begun = time.process_time()
+    with contextlib.suppress(ChannelError):
+        read_table(tmp_path / "a.csv")
+    assert time.process_time() - begun < 5
+
+
+@pytest.mark.parametrize(
+    ("text", "hertz"),
+    [("rad/s", 1 / (2 * np.pi)), ("krad/s", 500 / np.pi), ("rpm", 1 / 60), ("deg/s", 1 / 360)],
+)
+def test_an_angle_per_time_is_a_frequency(text, hertz):
+    assert factor_of(text, "Hz") == pytest.approx(hertz, rel=1e-14)
+    assert to_si(f"{60e3 / hertz!r} {text}", "Hz", "carrier") == pytest.approx(60e3, rel=1e-14)
+
+
+def test_more_names_than_columns_are_not_matched(tmp_path):
+    (tmp_path / "a.txt").write_text("% a  b  c  d\n0 1\n1 2\n")
+    table = read_table(tmp_path / "a.txt")
+    assert (table.unmatched, table.has_names) == (1, False)
+    assert "line 1 holds no 2 names" in table.remarks[0]
