@@ -140,11 +140,11 @@ class TrialPlan(Result):
         }
 
     def summary(self) -> list[str]:
-        first, *others = self.statements
+        said = self.statements
         return [
-            first,
+            *said[:2],
             *([self.basis] if self.basis else []),
-            *others,
+            *said[2:],
             self.drift_remark,
             "Chances are of simulated experiments, with what the study assumes of its participants.",
         ]

@@ -239,6 +239,7 @@ class Methods:
     def protocol(
         self,
         *,
+        amplitudes: typing.Any = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,
@@ -252,6 +253,7 @@ class Methods:
         *,
         path: str | pathlib.Path,
         study: str | pathlib.Path | None = ...,
+        draft: bool = ...,
         references: typing.Any = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,

@@ -72,11 +72,16 @@ def moments(record: Record) -> Array:
     return np.asarray((inside @ inside.T / inside.shape[1] - rest) / np.square(normal[pressed]).mean())
 
 
+def direction(products: Array) -> float:
+    """Direction in which forces with these moments are largest, rad from the tangential channel."""
+    return 0.5 * math.atan2(2 * products[0, 1], products[0, 0] - products[1, 1])
+
+
 def angle_of(products: Array) -> float:
     """Direction of the stroke, rad from the tangential channel; 0 where the channel has nearly all of it."""
     if np.trace(products) < NOTHING**2:
         return 0.0
-    angle = 0.5 * math.atan2(2 * products[0, 1], products[0, 0] - products[1, 1])
+    angle = direction(products)
     return angle if abs(math.tan(angle)) > STRAIGHT else 0.0
 
 
@@ -87,14 +92,25 @@ def own_angle(record: Record, usual: float) -> float | None:
     beside, ahead = (math.sqrt(max(float(axis @ products @ axis), 0.0)) for axis in (across, along))
     if beside < LEAST or beside < ASIDE * ahead:
         return None
-    return 0.5 * math.atan2(2 * products[0, 1], products[0, 0] - products[1, 1])
+    return direction(products)
 
 
 def mounting_of(records: Sequence[Record], *, sign: bool, angle: bool) -> Mounting:
     """How the sensor lay for a participant's records; ``sign`` and ``angle`` : True to look for it."""
     if not records:
         return Mounting()
-    # medians: a stroke that was cut or slipped shows something else than the others
+    # a stroke that was cut or slipped shows something else than the others
     departs = float(np.median([excursion(record.normal) for record in records]))
-    products = np.median([moments(record) for record in records], axis=0)
-    return Mounting(-1.0 if sign and departs < 0 else 1.0, angle_of(products) if angle else 0.0)
+    usual = angle_of(_agreeing([moments(record) for record in records])) if angle else 0.0
+    return Mounting(-1.0 if sign and departs < 0 else 1.0, usual)
+
+
+def _agreeing(every: Sequence[Array]) -> Array:
+    """(2, 2) sum of the moments whose directions agree with that which is nearest to all of them."""
+    some = [one for one in every if np.trace(one) > NOTHING**2]
+    if not some:
+        return np.zeros((2, 2))
+    angles = np.array([direction(one) for one in some])
+    apart = np.abs(np.sin(angles[:, None] - angles))
+    near = apart[apart.sum(axis=1).argmin()] < STRAIGHT
+    return np.asarray(sum(one for one, agrees in zip(some, near, strict=True) if agrees))
