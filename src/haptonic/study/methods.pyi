@@ -214,7 +214,7 @@ class Methods:
         variables: typing.Any = ...,
         reference: str | None = ...,
         phase_unit: str | None = ...,
-        points_in: typing.Optional[typing.Literal["rows", "columns"]] = ...,
+        points_in: typing.Literal["rows", "columns"] | None = ...,
         simulated: bool = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
