@@ -10,7 +10,8 @@ from importlib import import_module
 from pathlib import Path
 from pkgutil import walk_packages
 from textwrap import wrap
-from typing import Any, get_type_hints
+from types import UnionType
+from typing import Any, Union, get_args, get_origin, get_type_hints
 
 import haptonic
 from haptonic.analyses import NAMES, named
@@ -110,6 +111,8 @@ def _named(kind: Any) -> str:
     """A type as an annotation has it, with its module."""
     if isinstance(kind, type) and not hasattr(kind, "__args__"):
         return f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
+    if get_origin(kind) in (Union, UnionType):  # typing writes Optional[...]
+        return " | ".join("None" if one is type(None) else _named(one) for one in get_args(kind))
     return str(kind).replace("'", '"')
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +30,8 @@ def damage_hdf5(path: Path, chance: np.random.Generator) -> None:
     with h5py.File(path, "r+") as file:
         for _ in range(int(chance.choice([1, 1, 2, 3]))):
             faults = (_other_set, _other_set, _other_set, _attribute, _attribute, _lost, _nested, _link)
-            faults[int(chance.integers(len(faults)))](file, chance)
+            with suppress(RuntimeError, KeyError):  # a name that an earlier fault has made a link without end
+                faults[int(chance.integers(len(faults)))](file, chance)
 
 
 def _sets(file: h5py.File) -> list[str]:
@@ -65,6 +67,7 @@ def _other_set(file: h5py.File, chance: np.random.Generator) -> None:
     """A data set of another type or size in the place of one."""
     name = _any_set(file, chance)
     shape = file[name].shape or () if name in file and isinstance(file[name], h5py.Dataset) else (3,)
+    shape = shape if np.prod(shape, dtype=float) < 1e6 else (3,)  # an earlier fault has made it huge
     attributes = dict(file[name].attrs) if name in file and chance.random() < 0.5 else {}
     if name in file:
         del file[name]

@@ -138,8 +138,11 @@ class Group:
     def simulated(self) -> bool:
         """Whether the file says that it is."""
         says = {**self.of_file, **self.properties}
-        flag = says.get(SIMULATED, False)
-        return says.get(ORIGIN) == SIMULATED or (not isinstance(flag, str) and bool(flag))
+        flag, origin = says.get(SIMULATED, False), says.get(ORIGIN)
+        # an attribute of a damaged file may be an array
+        return (isinstance(origin, str) and origin == SIMULATED) or (
+            isinstance(flag, int | float) and bool(flag)
+        )
 
     def _lacks(self, name: str) -> ChannelError:
         cause = "the column has another name, or the file is another one"
