@@ -56,7 +56,11 @@ def compared(references: References, answers: Mapping[str, Any]) -> list[Compare
 
 def _compared(value: Value, answer: Any) -> ComparedValue:
     bound = f"{value.relation} " if value.relation.startswith("at ") else ""
-    head = {"quantity": value.quantity, "published": f"{bound}{value.value}", "role": value.role}
+    head: dict[str, Any] = {
+        "quantity": value.quantity,
+        "published": f"{bound}{value.value}",
+        "role": value.role,
+    }
     if not value.path:
         return ComparedValue(**head, ours=WITHOUT_PATH[value.role], difference=NONE, remark=value.remark)
     ours = [found_at(answer, path) for path in (value.path, value.to) if path]
