@@ -17,7 +17,7 @@ SAME = 1e-9  # relative difference of two inputs that are equal
 
 
 @dataclass(frozen=True)
-class Comparison:
+class ComparedValue:
     """A published value beside ours.
 
     quantity, published : what it is of, and the value as it was published
@@ -44,7 +44,7 @@ class Comparison:
         return self.quantity, self.published, self.ours, self.difference, self.remark or NONE
 
 
-def compared(references: References, answers: Mapping[str, Any]) -> list[Comparison]:
+def compared(references: References, answers: Mapping[str, Any]) -> list[ComparedValue]:
     """A row for every published value, in the order of the file.
 
     Parameters
@@ -54,34 +54,40 @@ def compared(references: References, answers: Mapping[str, Any]) -> list[Compari
     return [_compared(value, answers.get(value.analysis, {})) for value in references.value]
 
 
-def _compared(value: Value, answer: Any) -> Comparison:
+def _compared(value: Value, answer: Any) -> ComparedValue:
     bound = f"{value.relation} " if value.relation.startswith("at ") else ""
-    head = (value.quantity, f"{bound}{value.value}", value.role)
+    head: dict[str, Any] = {
+        "quantity": value.quantity,
+        "published": f"{bound}{value.value}",
+        "role": value.role,
+    }
     if not value.path:
-        return Comparison(*head, WITHOUT_PATH[value.role], NONE, value.remark)
+        return ComparedValue(**head, ours=WITHOUT_PATH[value.role], difference=NONE, remark=value.remark)
     ours = [found_at(answer, path) for path in (value.path, value.to) if path]
     if any(one is None for one in ours):
-        return Comparison(*head, ABSENT, NONE, value.remark)
+        return ComparedValue(**head, ours=ABSENT, difference=NONE, remark=value.remark)
     if not value.ends or not all(isinstance(one, int | float) for one in ours):
         return _words(value, head, ours)
     return _numbers(value, head, [float(one) for one in ours], answer)
 
 
-def _words(value: Value, head: tuple[str, str, str], ours: list[Any]) -> Comparison:
+def _words(value: Value, head: dict[str, Any], ours: list[Any]) -> ComparedValue:
     texts = [" and ".join(map(str, one)) if isinstance(one, list) else str(one) for one in ours]
     text = " and ".join(dict.fromkeys(texts))
     agrees = all(one == value.value or one in value.means for one in texts)
-    remark = value.remark
-    return Comparison(*head, _marked(value, text), "none" if agrees else "differs", remark, agrees)
+    difference = "none" if agrees else "differs"
+    return ComparedValue(
+        **head, ours=_marked(value, text), difference=difference, remark=value.remark, agrees=agrees
+    )
 
 
-def _numbers(value: Value, head: tuple[str, str, str], ours: list[float], answer: Any) -> Comparison:
+def _numbers(value: Value, head: dict[str, Any], ours: list[float], answer: Any) -> ComparedValue:
     divisor = found_at(answer, value.over) if value.over else 1.0
     taken = found_at(answer, value.less) if value.less else 0.0
     errors = [found_at(answer, path) for path in (value.error, value.less_error) if path]
     error = sum(errors) if errors and None not in errors else None
     if divisor is None or taken is None or not divisor:
-        return Comparison(*head, ABSENT, NONE, value.remark)
+        return ComparedValue(**head, ours=ABSENT, difference=NONE, remark=value.remark)
     ours = [(one - taken) / divisor * value.factor for one in ours]
     bound = None if error is None else abs(error / divisor * value.factor)
     scale, unit = _shown_unit(value)
@@ -95,7 +101,14 @@ def _numbers(value: Value, head: tuple[str, str, str], ours: list[float], answer
     rounded = agrees and difference != "none" and value.relation == "equal"
     remark = f"Agrees within {'our error and ' * bool(bound)}the rounding of the published value."
     remark = remark if rounded else value.remark
-    return Comparison(*head, _marked(value, minus(text)), minus(difference), remark, agrees, **known)
+    return ComparedValue(
+        **head,
+        ours=_marked(value, minus(text)),
+        difference=minus(difference),
+        remark=remark,
+        agrees=agrees,
+        **known,
+    )
 
 
 def _difference(

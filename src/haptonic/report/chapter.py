@@ -11,7 +11,7 @@ from typing import Self, TypeVar
 from haptonic.friction.statistics import Alarms
 from haptonic.later import xarray as xr
 from haptonic.pages import Picture
-from haptonic.report.against import Comparison, compared
+from haptonic.report.against import ComparedValue, compared
 from haptonic.report.derived import derived, inputs_of
 from haptonic.results.references import References, Variant
 from haptonic.results.result import Result
@@ -55,7 +55,7 @@ class Results:
         return tuple(one.dataset for one in found.rows) if found else ()
 
     @cached_property
-    def comparisons(self) -> list[Comparison]:
+    def comparisons(self) -> list[ComparedValue]:
         """A row for every published value; none without references."""
         if self.references is None:
             return []

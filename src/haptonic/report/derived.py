@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.cell.cantilever import euler_bernoulli
+from haptonic.errors import HaptonicError
 from haptonic.fields import leaves
 from haptonic.later import elementwise
 from haptonic.materials import IsotropicMaterial
@@ -76,7 +77,10 @@ def _of_waves(study: Description) -> dict[str, Any]:
 def _of_plate(study: Description) -> dict[str, Any]:
     if study.finite_plate is None:
         return {}
-    layout = study.mounted_plate().layout
+    try:
+        layout = study.mounted_plate().layout
+    except HaptonicError:  # such as lattice tiles of a cell without a pillar; the plate's chapter says so
+        return {}
     return {"plate_width_m": layout.x[-1] - layout.x[0], "plate_length_m": layout.y[-1] - layout.y[0]}
 
 

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from haptonic.plots.text import minus
-from haptonic.report.against import NONE, Comparison
+from haptonic.report.against import NONE, ComparedValue
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.units import hz_text
 
@@ -31,7 +31,7 @@ def chapter(results: Results) -> Chapter | Absent:
     )
 
 
-def _counted(rows: Sequence[Comparison]) -> str:
+def _counted(rows: Sequence[ComparedValue]) -> str:
     """How many values are of each kind, and how many agree."""
     roles = Counter(one.role for one in rows)
     agree = sum(one.agrees is True for one in rows if one.role == "computed")
