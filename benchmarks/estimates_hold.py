@@ -186,7 +186,7 @@ def factors(rows: list[Row]) -> dict[str, dict[str, float]]:
     for row in rows:
         if row.frequencies:
             name = row.resolution.rpartition(",")[0]
-            order, rings = (int(word) for word in name.split() if word.isdigit())
+            order, rings = (int(word) for word in name.replace(",", "").split() if word.isdigit())
             cell = drawn(row.seed, row.number).cell
             used = Resolution(order, rings).for_bands(cell, row.count).remaining(cell)
             entry = found.setdefault(name, {"designs": 0, "needed": 0.0, "used_at_least": used})
