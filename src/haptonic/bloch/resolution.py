@@ -147,7 +147,7 @@ class Resolution:
             return self._of_edge_alone
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
-        if len(tile.corners) != 4:
+        if len(tile.corners) != 4 and self.foot_rings:
             factors = OF_BLOCKS_ROUNDED if pillar.fillet else OF_BLOCKS
             return factors.get(self.order, self._of_edge_alone)
         if tile.is_thin and self.order in ON_THIN:
