@@ -25,10 +25,11 @@ from record import ROOT, write
 from threadpoolctl import threadpool_limits
 
 sys.path.insert(0, str(ROOT / "tests" / "core"))
-from truth import KINDS, STOUT_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
+from truth import KINDS, STOUT_FROM, TILES, TILES_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.model import REST, bloch_model
 from haptonic.bloch.reach import MeshLimits, first_level, started
+from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError
 
@@ -37,7 +38,7 @@ Array = NDArray[np.float64]
 FOLDER = ROOT / "results" / "estimates_hold"
 REFERENCE_LIMIT = 1500.0  # s of the processor
 AT_ONCE = 2.0  # s of the processor that a refusal may take
-CLASSES = (*dict.fromkeys(KINDS), "stout")
+CLASSES = (*dict.fromkeys(KINDS), "stout", *TILES)
 
 
 @dataclass
@@ -176,6 +177,25 @@ def append(path: Path, row: Row) -> None:
         writer.writerow(asdict(row))
 
 
+def factors(rows: list[Row]) -> dict[str, dict[str, float]]:
+    """By resolution, the largest factor of the distance to a lower mesh that was needed, and the one in use.
+
+    The part of the estimate that is not the mesh's counts as though it were, so the factor is a little high.
+    """
+    found: dict[str, dict[str, float]] = {}
+    for row in rows:
+        if row.frequencies:
+            name = row.resolution.rpartition(",")[0]
+            order, rings = (int(word) for word in name.replace(",", "").split() if word.isdigit())
+            cell = drawn(row.seed, row.number).cell
+            used = Resolution(order, rings).for_bands(cell, row.count).remaining(cell)
+            entry = found.setdefault(name, {"designs": 0, "needed": 0.0, "used_at_least": used})
+            entry["designs"] += 1
+            entry["needed"] = max(entry["needed"], used / row.least_ratio)
+            entry["used_at_least"] = min(entry["used_at_least"], used)
+    return found
+
+
 def at_once(row: Row) -> bool:
     return row.outcome.startswith("refused") and row.seconds < AT_ONCE
 
@@ -235,7 +255,7 @@ def _limits() -> MeshLimits:
     return MeshLimits.of(BandSettings().budget)
 
 
-def numbers(count: int, stout: int, seed: int) -> list[int]:
+def numbers(count: int, stout: int, tiles: int, seed: int) -> list[int]:
     """Of the designs, those first that are foreseen to take least: a run may be stopped."""
 
     def seconds(number: int) -> float:
@@ -243,13 +263,14 @@ def numbers(count: int, stout: int, seed: int) -> list[int]:
         tried = started(question.cell, question.count, question.accuracy, _limits())
         return float(foreseen(question) + sum(one.seconds(question.cell) for one in tried))
 
-    return sorted((*range(count), *range(STOUT_FROM, STOUT_FROM + stout)), key=seconds)
+    blocks = ((0, count), (STOUT_FROM, stout), (TILES_FROM, tiles))
+    return sorted((first + n for first, length in blocks for n in range(length)), key=seconds)
 
 
-def references(count: int, stout: int, seed: int) -> None:
+def references(count: int, stout: int, tiles: int, seed: int) -> None:
     """Compute and keep what answers are judged by, of all designs that are not refused at once."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    for number in numbers(count, stout, seed):
+    for number in numbers(count, stout, tiles, seed):
         question = drawn(seed, number)
         if refused_at_once(question):
             continue
@@ -270,13 +291,20 @@ def refused_at_once(question: Drawn) -> bool:
 
 
 def main(
-    count: int, stout: int, seed: int, limit: float, stored: bool, part: tuple[int, int], remark: str
+    count: int,
+    stout: int,
+    tiles: int,
+    seed: int,
+    limit: float,
+    stored: bool,
+    part: tuple[int, int],
+    remark: str,
 ) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / "designs.csv"
     done = {(row.seed, row.number) for row in read(path)}
     not_run: list[int] = []
-    for number in numbers(count, stout, seed)[part[0] - 1 :: part[1]]:
+    for number in numbers(count, stout, tiles, seed)[part[0] - 1 :: part[1]]:
         if (seed, number) in done:
             continue
         if stored and not kept(seed, number).exists() and not refused_at_once(drawn(seed, number)):
@@ -293,6 +321,7 @@ def main(
         )
     rows = [row for row in read(path) if row.seed == seed]
     classes = [of_class([row for row in rows if row.kind == kind], kind) for kind in CLASSES]
+    classes = [one for one in classes if one["designs"]]
     reasons = [
         f"{row.number} ({row.kind}, {row.count} bands at {row.accuracy:g}), {row.seconds:.0f} s: "
         + row.outcome
@@ -300,14 +329,15 @@ def main(
         if not row.frequencies and not at_once(row)
     ]
     write(
-        "estimates_hold",
+        "estimates_hold" if count else "estimates_hold_tiles",
         {
             "seed": seed,
             "limit_s": limit,
-            "drawn": count + stout,
+            "drawn": count + stout + tiles,
             "not_run": sorted(not_run),
             "refused_at_once": sum(at_once(row) for row in rows),
             "rows": [*classes, of_class(rows, "all")],
+            "factors": factors(rows),
             "not_answered": reasons,
             "remark": remark,
         },
@@ -318,6 +348,13 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--designs", type=int, default=120, help="of all classes by turns")
     parser.add_argument("--stout", type=int, default=20, help="stout pillars on thin plates beside them")
+    parser.add_argument(
+        "--tiles",
+        type=int,
+        default=0,
+        help="cells of six and three sides, both faces, two sites, draft with fillet; with --designs 0 they "
+        "have a record of their own",
+    )
     parser.add_argument("--seed", type=int, default=2)
     parser.add_argument(
         "--limit", type=float, default=90.0, help="seconds of the processor that a design gets"
@@ -338,6 +375,15 @@ if __name__ == "__main__":
     )
     given = parser.parse_args()
     if given.references:
-        references(given.designs, given.stout, given.seed)
+        references(given.designs, given.stout, given.tiles, given.seed)
     else:
-        main(given.designs, given.stout, given.seed, given.limit, given.stored, given.part, given.remark)
+        main(
+            given.designs,
+            given.stout,
+            given.tiles,
+            given.seed,
+            given.limit,
+            given.stored,
+            given.part,
+            given.remark,
+        )

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import example, given, settings, strategies as st
 from truth import KAPPA, Drawn, drawn, plain_plate, truth, wavevectors
 
 from haptonic.bloch import BlochModel, Resolution
@@ -108,6 +108,23 @@ def share_of_estimate(cell, resolution: Resolution, **finer: int) -> np.ndarray:
     here, there = (hertz(cell, way, 10) for way in (plan, replace(plan, **finer)))
     model = BlochModel.of(cell, resolution, 10, measured=False, many=False)
     return np.abs(here - there) / [model.solve(kappa).error for kappa in SEEN]
+
+
+@settings(max_examples=2)
+@given(st.floats(0.5, 4.0), st.floats(1.0, 6.0), st.floats(0.05, 0.15))
+@example(3.5, 2.0, 0.1)
+def test_a_lower_mesh_is_not_judged_by_what_it_leaves_along_a_tapered_pillar(height, draft, fillet):
+    """Else the estimate is the lower mesh's error along the pillar, tens of times that of the finer mesh."""
+    width = 3e-3
+    pillar = Pillar(width, height * width, draft=np.radians(draft), fillet=fillet * width)
+    cell = UnitCell(Lattice.triangular(7e-3), 1.7e-3, material("brass"), pillar)
+    plan = Resolution(4, 1).plan(cell)
+    lower = plan.lowered(cell)
+    here, along, others = (
+        hertz(cell, one, 10)
+        for one in (plan, replace(plan, along=lower.along), replace(lower, along=plan.along))
+    )
+    assert np.linalg.norm(along / here - 1) < np.linalg.norm(others / here - 1)
 
 
 @pytest.mark.nightly

@@ -20,7 +20,7 @@ from haptonic.cell import MeshPlan, Pillar, Site, UnitCell, mesh_cell
 from haptonic.elements import element_matrices
 from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
-from haptonic.materials import OrthotropicMaterial
+from haptonic.materials import OrthotropicMaterial, material
 from haptonic.study import loads
 from haptonic.superelement import Tiling, repeated
 
@@ -88,6 +88,44 @@ def test_a_centred_lattice_is_a_rectangle_with_two_pillars(sides):
     frequency = np.concatenate([one.frequency for one in found])
     error = np.concatenate([one.error for one in found])[np.argsort(frequency)][:12]
     assert (np.abs(np.sort(frequency)[:12] - np.sqrt(values) / (2 * np.pi)) <= error).all()
+
+
+STOUT = UnitCell(LATTICE, 1.5e-3, material("aluminium-2017a"), Pillar(5.5e-3, 6e-3))
+FINER = {  # Hz by phases / pi, with order 5 and three rings at the foot
+    (1, 1): [25240.4, 49162.5, 77213.2, 108601.8, 170853.1, 195913.5, 251606.1, 272549.7, 299165.9, 300558.7],
+    (2 / 3, 4 / 3): [
+        36866.3, 36866.3, 85115.9, 108394.9, 188806.4, 188806.5, 260009.3, 260010.1, 286032.7, 321245.1
+    ],
+    (5 / 6, 7 / 6): [
+        28978.5, 44755.3, 81305.8, 108474.9, 177275.9, 194216.2, 252850.3, 278034.1, 279340.6, 313469.3
+    ],
+    (1 / 2, 1 / 2): [
+        13682.5, 46792.2, 63489.8, 102497.5, 127307.3, 161536.1, 262005.7, 269220.0, 294709.7, 320435.2
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("order", [3, 4, pytest.param(5, marks=pytest.mark.slow)])
+def test_the_truth_is_within_the_estimates_of_a_stout_pillar(order):
+    found = BlochModel.of(STOUT, Resolution(order, 1, 4, 24), 10, measured=False, many=False)
+    ratios = []
+    for phases, exact in FINER.items():
+        solution = found.solve(np.pi * np.array(phases))
+        ratios.append(solution.error / np.abs(solution.frequency - exact))
+    assert np.min(ratios) > 1
+    assert np.median(ratios) < 20
+
+
+@pytest.mark.parametrize(
+    "lattice", [LATTICE, Lattice.square(PITCH), Lattice(lattice="honeycomb", pitch=2 * PITCH)]
+)
+@pytest.mark.parametrize("order", [3, 4, 5, 6])
+def test_a_quarter_turn_has_at_least_its_order_however_many_blocks_share_it(lattice, order):
+    whole = MeshPlan.suited(replace(CELL, lattice=Lattice.square(PITCH)), order, 1)
+    tile = UnitCell(lattice, 1.5e-3, ALUMINIUM, Pillar(3.5e-3, 14.7e-3)).tiles[0].tile
+    plan = MeshPlan.suited(tile, order, 1)
+    assert whole.per_quarter == whole.order <= plan.per_quarter <= whole.order + 2
+    assert plan.lowered(tile).per_quarter < plan.per_quarter
 
 
 def test_a_longer_translation_spans_the_same_lattice():

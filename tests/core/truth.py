@@ -15,25 +15,28 @@ import numpy as np
 import scipy.linalg as la
 from numpy.typing import NDArray
 
-from haptonic.bloch.centred import CentredPencil
+from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.model import REST, interior_error
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.resolution import Resolution
-from haptonic.cell import MeshPlan, Pillar, UnitCell
-from haptonic.cell.pillar import Step
+from haptonic.cell import Pillar, Site, UnitCell
+from haptonic.cell.pillar import Faces, Step
+from haptonic.cell.sites import SITES
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.superelement import Tiling, condense, condense_by_parts, on_each
+from haptonic.superelement import TiledMesh, Tiling, condense, on_each
 
 Array = NDArray[np.float64]
 
 KINDS = ("round", "square", "fillet", "draft", "step", "mixed", "round", "plain")
 MATERIALS = ("steel", "brass", "soda-lime-glass", "silicon", "aluminium-2017a", "borosilicate-glass")
+TILES = ("six sides", "three sides", "both faces", "two sites", "draft and fillet")
 ACCURACIES = (2.5e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
 COUNTS = (10, 10, 10, 15, 20, 30)
 KAPPA = np.pi * np.array([(1, 0), (0, 1), (1, 1), (1, 0.5), (0.5, 0.5), (0.6, 0.3), (0.15, 0.05)])
+TILES_FROM = 2000  # numbers of designs by turns of `TILES`
 STOUT_FROM = 1000  # numbers of designs of a class apart: stout pillars on thin plates, asked for coarsely
 # order and rings of a reference's meshes, by the least accuracy asked that they are for
 MESHES = {1e-2: ((4, 1), (5, 1), (6, 2)), 2e-3: ((4, 1), (5, 2), (6, 2)), 0.0: ((5, 1), (6, 2), (7, 3))}
@@ -58,6 +61,8 @@ class Drawn:
 
 def drawn(seed: int, number: int) -> Drawn:
     """Question ``number`` of a seed; each is drawn for itself, so any can be asked again alone."""
+    if number >= TILES_FROM:
+        return _drawn_tile(seed, number)
     rng = np.random.default_rng([seed, number])
     stout = number >= STOUT_FROM
     kind = "stout" if stout else KINDS[number % len(KINDS)]
@@ -68,6 +73,67 @@ def drawn(seed: int, number: int) -> Drawn:
             continue
         accuracies = [accuracy for accuracy in ACCURACIES if accuracy >= 1e-2 or not stout]
         return Drawn(kind, cell, int(rng.choice(COUNTS)), float(rng.choice(accuracies)))
+
+
+def _drawn_tile(seed: int, number: int) -> Drawn:
+    """Question about a cell of six or three sides, with both faces, two sites, or draft and fillet."""
+    rng = np.random.default_rng([seed, number])
+    kind = TILES[number % len(TILES)]
+    while True:
+        try:
+            cell = _tiled(rng, kind)
+        except GeometryError:
+            continue
+        return Drawn(kind, cell, int(rng.choice(COUNTS[:5])), float(rng.choice(ACCURACIES[:4])))
+
+
+def _tiled(rng: np.random.Generator, kind: str) -> UnitCell:
+    pitch = _log_uniform(rng, 2e-3, 20e-3)
+    lattices = {
+        "triangular": Lattice.triangular(pitch),
+        "centred": Lattice.centred(pitch, pitch * _log_uniform(rng, 0.6, 1.7)),
+        "oblique": Lattice.oblique(pitch, pitch * rng.uniform(1.0, 1.5), math.radians(rng.uniform(55, 85))),
+        "honeycomb": Lattice(lattice="honeycomb", pitch=pitch),
+        "square": Lattice.square(pitch),
+        "rectangular": Lattice.rectangular(pitch, pitch * _log_uniform(rng, 0.6, 1.7)),
+    }
+    six = ("triangular", "triangular", "centred", "oblique")
+    names = {
+        "six sides": six,
+        "three sides": ("honeycomb",),
+        "both faces": (*six, "honeycomb"),
+        "two sites": ("honeycomb", "square", "rectangular", "triangular"),
+        "draft and fillet": (*six, "honeycomb", "square", "rectangular"),
+    }
+    lattice = lattices[str(rng.choice(names[kind]))]
+    matter = material(str(rng.choice(MATERIALS)))
+    if rng.random() < 0.3:
+        matter = IsotropicMaterial(70e9, float(rng.uniform(0.0, 0.45)), 2700.0, name="drawn")
+    room = 2 * lattice.inradius * (0.577 if lattice.name == "honeycomb" else 1.0)
+    thickness = room * _log_uniform(rng, 0.06, 0.6)
+    faces: Faces = "both" if kind == "both faces" else "one"
+    pillars = [_any_pillar(rng, room, kind) for _ in range(2)]
+    if kind != "two sites":
+        return UnitCell(lattice, thickness, matter, pillars[0], faces=faces)
+    if lattice.name in SITES:
+        return UnitCell(lattice, thickness, matter, site=tuple(Site(pillar=one) for one in pillars))
+    apart = rng.uniform(0.3, 0.5, 2)
+    pillars = [replace(one, diameter=one.diameter * 0.6) for one in pillars]
+    sites = (Site(at=(0.0, 0.0), pillar=pillars[0]), Site(at=(apart[0], apart[1]), pillar=pillars[1]))
+    return UnitCell(lattice, thickness, matter, site=sites)
+
+
+def _any_pillar(rng: np.random.Generator, room: float, kind: str) -> Pillar:
+    """A round pillar; where the kind asks for it, or by chance, with a draft, a fillet or a step."""
+    diameter, height = room * rng.uniform(0.15, 0.9), room * _log_uniform(rng, 0.15, 3.0)
+    more: dict[str, object] = {}
+    if kind == "draft and fillet":
+        steepest = min(math.atan(0.33 * diameter / height), math.radians(20))
+        more["draft"] = float(rng.uniform(-0.3, 1.0)) * steepest
+        more["fillet"] = min(diameter, height, room - diameter) * rng.uniform(0.05, 0.5)
+    elif rng.random() < 0.15:
+        more["step"] = Step(diameter * rng.uniform(0.3, 0.85), height * rng.uniform(0.3, 0.7))
+    return Pillar(diameter, height, **more)  # type: ignore[arg-type]
 
 
 def _log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
@@ -102,7 +168,15 @@ def _cell(rng: np.random.Generator, kind: str) -> UnitCell:
 
 
 def wavevectors(cell: UnitCell) -> Array:
-    """`KAPPA` within the irreducible zone, the only one that a model answers for: a square's is an eighth."""
+    """Wavevectors within the irreducible zone, the only one that a model answers for.
+
+    Of one pillar in a rectangle `KAPPA`, an eighth of the zone of a square. Of others the zone's corners but
+    Gamma, two places between those, and two inside.
+    """
+    if not (cell.is_simple and cell.lattice.is_rectangular):
+        corners = np.array(list(cell.zone.corner_phases.values())[1:])
+        ends, middle = corners[[0, -1]], corners.mean(axis=0)
+        return np.array([*corners, ends.mean(axis=0), *(0.5 * ends), 0.7 * middle, 0.1 * middle])
     within = np.sort(KAPPA)[:, ::-1] if "d" in cell.point_group.mirrors else KAPPA
     return np.unique(within, axis=0)
 
@@ -126,69 +200,83 @@ def truth(question: Drawn) -> Truth | None:
     twice the difference; with two rings the edge does not lead, and the whole difference is taken.
     """
     cell, count = question.cell, question.count
-    if cell.pillar is None:
+    pillars = pillars_of(cell)
+    if not pillars:
         exact = np.array([plain_plate(cell, kappa, count) for kappa in wavevectors(cell)])
         plate = _plate(cell, count)
         largest = la.eigh(plate.still, plate.mass, eigvals_only=True)[-1]
         rounding = ROUNDING * largest / (8 * np.pi**2 * np.maximum(exact, REST * exact.max()))
         return Truth(exact, 1e-8 * exact + rounding, "Rayleigh-Lamb")
     before, found = None, None
-    for turn, (order, rings) in enumerate(_meshes(question.accuracy)):
-        plans = [MeshPlan.suited(cell, order, fewer, count) for fewer in range(rings, 0, -1)]
-        if cell.pillar.fillet:  # there is no edge at the foot
-            plans = plans[-1:]
-        plan = next((plan for plan in plans if _unknowns(cell, plan) <= LARGEST), None)
-        if plan is None:
+    for turn, (order, rings) in enumerate(_meshes(question)):
+        sharp = not any(pillar.fillet for pillar in pillars)  # else there is no edge at a foot
+        fewer = [Resolution(order, fewer, STEPS, BLOCK) for fewer in (range(rings, 0, -1) if sharp else [1])]
+        used = [one.for_bands(cell, count) for one in fewer]
+        mesh = next((one for one in used if _unknowns(cell, one) <= LARGEST), None)
+        if mesh is None:
             break
-        frequency, lost = _computed(cell, plan, count, MORE * turn)
+        frequency, lost = _computed(cell, mesh, MORE * turn)
         if before is not None:
-            finer = plan.foot_rings > before[1]
-            if cell.pillar.fillet:
-                share = 0.6 if cell.pillar.step is None else 2.0
+            finer = mesh.foot_rings > before[1]
+            if not sharp:
+                share = 0.6 if all(pillar.step is None for pillar in pillars) else 2.0
             else:
-                share = 0.6 if finer else 1.0 if plan.foot_rings > 1 else 2.0
+                share = 0.6 if finer else 1.0 if mesh.foot_rings > 1 else 2.0
             uncertainty = share * np.abs(frequency - before[0]) + lost
-            found = Truth(frequency, uncertainty, f"order {order}, {plan.foot_rings} rings")
+            found = Truth(frequency, uncertainty, f"order {order}, {mesh.foot_rings} rings")
             moving = frequency > REST * frequency.max()
             if (uncertainty <= ENOUGH * question.accuracy * frequency)[moving].all():
                 break
-        before = frequency, plan.foot_rings
+        before = frequency, mesh.foot_rings
     return found
 
 
 def foreseen(question: Drawn) -> float:
     """Processor time of a truth as it is foreseen, s, for want of a better measure by the product."""
-    if question.cell.pillar is None:
+    if not question.cell.has_pillars:
         return 0.0
     used = [
-        Resolution(*mesh, STEPS, BLOCK).for_bands(question.cell, question.count)
-        for mesh in _meshes(question.accuracy)
+        Resolution(*mesh, STEPS, BLOCK).for_bands(question.cell, question.count) for mesh in _meshes(question)
     ]
     return sum(resolution.seconds(question.cell) for resolution in used)
 
 
-def _meshes(accuracy: float) -> tuple[tuple[int, int], ...]:
+def _meshes(question: Drawn) -> tuple[tuple[int, int], ...]:
+    """Order and rings of a reference's meshes: of tiles with other than four sides orders 5 and 4 differ."""
+    accuracy = question.accuracy if question.kind not in TILES else min(question.accuracy, 5e-3)
     return next(meshes for least, meshes in MESHES.items() if accuracy >= least)
 
 
-def _unknowns(cell: UnitCell, plan: MeshPlan) -> int:
-    """Of a mesh, a straight pillar's body left out, which can be condensed apart."""
-    assert cell.pillar is not None
-    meshed = replace(plan, pillar_layers=1) if cell.pillar.is_prism else plan
-    return 3 * sum(meshed.level_sizes)
+def pillars_of(cell: UnitCell) -> list[Pillar]:
+    """Pillars of the cell's tiles."""
+    return [placed.tile.pillar for placed in cell.tiles if placed.tile.pillar is not None]
 
 
-def _computed(cell: UnitCell, plan: MeshPlan, count: int, more: int) -> tuple[Array, Array]:
+def _unknowns(cell: UnitCell, used: Resolution) -> int:
+    """Of a mesh, straight pillars' bodies left out, which can be condensed apart."""
+    return sum(
+        3 * sum((replace(plan, pillar_layers=1) if placed.tile.pillar.is_prism else plan).level_sizes)
+        for placed, plan in zip(cell.tiles, used.plans(cell), strict=True)
+        if placed.tile.pillar is not None
+    )
+
+
+def _computed(cell: UnitCell, used: Resolution, more: int) -> tuple[Array, Array]:
     """(wavevectors, count) Hz, and by how much what the interior leaves out would lower each, Hz."""
+    plans, block = used.plans(cell), used.block + more
     # a stepped pillar whole in any case: its parts are what the product has
-    whole = 3 * sum(plan.level_sizes) < WHOLE or (cell.pillar is not None and cell.pillar.step is not None)
-    by = condense if whole else condense_by_parts
-    used = Resolution(plan.order, plan.foot_rings, STEPS, BLOCK).for_bands(cell, count)
-    tiling = Tiling.single(by(cell, plan, used.steps, block=used.block + more, measured=False))
-    pencil = CentredPencil.of(tiling)
+    stepped = any(pillar.step is not None for pillar in pillars_of(cell))
+    whole = stepped or 3 * sum(sum(plan.level_sizes) for plan in plans) < WHOLE
+    if whole and cell.is_simple:
+        tiling = Tiling.single(condense(cell, plans[0], used.steps, block=block, measured=False))
+    elif whole:
+        tiling = TiledMesh.of(cell, plans).condensed(used.steps, block, measured=False)
+    else:
+        tiling = Tiling.condensed(cell, plans, used.steps, block, measured=False)
+    pencil = lattice_pencil(tiling)
     found, lost = [], []
     for kappa in wavevectors(cell):
-        values, modes = eigenpairs(pencil, kappa, count)
+        values, modes = eigenpairs(pencil, kappa, used.bands)
         fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
         found.append(hertz(values))
         lost.append(interior_error(values, on_each(tiling.truncation, fields)))

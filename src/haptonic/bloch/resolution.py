@@ -18,6 +18,11 @@ from haptonic.superelement.symmetry import THIRD, folds_of
 from haptonic.superelement.trace import trace_levels
 
 MEASURED = {(3, 1): 0.55, (4, 1): 0.45, (5, 1): 0.75, (5, 2): 0.35, (6, 2): 0.6}  # see `remaining`
+# The same with one ring for tiles that have other than four sides, by order, with a sharp foot and with a
+# fillet. Several elements share a quarter turn there, and one order fewer leaves a small smooth part: the
+# edge leads earlier. `benchmarks/estimates_hold.py --tiles` measures which factor each order needs.
+OF_BLOCKS = {3: 0.45, 4: 0.7, 5: 1.1}
+OF_BLOCKS_ROUNDED = {3: 0.3, 4: 0.45, 5: 0.75}
 # What these get more from order 4 on, as a share for each order that many bands bring, until the edge leads
 FOR_BANDS = 0.6
 # Least of these where a fillet leaves out the elements that would lead from its arc to what is far wider: a
@@ -147,6 +152,9 @@ class Resolution:
             return self._of_edge_alone
         if self.foot_rings >= 2:
             return MEASURED.get((self.order, 2), MEASURED[6, 2])
+        if len(tile.corners) != 4 and self.foot_rings:
+            factors = OF_BLOCKS_ROUNDED if pillar.fillet else OF_BLOCKS
+            return factors.get(self.order, self._of_edge_alone)
         if tile.is_thin and self.order in ON_THIN:
             return ON_THIN[self.order]
         return MEASURED.get((self.order, self.foot_rings), self._of_edge_alone)

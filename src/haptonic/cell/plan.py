@@ -22,11 +22,10 @@ THIN_NECK = 0.46  # and on a thin plate: one order fewer told 0.7 % where 0.3 % 
 # Length of the neck between two pillars, in half pitches, that a quarter turn's order suits. At 0.36 seven
 # orders left 0.2 %, of which no lower order told a third; eight left 0.07 %.
 WIDE_NECK = 0.5
-# Orders more along a pillar that is meshed to its top. With none, a pillar of 6 deg draft, 1.4 diameters to
-# an element, lost 0.23 % at orders 3 and 4, four fifths of it there; a prism's own polynomials are finer
-# than that anyway. With two another lost 0.15 % at order 4 and no less with one, because bending of one
-# parity along an element gains nothing from every other order; with three 0.015 %.
-ALONG_MORE = 3
+# Orders more along a pillar that is meshed to its top. The lower mesh loses two and has three, which leave at
+# most 0.015 %. With fewer there the estimate is the lower mesh's error along the pillar, 20 to 50 times what
+# the finer mesh leaves.
+ALONG_MORE = 5
 # Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
 # 1.8 diameters in one layer lost 0.1 % at orders 3 and 4, which no lower order told; two layers leave 0.03 %.
 # Where layers grow from the foot's thin ones on down, two leave 3e-5 of a plate of six diameters.
@@ -45,7 +44,7 @@ USUAL_BANDS, MOST_AROUND = 10, 10
 class MeshPlan:
     """Resolution and topology of a mesh, free of any length.
 
-    order : polynomial order of the elements around the pillar and in the core
+    order : polynomial order of each element around the pillar and in the core; see `per_quarter`
     foot_rings : thin rings on either side of the pillar's foot, and as many thin layers
     pillar_layers : layers of elements along the pillar above the thin ones, up to its step if it has one; 0
         means no pillar
@@ -129,7 +128,7 @@ class MeshPlan:
         every third design lost 0.7 to 3 %, of which a lower order told a quarter to a half; with six 0.2 to
         0.5 %. On a thin plate quartic ones would lock in the lower order that tells the
         error: there they are of one order more. Along a pillar that is no prism, and so is meshed to its
-        top, all get three orders more: bending of a slender one would err most of all there.
+        top, all get `ALONG_MORE` orders more: bending of a slender one would err most of all there.
         """
         shorter = orders_for_bands(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
@@ -236,6 +235,15 @@ class MeshPlan:
     def side(self) -> int:
         """Steps from node to node along a side of the cell."""
         return self.order * self.blocks
+
+    @property
+    def per_quarter(self) -> int:
+        """Order around a quarter turn: of the single element there that resolves as much as its blocks do.
+
+        The inverse of `suited`, `divided` and `_divided`: blocks have one order more than their share.
+        """
+        blocks = self.blocks * self.sides
+        return self.order if blocks == 4 else (self.order - 1) * blocks // 4
 
     @property
     def around(self) -> int:

@@ -30,6 +30,7 @@ from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.stacked import FootClass, Storey, joined
 from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
 
+LEAST_DEGREE = 2  # over the section: with 1 a round body loses up to 1e-3 of a frequency, with 2 some 1e-5
 LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
 KEPT_FEET = 5e6  # entries of stiffness of all that wait for the next design with the same: 16 usual ones
@@ -83,7 +84,8 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
     if not is_cut and low - tile.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
         return None
     # polynomials that the nodes of the foot can follow; a square that is twisted warps more than a disc
-    degree = plan.order // 2 if pillar.section == "square" else (plan.order + 2) // 3
+    degree = plan.per_quarter // 2 if pillar.section == "square" else (plan.per_quarter + 2) // 3
+    degree = max(degree, LEAST_DEGREE)
     return PillarBody(
         low=low,
         length=tile.thickness + pillar.height - low,
