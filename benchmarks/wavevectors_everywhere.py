@@ -89,7 +89,7 @@ def measured(
     if isinstance(settings, Resolution):
         model = BlochModel.of(cell, settings, 10, measured=False)
     else:
-        model = bloch_model(cell, settings, or_best=True)
+        model = bloch_model(cell, settings)
     reference = finer(model)
     rng = np.random.default_rng(seed)
     drawn = rng.uniform(-ZONES * np.pi, ZONES * np.pi, (count, 2))

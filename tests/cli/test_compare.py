@@ -343,7 +343,7 @@ class TestCommand:
         cell = load_as(cls.folder / "one.toml", Description).cell
         settings = load_as(cls.folder / "one.toml", Description).bands_settings
         path = cell.zone.path(13)
-        model = bloch_model(cell, settings, or_best=True)
+        model = bloch_model(cell, settings)
         position = np.interp(path.distance, path.distance[list(path.corners)], range(4))
         frequency = np.array([model.frequencies(kappa)[:5] for kappa in path.kappa])
         return position, path.kappa / cell.lattice.pitch, np.maximum(frequency, 0)
