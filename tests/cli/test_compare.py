@@ -359,6 +359,24 @@ class TestCommand:
         assert relative.shape[1] == 5
         assert np.nanmax(relative) < 2e-3  # straight between our wavevectors
 
+    @pytest.mark.parametrize("row", [1, 2, 4])
+    def test_a_wavevector_that_lacks_a_frequency_among_others_is_left_out(self, inside, tmp_path, bands, row):
+        """The frequencies above it had been taken for those of the bands below, 5 % off, without a word."""
+        position, _, frequency = bands
+        lines = [f"{k},{f}" for k, row_of in zip(position, frequency, strict=True) for f in row_of]
+        lines[5 * 3 + row] = f"{position[3]},NaN"
+        table = tmp_path / "theirs.csv"
+        table.write_text("\n".join(["k,f (Hz)", *lines]))
+        asked = ["compare", self.folder / "one.toml", table, "--wavevector", "segments", "--json"]
+        ran = inside(*asked)
+        relative = np.abs(np.array(ran.json["data"]["difference_hz"], dtype=float)) / frequency.max()
+        assert np.nanmax(relative) < 2e-3
+        # the highest band alone may be missing
+        wavevectors = len(position) - (row < 4)
+        assert len(relative) == wavevectors
+        said = "nothing says of which band" if row < 4 else "fewer than 5 frequencies"
+        assert said in ran.err
+
     def test_more_than_a_tenth_apart_is_an_error_unless_asked_for(self, inside, tmp_path, bands):
         table = tmp_path / "theirs.csv"
         position, _, frequency = bands

@@ -29,6 +29,7 @@ ON_PATH = (
     2e-3  # of a reciprocal vector: tables give wavevectors with four digits or more, or three of a share
 )
 SAME_PLACE = 1e-6  # of a reciprocal vector
+LEAST_STEP = 1e-4  # of the highest frequency: rigid modes, which are rounding, lie below it
 SAME_ROWS = 2e-3  # share by which frequencies of one wavevector may differ that is given twice
 
 
@@ -233,7 +234,19 @@ def gathered(
     usual = int(np.bincount([len(one) for one in rows]).argmax())
     _refuse_segments(path, table, group)
     sets: dict[float, list[tuple[Array, Array | None, int]]] = {}
+    holes = [one for one in rows if _has_hole(table.frequency[one].ravel())]
+    if holes:
+        remarks.append(
+            f"{len(holes)} wavevectors of {path.name} are left out, the first in line "
+            f"{table.lines[holes[0][0]]}: a frequency is missing among them, and nothing says of which band"
+        )
+    if len(holes) == len(rows):
+        raise _refused(
+            path, "a missing frequency at every wavevector", "frequencies of bands from the lowest"
+        )
     for one in rows:
+        if _has_hole(table.frequency[one].ravel()):
+            continue
         values, loss = _of_wavevector(path, table, one, usual)
         sets.setdefault(round(float(position[one[0]]), 6), []).append((values, loss, int(one[0])))
     chosen = {place: _agreed(path, table, found) for place, found in sorted(sets.items())}
@@ -252,6 +265,20 @@ def gathered(
             f"{fewer} wavevectors of {path.name} have fewer than {most} frequencies: the lowest are taken"
         )
     return np.array(list(chosen)), frequency, None if table.loss is None else loss, remarks
+
+
+def _has_hole(values: Array) -> bool:
+    """True if a frequency is missing and others follow, so that bands cannot be counted from the lowest.
+
+    Missing ones at the end of ascending frequencies are those of the highest bands.
+    """
+    finite = np.isfinite(values)
+    there = int(finite.sum())
+    if there in (0, len(values)):
+        return False
+    # rigid modes at the zone's centre are rounding, in any order
+    rounding = LEAST_STEP * float(np.nanmax(np.abs(values)))
+    return not (finite[:there].all() and bool((np.diff(values[:there]) >= -rounding).all()))
 
 
 def _of_wavevector(
