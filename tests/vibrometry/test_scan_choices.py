@@ -145,6 +145,20 @@ def test_a_response_that_unfolds_to_gigabytes(tmp_path, part):
     assert time.process_time() - before < 1.0
 
 
+@pytest.mark.parametrize("word", ["units", "unit", "Unit"])
+def test_units_are_attributes_of_hdf5_data_sets(tmp_path, word):
+    sets = {"frf": (1e3 * VALUES, "mm/s/V"), "frequency": (1e-3 * LINES, "kHz"), "x": (1e3 * X, "mm"),
+            "y": (1e3 * Y, "mm")}  # fmt: skip
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        for name, (values, unit) in sets.items():
+            file[name] = values
+            file[name].attrs[word] = unit
+    found = read_scan(tmp_path / "a.h5").response
+    assert found.values[..., 0] == pytest.approx(VALUES)
+    assert found.frequency == pytest.approx(LINES)
+    assert found.points == pytest.approx(np.column_stack([X, Y]))
+
+
 @pytest.mark.parametrize("side", ["rows", "columns"])
 def test_as_many_points_as_frequencies(tmp_path, side):
     square, few = VALUES[:, :8], slice(0, 8)

@@ -48,7 +48,8 @@ def set_name(name: str) -> str:
 
 def _channel(path: Path, label: str, name: str, form: Mapping[str, Any]) -> Channel:
     says, shape = form["attributes"], tuple(form["shape"])
-    unit = says.get("units")
+    written = {word.lower(): value for word, value in says.items()}
+    unit = written.get("units", written.get("unit"))
     in_parts = form["kind"] == "number" and shape and not any(word in says for word in PACKING)
     rows = partial(_rows, path, label, shape) if in_parts else partial(_whole, path, label, form)
     unit = unit if isinstance(unit, str) else ""

@@ -268,7 +268,7 @@ def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, fre
     ):  # fmt: skip
         if doubtful:
             warnings.warn(
-                f"{path.name}: {said} was read, because the file gives no unit; if it is in {unit}, write "
+                f"{path.name or path}: {said} was read, because the file gives no unit; if it is in {unit}, write "
                 f'{argument}="{unit}" ({option} {unit})',
                 HaptonicWarning,
                 stacklevel=4,
