@@ -268,8 +268,8 @@ def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, fre
     ):  # fmt: skip
         if doubtful:
             warnings.warn(
-                f"{path.name or path}: {said} was read, because the file gives no unit; if it is in {unit}, write "
-                f'{argument}="{unit}" ({option} {unit})',
+                f"{path.name or path}: {said} was read, because the file gives no unit; if it is in {unit}, "
+                f'write {argument}="{unit}" ({option} {unit})',
                 HaptonicWarning,
                 stacklevel=4,
             )
