@@ -13,6 +13,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Faces, Pillar
+from haptonic.cell.sectors import unmeshed
 from haptonic.cell.sites import (
     MOST_SITES,
     SITES,
@@ -88,17 +89,10 @@ class UnitCell(TileShape):
         if not self.is_simple:
             self._check_sites()
             return
-        if self.pillar is not None and self.pillar.section == "square" and len(self.corners) != 4:
-            raise problem(
-                "unsupported",
-                "square",
-                f"round on a {self.lattice.name} lattice",
-                "a cell of six sides is meshed around a circle",
-                'write section = "round", or take a square or rectangular lattice',
-                at="pillar.section",
-            )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
-            raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
+            raise _too_wide(self.pillar, self.room - LEAST_CLEARANCE * self.lattice.pitch)
+        if (parts := unmeshed(self)) is not None:
+            raise problem("unsupported", **parts, at="pillar.section")
 
     def _check_sites(self) -> None:
         if self.site and self.pillar is not None:
@@ -288,7 +282,7 @@ class UnitCell(TileShape):
 
 
 def _too_wide(pillar: Pillar, room: float) -> Exception:
-    """A pillar, or its fillet, for which half the width that there is (m) is not enough."""
+    """A pillar, or its fillet, that is wider than the half-width that there is room for, m."""
     free = "so that a hundredth of the pitch stays free on either side"
     if room <= 0:
         return problem(
@@ -310,12 +304,13 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
             "choose a smaller radius, a thinner pillar or a larger pitch",
             at="pillar.fillet",
         )
-    beyond = 2 * (sharp.widest - pillar.radius)
+    per_half = pillar.diameter / pillar.radius
+    beyond = per_half * (sharp.widest - pillar.radius)
     return problem(
         "out-of-range",
         f"{pillar.diameter * 1e3:g} mm"
         + (f", and {beyond * 1e3:.4g} mm more where the pillar is widest" if beyond else ""),
-        f"less than {(2 * room - beyond) * 1e3:.4g} mm, {free}",
+        f"less than {(per_half * room - beyond) * 1e3:.4g} mm, {free}",
         "the pillar is wider than the cell",
         "choose a thinner pillar or a larger pitch",
         at="pillar.diameter",

@@ -153,7 +153,7 @@ class Part:
     def faces(self) -> int:
         """How many smooth surfaces its pillars have, which decides what a solid costs."""
         bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.standing]
-        around = [len(body.form.corners) or 1 for body, _ in bodies]
+        around = [body.outline.joints or 1 for body, _ in bodies]
         return self.cell.copies * sum(
             number * (1 + sides * (len(body.side) - (body.arc is None)))
             for sides, (body, number) in zip(around, bodies, strict=True)
