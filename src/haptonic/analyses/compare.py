@@ -11,6 +11,7 @@ from haptonic.analyses.bands import compute_bands
 from haptonic.analyses.comparing import of_dataset, of_file, of_table, path_in
 from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.channels.numbers import read_numbers
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
@@ -121,6 +122,7 @@ ANALYSIS = Analysis(
     name="compare",
     result=Comparison,
     compute=compute,
+    supports=no_cell,
     options=CompareOptions,
     check=check,
     study="none",

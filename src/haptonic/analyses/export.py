@@ -19,7 +19,7 @@ from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
-from haptonic.workshop.part import Part
+from haptonic.workshop.part import Part, hidden
 from haptonic.workshop.shape import MM, dimensions_of
 
 KINDS = ("step", "dxf", "stl", "drawing")
@@ -157,7 +157,14 @@ def check(study: Description, options: ExportOptions) -> None:
     """Refuse what cannot be made."""
     part = options.part(study)
     if {"dxf", "drawing"} & set(options.kinds):
-        part.need_one_face()
+        part.need_shown(drawn="drawing" in options.kinds)
+
+
+def supports(cell: UnitCell, options: ExportOptions) -> HaptonicError | None:
+    """Solids show everything; outlines and the drawing see `workshop.part.hidden`."""
+    if not {"dxf", "drawing"} & set(options.kinds):
+        return None
+    return hidden(cell, cell.pillars, drawn="drawing" in options.kinds)
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
@@ -218,6 +225,7 @@ ANALYSIS = Analysis(
     name="export",
     result=Workshop,
     compute=compute,
+    supports=supports,
     cost=cost,
     options=ExportOptions,
     check=check,

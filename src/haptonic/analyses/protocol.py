@@ -8,6 +8,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.experiments import protocol_of, task_of
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
@@ -68,6 +69,7 @@ ANALYSIS = Analysis(
     name="protocol",
     result=TrialPlan,
     compute=compute,
+    supports=no_cell,
     cost=lambda study, options: Cost(3.0),  # of simulated experiments
     doing="simulated experiments",
 )

@@ -23,6 +23,7 @@ from haptonic.analyses.needs import has_plate
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_scan import rescanned
+from haptonic.analyses.support import every_cell
 from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.fields import read
 from haptonic.friction.recordings import Sensor
@@ -264,6 +265,7 @@ ANALYSIS = Analysis(
     name="reproduce",
     result=Reproduction,
     compute=compute,
+    supports=every_cell,
     cost=cost,
     planned=lambda study: True,
     options=ReproduceOptions,

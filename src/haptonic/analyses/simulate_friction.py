@@ -10,6 +10,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.errors import FrictionError, ResourceError, shown
 from haptonic.friction.simulation import Experiment
 from haptonic.gate import json_from
@@ -104,6 +105,7 @@ ANALYSIS = Analysis(
     name="simulate friction",
     result=SimulatedFriction,
     compute=compute,
+    supports=no_cell,
     cost=cost,
     options=SimulateFrictionOptions,
     doing="strokes",

@@ -13,6 +13,7 @@ from pydantic import Field
 
 from haptonic.arrays import Array
 from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
+from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
 from haptonic.fields import LARGEST, Quantity, described, needed, problem, setting, size
@@ -252,9 +253,10 @@ class Pillar:
 
     def is_image(self, other: Pillar, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) that keeps the normal takes the pillar to another one."""
-        alike = self == other or (
-            (self.stages, self.draft, self.fillet) == (other.stages, other.draft, other.fillet)
-        )
+        if len(self.stages) != len(other.stages):
+            return False
+        mine, its = (np.array([*np.ravel(p.stages), p.draft, p.fillet]) for p in (self, other))
+        alike = self == other or bool((np.abs(mine - its) <= SAME * np.abs(mine)).all())
         return alike and self.outline.image(turn[:2, :2]).is_same(other.outline)
 
     def turned(self, angle: float) -> Pillar:

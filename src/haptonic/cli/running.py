@@ -149,7 +149,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     file, dry = rest.pop("study_file", None), rest.pop("dry_run", False)
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
     study = None if file is None else load(file)
-    analysis.check(study, options)
+    analysis.admit(study, options)
     cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:
         voice.tell(cost.sentence)

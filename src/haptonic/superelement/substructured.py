@@ -83,7 +83,8 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
     if not is_cut and low - tile.thickness < FOOT_LAYER * 2 * pillar.radius * (1 - 1e-9):
         return None
     # polynomials that the nodes of the foot can follow; other sections than round ones warp in torsion
-    degree = plan.order // 2 if pillar.outline.warps else (plan.order + 2) // 3
+    quarter = plan.side * plan.sides // 4  # orders around a quarter turn
+    degree = quarter // 2 if pillar.outline.warps else (plan.order + 2) // 3
     return PillarBody(
         low=low,
         length=tile.thickness + pillar.height - low,

@@ -67,7 +67,9 @@ def part_drawing(
     Raises
     ------
     StudyError : a tolerance of what the cell does not have, or one that is not positive
+    GeometryError : pillars that the views do not show, see `workshop.part.hidden`
     """
+    part.need_shown(drawn=True)
     tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
     with reproducible():
         by_cell = part.count is not None and part.cell.is_simple and part.cell.is_upright

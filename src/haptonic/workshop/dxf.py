@@ -63,7 +63,7 @@ def outlines(part: Part) -> Drawing:
     ------
     GeometryError : pillars stand on both faces
     """
-    part.need_one_face()
+    part.need_shown()
     document = ezdxf.new("R2010", units=MILLIMETRES)
     space = document.modelspace()
     for mark in part.marks:  # first: edges lie on top of them
