@@ -153,7 +153,7 @@ def _turned(occ: ModuleType, body: PillarShape) -> Any:
 def _cut(occ: ModuleType, body: PillarShape) -> Any:
     """What bars with the profile on one side, one along each side of the outline, have in common."""
     axis, top = occ.Axis((0, 0, 0), occ.Z), float(body.side[-1, 0])
-    reach = 2 * max(body.foot, body.widest) * float(np.linalg.norm(body.outline.corners, axis=1).max())
+    reach = 2 * max(body.foot, body.widest) * body.outline.reach
     rest = _line(occ, (top, body.height), (-reach, body.height), (-reach, 0), (body.foot, 0))
     face = occ.Face(occ.Wire([*_flank(occ, body), *rest])).Move(occ.Vec(0, -reach, 0))
     bar, shape = occ.Prism(face, occ.Vec(0, 2 * reach, 0)), None

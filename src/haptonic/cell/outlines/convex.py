@@ -122,6 +122,10 @@ class Convex(Outline):
     def inradius(self) -> float:
         return float(self.support(self._normal).min())
 
+    @property
+    def reach(self) -> float:
+        return float(np.linalg.norm(self._centre, axis=1).max() + self.rounding)
+
     def scaled(self, factor: float) -> Convex:
         return Convex(tuple((factor * x, factor * y) for x, y in self.vertices), factor * self.rounding)
 

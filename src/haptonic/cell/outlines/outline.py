@@ -71,6 +71,11 @@ class Outline:
         raise NotImplementedError
 
     @property
+    def reach(self) -> float:
+        """Distance of the farthest point from the origin."""
+        raise NotImplementedError
+
+    @property
     def inradius(self) -> float:
         """Smallest half-width."""
         raise NotImplementedError

@@ -84,6 +84,10 @@ class Oval(Outline):
     def inradius(self) -> float:
         return self._half_axes[0] if self.stretch != CIRCLE.stretch else 1.0
 
+    @property
+    def reach(self) -> float:
+        return self._half_axes[1]
+
     def scaled(self, factor: float) -> Oval:
         (a, b), (_, d) = self.stretch
         return Oval(((factor * a, factor * b), (factor * b, factor * d)))
