@@ -93,7 +93,7 @@ def test_an_outline_that_leaves_no_room_is_refused():
 
 @cache
 def frequencies(tile):
-    return BlochModel.of(tile, Resolution(3, 1), 6, measured=False).frequencies(KAPPA)[:6]
+    return BlochModel.of(tile, Resolution(2, 1), 6, measured=False).frequencies(KAPPA)[:6]
 
 
 @pytest.mark.parametrize(("one", "other"), list(SAME.values())[:4], ids=list(SAME)[:4])
@@ -107,7 +107,7 @@ def test_a_turn_of_cell_and_wavevector_changes_nothing():
     section = {"section": "rectangle", "length": 2 * MM, "turn": 0.3}
     tile, other = cell(**section), cell(**section | {"turn": 0.3 + math.pi / 2})
     x, y = KAPPA
-    there = BlochModel.of(other, Resolution(3, 1), 6, measured=False).frequencies(np.array([-y, x]))[:6]
+    there = BlochModel.of(other, Resolution(2, 1), 6, measured=False).frequencies(np.array([-y, x]))[:6]
     # what the interior leaves out is not the same in both
     assert frequencies(tile) == pytest.approx(there, rel=5e-5)
 
@@ -126,7 +126,7 @@ def test_the_same_pillars_in_two_bases_have_the_same_frequencies():
     model = BlochModel.of(pair, Resolution(3, 1), 12, measured=False)
     found = model.frequencies(np.array([2 * KAPPA[0], KAPPA[1]]))[:12]
     both = [
-        BlochModel.of(tile, Resolution(3, 1), 6, measured=False).frequencies(KAPPA + np.array([turn, 0]))[:6]
+        BlochModel.of(tile, Resolution(2, 1), 6, measured=False).frequencies(KAPPA + np.array([turn, 0]))[:6]
         for turn in (0.0, math.pi)
     ]
     # the lowest six of both: they are complete below the highest of either

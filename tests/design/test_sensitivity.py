@@ -38,6 +38,8 @@ CELLS = {
     "centred": cell(Pillar(3 * MM, 9 * MM), Lattice.centred(7 * MM, 10 * MM)),
     "oblique": cell(Pillar(3 * MM, 9 * MM), Lattice.oblique(7 * MM, 6 * MM, 1.3)),
     "plain plate": cell(None),
+    "ellipse": cell(Pillar(3 * MM, 5 * MM, "ellipse", length=2 * MM, turn=0.3)),
+    "rounded": cell(Pillar(3 * MM, 5 * MM, "rectangle", length=2 * MM, corner_radius=0.4 * MM)),
 }
 # (cell, phases, band from 0, degenerate modes)
 CASES = [
@@ -48,6 +50,8 @@ CASES = [
     pytest.param("rectangular", GENERIC, 5, 1, marks=pytest.mark.nightly),
     ("centred", GENERIC, 5, 1),
     ("plain plate", GENERIC, 3, 1),
+    ("ellipse", GENERIC, 4, 1),
+    pytest.param("rounded", GENERIC, 4, 1, marks=pytest.mark.nightly),
 ]
 cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)
 

@@ -64,12 +64,16 @@ class OfCell(OfNumber):
 def values_of(cell: UnitCell) -> dict[str, float]:
     """All numbers of a cell that can be varied, in SI units and the order of `UNITS`.
 
-    A sharp edge cannot be varied into a fillet; nor can an absent step.
+    A sharp edge cannot be varied into a fillet, nor a sharp corner into a round one; nor can an absent step.
+    Some sections have no draft, see `Pillar`.
     """
     found = cell.numbers()
     for number, pillar in enumerate(cell.pillars):
-        if pillar is not None and not pillar.fillet:
-            found.pop(f"{cell.pillar_path(number)}.fillet", None)
+        if pillar is not None:
+            absent = [name for name in ("fillet", "corner_radius") if not getattr(pillar, name)]
+            absent += [] if pillar.outline.is_tangential else ["draft"]
+            for name in absent:
+                found.pop(f"{cell.pillar_path(number)}.{name}", None)
     order = list(UNITS)
     known = [path for path in found if path in UNITS]
     return {path: found[path] for path in sorted(known, key=lambda path: order.index(pattern_of(path)))}
