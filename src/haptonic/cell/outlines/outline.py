@@ -15,7 +15,7 @@ import numpy as np
 from haptonic.arrays import Array
 
 SAME = 1e-9  # of a half-width: places that coincide
-DIRECTIONS, HALVINGS = 360, 60  # of the search for the direction in which two outlines are farthest apart
+DIRECTIONS, HALVINGS = 72, 40  # of the search for the direction in which two outlines are farthest apart
 GOLDEN = 0.5 * (np.sqrt(5) - 1)
 
 
