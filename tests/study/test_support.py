@@ -1,15 +1,18 @@
 """Every analysis answers for every feature of a cell, or refuses it in five parts: none leaves one out."""
 
+from dataclasses import replace
 from importlib import import_module
+from types import SimpleNamespace
 
 import pytest
 
-from five_parts import assert_told
+from five_parts import assert_told, refusing
 from haptonic.analyses import NAMES
 from haptonic.analyses.export import ExportOptions
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.outlines import SECTIONS, taken_by
 from haptonic.cell.pillar import Corner
+from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 
@@ -70,6 +73,23 @@ def test_a_drawing_is_refused_for_what_it_does_not_show():
     shown = {f"{section} on {lattice.name}" for section in ("round", "square", "hexagon")
              for lattice in (SQUARE, TRIANGULAR)}  # fmt: skip
     assert refused == set(FEATURES) - shown - {"plain plate"}
+
+
+def test_the_report_asks_each_analysis_as_well():
+    """A chapter of what an analysis refuses is never computed."""
+    from haptonic.analyses import reproduce
+
+    asked = []
+    refusing_one = replace(
+        ANALYSES["sweep"],
+        supports=lambda cell, options: StudyError.unsupported(
+            argument="cell", given="a hole", allowed="none", cause="a test", next_step="none"
+        ),
+        compute=lambda *_: asked.append("computed"),
+    )
+    with refusing(StudyError, "unsupported", "cell"):
+        reproduce._answered(refusing_one, SimpleNamespace(cell=cell(None)), None, None)
+    assert asked == []
 
 
 def test_no_analysis_says_nothing():

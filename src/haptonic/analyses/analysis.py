@@ -104,10 +104,14 @@ class Analysis:
         ------
         HaptonicError : from `supports` or `check`
         """
+        self.need_supported(study, options)
+        self.check(study, options)
+
+    def need_supported(self, study: Any, options: Any) -> None:
+        """Raise the error of `supports` for the cell of a study, if there is one."""
         refusal = self.supports(study.cell, options) if study is not None else None
         if refusal is not None:
             raise refusal
-        self.check(study, options)
 
     def by_name_only(self, value: object) -> StudyError:
         """The error of an option that Python gave by its place: which it is meant for nobody can tell."""

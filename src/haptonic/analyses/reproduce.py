@@ -116,7 +116,7 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     parts: dict[str, Result] = {}
     for one, chosen in _reported(study):
         with _timed(timings, one.name):
-            found = _tried(one.name, partial(one.compute, study, chosen, _of(runner, one)))
+            found = _tried(one.name, partial(_answered, one, study, chosen, _of(runner, one)))
         if found is not None:
             parts[one.name] = found
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
@@ -146,6 +146,12 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
         started=started,
     )
     return Reproduction(parts, results)
+
+
+def _answered(one: Analysis, study: Description, chosen: Any, runner: Runner) -> Result:
+    """The result of an analysis; a cell that it does not support is refused, and its chapter says so."""
+    one.need_supported(study, chosen)
+    return one.compute(study, chosen, runner)
 
 
 def _reported(study: Description) -> Iterator[tuple[Analysis, Any]]:
