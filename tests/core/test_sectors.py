@@ -126,7 +126,7 @@ def test_the_same_pillars_in_two_bases_have_the_same_frequencies():
     model = BlochModel.of(pair, Resolution(3, 1), 12, measured=False)
     found = model.frequencies(np.array([2 * KAPPA[0], KAPPA[1]]))[:12]
     both = [
-        BlochModel.of(tile, Resolution(2, 1), 6, measured=False).frequencies(KAPPA + np.array([turn, 0]))[:6]
+        BlochModel.of(tile, Resolution(3, 1), 6, measured=False).frequencies(KAPPA + np.array([turn, 0]))[:6]
         for turn in (0.0, math.pi)
     ]
     # the lowest six of both: they are complete below the highest of either
