@@ -23,7 +23,7 @@ SAME = 1e-6  # of a radius: places that coincide
 FARTHEST = 1.2  # shift of a block's end from its even place to a joint, in angles between two even places
 RINGS = 0.4  # of the clearance, that the rings about a pillar take up at most
 CORE_BULGE = 0.45  # edges of the core: 0 chords, 1 arcs
-TIE = 1e-6  # of the square of a shift
+TIE, SAME_COST = 1e-6, 1e-12  # of the square of a shift
 SHARES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])  # of a block, at which elements are checked
 # turns and mirrors that meshes are folded by: see `superelement.symmetry`
 OPERATIONS = tuple(
@@ -92,9 +92,9 @@ class Sectors:
 
 def sectors(tile: TileShape, blocks: int) -> Sectors:
     """Sectors of a tile with so many blocks to each side, see `least_blocks`."""
-    found = _sectors(_Seen.of(tile.above), blocks)
-    assert found is not None, "a plan with too few blocks for the outline"
-    return found
+    suited = _sectors(_Seen.of(tile.above), blocks)
+    assert suited is not None, "a plan with too few blocks for the outline"
+    return suited
 
 
 def least_blocks(tile: TileShape, blocks: int) -> int | None:
@@ -154,13 +154,13 @@ class _Seen:
 @lru_cache(maxsize=256)
 def _sectors(seen: _Seen, blocks: int) -> Sectors | None:
     """Of so many blocks, by themselves or as parts of fewer that suit."""
-    made = _of_blocks(seen, blocks)
+    around = _of_blocks(seen, blocks)
     for fewer in range(blocks // 2, 0, -1):
-        if made is None and not blocks % fewer and (coarse := _of_blocks(seen, fewer)) is not None:
+        if around is None and not blocks % fewer and (coarse := _of_blocks(seen, fewer)) is not None:
             number = np.arange(len(seen.corners) * blocks + 1) / (blocks // fewer)
             place = np.interp(number, np.arange(len(coarse.place)), coarse.place)
-            made = Sectors(seen.outline, place, blocks)
-    return made
+            around = Sectors(seen.outline, place, blocks)
+    return around
 
 
 def _of_blocks(seen: _Seen, blocks: int) -> Sectors | None:
@@ -174,9 +174,9 @@ def _of_blocks(seen: _Seen, blocks: int) -> Sectors | None:
     ends = _ends(outline, even, blocks, rim, operations)
     if ends is None:
         return None
-    made = Sectors(outline, _filled(outline.joints, ends, len(even) - 1), blocks)
-    sound = _keeps(made, rim, operations) and _is_sound(made, seen)
-    return made if sound else None
+    around = Sectors(outline, _filled(outline.joints, ends, len(even) - 1), blocks)
+    sound = _keeps(around, rim, operations) and _is_sound(around, seen)
+    return around if sound else None
 
 
 @lru_cache(maxsize=32)
@@ -220,9 +220,9 @@ def _ends(outline: Outline, even: Array, blocks: int, rim: Array, operations: li
         cost[np.abs(shift) > FARTHEST] = np.inf
         cost[(on_joint[:, :, None] != on_end[:, None, number % count]).any(axis=0)] = np.inf
         cost[0, 1:] = np.inf
-        found = _cheapest(cost)
-        if found is not None and (best is None or found[0] < best[0] - 1e-12):
-            best = found[0], [int(number[k]) for k in found[1]]
+        cheapest = _cheapest(cost)
+        if cheapest is not None and (best is None or cheapest[0] < best[0] - SAME_COST):
+            best = cheapest[0], [int(number[k]) for k in cheapest[1]]
     return None if best is None else np.array(best[1])
 
 
@@ -262,9 +262,9 @@ def _filled(joints: int, ends: Ints, count: int) -> Array:
     return np.asarray(place_of)
 
 
-def _keeps(made: Sectors, rim: Array, operations: list[Array]) -> bool:
+def _keeps(around: Sectors, rim: Array, operations: list[Array]) -> bool:
     """True if every operation takes the ends at the pillar as it takes those at the tile's sides."""
-    ends = made.points(np.zeros(1))
+    ends = around.points(np.zeros(1))
     for turn in operations:
         apart = np.linalg.norm((rim @ turn.T)[:, None] - rim, axis=2)
         if np.abs(ends @ turn.T - ends[apart.argmin(axis=1)]).max() > SAME:
@@ -272,40 +272,34 @@ def _keeps(made: Sectors, rim: Array, operations: list[Array]) -> bool:
     return True
 
 
-def _is_sound(made: Sectors, seen: _Seen) -> bool:
+def _is_sound(around: Sectors, seen: _Seen) -> bool:
     """True if no element is inside out."""
-    inner, outer = seen.beyond * made.points(SHARES), _along(np.array(seen.corners), made.blocks)
+    inner, outer = seen.beyond * around.points(SHARES), _along(np.array(seen.corners), around.blocks)
     inner, outer = inner.reshape(-1, len(SHARES), 2), outer.reshape(-1, len(SHARES), 2)
     for part in (0.0, 0.5, 1.0):
         curve = (1 - part) * inner + part * outer
         along, across = np.gradient(curve, axis=1), outer - inner
         if (across[..., 0] * along[..., 1] - across[..., 1] * along[..., 0]).min() <= 0:
             return False
-    return _is_core_sound(made)
+    return _is_core_sound(around)
 
 
-def _is_core_sound(made: Sectors) -> bool:
+def _is_core_sound(around: Sectors) -> bool:
     """True if no element of the core is inside out; see `cell.topology` for its patches."""
-    core = made.core(SHARES[:-1])
-    side = len(core) // made.sides
-    for start in range(0, len(core), side):
-        if made.sides == 4:
-            ring = np.take(core, np.arange(4 * side + 1), axis=0, mode="wrap")
-            edges = ring[::1].reshape(-1, 2)
-            low, right = edges[: side + 1], edges[side : 2 * side + 1]
-            high, left = edges[2 * side : 3 * side + 1][::-1], edges[3 * side : 4 * side + 1][::-1]
-        else:
-            number = start + np.arange(-(side // 2), side // 2 + 1)
-            around = np.take(core, number, axis=0, mode="wrap")
-            half = side // 2
-            share = np.arange(half + 1)[:, None] / half
-            low, left = share * around[0], share * around[-1]
-            right, high = around[: half + 1], around[half:][::-1]
-        if _turns(_coons(low, right, high, left)).min() <= 0:
-            return False
-        if made.sides == 4:
-            break
-    return True
+    core = around.core(SHARES[:-1])
+    side, half = len(core) // around.sides, len(core) // around.sides // 2
+    patches = []
+    if around.sides == 4:
+        loop = np.concatenate([core, core[:1]])
+        low, right, high, left = (loop[n * side : (n + 1) * side + 1] for n in range(4))
+        patches.append((low, right, high[::-1], left[::-1]))
+    else:
+        share = np.arange(half + 1)[:, None] / half
+        for corner in range(0, len(core), side):
+            beside = np.take(core, corner + np.arange(-half, half + 1), axis=0, mode="wrap")
+            straight = (share * beside[0], share * beside[-1])
+            patches.append((straight[0], beside[: half + 1], beside[half:][::-1], straight[1]))
+    return all(_turns(_coons(*edges)).min() > 0 for edges in patches)
 
 
 def _coons(low: Array, right: Array, high: Array, left: Array) -> Array:

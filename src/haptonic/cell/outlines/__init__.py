@@ -31,7 +31,7 @@ SECTIONS: Mapping[SectionName, type[Section]] = {
 
 def taken_by(section: type[Any]) -> dict[str, bool]:
     """Numbers of a pillar that a section takes, and whether each has to be given."""
-    return {one.name: one.default is MISSING for one in fields(section)}
+    return {number.name: number.default is MISSING for number in fields(section)}
 
 
 NUMBERS = tuple(dict.fromkeys(name for section in SECTIONS.values() for name in taken_by(section)))

@@ -133,11 +133,11 @@ class Convex(Outline):
         """The polygon with arcs in place of its corners; a circle where these leave nothing of the sides."""
         if not radius:
             return self
-        made = Convex(self.vertices, radius)
-        centre = made._centre.mean(axis=0)
-        if made._angles.all() and np.abs(centre).max() < SAME:
+        arcs = Convex(self.vertices, radius)
+        centre = arcs._centre.mean(axis=0)
+        if arcs._angles.all() and np.abs(centre).max() < SAME:
             return CIRCLE.scaled(radius)
-        return made
+        return arcs
 
     def image(self, turn: Array) -> Convex:
         corner = self._corner @ turn.T

@@ -124,12 +124,12 @@ class Outline:
         """
         if not self.joints:
             return self.at(2 * np.pi * np.arange(count) / count)
-        made = []
+        points = []
         for piece in range(self.joints):
             bent = self._turning(piece) / (2 * np.pi)
             parts = max(int(np.ceil(count * bent - SAME)), 1) if bent > SAME else pieces
-            made.append(self.at(piece + np.arange(parts) / parts))
-        return np.concatenate(made)
+            points.append(self.at(piece + np.arange(parts) / parts))
+        return np.concatenate(points)
 
     def _turning(self, piece: int) -> float:
         """Angle that a piece turns through, rad; 0 for a straight side."""
