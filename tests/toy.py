@@ -8,6 +8,7 @@ from haptonic import plots
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import every_cell
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
@@ -63,6 +64,7 @@ def compute(study: Description, options: ToyOptions, runner: Runner) -> Toy:
 
 
 ANALYSIS = Analysis(
+    supports=every_cell,
     name="toy", result=Toy, compute=compute, options=ToyOptions,
     cost=lambda study, options: Cost(2.0 * options.number),
     reported=lambda study: ToyOptions(),

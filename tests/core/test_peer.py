@@ -1,6 +1,7 @@
 """Bands of other geometries against an independent finite-element library."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -54,7 +55,23 @@ MM = 1e-3
 MEMBERS = {
     "filleted cone": Pillar(3.5 * MM, 7 * MM, draft=math.radians(3), fillet=0.6 * MM),
     "square": Pillar(3 * MM, 6 * MM, "square"),
+    "hexagon": Pillar(3 * MM, 6 * MM, "hexagon"),
+    "turned ellipse": Pillar(3 * MM, 6 * MM, "ellipse", length=2 * MM, turn=0.5),
+    "triangle": Pillar(2 * MM, 6 * MM, "polygon", sides=3),
+    "turned rectangle": Pillar(3 * MM, 6 * MM, "rectangle", length=4 * MM, turn=math.pi / 6),
 }
+
+
+def shape_of(pillar: Pillar) -> dict[str, Any]:
+    """The section and its size in the words of the peer: corners or half-axes where it has no name for it."""
+    outline, radius = pillar.outline, pillar.radius
+    if pillar.section in ("round", "square"):
+        return {"section": pillar.section, "diameter": pillar.diameter}
+    if outline.joints:
+        corners = radius * outline.at(np.arange(outline.joints, dtype=float))
+        return {"diameter": 2 * radius, "corners": tuple((x, y) for x, y in corners.tolist())}
+    (large, small), (x, y) = outline.half_axes
+    return {"diameter": 2 * radius, "ellipse": (radius * large, radius * small, math.atan2(y, x))}
 
 
 @pytest.mark.nightly
@@ -65,8 +82,8 @@ def test_members_of_the_pillar_family_agree_with_the_peer(pillar):
     cell = UnitCell(Lattice.square(7 * MM), 1.5 * MM, metal, pillar)
     model = BlochModel.of(cell, Resolution(4, 1), COUNT, measured=False)
     same = PeerCell(
-        7 * MM, 7 * MM, 1.5 * MM, pillar.diameter, pillar.height, 70e9, 0.33, 2700.0,
-        section=pillar.section, draft=pillar.draft, fillet=pillar.fillet,
+        pitch_x=7 * MM, pitch_y=7 * MM, thickness=1.5 * MM, height=pillar.height, youngs_modulus=70e9,
+        poisson_ratio=0.33, density=2700.0, draft=pillar.draft, fillet=pillar.fillet, **shape_of(pillar),
     )  # fmt: skip
     lower, higher = meshed(same, order=3), meshed(same, order=4)
     for kappa in ((0.0, 0.0), CORNER):

@@ -16,6 +16,7 @@ from haptonic.bloch.character import characters
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Pillar, Step, UnitCell, mesh_cell
+from haptonic.cell.outlines import SECTIONS
 from haptonic.cell.pieces import pieces_of
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial, material
@@ -74,7 +75,8 @@ FEW_MIRRORS = {
 
 
 def pillar_body(material=ALUMINIUM, section="round", degree=3, order=16):
-    return PillarBody(2e-3, LENGTH, RADIUS, section, material, degree, order, kinds=1, faces=1)
+    outline = SECTIONS[section]().outline()
+    return PillarBody(2e-3, LENGTH, RADIUS, outline, material, degree, order, kinds=1, faces=1)
 
 
 def free_frequencies(body, count):

@@ -38,6 +38,8 @@ CELLS = {
     "centred": cell(Pillar(3 * MM, 9 * MM), Lattice.centred(7 * MM, 10 * MM)),
     "oblique": cell(Pillar(3 * MM, 9 * MM), Lattice.oblique(7 * MM, 6 * MM, 1.3)),
     "plain plate": cell(None),
+    "ellipse": cell(Pillar(3 * MM, 5 * MM, "ellipse", length=2 * MM, turn=0.3)),
+    "rounded": cell(Pillar(3 * MM, 5 * MM, "rectangle", length=2 * MM, corner_radius=0.4 * MM)),
 }
 # (cell, phases, band from 0, degenerate modes)
 CASES = [
@@ -48,6 +50,8 @@ CASES = [
     pytest.param("rectangular", GENERIC, 5, 1, marks=pytest.mark.nightly),
     ("centred", GENERIC, 5, 1),
     ("plain plate", GENERIC, 3, 1),
+    ("ellipse", GENERIC, 4, 1),
+    pytest.param("rounded", GENERIC, 4, 1, marks=pytest.mark.nightly),
 ]
 cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)
 
@@ -161,7 +165,8 @@ def test_values_put_back_change_nothing_and_each_changes_what_it_names(name):
 
 
 def test_what_a_cell_does_not_have_cannot_be_varied():
-    of_others = {"cell.pitch_2", "cell.angle"} | {path for path in UNITS if path.startswith("cell.site[]")}
+    of_others = {"cell.pitch_2", "cell.angle", "cell.pillar.length", "cell.pillar.corner_radius"}
+    of_others |= {path for path in UNITS if path.startswith("cell.site[]")}
     assert set(values_of(CELLS["all at once"])) == set(UNITS) - {"cell.pitch_y"} - of_others
     assert set(values_of(CELLS["rectangular"])) == set(UNITS) - of_others - {
         "cell.pillar.fillet", "cell.pillar.step.diameter", "cell.pillar.step.height",

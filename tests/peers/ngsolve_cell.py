@@ -27,6 +27,7 @@ import ngsolve as ng
 import numpy as np
 from netgen.occ import (
     ArcOfCircle,
+    Axes,
     Axis,
     Box,
     Cylinder,
@@ -35,9 +36,11 @@ from netgen.occ import (
     OCCGeometry,
     Segment,
     Wire,
+    WorkPlane,
     X,
     Y,
     Z,
+    gp_Dir,
     gp_Pnt,
     gp_Trsf,
     gp_Vec,
@@ -61,7 +64,8 @@ class PeerCell:
     """A rectangular plate cell with a pillar at its centre, isotropic and lossless; SI units, draft in rad.
 
     The pillar is round or square, wide at its foot as `diameter` says; `fillet` is the radius of an arc that
-    touches the plate's top and the pillar's side, for round pillars only.
+    touches the plate's top and the pillar's side, for round pillars only. An upright pillar of another
+    section has the corners (x, y) of a polygon, m, or an ellipse's half-axes and the angle of the first, rad.
     """
 
     pitch_x: float
@@ -75,6 +79,8 @@ class PeerCell:
     section: Literal["round", "square"] = "round"
     draft: float = 0.0
     fillet: float = 0.0
+    corners: tuple[tuple[float, float], ...] = ()
+    ellipse: tuple[float, float, float] | None = None
 
     @property
     def frequency_unit(self) -> float:
@@ -165,7 +171,8 @@ def meshed(
     foot_size = 0.2 * cell.diameter if foot_size is None else foot_size
 
     plate = Box((-pitch_x / 2, -pitch_y / 2, 0.0), (pitch_x / 2, pitch_y / 2, thickness))
-    if cell.section == "round" and not (cell.draft or cell.fillet):
+    is_plain = not (cell.draft or cell.fillet or cell.corners or cell.ellipse)
+    if cell.section == "round" and is_plain:
         pillar = Cylinder((0.0, 0.0, thickness), Z, r=radius, h=height)
     else:
         pillar = _pillar(cell)
@@ -259,6 +266,15 @@ def _pillar(cell: PeerCell) -> Any:
     unit = cell.pitch_x
     thickness, radius, height = cell.thickness / unit, cell.diameter / 2 / unit, cell.height / unit
     tip = radius - height * np.tan(cell.draft)
+    if cell.corners:
+        points = [gp_Pnt(x / unit, y / unit, thickness) for x, y in cell.corners]
+        return Face(Wire([Segment(a, b) for a, b in pairwise([*points, points[0]])])).Extrude(height * Z)
+    if cell.ellipse:
+        along, across, turn = cell.ellipse
+        large, small = max(along, across), min(along, across)
+        turn += 0.0 if along == large else np.pi / 2
+        plane = WorkPlane(Axes((0.0, 0.0, thickness), Z, gp_Dir(np.cos(turn), np.sin(turn), 0.0)))
+        return plane.Ellipse(large / unit, small / unit).Face().Extrude(height * Z)
     if cell.section == "square":
         assert cell.draft == cell.fillet == 0, "a square pillar of this peer is a straight prism"
         return Box((-radius, -radius, thickness), (radius, radius, thickness + height))

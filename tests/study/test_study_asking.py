@@ -16,7 +16,13 @@ from quick import PROTOTYPE as BASE
 VARY = '[[design.vary]]\nparameter = "{}"\nfrom = {}\nto = {}\n'
 OF = '[[tolerance.of]]\nparameter = "{}"\nspread = {}\n{}\n'
 # what squares and rectangles do not have, nor cells of one pillar
-OF_OTHERS = {"cell.pitch_2", "cell.angle", *(path for path in UNITS if path.startswith("cell.site"))}
+OF_OTHERS = {
+    "cell.pitch_2",
+    "cell.angle",
+    "cell.pillar.length",
+    "cell.pillar.corner_radius",
+    *(path for path in UNITS if path.startswith("cell.site")),
+}
 PLAIN = 'material = "steel"\n[cell]\npitch = "10 mm"\nthickness = "1 mm"\n'
 
 

@@ -13,8 +13,16 @@ from haptonic.study import Study, load, loads
 
 KEYS = table(Study)
 # that a rectangular cell with one pillar cannot have; for those of sites see test_study_sites
-OF_SITES = {path for path, key in KEYS.items() if path.startswith("cell.site[].") and key.kind != "table"}
-OF_OTHERS = {"cell.pitch_2", "cell.angle", "cell.a1", "cell.a2"} | OF_SITES
+OF_SITES = {
+    path
+    for path, key in KEYS.items()
+    if path.startswith("cell.site[].") and key.kind not in {"table", "tables"}
+}
+OF_LATTICES = {"cell.pitch_2", "cell.angle", "cell.a1", "cell.a2"}
+OF_SECTIONS = {
+    f"cell.pillar.{name}" for name in ("length", "sides", "corner_radius", "point[].x", "point[].y")
+}
+OF_OTHERS = OF_LATTICES | OF_SECTIONS | OF_SITES
 
 
 def paths_of(data, prefix=""):
@@ -99,6 +107,7 @@ def test_every_other_key_can_be_left_out_of_its_table(path, every_key_text):
     together = {
         "cell.lattice": {"cell.pitch_y"},
         "cell.pitch_y": {"cell.lattice"},
+        "cell.pillar.section": {"cell.pillar.turn"},
         **{f"design.finger_{name}": {f"design.finger_{n}" for n in ("force", "span", "deflection")}
            for name in ("force", "span", "deflection")},
         **{f"plate.edges.{name}": {f"plate.edges.{n}" for n in ("left", "spring", "loss_factor")}

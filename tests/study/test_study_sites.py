@@ -162,8 +162,10 @@ REFUSED = {
     "a fillet too wide": (
         STUDY + UNEQUAL.replace("0.2 mm", "1 mm"), "cell.site[2].pillar.diameter", "out-of-range"
     ),
-    "a square pillar": (
-        STUDY + EQUAL.replace("height", 'section = "square"\nheight'), "cell.pillar.section", "unsupported"
+    "a length of a square pillar": (
+        STUDY + EQUAL.replace("height", 'section = "square"\nlength = "1 mm"\nheight'),
+        "cell.pillar.length",
+        "conflict",
     ),
     "a short side": (
         SQUARE.replace('"square"', '"rectangular"\npitch_y = "7.001 mm"')

@@ -10,6 +10,7 @@ from typing import Any, Literal, get_args, get_type_hints
 
 from haptonic.analyses.options import NoOptions, option_of
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import Supports
 from haptonic.analyses.tables import example_of, settings_of
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.paths import source
@@ -36,6 +37,7 @@ class Analysis:
     name : of the command and of the method of a study, as in `haptonic.analyses.NAMES`
     result : kind of what it gives
     compute : takes the study, the options and a `Runner`
+    supports : takes a study's cell and the options, and gives the error for what of it is not supported
     options : dataclass of what may be chosen, its fields made by `option`; they are declared nowhere else
     cost : takes study and options, and foresees what it needs; None for what takes no time to speak of
     planned : whether `haptonic plan` tells the cost for a study; by default where the study's report has it
@@ -52,6 +54,7 @@ class Analysis:
     name: str
     result: type[Result]
     compute: Callable[[Any, Any, Runner], Result]
+    supports: Supports
     options: type[Any] = NoOptions
     cost: Callable[[Any, Any], Cost] | None = None
     planned: Callable[[Any], bool] | None = None
@@ -110,6 +113,22 @@ class Analysis:
                  if one is not None and Path in (kinds[name], *get_args(kinds[name]))}  # fmt: skip
         return self.options(**asked | paths)
 
+    def admit(self, study: Any, options: Any) -> None:
+        """Refuse a cell that is not supported, and what else could not end well, before any work starts.
+
+        Raises
+        ------
+        HaptonicError : from `supports` or `check`
+        """
+        self.need_supported(study, options)
+        self.check(study, options)
+
+    def need_supported(self, study: Any, options: Any) -> None:
+        """Raise the error of `supports` for the cell of a study, if there is one."""
+        refusal = self.supports(study.cell, options) if study is not None else None
+        if refusal is not None:
+            raise refusal
+
     def by_name_only(self, value: object) -> StudyError:
         """The error of an option that Python gave by its place: which it is meant for nobody can tell."""
         known = {one.name: option_of(one) for one in fields(self.options)}
@@ -137,7 +156,7 @@ class Analysis:
         """Check, then compute, as Python asks: errors name options as Python has them, not their flags."""
         try:
             options = self.chosen(given)
-            self.check(study, options)
+            self.admit(study, options)
             return self.compute(study, options, runner)
         except HaptonicError as error:
             raise self._by_names(error).with_traceback(error.__traceback__) from error.__cause__

@@ -10,6 +10,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import meshes
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import every_cell
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
@@ -94,6 +95,7 @@ ANALYSIS = Analysis(
     name="bands",
     result=Bands,
     compute=compute,
+    supports=every_cell,
     cost=cost,
     check=check,
     reported=lambda study: BandsOptions(surface=True),

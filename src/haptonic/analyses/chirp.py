@@ -13,6 +13,7 @@ from haptonic import plots
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.later import Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.results.cost import Cost
@@ -134,5 +135,6 @@ ANALYSIS = Analysis(
     name="chirp",
     result=Excitation,
     compute=compute,
+    supports=no_cell,
     cost=lambda study, options: Cost(2.0),  # of a drive's files and pictures
 )

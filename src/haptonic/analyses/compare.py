@@ -11,6 +11,7 @@ from haptonic.analyses.bands import compute_bands
 from haptonic.analyses.comparing import OfTable, check_table, of_dataset, of_file, of_table
 from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.analyses.table_path import OurPath
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade, table
@@ -136,6 +137,7 @@ ANALYSIS = Analysis(
     name="compare",
     result=Comparison,
     compute=compute,
+    supports=no_cell,
     options=CompareOptions,
     check=check,
     study="none",

@@ -20,7 +20,7 @@ from haptonic.results.result import Result
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
-from haptonic.workshop.part import Part
+from haptonic.workshop.part import Part, hidden
 from haptonic.workshop.shape import MM, dimensions_of
 
 KINDS = ("step", "dxf", "stl", "drawing")
@@ -170,7 +170,7 @@ def check(study: Description, options: ExportOptions) -> None:
     """Refuse a part that cannot be made, and a solid that is asked for by name without the extra for it."""
     part = options.part(study)
     if {"dxf", "drawing"} & set(options.kinds):
-        part.need_one_face()
+        part.need_shown(drawn="drawing" in options.kinds)
     if options.step:
         workshop.need_opencascade()
 
@@ -184,6 +184,13 @@ def left_out(options: ExportOptions) -> dict[str, str]:
     except ResourceError as error:
         return {"step": f'{error.cause}; run: pip install "haptonic[cad]"'}
     return {}
+
+
+def supports(cell: UnitCell, options: ExportOptions) -> HaptonicError | None:
+    """Solids show everything; outlines and the drawing see `workshop.part.hidden`."""
+    if not {"dxf", "drawing"} & set(options.kinds):
+        return None
+    return hidden(cell, cell.pillars, drawn="drawing" in options.kinds)
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
@@ -245,6 +252,7 @@ ANALYSIS = Analysis(
     name="export",
     result=Workshop,
     compute=compute,
+    supports=supports,
     cost=cost,
     options=ExportOptions,
     check=check,

@@ -11,6 +11,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import size_of
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.errors import ResourceError
 from haptonic.friction.recordings import TABLE, Exclusion, Sensor, analysed
 from haptonic.friction.recordings.draft import drafted
@@ -139,6 +140,7 @@ ANALYSIS = Analysis(
     name="friction",
     result=FrictionResult,
     compute=compute,
+    supports=no_cell,
     cost=cost,
     options=FrictionOptions,
     check=check,

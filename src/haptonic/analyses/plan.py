@@ -6,6 +6,7 @@ from haptonic.analyses import NAMES, named
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import every_cell
 from haptonic.results.plan import StudyPlan
 from haptonic.study.schema import Description
 
@@ -29,6 +30,7 @@ ANALYSIS = Analysis(
     name="plan",
     result=StudyPlan,
     compute=compute,
+    supports=every_cell,
     doing="drawing",
     watches=True,
 )

@@ -12,6 +12,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.experiments import basis_of, protocol_of, task_of, truth_of
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.friction.statistics import Population, participants_needed, power, smallest_shown
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
@@ -88,6 +89,7 @@ ANALYSIS = Analysis(
     name="protocol",
     result=TrialPlan,
     compute=compute,
+    supports=no_cell,
     options=ProtocolOptions,
     cost=lambda study, options: Cost(3.0),  # of simulated experiments
     doing="simulated experiments",

@@ -22,6 +22,7 @@ from haptonic.analyses.needs import has_plate
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_scan import rescanned
+from haptonic.analyses.support import every_cell
 from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.simulation import Experiment
@@ -115,7 +116,7 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     parts: dict[str, Result] = {}
     for one, chosen in _reported(study):
         with _timed(timings, one.name):
-            found = _tried(one.name, partial(one.compute, study, chosen, _of(runner, one)))
+            found = _tried(one.name, partial(_answered, one, study, chosen, _of(runner, one)))
         if found is not None:
             parts[one.name] = found
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
@@ -145,6 +146,12 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
         started=started,
     )
     return Reproduction(parts, results)
+
+
+def _answered(one: Analysis, study: Description, chosen: Any, runner: Runner) -> Result:
+    """The result of an analysis; a cell that it does not support is refused, and its chapter says so."""
+    one.need_supported(study, chosen)
+    return one.compute(study, chosen, runner)
 
 
 def _reported(study: Description) -> Iterator[tuple[Analysis, Any]]:
@@ -255,6 +262,7 @@ ANALYSIS = Analysis(
     name="reproduce",
     result=Reproduction,
     compute=compute,
+    supports=every_cell,
     cost=cost,
     planned=lambda study: True,
     options=ReproduceOptions,

@@ -10,6 +10,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.experiments import basis_of, protocol_of, truth_of
 from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.friction.simulation import Experiment
 from haptonic.results.cost import Cost
 from haptonic.results.simulated_trials import SimulatedFriction
@@ -65,6 +66,7 @@ ANALYSIS = Analysis(
     name="simulate friction",
     result=SimulatedFriction,
     compute=compute,
+    supports=no_cell,
     cost=cost,
     options=SimulateFrictionOptions,
     doing="strokes",

@@ -10,6 +10,7 @@ from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner, design_gaps, gaps_task
+from haptonic.analyses.support import every_cell
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.errors import StudyError
@@ -122,6 +123,7 @@ ANALYSIS = Analysis(
     name="sweep",
     result=Sweeps,
     compute=compute,
+    supports=every_cell,
     cost=cost,
     reported=lambda study: NoOptions() if study.sweep_settings else None,
     check=check,

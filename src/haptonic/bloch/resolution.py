@@ -133,7 +133,7 @@ class Resolution:
         pillar = tile.pillar
         if pillar is None:
             return 0.15
-        narrow = pillar.section == "square" and tile.clearance < CROSSING * pillar.widest
+        narrow = bool(len(pillar.outline.flats)) and tile.clearance < CROSSING * pillar.widest
         factor = self._of_edge(tile, pillar)
         if is_unbridged(tile, self.foot_rings):
             factor = max(factor, UNBRIDGED)
@@ -230,8 +230,8 @@ def meeting(plans: Sequence[MeshPlan]) -> tuple[MeshPlan, ...]:
     """
     if len(plans) == 1:
         return tuple(plans)
-    blocks = max(plan.blocks for plan in plans)
-    order = max(plan.order if plan.blocks == blocks else (plan.order + 1) // 2 + 1 for plan in plans)
+    blocks = math.lcm(*(plan.blocks for plan in plans))
+    order = max(plan.divided(blocks, 0).order for plan in plans)
     levels = max(trace_levels(replace(plan, levels=0)) for plan in plans)
     return tuple(
         replace(

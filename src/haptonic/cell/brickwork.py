@@ -15,6 +15,7 @@ import numpy as np
 from haptonic.cell.directed import along_axis
 from haptonic.cell.geometry import LEAST_CLEARANCE, UnitCell
 from haptonic.cell.rows import Rows
+from haptonic.cell.sectors import unmeshed
 from haptonic.cell.tile import SiteTile
 from haptonic.errors import GeometryError
 from haptonic.translations import SAME
@@ -187,18 +188,21 @@ def _check_room(cell: UnitCell, brick: Brick) -> None:
     """Refuse a pillar that crosses the line halfway to the next."""
     pillar = cell.pillars[brick.number]
     assert pillar is not None
-    room = brick.tile.inradius - LEAST_CLEARANCE * cell.lattice.pitch
+    room = brick.tile.room - LEAST_CLEARANCE * cell.lattice.pitch
     if pillar.widest > room:
-        beyond = 2 * (pillar.widest - pillar.radius)
+        per_half = pillar.diameter / pillar.radius
+        beyond = per_half * (pillar.widest - pillar.radius)
         raise GeometryError.out_of_range(
             argument=f"{cell.pillar_path(brick.number)}.diameter",
             given=f"{pillar.diameter * 1e3:.4g} mm"
             + (f", and {beyond * 1e3:.4g} mm more where it is widest" if beyond else ""),
-            allowed=f"less than {(2 * room - beyond) * 1e3:.4g} mm in a plate",
+            allowed=f"less than {(per_half * room - beyond) * 1e3:.4g} mm in a plate",
             cause="a plate is cut halfway between rows of pillars, and this one crosses such a line",
             next_step="choose a thinner pillar or a larger pitch; bands, layers and ribbons have no such "
             "limit",
         )
+    if (parts := unmeshed(brick.tile)) is not None:
+        raise GeometryError.unsupported(argument=f"{cell.pillar_path(brick.number)}.section", **parts)
 
 
 def _unsupported(cell: UnitCell, cause: str) -> GeometryError:

@@ -11,6 +11,7 @@ from haptonic.later import linalg as la
 from haptonic.materials import IsotropicMaterial
 
 ALPHA = np.array([3.516, 22.03, 61.70])  # equation (3) of the paper
+EQUAL = 1e-9  # relative difference of second moments that counts as none
 POLYNOMIAL = 24  # order along the pillar; the lowest modes are then exact to rounding
 
 
@@ -28,20 +29,22 @@ def timoshenko(pillar: Pillar, material: IsotropicMaterial, count: int = 3) -> A
     """(count,) bending frequencies with shear and rotary inertia, Hz; a fillet is left out.
 
     One spectral element of the Timoshenko cantilever for each smooth piece of the side. Shear coefficients
-    are those of Cowper (1966, doi 10.1115/1.3625046): 6 (1 + nu) / (7 + 6 nu) for a circle,
-    10 (1 + nu) / (12 + 11 nu) for a square.
+    are those of Cowper (1966, doi 10.1115/1.3625046), see `Section.shear_coefficient`. A section without such
+    a coefficient, or with different second moments about its axes, has NaN: there is no formula for it.
     """
     E, nu, rho = material.youngs_modulus, material.poisson_ratio, material.density
-    is_round = pillar.section == "round"
-    shear_coefficient = 6 * (1 + nu) / (7 + 6 * nu) if is_round else 10 * (1 + nu) / (12 + 11 * nu)
+    shear_coefficient = pillar.form.shear_coefficient(nu)
+    places, share = pillar.outline.cubature(2)
+    area_of_1, (moment, other) = pillar.outline.area, share @ places**2
+    if shear_coefficient is None or abs(moment - other) > EQUAL * moment:
+        return np.full(count, np.nan)
     points, weights, derivative = lobatto(POLYNOMIAL)
     nodes = POLYNOMIAL * len(pillar.stages) + 1
     K, M = np.zeros((2, nodes, 2, nodes)), np.zeros((2, nodes, 2, nodes))
     for stage, (low, high, _) in enumerate(pillar.stages):
         along = low + 0.5 * (1 + points) * (high - low)
         width = np.array([pillar.half_width(z, stage) for z in along])
-        area = (np.pi if is_round else 4.0) * width**2
-        second_moment = (0.25 * np.pi if is_round else 4 / 3) * width**4
+        area, second_moment = area_of_1 * width**2, moment * width**4
         w = weights * (high - low) / 2
         D = derivative * 2 / (high - low)
         shear = shear_coefficient * E / (2 * (1 + nu)) * area

@@ -58,8 +58,8 @@ def between_edges(tile: TileShape) -> tuple[float, float] | None:
     if pillar is None or pillar.step is None or pillar.draft or tile.is_mirrored:
         return None
     low, high = float(pillar.arc.at(1.0)[1]) if pillar.arc else 0.0, pillar.step.height
-    beside = min(FOOT_LAYER * pillar.diameter, (high - low) / 3)
-    return (low + beside, high - beside) if beside >= LEAST_LAYER * pillar.diameter else None
+    beside = min(FOOT_LAYER * 2 * pillar.radius, (high - low) / 3)
+    return (low + beside, high - beside) if beside >= LEAST_LAYER * 2 * pillar.radius else None
 
 
 def within_foot(pillar: Pillar) -> float:

@@ -13,6 +13,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.brillouin import IrreducibleZone
 from haptonic.cell.pillar import Faces, Pillar
+from haptonic.cell.sectors import unmeshed
 from haptonic.cell.sites import (
     MOST_SITES,
     SITES,
@@ -132,17 +133,10 @@ class UnitCell(TileShape):
         if not self.is_simple:
             self._check_sites()
             return
-        if self.pillar is not None and self.pillar.section == "square" and len(self.corners) != 4:
-            raise problem(
-                "unsupported",
-                "square",
-                f"round on a {self.lattice.name} lattice",
-                "a cell of six sides is meshed around a circle",
-                'write section = "round", or take a square or rectangular lattice',
-                at="pillar.section",
-            )
         if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
-            raise _too_wide(self.pillar, self.inradius - LEAST_CLEARANCE * self.lattice.pitch)
+            raise _too_wide(self.pillar, self.room - LEAST_CLEARANCE * self.lattice.pitch)
+        if (parts := unmeshed(self)) is not None:
+            raise problem("unsupported", **parts, at="pillar.section")
 
     def _check_sites(self) -> None:
         if self.site and self.pillar is not None:
@@ -349,7 +343,7 @@ def _text(length: float) -> str:
 
 
 def _too_wide(pillar: Pillar, room: float) -> Exception:
-    """A pillar, or its fillet, for which half the width that there is (m) is not enough."""
+    """A pillar, or its fillet, that is wider than the half-width that there is room for, m."""
     free = "so that a hundredth of the pitch stays free on either side"
     if room <= 0:
         return problem(
@@ -371,11 +365,12 @@ def _too_wide(pillar: Pillar, room: float) -> Exception:
             "choose a smaller radius, a thinner pillar or a larger pitch",
             at="pillar.fillet",
         )
-    beyond = 2 * (sharp.widest - pillar.radius)
+    per_half = pillar.diameter / pillar.radius
+    beyond = per_half * (sharp.widest - pillar.radius)
     return problem(
         "out-of-range",
         _text(pillar.diameter) + (f", and {_text(beyond)} more where the pillar is widest" if beyond else ""),
-        f"less than {_text(2 * room - beyond)}, {free}",
+        f"less than {_text(per_half * room - beyond)}, {free}",
         "the pillar is wider than the cell",
         "choose a thinner pillar or a larger pitch",
         at="pillar.diameter",

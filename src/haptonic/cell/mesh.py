@@ -13,10 +13,9 @@ from haptonic.arrays import Array, Ints
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.profile import Profile
 from haptonic.cell.quadrature import lobatto
+from haptonic.cell.sectors import along_sides, sectors, transfinite
 from haptonic.cell.tile import TileShape
 from haptonic.cell.topology import Topology, topology_of
-
-CORE_BULGE = 0.45  # edges of the core below a round pillar: 0 straight, 1 arcs
 
 
 @dataclass(frozen=True)
@@ -90,29 +89,13 @@ class _Outlines:
     def of(cls, cell: TileShape, plan: MeshPlan) -> _Outlines:
         along = 0.5 * (1 + lobatto(plan.order)[0])
         share = (np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks
-        corners = cell.corners
-        diagonals = np.sign(corners) if cell.is_upright else corners  # a rectangle has even quarters
-        angles = np.unwrap(np.arctan2(diagonals[:, 1], diagonals[:, 0]))
-        turn = np.append(angles, angles[0] + 2 * np.pi)
-        ends = np.stack([np.cos(turn), np.sin(turn)], axis=-1)
-        angle = (turn[:-1, None] + share * np.diff(turn)[:, None]).ravel()
-        circle = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-        chords = _along_sides(ends[:-1], share)
-        square = cell.pillar is not None and cell.pillar.section == "square"
-        core = CORE_BULGE * circle + (1 - CORE_BULGE) * chords
-        if square:  # of half-width 1: its corners lie farther out
-            core = chords = _along_sides(diagonals, share)
+        corners, around = cell.corners, sectors(cell, plan.blocks)
+        ring = around.points(along[:-1])
+        core = around.core(along[:-1])
         whole = np.append(share, 1.0)
         shares = whole if len(corners) == 4 else 2 * whole[: plan.side // 2 + 1]
-        ring = chords if square else circle
-        rim = _along_sides(corners, share) if cell.free_width is None else cell.free_width * ring
+        rim = along_sides(corners, share) if cell.free_width is None else cell.free_width * ring
         return cls(core, ring, rim, shares)
-
-
-def _along_sides(corners: Array, share: Array) -> Array:
-    """Points on the sides of a polygon, each side from its corner on."""
-    sides = np.roll(corners, -1, axis=0) - corners
-    return np.asarray((corners[:, None] + share[:, None] * sides[:, None]).reshape(-1, 2))
 
 
 def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> Array:
@@ -125,7 +108,7 @@ def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> A
         if plan.sides != 4:  # it begins at the centre, with straight sides to the core's outline
             core[patch[:, 0]] = outlines.shares[:, None] * core[patch[-1, 0]]
             core[patch[0]] = outlines.shares[:, None] * core[patch[0, -1]]
-        core[patch[1:-1, 1:-1]] = _transfinite(core[patch], outlines.shares)[1:-1, 1:-1]
+        core[patch[1:-1, 1:-1]] = transfinite(core[patch], outlines.shares)[1:-1, 1:-1]
     pieces = [_at_height(core, heights[0][0])]
     for ring, (width, height) in enumerate(zip(widths, heights, strict=True)):
         along = profile.ring_shares[ring]
@@ -142,17 +125,3 @@ def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> A
 
 def _at_height(points: Array, height: float) -> Array:
     return np.column_stack([points, np.full(len(points), height)])
-
-
-def _transfinite(square: Array, share: Array) -> Array:
-    """Fill a grid (n, n, 2) from its four edges (Gordon and Hall's blending)."""
-    s, t = share[:, None, None], share[None, :, None]
-    left, right, low, high = square[:1], square[-1:], square[:, :1], square[:, -1:]
-    edges = (1 - s) * left + s * right + (1 - t) * low + t * high
-    corners = (
-        (1 - s) * (1 - t) * square[0, 0]
-        + s * (1 - t) * square[-1, 0]
-        + (1 - s) * t * square[0, -1]
-        + s * t * square[-1, -1]
-    )
-    return np.asarray(edges - corners)

@@ -36,6 +36,10 @@ class Piece(TileShape):
         return self.whole.faces
 
     @property
+    def above(self) -> TileShape:
+        return self.whole
+
+    @property
     def corners(self) -> Array:
         return self.whole.corners
 
@@ -46,6 +50,10 @@ class Piece(TileShape):
     @property
     def inradius(self) -> float:
         return self.whole.inradius if self.free_width is None else self.free_width
+
+    @property
+    def room(self) -> float:
+        return self.whole.room if self.free_width is None else self.free_width
 
     def has_symmetry(self, turn: Array) -> bool:
         return self.whole.has_symmetry(turn)
@@ -78,9 +86,8 @@ def pieces_of(tile: TileShape, plan: MeshPlan) -> tuple[Meshed, ...]:
     assert pillar is not None
     assert pillar.step is not None
     cut, step = prism[1], pillar.step.height
-    above = Pillar(pillar.step.diameter, pillar.height - step, pillar.section)
     lower = Piece(tile, tile.thickness, replace(pillar, height=cut, step=None))
-    upper = Piece(tile, step - cut, above, pillar.radius)
+    upper = Piece(tile, step - cut, pillar.above_step, pillar.radius)
     along = max(plan.upward, plan.thin)
     own = replace(plan, step_layers=0, step_rings=0, along=along)
     return (

@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
 from haptonic.arrays import Array
+from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
+from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
 from haptonic.fields import (
@@ -27,18 +30,32 @@ from haptonic.fields import (
 )
 from haptonic.units import format_quantity
 
-Section = Literal["round", "square"]
 Faces = Literal["one", "both"]
 
 LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps
 STEEPEST = math.radians(40)  # draft
-OUTLINE = 12  # order of the points along a stage: exact for sides of straight lines, and curves of degree 11
+ALONG_STAGE = (
+    12  # order of the points along a stage: exact for sides of straight lines, and curves of degree 11
+)
+MOST_CORNERS = 24  # of a section
 USUAL_DRAFT = (0.0, math.radians(10))
+
+
+@described("cell.pillar.point", GeometryError)
+class Corner:
+    """A corner of a pillar's section, in half diameters from the pillar's axis."""
+
+    x: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
+        "In half diameters from the axis.", title="Corner along x"
+    )
+    y: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
+        "In half diameters from the axis.", title="Corner along y"
+    )
 
 
 @described("cell.pillar.step", GeometryError)
 class Step:
-    """Where a pillar becomes narrower, m."""
+    """Where a pillar becomes narrower, m. The section above is a scaled copy of that below."""
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
         "Smaller than below it by more than 5 %.", title="Diameter above the step"
@@ -97,15 +114,17 @@ class Pillar:
     }  # fmt: skip
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
-        "At the foot, its fillet not counted; of a square section the side. "
-        "Smaller than the pitch by more than 2 %.",
+        "At the foot, its fillet not counted; of other sections than a round one the width along x, of a "
+        "hexagon or polygon across its flats. Smaller than the pitch by more than 2 %.",
         title="Pillar diameter",
         examples=["3.5 mm"],
     )
     height: Annotated[float, size(10e-9, 100e-3)] = needed(
         "Above the face of the plate.", title="Pillar height", examples=["14.7 mm"]
     )
-    section: Section = setting("round", "Seen from above; the sides of a square lie along the cell's.")
+    section: SectionName = setting(
+        "round", "Seen from above; before it is turned, sides of a square lie along x and y."
+    )
     draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (
         setting(0.0, "Between side and normal; positive is narrower at the top.", title="Draft angle")
     )
@@ -115,8 +134,27 @@ class Pillar:
         title="Fillet radius",
     )
     step: Step | None = setting(None, "Where the pillar becomes narrower, if it does.")
+    length: Annotated[float, size(50e-6, 50e-3)] | None = setting(
+        None, "Of a rectangle or an ellipse: its width along y.", title="Length of the section"
+    )
+    sides: Annotated[int, Field(ge=3, le=MOST_CORNERS)] | None = setting(
+        None, "Of a polygon; all are equal.", title="Number of sides"
+    )
+    corner_radius: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST)] | None = setting(
+        None, "Of rounded corners, seen from above; without it they are sharp."
+    )
+    turn: Annotated[float, Quantity("rad", at_least=-math.pi, at_most=math.pi)] | None = setting(
+        None, "By which the section is turned, anticlockwise.", title="Turn of the section"
+    )
+    point: tuple[Corner, ...] = setting(
+        (),
+        "Corners of a convex section, in order; it is that of the name points.",
+        title="Corners of the section",
+        max_length=MOST_CORNERS,
+    )
 
     def __post_init__(self) -> None:
+        self._check_section()
         if self.step is not None:
             self._check_step(self.step)
         if self.narrowest < LEAST_SHARE * self.radius:
@@ -129,7 +167,7 @@ class Pillar:
                 at="draft",
             )
         if self.step is not None:
-            below = 2 * self.half_width(self.step.height, 0)
+            below = 2 * self.half_width(self.step.height, 0) / self._least
             if not self.step.diameter < (1 - LEAST_SHARE) * below:
                 raise problem(
                     "out-of-range",
@@ -149,6 +187,37 @@ class Pillar:
                     "the arc would reach the end of the pillar's lower part",
                     "choose a smaller radius",
                     at="fillet",
+                )
+
+    def _check_section(self) -> None:
+        """Refuse numbers that do not fit the section or make no outline, and a draft that it cannot have."""
+        takes = taken_by(SECTIONS[self.section])
+        for name in NUMBERS:
+            given = getattr(self, name)
+            having = [other for other, kind in SECTIONS.items() if name in taken_by(kind)]
+            allowed = f"{name} for a section that is {', '.join(having[:-1])} or {having[-1]}"
+            allowed = allowed if len(having) > 1 else f"{name} for the section {having[0]}"
+            if takes.get(name) and not given:
+                raise problem("missing", "nothing", allowed, "it was left out", f"add {name}", at=name)
+            if given and name not in takes:
+                raise problem(
+                    "conflict",
+                    "one" if name == "point" else f"{given:.6g}",
+                    f"{allowed}, and for no other",
+                    f"a section that is {self.section} is given without it",
+                    f'remove {name}, or write section = "{having[0]}"',
+                    at=name,
+                )
+        self.form.check()
+        for name in ("draft", "fillet"):
+            if getattr(self, name) and not self.outline.is_tangential:
+                raise problem(
+                    "unsupported",
+                    f"{name} on a section that is {self.section}",
+                    "none on a section whose sides are not equally far from the axis, or rounded",
+                    "its outline would change its shape with the height",
+                    f"remove {name}, or take a round, square, hexagon or polygon section with sharp corners",
+                    at=name,
                 )
 
     def _check_step(self, step: Step) -> None:
@@ -172,10 +241,31 @@ class Pillar:
                 at="step.diameter",
             )
 
+    @cached_property
+    def form(self) -> Section:
+        """The section with its numbers: lengths per diameter, radii per half diameter."""
+        per_half = {"length": 1 / self.diameter, "corner_radius": 2 / self.diameter}
+        numbers: dict[str, Any] = {}
+        for name in taken_by(SECTIONS[self.section]):
+            if (given := getattr(self, name)) is not None:
+                numbers[name] = given * per_half[name] if name in per_half else given
+        return SECTIONS[self.section](**numbers)
+
+    @cached_property
+    def _least(self) -> float:
+        """Smallest half-width of the section, in half diameters."""
+        return self.form.outline().inradius
+
+    @cached_property
+    def outline(self) -> Outline:
+        """Of every section, scaled to a smallest half-width of 1."""
+        outline = self.form.outline()
+        return outline if self._least == 1.0 else outline.scaled(1 / self._least)
+
     @property
     def radius(self) -> float:
-        """Half the width at the foot, the fillet not counted, m."""
-        return 0.5 * self.diameter
+        """Smallest half-width at the foot, the fillet not counted, m."""
+        return 0.5 * self.diameter * self._least
 
     @property
     def stages(self) -> tuple[tuple[float, float, float], ...]:
@@ -183,16 +273,32 @@ class Pillar:
         if self.step is None:
             return ((0.0, self.height, self.radius),)
         middle = self.step.height
-        return ((0.0, middle, self.radius), (middle, self.height, 0.5 * self.step.diameter))
+        return ((0.0, middle, self.radius), (middle, self.height, 0.5 * self.step.diameter * self._least))
 
     def half_width(self, height: float, stage: int) -> float:
-        """Half the width of a stage's side, continued as a straight line, at a height above the plate, m."""
+        """Smallest half-width of a stage, its side continued straight, at a height above the plate, m."""
         low, _, width = self.stages[stage]
         return width - (height - low) * math.tan(self.draft)
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
         """Whether an orthogonal map (3, 3) of space that keeps the normal leaves the outline as it is."""
-        return self.section == "round" or not turn[0, 0] * turn[0, 1]
+        return self.outline.has_symmetry(turn[:2, :2])
+
+    def is_image(self, other: Pillar, turn: NDArray[np.float64]) -> bool:
+        """True if an orthogonal map (3, 3) that keeps the normal takes the pillar to another one."""
+        if len(self.stages) != len(other.stages):
+            return False
+        mine, its = (np.array([*np.ravel(p.stages), p.draft, p.fillet]) for p in (self, other))
+        alike = self == other or bool((np.abs(mine - its) <= SAME * np.abs(mine)).all())
+        return alike and self.outline.image(turn[:2, :2]).is_same(other.outline)
+
+    def turned(self, angle: float) -> Pillar:
+        """The pillar turned anticlockwise about its axis, rad; itself if that leaves it as it is."""
+        cosine, sine = math.cos(angle), math.sin(angle)
+        if self.outline.has_symmetry(np.array([[cosine, -sine], [sine, cosine]])):
+            return self
+        whole = (self.turn or 0.0) + angle
+        return replace(self, turn=math.remainder(whole, 2 * math.pi))
 
     @cached_property
     def _outline(self) -> Array:
@@ -200,7 +306,7 @@ class Pillar:
 
         At Gauss-Lobatto points: the ends of the stages are among them, and so are bulges and waists between.
         """
-        share = 0.5 * (1 + lobatto(OUTLINE)[0])
+        share = 0.5 * (1 + lobatto(ALONG_STAGE)[0])
         return np.array(
             [
                 [self.half_width(z, stage) for z in low + (high - low) * share]
@@ -228,13 +334,8 @@ class Pillar:
 
         Their axes are ``away`` (n, 2) from its own. Fillets are not counted. Negative where two overlap.
         """
-        # what touches is a point and a circle about a square, of which either may be but a point, too
-        widths = {"square": 0.0, "round": 0.0}
-        for one in (self, other):
-            widths[one.section] += one.broadest
-        beside = np.abs(away) - widths["square"]
-        apart = np.linalg.norm(np.maximum(beside, 0.0), axis=1) + np.minimum(beside.max(axis=1), 0.0)
-        return float(apart.min() - widths["round"])
+        mine, beside = (Scaled(pillar.outline, pillar.broadest) for pillar in (self, other))
+        return float(mine.gap_to(beside, away).min())
 
     @property
     def is_prism(self) -> bool:
@@ -259,8 +360,8 @@ class Pillar:
     def volume(self) -> float:
         """m^3, the fillet counted."""
         lengths = np.array([high - low for low, high, _ in self.stages])
-        squares = 0.5 * lengths @ (self._outline**2 @ lobatto(OUTLINE)[1])
-        return (math.pi if self.section == "round" else 4.0) * (float(squares) + self._fillet_squares())
+        squares = 0.5 * lengths @ (self._outline**2 @ lobatto(ALONG_STAGE)[1])
+        return self.outline.area * (float(squares) + self._fillet_squares())
 
     def _fillet_squares(self) -> float:
         """Integral over height of what the fillet adds to the square of the half-width, m^3."""
@@ -283,6 +384,24 @@ class Pillar:
             height=self.height * factor,
             fillet=self.fillet * factor,
             step=step,
+            length=self.length and self.length * factor,
+            corner_radius=self.corner_radius and self.corner_radius * factor,
+        )
+
+    @property
+    def above_step(self) -> Pillar:
+        """What stands on the ledge of the step, as a pillar with upright sides."""
+        assert self.step is not None
+        share = self.step.diameter / self.diameter
+        return replace(
+            self,
+            diameter=self.step.diameter,
+            height=self.height - self.step.height,
+            draft=0.0,
+            fillet=0.0,
+            step=None,
+            length=self.length and self.length * share,
+            corner_radius=self.corner_radius and self.corner_radius * share,
         )
 
     def _steepest(self) -> float:
@@ -290,7 +409,7 @@ class Pillar:
         least = LEAST_SHARE * self.radius
         slopes = [(width - least) / (high - low) for low, high, width in self.stages]
         if self.step is not None:
-            slopes.append((self.radius - 0.5 * self.step.diameter / (1 - LEAST_SHARE)) / self.step.height)
+            slopes.append((self.radius - self.stages[1][2] / (1 - LEAST_SHARE)) / self.step.height)
         return min(slopes)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from haptonic.cell.edges import between_edges, bridges, is_unbridged
 from haptonic.cell.pillar import Pillar
+from haptonic.cell.sectors import least_blocks
 from haptonic.cell.tile import TileShape
 
 # Length of an element along a prism, and along other pillars, whose order is higher, in diameters: of one of
@@ -38,6 +39,7 @@ ROUNDING = 1e-9  # of a ratio of lengths, which must not change the plan of a sc
 # Bands whose waves the orders of an accuracy were chosen for, and the most that a single element should have
 # around a quarter turn: two of half as much, and one more, cost a third of it.
 USUAL_BANDS, MOST_AROUND = 10, 10
+LEAST_DIVIDED = 3  # order of elements that an outline's corners divide: with one less linear ones stay usable
 
 
 @dataclass(frozen=True)
@@ -91,10 +93,10 @@ class MeshPlan:
         """
         plan = cls._of_quarters(cell, order, foot_rings, bands)
         sides = len(cell.corners)
-        if sides == 4:
-            return plan
-        share = plan.side * 4 / sides / 2
-        return replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
+        if sides != 4:
+            share = plan.side * 4 / sides / 2
+            plan = replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
+        return plan.divided(least_blocks(cell, plan.blocks) or plan.blocks, LEAST_DIVIDED)
 
     @property
     def foot(self) -> MeshPlan:
@@ -150,7 +152,7 @@ class MeshPlan:
         layers = layers_along(cell.pillar)
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
         bridging = bridges(cell, rings)
-        below = math.ceil((1 - ROUNDING) * cell.thickness / (PLATE_LAYER * cell.pillar.diameter))
+        below = math.ceil((1 - ROUNDING) * cell.thickness / (PLATE_LAYER * 2 * cell.pillar.radius))
         return cls(
             around,
             rings,
@@ -325,16 +327,14 @@ def layers_along(pillar: Pillar) -> list[int]:
 
 
 def _neck(cell: TileShape, pillar: Pillar, least: float = 0.0) -> float:
-    """Half the length on which two round pillars are near each other, as a share of half the side it lies on.
+    """Half the length on which two pillars are near each other, as a share of half the side it lies on.
 
     That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter one nine orders
     around, a square's, lost 3 %.
     A pillar of a radius below ``least`` (m) is taken for one of that radius.
     """
-    if pillar.section == "square":
-        return math.inf
-    half_side = 0.5 * cell.extent
-    return math.sqrt(2 * cell.clearance * max(pillar.widest, least)) / half_side
+    half_side, bend = 0.5 * cell.extent, pillar.outline.bend
+    return math.sqrt(2 * cell.clearance * bend * max(pillar.widest, least)) / half_side
 
 
 def _near_rim(cell: TileShape) -> int:

@@ -1,7 +1,7 @@
 """Where a mesh's blocks and nodes lie in a half-plane through the pillar's axis.
 
-A place in the half-plane is a (half-width, height): circles, or squares, of that half-width are the curves
-that the blocks of rings lie between. Thin rings on both sides of the foot, and thin layers above and below
+A place in the half-plane is a (half-width, height): outlines of that half-width are the curves that the
+blocks of rings lie between. Thin rings on both sides of the foot, and thin layers above and below
 the plate's top, grade the mesh towards the re-entrant edge, where stress is singular, and others towards the
 edge at a step. With a fillet the foot has no such edge: then it lies in the middle of the arc, whose halves
 the thin rings and layers follow.
@@ -177,7 +177,7 @@ def _levels(cell: TileShape, plan: MeshPlan) -> Array:
     else:
         breaks += [*_upwards(top + lowest, ledge - within, plan.pillar_layers)]
     breaks += [*(ledge - beside[1:]), ledge, *(ledge + beside[::-1])][: 2 * len(beside)]
-    first = ledge + min(FOOT_LAYER * pillar.step.diameter, (pillar.height - high) / plan.step_layers)
+    first = ledge + min(FOOT_LAYER * 2 * pillar.stages[-1][2], (pillar.height - high) / plan.step_layers)
     return np.array([*breaks, *_upwards(first, end, plan.step_layers)])
 
 

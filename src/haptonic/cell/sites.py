@@ -14,6 +14,7 @@ from pydantic import field_validator
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell.pillar import Faces, Pillar
+from haptonic.cell.sectors import unmeshed
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem, setting
@@ -105,7 +106,7 @@ def site_map(
         fits = np.abs(steps - whole).max(axis=2) < SAME
         for s, t in np.argwhere(fits):
             mine, other = pillars[s], pillars[t]
-            fits[s, t] = mine == other and (mine is None or mine.has_symmetry(turn))
+            fits[s, t] = mine is other is None or bool(mine and other and mine.is_image(other, turn))
         if fits.any(axis=1).all():
             image = fits.argmax(axis=1)
             return SiteMap(move, image, whole[np.arange(len(shares)), image].astype(np.int64))
@@ -230,16 +231,17 @@ def placed_tiles(
             other = made[half_turn.image[number]]
             made.append(PlacedTile(other.tile, HALF_TURNED @ other.turn, position))
             continue
-        mine = [one for one in made if one.tile.pillar == pillars[number]]
-        tile, turn = _like(outline, [one.tile for one in mine], plate[1]) or _upright(
-            outline, plate, pillars[number]
-        )
+        pillar = pillars[number]
+        alike = _like(outline, pillar, [other.tile for other in made], plate[1])
+        tile, turn = alike or _upright(outline, plate, pillar)
         made.append(PlacedTile(tile, turn, position))
     return tuple(made)
 
 
-def _like(outline: Array, tiles: Sequence[TileShape], material: Material) -> tuple[TileShape, Array] | None:
-    """One of some tiles, and the turn, that a polygon is the image of."""
+def _like(
+    outline: Array, pillar: Pillar | None, tiles: Sequence[TileShape], material: Material
+) -> tuple[TileShape, Array] | None:
+    """The tile, and the turn, that a polygon with a pillar is the image of, if there is one."""
     for tile in tiles:
         if len(tile.corners) != len(outline):
             continue
@@ -247,8 +249,10 @@ def _like(outline: Array, tiles: Sequence[TileShape], material: Material) -> tup
             turn = _turn(math.atan2(*corner[::-1]) - math.atan2(*tile.corners[0][::-1]))
             image = tile.corners @ turn[:2, :2].T
             apart = np.linalg.norm(image[:, None] - outline, axis=2).min(axis=1).max()
-            kept = tile.pillar is None or tile.pillar.has_symmetry(turn)
-            if apart < SAME * tile.extent and kept and is_symmetry(material.stiffness, turn):
+            stands = tile.pillar is pillar is None or (
+                tile.pillar is not None and pillar is not None and tile.pillar.is_image(pillar, turn)
+            )
+            if apart < SAME * tile.extent and stands and is_symmetry(material.stiffness, turn):
                 return tile, turn
     return None
 
@@ -258,7 +262,7 @@ def _upright(outline: Array, plate: Plate, pillar: Pillar | None) -> tuple[SiteT
     best: tuple[int, SiteTile, Array] | None = None
     for angle in _axes(outline):
         turn = _turn(angle)
-        if not is_symmetry(plate[1].stiffness, turn) or (pillar and not pillar.has_symmetry(turn)):
+        if not is_symmetry(plate[1].stiffness, turn):
             continue
         tile = site_tile(outline, turn, plate, pillar)
         mirrors = sum(tile.has_symmetry(mirror) for mirror in MIRRORS)
@@ -272,6 +276,7 @@ def site_tile(outline: Array, turn: Array, plate: Plate, pillar: Pillar | None) 
     """The tile of a polygon (sides, 2) in axes turned (3, 3) against the cell's."""
     thickness, material, faces = plate
     own = outline @ turn[:2, :2]
+    pillar = pillar and pillar.turned(-math.atan2(turn[1, 0], turn[0, 0]))
     following = np.roll(own, -1, axis=0)
     across = own[:, 0] * following[:, 1] - own[:, 1] * following[:, 0]
     reach = float((across / np.linalg.norm(following - own, axis=1)).max())
@@ -302,7 +307,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
     given : tables of sites in the study, 0 where all pillars are one
     least : free width between a pillar and the sides of its tile, m
     """
-    for number, (one, tile) in enumerate(((one, one.tile) for one in tiles), start=1):
+    for number, tile in enumerate((placed.tile for placed in tiles), start=1):
         at = f"site[{number}]" if number <= given else "pillar"
         sides = np.linalg.norm(tile.corners - np.roll(tile.corners, 1, axis=0), axis=1)
         if sides.min() < LEAST_SIDE * tile.inradius:
@@ -315,18 +320,10 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 at=f"{at}.at" if number <= given else "site",
             )
         pillar = tile.pillar
-        if pillar is not None and pillar.section == "square" and (one.is_turned or not tile.is_upright):
-            raise problem(
-                "unsupported",
-                "square",
-                "round on a tile that is no rectangle along x and y",
-                "other tiles are meshed around a circle",
-                'write section = "round"',
-                at=f"{at}.pillar.section" if number <= given else "pillar.section",
-            )
         if pillar is not None and tile.clearance < least:  # before what follows from it
-            beyond = 2 * (pillar.widest - pillar.radius)
-            room = 2 * (tile.inradius - least) - beyond
+            per_half = pillar.diameter / pillar.radius
+            beyond = per_half * (pillar.widest - pillar.radius)
+            room = per_half * (tile.room - least) - beyond
             raise problem(
                 "out-of-range",
                 f"{pillar.diameter * 1e3:g} mm wide"
@@ -336,6 +333,10 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 "the pillar overlaps the next one, or touches the edge half-way to it",
                 "choose a thinner pillar, or move the sites apart",
                 at=f"{at}.pillar.diameter" if number <= given else "pillar.diameter",
+            )
+        if (parts := unmeshed(tile)) is not None:
+            raise problem(
+                "unsupported", **parts, at=f"{at}.pillar.section" if number <= given else "pillar.section"
             )
         pointed = float(np.linalg.norm(tile.corners, axis=1).max() / tile.inradius)
         if pointed > MOST_POINTED and len(tiles) > 1:

@@ -12,6 +12,7 @@ from typing import Protocol, cast
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.cell.outlines import Outline
 from haptonic.cell.pillar import Faces, Pillar
 from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
@@ -40,6 +41,13 @@ def inradius(loop: Array) -> float:
     return float((across / np.linalg.norm(along, axis=1)).min())
 
 
+def room_in(loop: Array, outline: Outline) -> float:
+    """Largest scale of an outline that fits into a polygon (sides, 2), anticlockwise about the origin."""
+    along = np.roll(loop, -1, axis=0) - loop
+    normal = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.linalg.norm(along, axis=1)[:, None]
+    return float((np.einsum("nc,nc->n", normal, loop) / outline.support(normal)).min())
+
+
 class TileShape:
     """What a mesh has to know of a piece of plate; the pillar's axis is the origin.
 
@@ -62,6 +70,11 @@ class TileShape:
     @property
     def extent(self) -> float:
         raise NotImplementedError
+
+    @property
+    def above(self) -> TileShape:
+        """The whole tile, as seen from above."""
+        return self
 
     @property
     def elongation(self) -> float:
@@ -93,10 +106,16 @@ class TileShape:
         """How far below the plate's top its mesh reaches: through the plate, or to its middle plane, m."""
         return 0.5 * self.thickness if self.is_mirrored else self.thickness
 
+    @cached_property
+    def room(self) -> float:
+        """Half-width up to which a pillar of this outline fits into the polygon, m."""
+        return room_in(self.corners, self.pillar.outline) if self.pillar else self.inradius
+
     @property
     def clearance(self) -> float:
-        """Free width of plate between the pillar and the nearest side, m."""
-        return self.inradius - (self.pillar.widest if self.pillar else 0.0)
+        """Free width of plate between the pillar and the nearest side, m; where it is wider than its smallest
+        half-width, in proportion less."""
+        return self.room - (self.pillar.widest if self.pillar else 0.0)
 
     @property
     def is_thin(self) -> bool:

@@ -162,7 +162,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     budget = rest.pop("budget", None)
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
     study = None if file is None else load(file).within(budget, "--budget")
-    analysis.check(study, options)
+    analysis.admit(study, options)
     cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:
         if cost.refusal is not None:

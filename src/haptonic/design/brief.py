@@ -13,7 +13,7 @@ from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.cell.geometry import LEAST_CLEARANCE
 from haptonic.cell.sites import MOST_POINTED
-from haptonic.cell.tile import inradius
+from haptonic.cell.tile import inradius, room_in
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import StudyError
@@ -104,8 +104,9 @@ class Brief:
         """What makes a body of the pillar on some sites, keeps it on their tiles, and can be cut."""
         pillar, lattice = cell.pillars[numbers[0]], cell.lattice
         assert pillar is not None
-        # from side to side of its tile where that is narrowest
-        pitch = 2 * min(inradius(cell.outlines[number]) for number in numbers)
+        # from side to side of its tile where that is narrowest for its outline
+        pitch = 2 * min(room_in(cell.outlines[number], pillar.outline) for number in numbers)
+        across = 2 * pillar.radius
         ways = [1 - 2 * pillar.broadest / pitch - LEAST_GAP * lattice.pitch / pitch]
         if self.allowed.tool is not None:
             ways += [(way - self.allowed.tool) / pitch for way in cell.ways(numbers)]
@@ -114,18 +115,18 @@ class Brief:
         room = {
             "gap between pillars": min(ways),
             "fillet": 1 - 2 * foot / pitch - LEAST_GAP * lattice.pitch / pitch,
-            "tip": min(upper, top) / pillar.diameter - LEAST_TIP,
-        }
+            "tip": min(upper, top) / across - LEAST_TIP,
+        } | pillar.form.room()
         if pillar.arc is not None:
             room["height of the fillet"] = (
                 0.75 - pillar.fillet * (1 - math.sin(pillar.draft)) / pillar.stages[0][1]
             )
-        thinnest = pillar.diameter
+        thinnest = across
         if pillar.step is not None:
             below = 2 * pillar.half_width(pillar.step.height, 0)
             room["step's height"] = 0.95 - pillar.step.height / pillar.height
-            room["step's width"] = (0.93 * below - upper) / pillar.diameter
-            thinnest = min(thinnest, pillar.step.diameter)
+            room["step's width"] = (0.93 * below - upper) / across
+            thinnest = min(thinnest, upper)
         if self.allowed.slenderness is not None:
             room["slenderness"] = 1 - pillar.height / (self.allowed.slenderness * thinnest)
         if self.allowed.reach is not None:

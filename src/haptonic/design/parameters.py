@@ -16,10 +16,13 @@ UNITS = ByPattern({
     for path, key in sorted(table(UnitCell, "cell.").items(), key=lambda one: one[0].startswith("material."))
     # the bands are those without loss; one mesh is followed, so lattices and sites keep their symmetry
     if key.quantity and key.kind != "quantities" and path != "material.loss_factor"
+    and ".pillar.point[]" not in path and not path.endswith(".pillar.turn")
 })  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
 
-COORDINATE = re.compile(r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?")
+COORDINATE = re.compile(
+    r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?|cell(\.site\[\d+\])?\.pillar\.(turn|point\[\d+\]\.[xy])"
+)
 PILLAR = ".pillar."
 HEIGHT = ".pillar.height"
 FILLET = ".pillar.fillet"
@@ -51,9 +54,9 @@ class OfCell(OfNumber):
                 "unsupported",
                 path,
                 "sizes and angles of the cell and of its pillars, and constants of the material",
-                "a coordinate of a vector or a site changes the symmetry, and with it mesh and zone",
-                "give the lattice by its name and name cell.pitch, cell.pitch_y, cell.pitch_2 or cell.angle, "
-                "or vary the coordinate in a [[sweep]]",
+                "a coordinate or the turn of a section changes the symmetry, and with it mesh and zone",
+                "vary it in a [[sweep]]; of a lattice given by its name, cell.pitch, cell.pitch_y, "
+                "cell.pitch_2 and cell.angle can be named here",
             )
         return path
 
@@ -61,12 +64,16 @@ class OfCell(OfNumber):
 def values_of(cell: UnitCell) -> dict[str, float]:
     """All numbers of a cell that can be varied, in SI units and the order of `UNITS`.
 
-    A sharp edge cannot be varied into a fillet; nor can an absent step.
+    A sharp edge cannot be varied into a fillet, nor a sharp corner into a round one; nor can an absent step.
+    Some sections have no draft, see `Pillar`.
     """
     found = cell.numbers()
     for number, pillar in enumerate(cell.pillars):
-        if pillar is not None and not pillar.fillet:
-            found.pop(f"{cell.pillar_path(number)}.fillet", None)
+        if pillar is not None:
+            absent = [name for name in ("fillet", "corner_radius") if not getattr(pillar, name)]
+            absent += [] if pillar.outline.is_tangential else ["draft"]
+            for name in absent:
+                found.pop(f"{cell.pillar_path(number)}.{name}", None)
     order = list(UNITS)
     known = [path for path in found if path in UNITS]
     return {path: found[path] for path in sorted(known, key=lambda path: order.index(pattern_of(path)))}

@@ -23,6 +23,7 @@ from haptonic.arrays import Array, Fields
 from haptonic.bloch.exact import ExactModes
 from haptonic.cell import HexMesh, PlacedTile, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
+from haptonic.cell.sectors import sectors
 from haptonic.design.parameters import UNITS, values_of
 from haptonic.errors import GeometryError
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
@@ -31,6 +32,7 @@ from haptonic.superelement import FoldedMesh, TiledMesh, through_levels
 # constants of the material that eigenvalues are in proportion to, or their inverses
 SCALES = {"material.youngs_modulus": 1.0, "material.density": -1.0}
 POISSON = "material.poisson_ratio"
+SAME_BLOCKS = 1e-2  # of a piece of an outline, by which the ends of blocks move at most between two meshes
 STEP = 1e-5  # of differences of the nodes' positions, relative to the parameter's scale
 
 
@@ -130,13 +132,22 @@ def _velocities(
     Differences of smooth closed formulas, good to ten digits; the tile keeps its axes.
     """
     plan = shared.mesh.topology.plan
-    meshes = []
+    meshes, ends = [], list[Array]()
     for cell in (ahead, behind):
         tile = cell.tile_like(number, placed)
         assert len(tile.corners) == plan.sides, "a tile keeps its sides"
         mesh = mesh_cell(tile, plan)
         meshes.append((mesh.points, through_levels(tile, mesh, shared.levels)))
+        ends.append(sectors(tile, plan.blocks).place)
     (here, map_ahead), (there, map_behind) = meshes
+    if np.abs(ends[0] - ends[1]).max() > SAME_BLOCKS:
+        raise GeometryError.unsupported(
+            argument="cell.pillar.section",
+            given="a size beside which the mesh changes its blocks",
+            allowed="a design around which one mesh can be followed",
+            cause="the corners of the section are equally near to two ends of blocks",
+            next_step="change the size by a hundredth, or vary it in a [[sweep]]",
+        )
     return (here - there) / apart, (map_ahead - map_behind) / apart
 
 

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Circle, Patch, Rectangle
+from matplotlib.patches import Circle, Patch, Polygon, Rectangle
 from matplotlib.patheffects import withStroke
 
 from haptonic.arrays import Array
@@ -22,6 +22,7 @@ from haptonic.plate.parts import Plate
 from haptonic.plots import style
 from haptonic.plots.stage import stage
 
+AROUND = 48  # points on a curved outline
 HALO = [withStroke(linewidth=2.2, foreground="white")]  # keeps text readable on any colour
 REGION = "#d6e8f5"
 LATTICE = "#f3f3f3"
@@ -98,9 +99,8 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
         shades[shade].append(Rectangle((x[0], y[0]), x[-1] - x[0], y[-1] - y[0]))
     for across, up, pillar in layout.standing:
         middle, half = (1e3 * across, 1e3 * up), 1e3 * pillar.radius
-        corner = (middle[0] - half, middle[1] - half)
-        square = pillar.section == "square"
-        pillars.append(Rectangle(corner, 2 * half, 2 * half) if square else Circle(middle, half))
+        corners = middle + half * pillar.outline.polygon(AROUND)
+        pillars.append(Polygon(corners) if pillar.outline.joints else Circle(middle, half))
     for shade, tiles in shades.items():
         axes.add_collection(PatchCollection(tiles, facecolor=shade, edgecolor="white", linewidth=0.4))
     axes.add_collection(

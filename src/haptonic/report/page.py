@@ -84,7 +84,10 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     cell = study.cell
     sizes = [f"pitch {_length(cell.lattice.pitch)}", f"plate {_length(cell.thickness)}"]
     for pillar in dict.fromkeys(one for one in cell.pillars if one is not None):
-        sizes.append(f"pillar {_length(pillar.diameter)} wide, {_length(pillar.height)} high")
+        long = f", {_length(pillar.length)} long" if pillar.length else ""
+        sizes.append(
+            f"{pillar.section} pillar {_length(pillar.diameter)} wide{long}, {_length(pillar.height)} high"
+        )
     complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),

@@ -8,7 +8,7 @@ from typing import Any
 
 from haptonic import plots
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import values_of
+from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
 from haptonic.plate import Layout, Plate
 from haptonic.results.common import stamped
@@ -74,9 +74,9 @@ class StudyPlan(Result):
             for name, one in self.costs.items()
         ]
         sizes: list[tuple[Cell, ...]] = [
-            (path.removeprefix("cell."), value)
-            for path, value in values_of(self.cell).items()
-            if path.startswith("cell.") and value
+            (path.removeprefix("cell."), format_quantity(value, declared.unit) if declared else value)
+            for path, value, declared in leaves(self.cell, "cell.")
+            if path.startswith("cell.") and value and (declared or path.endswith(".section"))
         ]
         return [
             Table(
@@ -84,7 +84,7 @@ class StudyPlan(Result):
                 ("command", "processor time", "memory"),
                 costs,
             ),
-            Table("sizes of the cell", ("size", Column("value", "m", "mm", ".4g")), sizes),
+            Table("sizes of the cell", ("size", "value"), sizes),
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]
 

@@ -12,7 +12,6 @@ u^T M u = integral of rho |u|^2, integrals over the section times integrals alon
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
@@ -21,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
-from haptonic.cell.pillar import Section
+from haptonic.cell.outlines import Outline
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.later import linalg as la
 from haptonic.materials import Material, elasticity_tensor
@@ -37,7 +36,7 @@ class PillarBody:
     """A prism along z.
 
     low, length : height of its lower end, and how far it reaches from there, m
-    half_width : radius, or half the side of a square section, m
+    half_width : smallest one of the section, m; outline : of the section, of half-width 1
     degree : of the polynomials in x^2 and y^2, beside the factors x and y of odd ones
     order : of the polynomials along z; kinds : of polynomials over the section that each component has
     faces : of the plate that it stands on; with two the forms are those of it and of its image together
@@ -46,7 +45,7 @@ class PillarBody:
     low: float
     length: float
     half_width: float
-    section: Section
+    outline: Outline
     material: Material
     degree: int
     order: int
@@ -74,11 +73,12 @@ class PillarBody:
             (False, True): weights[:, None] * slopes,
             (True, True): (slopes.T * weights) @ slopes / half,
         }
-        over = _section_forms(self.section, self.degree)
-        of_component = [PARITIES.index(parity) for kinds in parities for parity in kinds]
-        over = over[np.ix_(of_component, of_component)].reshape(2 * (3, self.kinds) + over.shape[2:])
+        over = np.array([
+            [_section_forms(self.outline, self.degree, first, second) for second in parities]
+            for first in parities
+        ])  # fmt: skip
         scale = self.half_width ** (1.0 - (np.arange(3) < 2))  # a slope over the section is per half-width
-        forms = np.einsum("iajb,ikjlabmn,a,b->abkmilnj", tensor, over, scale, scale, optimize=True)
+        forms = np.einsum("iajb,ijabmn,a,b->abminj", tensor, over, scale, scale, optimize=True)
         total = np.zeros((self.order + 1, self.on_section, self.order + 1, self.on_section))
         for (first, second), integral in along.items():
             rows, columns = ([2] if slope else [0, 1] for slope in (first, second))
@@ -106,9 +106,9 @@ class PillarBody:
     @property
     def sizes(self) -> Array:
         """(3, levels) height (m), mass (kg) and inertia about the axis (kg m^2) of each level's share."""
-        area, arm = (_moment(self.section, *powers) for powers in ((0, 0), (2, 0)))
-        turning = 2 * self._weights * arm * self.half_width**2
-        return np.stack([self._levels, self._weights * area, turning])
+        points, weights = self.outline.cubature(2)
+        turning = self._weights * (weights @ points**2).sum() * self.half_width**2
+        return np.stack([self._levels, self._weights * weights.sum(), turning])
 
     def momenta(self, parities: tuple[Kinds, ...]) -> Array:
         """(4, levels, u) momentum along x, y and z and angular momentum of each level, per unknown."""
@@ -123,21 +123,14 @@ class PillarBody:
 
     def _moments(self, kinds: Kinds, powers: tuple[int, int]) -> Array:
         """(shapes,) integrals over the section of half-width 1 of x^p y^q times the polynomials."""
-        found = []
-        for parity in kinds:
-            monomials = _exponents(parity, self.degree)
-            values = [_moment(self.section, p + powers[0], q + powers[1]) for p, q in monomials]
-            found.append(np.array(values) @ _orthonormal(self.section, self.degree, parity))
-        return np.concatenate(found)
+        points, weights = _inside(self.outline, self.degree)
+        values = _polynomials(self.outline, self.degree, kinds).at(points)
+        return np.asarray((weights * _monomials(points, np.array([powers]))[:, 0]) @ values)
 
     def over_section(self, kinds: Kinds, x: Array, y: Array) -> Array:
         """(n, shapes) values of the polynomials at points (m) of the section."""
-        found = []
-        for parity in kinds:
-            p, q = np.array(_exponents(parity, self.degree)).T
-            powers = (x[:, None] / self.half_width) ** p * (y[:, None] / self.half_width) ** q
-            found.append(powers @ _orthonormal(self.section, self.degree, parity))
-        return np.hstack(found)
+        points = np.stack([x, y], axis=1) / self.half_width
+        return _polynomials(self.outline, self.degree, kinds).at(points)
 
     def on_level(self, parities: tuple[Kinds, ...], x: Array, y: Array) -> Array:
         """(3 n, on_section) displacement at points of a level from its unknowns."""
@@ -165,45 +158,55 @@ def _exponents(parity: Parity, degree: int) -> list[tuple[int, int]]:
     ]
 
 
-def _moment(section: Section, p: int, q: int) -> float:
-    """Integral of x^p y^q over the section of half-width 1."""
-    if p < 0 or q < 0 or p % 2 or q % 2:
-        return 0.0
-    if section == "square":
-        return 4.0 / ((p + 1) * (q + 1))
-    angle = math.gamma(0.5 * (p + 1)) * math.gamma(0.5 * (q + 1)) / math.gamma(0.5 * (p + q) + 1)
-    return 2.0 * angle / (p + q + 2)
+@dataclass(frozen=True)
+class _Polynomials:
+    """Polynomials of some parities that are orthonormal over an outline's inside, all together.
+
+    powers : (monomials, 2) of x and y; combined : (monomials, shapes) their coefficients
+    """
+
+    outline: Outline
+    powers: NDArray[np.int64]
+    combined: Array
+
+    @classmethod
+    def of(cls, outline: Outline, degree: int, kinds: Kinds) -> _Polynomials:
+        powers = np.array([power for parity in kinds for power in _exponents(parity, degree)])
+        points, weights = _inside(outline, degree)
+        values = np.sqrt(weights)[:, None] * _monomials(points, powers)
+        # scaled columns: monomials of high powers are small or large
+        size = np.linalg.norm(values, axis=0)
+        triangle = np.linalg.qr(values / size, mode="r")
+        triangle *= np.sign(np.diag(triangle))[:, None]
+        return cls(outline, powers, la.inv(triangle) / size[:, None])
+
+    def at(self, points: Array, derivative: int = 2) -> Array:
+        """(n, shapes) values at points (n, 2), or derivatives along x (0) or y (1)."""
+        if derivative == 2:
+            return np.asarray(_monomials(points, self.powers) @ self.combined)
+        lowered = np.maximum(self.powers - np.eye(2, dtype=np.int64)[derivative], 0)
+        return np.asarray(_monomials(points, lowered) * self.powers[:, derivative] @ self.combined)
 
 
-@lru_cache(maxsize=64)
-def _orthonormal(section: Section, degree: int, parity: Parity) -> Array:
-    """(monomials, shapes) orthonormal polynomials over the section of half-width 1."""
-    powers = _exponents(parity, degree)
-    gram = np.array([[_moment(section, p + r, q + s) for r, s in powers] for p, q in powers])
-    return np.asarray(la.inv(la.cholesky(gram)))
+def _monomials(points: Array, powers: NDArray[np.int64]) -> Array:
+    """(n, monomials) values at points (n, 2)."""
+    return np.asarray(points[:, :1] ** powers[:, 0] * points[:, 1:] ** powers[:, 1])
 
 
-@lru_cache(maxsize=16)
-def _section_forms(section: Section, degree: int) -> Array:
-    """(parity, parity, 3, 3, shapes, shapes) integrals of products of d/dx, d/dy or the value of shapes."""
-    count = len(PARITIES)
-    shapes = len(_exponents((0, 0), degree))
-    forms = np.empty((count, count, 3, 3, shapes, shapes))
-    for first, second in np.ndindex(count, count):
-        for a, b in np.ndindex(3, 3):
-            monomials = np.array([
-                [_product(section, one, a, other, b) for other in _exponents(PARITIES[second], degree)]
-                for one in _exponents(PARITIES[first], degree)
-            ])  # fmt: skip
-            left = _orthonormal(section, degree, PARITIES[first])
-            right = _orthonormal(section, degree, PARITIES[second])
-            forms[first, second, a, b] = left.T @ monomials @ right
-    return forms
+def _inside(outline: Outline, degree: int) -> tuple[Array, Array]:
+    """Points and weights of integrals over an outline's inside, exact for products of two polynomials."""
+    return outline.cubature(2 * (2 * degree + 2))
 
 
-def _product(section: Section, one: tuple[int, int], a: int, other: tuple[int, int], b: int) -> float:
-    """Integral of the product of two monomials, each differentiated along x (0), y (1) or not at all (2)."""
-    (p, q), (r, s) = one, other
-    factor = (p, q, 1)[a] * (r, s, 1)[b]
-    lowered = [int(a == axis) + int(b == axis) for axis in range(2)]
-    return factor * _moment(section, p + r - lowered[0], q + s - lowered[1])
+_polynomials = lru_cache(maxsize=256)(_Polynomials.of)
+
+
+@lru_cache(maxsize=256)
+def _section_forms(outline: Outline, degree: int, first: Kinds, second: Kinds) -> Array:
+    """(3, 3, shapes, shapes) integrals of products of d/dx, d/dy or the value of polynomials of two kinds."""
+    points, weights = _inside(outline, degree)
+    left, right = (
+        np.stack([_polynomials(outline, degree, kinds).at(points, axis) for axis in range(3)])
+        for kinds in (first, second)
+    )
+    return np.asarray(np.einsum("n,anm,bnl->abml", weights, left, right, optimize=True))

@@ -81,16 +81,16 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
     if pillar is None or not pillar.is_prism or plan.pillar_layers < 2:
         return None
     low = float(mesh.points[mesh.topology.foot.level_start[-2], 2])
-    if not is_cut and low - tile.thickness < FOOT_LAYER * pillar.diameter * (1 - 1e-9):
+    if not is_cut and low - tile.thickness < FOOT_LAYER * 2 * pillar.radius * (1 - 1e-9):
         return None
-    # polynomials that the nodes of the foot can follow; a square that is twisted warps more than a disc
-    degree = plan.per_quarter // 2 if pillar.section == "square" else (plan.per_quarter + 2) // 3
+    # polynomials that the nodes of the foot can follow; other sections than round ones warp in torsion
+    degree = plan.per_quarter // 2 if pillar.outline.warps else (plan.per_quarter + 2) // 3
     degree = max(degree, LEAST_DEGREE)
     return PillarBody(
         low=low,
         length=tile.thickness + pillar.height - low,
         half_width=pillar.radius,
-        section=pillar.section,
+        outline=pillar.outline,
         material=tile.material,
         degree=degree,
         order=LEAST_ORDER + PER_LAYER * plan.pillar_layers,
@@ -129,7 +129,7 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
         topology.free,
         folds_of(tile),
         tile.has_symmetry(DIAGONAL),
-        [end and (end.half_width, end.section, end.degree) for end in ends],
+        [end and (end.half_width, end.outline, end.degree) for end in ends],
         steps,
         block,
         measured,

@@ -16,6 +16,7 @@ import matplotlib as mpl
 import numpy as np
 from scipy.spatial import cKDTree
 
+from haptonic.cell.outlines import Scaled
 from haptonic.plots.style import DOTS_PER_INCH, spread, styled
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.dimensions import checked_tolerances, number
@@ -29,6 +30,7 @@ from haptonic.workshop.views import Box, draw_isometric, draw_plan, draw_plate, 
 TIMES = "\N{MULTIPLICATION SIGN}"
 GENERAL = "ISO 2768-m"  # for dimensions without a tolerance of their own: medium, which a mill keeps unasked
 FRAME = 10.0  # mm
+AROUND = 9  # nearest pillars among which the narrowest gap is sought, the pillar itself among them
 BLOCK = (180.0, 36.0)  # size of the title block, mm
 BESIDE = 1.2  # mm between an edge and the line that says how it is held
 SAMPLE = 12.0  # mm of such a line in the legend
@@ -65,7 +67,9 @@ def part_drawing(
     Raises
     ------
     StudyError : a tolerance of what the cell does not have, or one that is not positive
+    GeometryError : pillars that the views do not show, see `workshop.part.hidden`
     """
+    part.need_shown(drawn=True)
     tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
     with reproducible():
         by_cell = part.count is not None and part.cell.is_simple and part.cell.is_upright
@@ -266,7 +270,7 @@ def _advice(part: Part) -> list[str]:
         )
     if not all(body.is_free_above(*body.side[0].tolist()) for body in bodies):
         notes.append("Undercut: the pillar becomes wider towards its top.")
-    if any(body.form.corners and body.arc is not None for body in bodies):
+    if any(body.outline.joints and body.arc is not None for body in bodies):
         notes.append("The fillets of neighbouring sides meet in a mitre.")
     if part.count is not None and not part.cell.is_simple:
         steps = " and ".join(f"({x:.4g}, {y:.4g})" for x, y in part.cell.lattice.vectors)
@@ -290,8 +294,10 @@ def _room(part: Part, bodies: list[PillarShape]) -> float | None:
     gaps = []
     for k, (_, places) in enumerate(part.standing):
         for other, (_, others) in enumerate(part.standing[: k + 1]):
-            around = bool(bodies[k].form.corners or bodies[other].form.corners)
-            near = cKDTree(others).query(places, k=min(2, len(others)), p=np.inf if around else 2)[0]
-            near = near.reshape(len(places), -1)[:, -1 if other == k else 0]
-            gaps.append(near[near > 0].min(initial=np.inf) - bodies[k].widest - bodies[other].widest)
-    return 0.5 * min(gaps) if gaps and np.isfinite(min(gaps)) else None
+            number = cKDTree(others).query(places, k=min(AROUND, len(others)))[1].reshape(len(places), -1)
+            away = np.unique(np.round(others[number] - places[:, None], 9).reshape(-1, 2), axis=0)
+            away = away[away.any(axis=1)]
+            if len(away):
+                mine, beside = (Scaled(bodies[n].outline, bodies[n].widest) for n in (k, other))
+                gaps.append(float(mine.gap_to(beside, away).min()))
+    return 0.5 * min(gaps) if gaps else None

@@ -7,13 +7,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import ezdxf
+import numpy as np
 from ezdxf.document import Drawing
 from ezdxf.layouts import BaseLayout
 
 from haptonic.arrays import Array
+from haptonic.cell.outlines import Outline
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.part import Part
-from haptonic.workshop.shape import Form, PillarShape
+from haptonic.workshop.shape import PillarShape
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
@@ -61,7 +63,7 @@ def outlines(part: Part) -> Drawing:
     ------
     GeometryError : pillars stand on both faces
     """
-    part.need_one_face()
+    part.need_shown()
     document = ezdxf.new("R2010", units=MILLIMETRES)
     space = document.modelspace()
     for mark in part.marks:  # first: edges lie on top of them
@@ -73,7 +75,7 @@ def outlines(part: Part) -> Drawing:
         body, arm = PillarShape.of(pillar), MARK * pillar.diameter
         for x, y in places.tolist():
             for layer, half_width in body.outlines.items():
-                add_outline(space, body.form, (x, y), half_width, layer)
+                add_outline(space, body.outline, (x, y), half_width, layer)
             space.add_line((x - arm, y), (x + arm, y), dxfattribs={"layer": "CENTRE"})
             space.add_line((x, y - arm), (x, y + arm), dxfattribs={"layer": "CENTRE"})
     used = {entity.dxf.layer for entity in space}
@@ -84,12 +86,22 @@ def outlines(part: Part) -> Drawing:
 
 
 def add_outline(
-    space: BaseLayout, form: Form, centre: tuple[float, float] | Array, half_width: float, layer: str
+    space: BaseLayout, outline: Outline, centre: tuple[float, float] | Array, half_width: float, layer: str
 ) -> None:
-    """A horizontal cut as a circle or a closed polyline."""
+    """A horizontal cut as a circle, an ellipse or a closed polyline of straight sides and arcs."""
     x, y = (float(coordinate) for coordinate in centre)
-    if not form.corners:
-        space.add_circle((x, y), half_width, dxfattribs={"layer": layer})
+    look = {"layer": layer}
+    if outline.joints:
+        joints = outline.at(np.arange(outline.joints, dtype=float)).tolist()
+        line = [
+            (x + half_width * a, y + half_width * b, bulge)
+            for (a, b), bulge in zip(joints, outline.bulges.tolist(), strict=True)
+        ]
+        space.add_lwpolyline(line, format="xyb", close=True, dxfattribs=look)
         return
-    corners = [(x + half_width * a, y + half_width * b) for a, b in form.corners]
-    space.add_lwpolyline(corners, close=True, dxfattribs={"layer": layer})
+    (large, small), (a, b) = outline.half_axes
+    if large == small:
+        space.add_circle((x, y), half_width * large, dxfattribs=look)
+    else:
+        axis = (half_width * large * a, half_width * large * b)
+        space.add_ellipse((x, y), axis, small / large, dxfattribs=look)

@@ -11,7 +11,7 @@ from haptonic.arrays import Array
 from haptonic.cell import Pillar
 from haptonic.workshop.dimensions import FINEST, text_of
 from haptonic.workshop.part import Mark, Part
-from haptonic.workshop.shape import FORMS, Dimension, heights, sides
+from haptonic.workshop.shape import Dimension, heights, sides
 from haptonic.workshop.sheet import SIZE, SMALL, Sheet, shortened
 from haptonic.workshop.views import Box
 
@@ -86,7 +86,7 @@ def _sizes(part: Part, pillar: Pillar, tolerances: Mapping[str, float]) -> list[
     table = part.table(pillar)
     own, at = (tolerances, table) if table else ({}, "")
     shown = {one.name: one for one in heights(part.cell.thickness, pillar, at)}
-    sign = FORMS[pillar.section].sign
+    sign = pillar.form.sign
     signs = {
         "diameter": sign,
         "height": "",

@@ -6,6 +6,7 @@ Files are in millimetres, so lengths here are too.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -14,6 +15,7 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
+from haptonic.cell.outlines import NUMBERS
 from haptonic.cell.tile import enclosed
 from haptonic.errors import GeometryError
 from haptonic.plate.holding import WORDS, Support
@@ -24,6 +26,7 @@ from haptonic.workshop.shape import MM, PillarShape
 
 # 900 square, stepped ones take 49 s and 0.9 GB as STEP, more than in proportion to their number
 MOST_PILLARS = 1500
+SHOWN = 1e-9  # of the width of a section, by which it may differ from what a view shows
 
 
 @dataclass(frozen=True)
@@ -153,7 +156,7 @@ class Part:
     def faces(self) -> int:
         """How many smooth surfaces its pillars have, which decides what a solid costs."""
         bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.standing]
-        around = [len(body.form.corners) or 1 for body, _ in bodies]
+        around = [body.outline.joints or 1 for body, _ in bodies]
         return self.cell.copies * sum(
             number * (1 + sides * (len(body.side) - (body.arc is None)))
             for sides, (body, number) in zip(around, bodies, strict=True)
@@ -171,21 +174,46 @@ class Part:
         pillars = sum(len(places) * one.volume for one, places in self.standing)
         return area * self.cell.thickness + self.cell.copies * pillars
 
-    def need_one_face(self) -> None:
-        """Refuse what a drawing of one face would hide.
+    def need_shown(self, *, drawn: bool = False) -> None:
+        """Refuse what outlines seen from above, or a drawing, would hide.
 
         Raises
         ------
-        GeometryError : pillars stand on both faces
+        GeometryError : see `hidden`
         """
-        if self.cell.is_mirrored:
-            raise GeometryError.unsupported(
-                argument="cell.faces",
-                given="both",
-                allowed="one, for a drawing and for outlines seen from above",
-                cause="they show one face of the plate, and its pillars would be made on that alone",
-                next_step="write solids, which have both: haptonic export STUDY --step --stl",
+        refusal = hidden(self.cell, [pillar for pillar, _ in self.standing], drawn=drawn)
+        if refusal is not None:
+            raise refusal
+
+
+def hidden(cell: UnitCell, pillars: Iterable[Pillar | None], *, drawn: bool = False) -> GeometryError | None:
+    """The error for what outlines seen from above would not show, or a drawing; None if they show all.
+
+    They show one face. The views of a drawing show the width along x of a section that has no other number.
+    """
+    if cell.is_mirrored:
+        return GeometryError.unsupported(
+            argument="cell.faces",
+            given="both",
+            allowed="one, for a drawing and for outlines seen from above",
+            cause="they show one face of the plate, and its pillars would be made on that alone",
+            next_step="write solids, which have both: haptonic export STUDY --step --stl",
+        )
+    for pillar in pillars if drawn else ():
+        if pillar is not None and not _is_shown(pillar):
+            return GeometryError.unsupported(
+                argument="cell.pillar.section",
+                given=f"{pillar.section}, with further numbers",
+                allowed="round, square or hexagon, not turned and with sharp corners, for a drawing",
+                cause="the views of a drawing show one width of a pillar",
+                next_step="write the other files: haptonic export STUDY --step --dxf --stl",
             )
+    return None
+
+
+def _is_shown(pillar: Pillar) -> bool:
+    sides = pillar.outline.support(np.array([[1.0, 0.0], [-1.0, 0.0]]))
+    return not any(getattr(pillar, name) for name in NUMBERS) and bool(np.abs(sides - 1).max() < SHOWN)
 
 
 def _check_number(pillars: int) -> None:

@@ -2,22 +2,21 @@
 
 Lengths are in the unit of what they are taken from, millimetres for a `Part`. A place on a pillar is
 (half-width, height above the plate's top). A new number of the cell is added here, to `PillarShape.of` and
-`dimensions`; a new section is a row of `FORMS`: the files follow.
+`dimensions`. Horizontal cuts are outlines (`cell.outlines`): the files follow a new one.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Literal
 
 import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
-from haptonic.cell.pillar import Fillet, Section
+from haptonic.cell.outlines import Outline, Section
+from haptonic.cell.pillar import Fillet
 
 Place = tuple[float, float]
 
@@ -25,48 +24,17 @@ MM = 1e3  # mm in a metre
 
 
 @dataclass(frozen=True)
-class Form:
-    """Horizontal cut through a pillar, for a half-width of 1.
-
-    sign, width : what a drawing writes before the width, and what a workshop calls it
-    corners : anticlockwise, of a polygon with a centre of symmetry whose sides touch the circle of radius 1,
-        the first one in direction x; none for the circle itself
-    """
-
-    sign: str
-    width: str
-    corners: tuple[Place, ...] = ()
-
-    def polygon(self, count: int, pieces: int = 1) -> Array:
-        """(n, 2) its corners, each side in so many pieces; of a circle, ``count`` points on it."""
-        if not self.corners:
-            angle = 2 * math.pi * np.arange(count) / count
-            return np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        start, share = np.array(self.corners, dtype=float)[:, None], np.arange(pieces)[:, None] / pieces
-        return np.asarray((start + share * (np.roll(start, -1, axis=0) - start)).reshape(-1, 2))
-
-    def normals(self) -> list[float]:
-        """Directions of one of each two opposite sides, rad."""
-        middles = [(a[0] + b[0], a[1] + b[1]) for a, b in pairwise(self.corners)]
-        return [math.atan2(y, x) for x, y in middles[: len(self.corners) // 2]]
-
-
-FORMS: Mapping[Section, Form] = {
-    "round": Form("⌀", "diameter"),
-    "square": Form("□", "width", ((1, -1), (1, 1), (-1, 1), (-1, -1))),
-}
-
-
-@dataclass(frozen=True)
 class PillarShape:
-    """What stands on every cell: a form whose half-width follows a profile.
+    """What stands on every cell: an outline whose half-width follows a profile.
 
+    outline : of every horizontal cut, for a half-width of 1; form : the section that it comes from
     side : (n, 2) places from the foot, or the end of its fillet, to the top's edge, straight in between
     arc : the fillet before them, if there is one
     outlines : half-widths that are cut to, by the layer that a DXF file has them on
     """
 
-    form: Form
+    outline: Outline
+    form: Section
     side: Array
     arc: Fillet | None
     outlines: Mapping[str, float]
@@ -82,7 +50,13 @@ class PillarShape:
                 side.append((width, low))
                 outlines["STEP"] = width
             side.append((pillar.half_width(high, stage), high))
-        return cls(FORMS[pillar.section], np.array(side, dtype=float), pillar.arc, outlines)
+        return cls(
+            outline=pillar.outline,
+            form=pillar.form,
+            side=np.array(side, dtype=float),
+            arc=pillar.arc,
+            outlines=outlines,
+        )
 
     @property
     def height(self) -> float:
@@ -117,14 +91,14 @@ class Dimension:
     name : its path in a study; none for one that follows from others and is shown for reference
     value : m or rad (mm for a cell in mm)
     kind : along the plan's sides, "across" and "deep"; in the section a height ("left" or "right" of it), the
-        "width" at a place, the "radius" of the fillet or the "angle" of a side
+        "width" at a place, the "radius" of the fillet or the "angle" of a side; "seen" from above, in no view
     low, high : heights between which it lies, of a height
     place : where it is seen, of all others in the section
     """
 
     name: str | None
     value: float
-    kind: Literal["across", "deep", "left", "right", "width", "radius", "angle"]
+    kind: Literal["across", "deep", "left", "right", "width", "radius", "angle", "seen"]
     low: float = 0.0
     high: float = 0.0
     place: Place = (0.0, 0.0)
@@ -158,6 +132,9 @@ def heights(thickness: float, pillar: Pillar | None, at: str = "cell.pillar") ->
     body = PillarShape.of(pillar)
     found.append(Dimension(f"{at}.diameter", pillar.diameter, "width", place=(pillar.radius, 0.0)))
     found.append(Dimension(f"{at}.height", pillar.height, "left", high=pillar.height))
+    for name in ("length", "corner_radius", "turn"):
+        if (value := getattr(pillar, name)) is not None:
+            found.append(Dimension(f"{at}.{name}", value, "seen"))
     if pillar.arc is not None:
         width, height = pillar.arc.at(0.75).tolist()
         found.append(Dimension(f"{at}.fillet", pillar.fillet, "radius", place=(width, height)))

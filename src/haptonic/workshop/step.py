@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.cell.outlines import Outline
 from haptonic.errors import ResourceError
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.part import Part
@@ -47,8 +48,8 @@ def solid(part: Part) -> Any:
     for pillar, places in part.standing:
         body = _pillar(occ, PillarShape.of(pillar))
         pillars += [body.Move(occ.Vec(x, y, thickness)) for x, y in places]
-        if part.cell.is_mirrored:  # half a turn about x makes of a form its image, too
-            below = body.Rotate(occ.Axis((0, 0, 0), occ.X), 180)
+        if part.cell.is_mirrored:
+            below = body.Mirror(occ.Axes((0, 0, 0), occ.Z))
             pillars += [below.Move(occ.Vec(x, y, 0.0)) for x, y in places]
     return plate + occ.Compound(pillars) if pillars else plate
 
@@ -129,30 +130,61 @@ def _occ() -> ModuleType:
 
 
 def _pillar(occ: ModuleType, body: PillarShape) -> Any:
-    """Its profile turned about the axis, or what the bars across each pair of a polygon's sides share."""
-
-    def line(*places: tuple[float, float]) -> list[Any]:
-        return [occ.Segment(occ.Pnt(a, 0, b), occ.Pnt(c, 0, d)) for (a, b), (c, d) in pairwise(places)]
-
-    def flank(side: int) -> list[Any]:
-        places = [(side * width, height) for width, height in body.side.tolist()]
-        if body.arc is None:
-            return line(*places)
-        arc = body.arc.at(np.array([0.0, 0.5, 1.0])).tolist()
-        return [occ.ArcOfCircle(*(occ.Pnt(side * width, 0, z) for width, z in arc)), *line(*places)]
-
-    axis, top, foot = occ.Axis((0, 0, 0), occ.Z), float(body.side[-1, 0]), body.foot
-    if not body.form.corners:
-        wire = [*flank(1), *line((top, body.height), (0, body.height), (0, 0), (foot, 0))]
-        return occ.Revolve(occ.Face(occ.Wire(wire)), axis, 360)
-    across = line((top, body.height), (-top, body.height))
-    wire = [*flank(1), *across, *reversed(flank(-1)), *line((-foot, 0), (foot, 0))]
-    reach = 2 * max(foot, body.widest)
-    bar = occ.Prism(occ.Face(occ.Wire(wire)).Move(occ.Vec(0, -reach, 0)), occ.Vec(0, 2 * reach, 0))
-    shape = bar
-    for angle in body.form.normals()[1:]:
-        shape = shape * bar.Rotate(axis, math.degrees(angle))
+    """A turned profile, what profiles along all sides share, or upright prisms one upon the other."""
+    if body.outline.is_tangential:
+        return _cut(occ, body) if body.outline.joints else _turned(occ, body)
+    shape = None
+    for (width, low), (_, high) in list(pairwise(body.side.tolist()))[::2]:
+        face = _filled(occ, body.outline, width).Move(occ.Vec(0, 0, low))
+        stage = occ.Prism(face, occ.Vec(0, 0, high - low))
+        shape = stage if shape is None else shape + stage
     return shape
+
+
+def _line(occ: ModuleType, *places: tuple[float, float]) -> list[Any]:
+    return [occ.Segment(occ.Pnt(a, 0, b), occ.Pnt(c, 0, d)) for (a, b), (c, d) in pairwise(places)]
+
+
+def _flank(occ: ModuleType, body: PillarShape) -> list[Any]:
+    """The profile from the plate to the top's edge."""
+    if body.arc is None:
+        return _line(occ, *body.side.tolist())
+    arc = body.arc.at(np.array([0.0, 0.5, 1.0])).tolist()
+    return [occ.ArcOfCircle(*(occ.Pnt(width, 0, z) for width, z in arc)), *_line(occ, *body.side.tolist())]
+
+
+def _turned(occ: ModuleType, body: PillarShape) -> Any:
+    """The profile turned about the axis."""
+    top = float(body.side[-1, 0])
+    rest = _line(occ, (top, body.height), (0, body.height), (0, 0), (body.foot, 0))
+    return occ.Revolve(occ.Face(occ.Wire([*_flank(occ, body), *rest])), occ.Axis((0, 0, 0), occ.Z), 360)
+
+
+def _cut(occ: ModuleType, body: PillarShape) -> Any:
+    """What bars with the profile on one side, one along each side of the outline, have in common."""
+    axis, top = occ.Axis((0, 0, 0), occ.Z), float(body.side[-1, 0])
+    reach = 2 * max(body.foot, body.widest) * body.outline.reach
+    rest = _line(occ, (top, body.height), (-reach, body.height), (-reach, 0), (body.foot, 0))
+    face = occ.Face(occ.Wire([*_flank(occ, body), *rest])).Move(occ.Vec(0, -reach, 0))
+    bar, shape = occ.Prism(face, occ.Vec(0, 2 * reach, 0)), None
+    for x, y in body.outline.flats.tolist():
+        side = bar.Rotate(axis, math.degrees(math.atan2(y, x)))
+        shape = side if shape is None else shape * side
+    return shape
+
+
+def _filled(occ: ModuleType, outline: Outline, half_width: float) -> Any:
+    """The inside of an outline as a face at z = 0."""
+    if not outline.joints:
+        (large, small), (a, b) = outline.half_axes
+        plane = occ.WorkPlane(occ.Axes((0, 0, 0), occ.Z, occ.Dir(a, b, 0)))
+        return plane.Ellipse(half_width * large, half_width * small).Face()
+    edges = []
+    for piece, bulge in enumerate(outline.bulges.tolist()):
+        places = half_width * outline.at(piece + np.array([0.0, 0.5, 1.0]))
+        first, middle, last = (occ.Pnt(x, y, 0) for x, y in places.tolist())
+        edges.append(occ.ArcOfCircle(first, middle, last) if bulge else occ.Segment(first, last))
+    return occ.Face(occ.Wire(edges))
 
 
 def _quoted(text: str) -> str:

@@ -109,8 +109,8 @@ def _pillar(body: PillarShape, chord: float, pieces: int) -> tuple[Array, Ints, 
     side : (m, 3) triangles of its side and top, as numbers of these points
     around : how many points each level has
     """
-    half_turn = math.acos(1 - chord / max(body.widest, body.foot))
-    polygon = body.form.polygon(4 * math.ceil(math.pi / half_turn / 4), pieces)
+    half_turn = math.acos(1 - chord / (body.outline.reach * max(body.widest, body.foot)))
+    polygon = body.outline.polygon(4 * math.ceil(math.pi / half_turn / 4), pieces)
     bend = math.acos(1 - chord / max(body.arc.radius, chord)) if body.arc else 1.0
     levels = body.flank(max(ROUND, math.ceil(body.arc.opening / (2 * bend))) if body.arc else 0)
     rings = np.empty((len(levels), len(polygon), 3))

@@ -289,10 +289,10 @@ def _draw_edges(sheet: Sheet, body: PillarShape, centre: tuple[float, float], sc
         layer = "THIN" if is_end and not upright else "OUTLINE"
         if not body.is_free_above(half_width, height):
             layer = "HIDDEN"
-        add_outline(sheet.space, body.form, centre, scale * half_width, layer)
+        add_outline(sheet.space, body.outline, centre, scale * half_width, layer)
     for (one, low), (other, high) in pairwise(side.tolist()):
         if one > other and high > low:
-            for corner in np.array(body.form.corners):
+            for corner in body.outline.corners:
                 sheet.line([centre + scale * one * corner, centre + scale * other * corner], "THIN")
 
 

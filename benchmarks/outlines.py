@@ -1,0 +1,73 @@
+"""Errors of cells with pillars of other sections than round, against a finer mesh.
+
+    python outlines.py            # all; some minutes each
+    python outlines.py hexagon    # those whose name has the word
+
+For each cell and each of the first three resolutions: the largest and the median distance to the mesh of
+order 6 with two rings, what was stated, and the largest ratio of both over ten bands at one wavevector. The
+finer mesh has an error itself, which is printed as well.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+
+import numpy as np
+
+from haptonic.bloch import BlochModel, Resolution
+from haptonic.cell import Pillar, Step, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.materials import material
+
+MM = 1e-3
+KAPPA, BANDS = np.array([1.9, 2.4]), 10
+FINE, TRIED = Resolution(6, 2, 3, 24), (Resolution(3, 1), Resolution(4, 1), Resolution(5, 1))
+SQUARE, TRIANGULAR = Lattice.square(7 * MM), Lattice.triangular(7 * MM)
+# lattice, thickness (mm), pillar
+CELLS = {
+    "hexagon": (SQUARE, 1.5, Pillar(3 * MM, 6 * MM, "hexagon")),
+    "hexagon, triangular": (TRIANGULAR, 1.5, Pillar(3 * MM, 6 * MM, "hexagon")),
+    "square on its corner": (SQUARE, 1.5, Pillar(3 * MM, 6 * MM, "square", turn=math.pi / 4)),
+    "square, triangular": (TRIANGULAR, 1.5, Pillar(3 * MM, 6 * MM, "square")),
+    "ellipse": (SQUARE, 1.5, Pillar(2 * MM, 6 * MM, "ellipse", length=3.6 * MM)),
+    "triangle, triangular": (TRIANGULAR, 1.5, Pillar(2 * MM, 6 * MM, "polygon", sides=3)),
+    "turned rectangle": (SQUARE, 1.5, Pillar(2 * MM, 6 * MM, "rectangle", length=3.6 * MM, turn=0.5)),
+    "rounded square": (SQUARE, 1.5, Pillar(3 * MM, 6 * MM, "square", corner_radius=0.45 * MM)),
+    "narrow, square on its corner": (SQUARE, 1.5, Pillar(4.6 * MM, 5 * MM, "square", turn=math.pi / 4)),
+    "narrow, ellipse": (SQUARE, 1.5, Pillar(3 * MM, 5 * MM, "ellipse", length=6.6 * MM)),
+    "narrow, hexagon": (TRIANGULAR, 1.5, Pillar(6.4 * MM, 5 * MM, "hexagon")),
+    "narrow, turned hexagon": (TRIANGULAR, 1.5, Pillar(5.6 * MM, 5 * MM, "hexagon", turn=math.pi / 6)),
+    "thin, hexagon": (SQUARE, 0.5, Pillar(4 * MM, 5 * MM, "hexagon")),
+    "thin, turned rectangle": (SQUARE, 0.5, Pillar(2.5 * MM, 5 * MM, "rectangle", length=4 * MM, turn=0.4)),
+    "step, ellipse": (
+        SQUARE,
+        1.5,
+        Pillar(3 * MM, 6 * MM, "ellipse", length=4 * MM, step=Step(1.8 * MM, 3 * MM)),
+    ),
+}
+
+
+def survey(cell: UnitCell) -> list[str]:
+    """A line of text for each resolution."""
+    truth = BlochModel.of(cell, FINE, BANDS, measured=False).solve(KAPPA)
+    exact, lines = truth.frequency[:BANDS], []
+    own = float((truth.error[:BANDS] / exact).max())
+    for resolution in TRIED:
+        found = BlochModel.of(cell, resolution, BANDS, measured=False).solve(KAPPA)
+        off, stated = np.abs(found.frequency[:BANDS] - exact), found.error[:BANDS]
+        plan = resolution.plan(cell)
+        lines.append(
+            f"  order {resolution.order}, {plan.blocks} blocks of order {plan.order}: "
+            f"off {(off / exact).max():.1e}, median {np.median(off / exact):.1e}; "
+            f"stated {(stated / exact).max():.1e}, median {np.median(stated / exact):.1e}; "
+            f"ratio {(off / stated).max():.2f} (finer mesh {own:.1e})"
+        )
+    return lines
+
+
+if __name__ == "__main__":
+    for name, (lattice, thickness, pillar) in CELLS.items():
+        if all(word in name for word in sys.argv[1:]):
+            made = UnitCell(lattice, thickness * MM, material("aluminium-2017a"), pillar)
+            print(name, *survey(made), sep="\n", flush=True)

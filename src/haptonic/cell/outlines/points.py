@@ -1,0 +1,58 @@
+"""A section given by its corners."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from haptonic.cell.outlines.convex import Convex
+from haptonic.cell.outlines.section import Polygonal
+from haptonic.fields import problem
+
+SHARPEST = 0.35  # rad, 20 degrees: elements in a sharper corner would be slivers
+LEAST_WITHIN = 0.05  # of the farthest corner's distance, that every side keeps from the axis
+
+
+class Place(Protocol):
+    """A corner, in half-widths."""
+
+    x: float
+    y: float
+
+
+@dataclass(frozen=True)
+class Corners(Polygonal):
+    """A convex polygon with the pillar's axis inside, in either order of its corners."""
+
+    point: tuple[Place, ...]
+
+    @property
+    def sharp(self) -> Convex:
+        places = tuple((place.x, place.y) for place in self.point)
+        following = places[1:] + places[:1]
+        twice = sum(a * d - b * c for (a, b), (c, d) in zip(places, following, strict=True))
+        return Convex(places if twice > 0 else places[::-1])
+
+    def check(self) -> None:
+        if len(self.point) < 3 or not self.sharp.is_convex:
+            raise problem(
+                "out-of-range",
+                f"{len(self.point)} corners",
+                "three or more, in order, of a convex polygon with the pillar's axis (0, 0) inside",
+                "the sides cross, bend inwards or pass the axis on one side",
+                "order the points anticlockwise, and count them from the pillar's axis",
+                at="point",
+            )
+        sharp = self.sharp
+        reach = max(abs(complex(*vertex)) for vertex in sharp.vertices)
+        if sharp.interior_angles.min() < SHARPEST or sharp.inradius < LEAST_WITHIN * reach:
+            raise problem(
+                "out-of-range",
+                "a sharp corner, or a side close to the axis",
+                "corners of at least 20 degrees, and sides at a twentieth of the largest half-width from "
+                "the axis or farther",
+                "elements there would be slivers",
+                "move the points, or the axis, or round the section off",
+                at="point",
+            )
+        super().check()

@@ -1,0 +1,70 @@
+"""A named section of a pillar: which numbers it takes, and the outline that they make.
+
+Lengths are in half-widths along x, which is half the pillar's diameter. The fields of a section are those
+numbers of ``[cell.pillar]`` that it takes; one without a default has to be given.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from haptonic.cell.outlines.convex import Convex
+from haptonic.cell.outlines.outline import SAME, Outline
+from haptonic.fields import problem
+
+
+class Section:
+    """Protocol of the classes in `SECTIONS`.
+
+    sign, width : what a drawing writes before the pillar's diameter, and what a workshop calls it
+    """
+
+    sign: ClassVar[str] = ""
+    width: ClassVar[str] = "width"
+
+    def outline(self) -> Outline:
+        """The curve, with half-width 1 along x before it is turned; `check` says whether there is one."""
+        raise NotImplementedError
+
+    def check(self) -> None:
+        """Raise `problem` for numbers that make no such outline."""
+
+    def room(self) -> dict[str, float]:
+        """Room left to limits of the section's own numbers, in half-widths, by their names in a design."""
+        return {}
+
+    def shear_coefficient(self, poisson_ratio: float) -> float | None:
+        """Of a Timoshenko beam (Cowper 1966); None where there is no closed form for the section."""
+        return None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Polygonal(Section):
+    """A section with straight sides, whose corners may be rounded."""
+
+    corner_radius: float = 0.0
+    turn: float = 0.0
+
+    @property
+    def sharp(self) -> Convex:
+        """The polygon with sharp corners, not turned."""
+        raise NotImplementedError
+
+    def outline(self) -> Outline:
+        return self.sharp.rounded(self.corner_radius).turned(self.turn)
+
+    def room(self) -> dict[str, float]:
+        return {"corner radius": self.sharp.most_rounding - self.corner_radius} if self.corner_radius else {}
+
+    def check(self) -> None:
+        most = self.sharp.most_rounding
+        if self.corner_radius > most * (1 + SAME):
+            raise problem(
+                "out-of-range",
+                f"{0.5 * self.corner_radius:.4g} of the diameter",
+                f"at most {0.5 * most:.4g} of the diameter for this section",
+                "two rounded corners would meet within a side",
+                "choose a smaller radius",
+                at="corner_radius",
+            )

@@ -1,0 +1,97 @@
+"""Every analysis answers for every feature of a cell, or refuses it in five parts: none leaves one out."""
+
+from dataclasses import replace
+from importlib import import_module
+from types import SimpleNamespace
+
+import pytest
+
+from five_parts import assert_told, refusing
+from haptonic.analyses import NAMES
+from haptonic.analyses.export import ExportOptions
+from haptonic.cell import Pillar, UnitCell
+from haptonic.cell.outlines import SECTIONS, taken_by
+from haptonic.cell.pillar import Corner
+from haptonic.errors import StudyError
+from haptonic.lattice import Lattice
+from haptonic.materials import material
+
+MM = 1e-3
+NUMBERS = {
+    "length": 2 * MM,
+    "sides": 5,
+    "corner_radius": 0.2 * MM,
+    "turn": 0.3,
+    "point": tuple(Corner(x=x, y=y) for x, y in ((1, -1), (1, 1), (-1, 0.8), (-0.8, -1))),
+}
+SQUARE, TRIANGULAR = Lattice.square(7 * MM), Lattice.triangular(7 * MM)
+
+
+def cell(pillar, lattice=SQUARE, **more):
+    return UnitCell(lattice, 1.5 * MM, material("aluminium-2017a"), pillar, **more)
+
+
+def features():
+    """Cells by the feature that each of them has."""
+    yield "plain plate", cell(None)
+    for name, kind in SECTIONS.items():
+        needed = {number: NUMBERS[number] for number, must in taken_by(kind).items() if must}
+        every = {number: NUMBERS[number] for number in taken_by(kind)}
+        for lattice in (SQUARE, TRIANGULAR):
+            yield f"{name} on {lattice.name}", cell(Pillar(3 * MM, 6 * MM, name, **needed), lattice)
+            if every != needed:
+                with_all = cell(Pillar(3 * MM, 6 * MM, name, **every), lattice)
+                yield f"{name} with every number on {lattice.name}", with_all
+    yield "pillars on both faces", cell(Pillar(3 * MM, 6 * MM), faces="both")
+
+
+FEATURES = dict(features())
+ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS for name in NAMES}
+# what is refused, and why; everything else is answered, and checked by the tests of each analysis and of
+# outlines: see tests/core/test_sectors.py and tests/workshop/test_outline_files.py
+REFUSED = {"export"}
+
+
+@pytest.mark.parametrize("feature", FEATURES)
+def test_each_analysis_answers_for_a_feature_or_refuses_it(feature):
+    for name, analysis in ANALYSES.items():
+        options = ExportOptions() if name == "export" else None
+        refusal = analysis.supports(FEATURES[feature], options)
+        if refusal is not None:
+            assert name in REFUSED
+            assert_told(refusal, refusal.code, refusal.argument)
+
+
+@pytest.mark.parametrize("feature", FEATURES)
+def test_solids_are_made_of_every_feature(feature):
+    options = ExportOptions(step=True, stl=True)
+    assert ANALYSES["export"].supports(FEATURES[feature], options) is None
+
+
+def test_a_drawing_is_refused_for_what_it_does_not_show():
+    refused = {name for name, each in FEATURES.items() if ANALYSES["export"].supports(each, ExportOptions())}
+    shown = {f"{section} on {lattice.name}" for section in ("round", "square", "hexagon")
+             for lattice in (SQUARE, TRIANGULAR)}  # fmt: skip
+    assert refused == set(FEATURES) - shown - {"plain plate"}
+
+
+def test_the_report_asks_each_analysis_as_well():
+    """A chapter of what an analysis refuses is never computed."""
+    from haptonic.analyses import reproduce
+
+    asked = []
+    refusing_one = replace(
+        ANALYSES["sweep"],
+        supports=lambda cell, options: StudyError.unsupported(
+            argument="cell", given="a hole", allowed="none", cause="a test", next_step="none"
+        ),
+        compute=lambda *_: asked.append("computed"),
+    )
+    with refusing(StudyError, "unsupported", "cell"):
+        reproduce._answered(refusing_one, SimpleNamespace(cell=cell(None)), None, None)
+    assert asked == []
+
+
+def test_no_analysis_says_nothing():
+    with pytest.raises(TypeError, match="supports"):
+        type(ANALYSES["bands"])(name="mute", result=object, compute=print)
