@@ -156,6 +156,7 @@ class Workshop(Result):
 def check(study: Description, options: ExportOptions) -> None:
     """Refuse what cannot be made."""
     part = options.part(study)
+    part.need_one_material()
     if {"dxf", "drawing"} & set(options.kinds):
         part.need_one_face()
 

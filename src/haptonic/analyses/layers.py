@@ -9,7 +9,7 @@ import numpy as np
 
 from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
-from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
+from haptonic.analyses.needs import has_mirror, need_carrier, need_one_loss, need_rows
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
@@ -43,6 +43,7 @@ def check(study: Description, options: NoOptions) -> None:
     """Refuse a study without a carrier, and rows in a direction that is none or costs too much."""
     need_carrier(study)
     need_rows(study)
+    need_one_loss(study.cell, "layers")
 
 
 @one_thread()

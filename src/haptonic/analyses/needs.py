@@ -8,7 +8,7 @@ from haptonic.bloch.gaps import gap_at
 from haptonic.bloch.reach import check_memory, started
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import rows_need
-from haptonic.cell import Rows
+from haptonic.cell import Rows, UnitCell
 from haptonic.errors import StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
@@ -31,6 +31,27 @@ def need_carrier(study: Description) -> float:
             next_step='add carrier = "60 kHz" at the top of the study',
         )
     return study.carrier
+
+
+def need_one_loss(cell: UnitCell, analysis: str) -> None:
+    """Refuse a cell whose materials have different losses, in an analysis with one loss factor for all.
+
+    Raises
+    ------
+    StudyError : a pillar's material has another loss factor than the plate's
+    """
+    if len(cell.loss_factors) == 1:
+        return
+    of_plate = cell.material.loss_factor
+    losses = {at: solid.loss_factor for at, solid in cell.materials.items()}
+    at = next(at for at, loss in losses.items() if loss != of_plate)
+    raise StudyError.unsupported(
+        argument=f"cell.{at}",
+        given=f"a loss factor of {losses[at]:g}, and {of_plate:g} in the plate",
+        allowed=f"the same loss factor in plate and pillars, for `haptonic {analysis}`",
+        cause="this analysis multiplies the stiffness of the whole lattice by a single complex factor",
+        next_step=f"give this material by its constants in a [cell.{at}] table, with the plate's loss_factor",
+    )
 
 
 def response_settings(study: Description) -> ResponseSettings:

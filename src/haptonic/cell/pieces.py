@@ -78,7 +78,7 @@ def pieces_of(tile: TileShape, plan: MeshPlan) -> tuple[Meshed, ...]:
     assert pillar is not None
     assert pillar.step is not None
     cut, step = prism[1], pillar.step.height
-    above = Pillar(pillar.step.diameter, pillar.height - step, pillar.section)
+    above = Pillar(pillar.step.diameter, pillar.height - step, pillar.section, material=pillar.material)
     lower = Piece(tile, tile.thickness, replace(pillar, height=cut, step=None))
     upper = Piece(tile, step - cut, above, pillar.radius)
     along = max(plan.upward, plan.thin)

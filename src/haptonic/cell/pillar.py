@@ -14,6 +14,7 @@ from haptonic.arrays import Array
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
 from haptonic.fields import LARGEST, Quantity, described, needed, problem, setting, size
+from haptonic.materials import GIVEN, Material, is_symmetry
 
 Section = Literal["round", "square"]
 Faces = Literal["one", "both"]
@@ -82,6 +83,11 @@ class Pillar:
         title="Fillet radius",
     )
     step: Step | None = setting(None, "Where the pillar becomes narrower, if it does.")
+    material: Annotated[Material, GIVEN] | None = setting(
+        None,
+        "A built-in name or its constants; without it the pillar is of the plate's material.",
+        title="Pillar material",
+    )
 
     def __post_init__(self) -> None:
         if self.step is not None:
@@ -158,7 +164,12 @@ class Pillar:
         return width - (height - low) * math.tan(self.draft)
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
-        """Whether an orthogonal map (3, 3) of space that keeps the normal leaves the outline as it is."""
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the pillar as it is.
+
+        A pillar of the plate's material has that material's symmetry as well, which the tile checks.
+        """
+        if self.material is not None and not is_symmetry(self.material.stiffness, turn):
+            return False
         return self.section == "round" or not turn[0, 0] * turn[0, 1]
 
     @cached_property
@@ -210,8 +221,8 @@ class Pillar:
 
     @property
     def is_cylinder(self) -> bool:
-        """Whether the pillar is a plain round one."""
-        return self == Pillar(self.diameter, self.height)
+        """True if the pillar is a plain round one, of whatever material."""
+        return self == Pillar(self.diameter, self.height, material=self.material)
 
     @cached_property
     def arc(self) -> Fillet | None:

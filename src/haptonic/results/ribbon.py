@@ -108,8 +108,9 @@ class RibbonWaves(Result):
         found = self.guided
         apart = np.abs(found["frequency"].values - near)
         nearest = [apart[found["phase"].values == phase].min() for phase in np.unique(found["phase"].values)]
-        loss = self.dataset.attrs["loss_factor"]
-        damped = f"; the plate's material damps it to a quality of {1 / loss:.0f}" if loss else ""
+        least, *_, most = np.repeat(np.atleast_1d(self.dataset.attrs["loss_factor"]), 2)
+        quality = f"{1 / most:.0f}" if least == most and most else f"at least {1 / most:.0f}" if most else ""
+        damped = f"; losses of the material limit its quality to {quality}" if quality else ""
         return [f"Copies of it {lines} cells apart move it by {max(nearest) / 1e3:.2g} kHz{damped}."]
 
     def tables(self) -> list[Table]:

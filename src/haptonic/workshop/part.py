@@ -171,6 +171,23 @@ class Part:
         pillars = sum(len(places) * one.volume for one, places in self.standing)
         return area * self.cell.thickness + self.cell.copies * pillars
 
+    def need_one_material(self) -> None:
+        """Refuse a part whose pillars are of another material than the plate.
+
+        Raises
+        ------
+        GeometryError : some pillar has a material of its own
+        """
+        solid = next((pillar.material for pillar, _ in self.standing if pillar.material is not None), None)
+        if solid is not None:
+            raise GeometryError.unsupported(
+                argument="cell.pillar.material",
+                given=solid.name,
+                allowed="one material for plate and pillars, for files for the workshop",
+                cause="the solid, its mass and the drawing are those of a part that is milled from one block",
+                next_step="leave the pillar's material out for the export: haptonic export STUDY",
+            )
+
     def need_one_face(self) -> None:
         """Refuse what a drawing of one face would hide.
 
