@@ -6,12 +6,13 @@ sums in the stiffness collapse to a single product.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
-from haptonic.arrays import Array, Ints
+from haptonic.arrays import Array, Bools, Ints
 from haptonic.cell.quadrature import lobatto
 from haptonic.materials import Material, elasticity_tensor
 
@@ -67,6 +68,32 @@ def element_matrices(points: Array, nodes: Ints, material: Material) -> ElementM
         stiffness=np.concatenate(terms, axis=1),
         pairs=coupled_pairs(sizes),
         mass=material.density * volume.reshape(len(nodes), -1),
+    )
+
+
+def matrices_by_region(
+    points: Array, nodes: Ints, materials: Sequence[Material], region: Ints | Bools
+) -> ElementMatrices:
+    """Stiffness and lumped mass of elements that consist of several materials; see `element_matrices`.
+
+    Parameters
+    ----------
+    materials : of the regions
+    region : (elements,) number of each element's material
+    """
+    if all(solid == materials[0] for solid in materials):
+        return element_matrices(points, nodes, materials[0])
+    members = [np.flatnonzero(region == number) for number in range(len(materials))]
+    parts = [
+        element_matrices(points, nodes[chosen], solid)
+        for chosen, solid in zip(members, materials, strict=True)
+        if len(chosen)
+    ]
+    order = np.argsort(np.concatenate(members))
+    return ElementMatrices(
+        stiffness=np.concatenate([part.stiffness for part in parts])[order],
+        pairs=parts[0].pairs,
+        mass=np.concatenate([part.mass for part in parts])[order],
     )
 
 

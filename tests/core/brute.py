@@ -18,13 +18,18 @@ def dense(matrices):
     return K.reshape(elements, 3 * nodes, 3 * nodes)
 
 
-def assembled(mesh: HexMesh, material):
+def assembled(mesh: HexMesh, material, of_pillar=None):
     """Stiffness (3 nodes, 3 nodes), sparse, and the diagonal (3 nodes,) of the mass."""
     K, mass = sp.csr_array((mesh.unknowns,) * 2), np.zeros(mesh.unknowns)
-    for family in mesh.topology.families:
-        for start in range(0, len(family), 64):  # a fine mesh would need too much memory at once
-            nodes = family.nodes[start : start + 64]
-            matrices = element_matrices(mesh.points, nodes, material)
+    regions = [
+        (family.nodes[family.in_pillar == in_pillar], solid)
+        for family in mesh.topology.families
+        for in_pillar, solid in ((False, material), (True, of_pillar or material))
+    ]
+    for members, solid in regions:
+        for start in range(0, len(members), 64):  # a fine mesh would need too much memory at once
+            nodes = members[start : start + 64]
+            matrices = element_matrices(mesh.points, nodes, solid)
             unknown = 3 * nodes.reshape(len(nodes), -1)[..., None] + np.arange(3)
             first, second = matrices.pairs
             shape = matrices.stiffness.shape

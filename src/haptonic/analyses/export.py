@@ -13,7 +13,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
 from haptonic.cell import UnitCell
-from haptonic.errors import HaptonicError, ResourceError
+from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.later import xarray as xr
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
@@ -187,7 +187,17 @@ def left_out(options: ExportOptions) -> dict[str, str]:
 
 
 def supports(cell: UnitCell, options: ExportOptions) -> HaptonicError | None:
-    """Solids show everything; outlines and the drawing see `workshop.part.hidden`."""
+    """A part has one material; outlines and the drawing do not show what `workshop.part.hidden` names."""
+    others = {at: solid for at, solid in cell.materials.items() if solid != cell.material}
+    if others:
+        at, solid = next(iter(others.items()))
+        return GeometryError.unsupported(
+            argument=f"cell.{at}",
+            given=solid.name,
+            allowed="one material for plate and pillars, for files for the workshop",
+            cause="the solid, its mass and the drawing are those of a part that is milled from one block",
+            next_step="leave the pillar's material out of the study that is exported",
+        )
     if not {"dxf", "drawing"} & set(options.kinds):
         return None
     return hidden(cell, cell.pillars, drawn="drawing" in options.kinds)

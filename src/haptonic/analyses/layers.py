@@ -12,7 +12,7 @@ from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import one_loss_factor
 from haptonic.arrays import Array
 from haptonic.bloch import Resolution
 from haptonic.bloch.evanescent import bloch_waves
@@ -119,7 +119,7 @@ ANALYSIS = Analysis(
     name="layers",
     result=Layers,
     compute=compute,
-    supports=every_cell,
+    supports=one_loss_factor,
     cost=cost,
     check=check,
     reported=lambda study: NoOptions() if has_mirror(study) else None,

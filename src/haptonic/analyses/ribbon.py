@@ -85,7 +85,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
         "rows": rows or 0,
         "period": ribbon.period,
         "kind": ribbon.kind,
-        "loss_factor": ribbon.first[0].material.loss_factor,
+        "loss_factor": list(ribbon.first[0].loss_factors),
         "unknowns": len(model.fine.order),
         "mesh": json.dumps([resolution.order, resolution.foot_rings]),
         **max(bests, key=lambda one: one.model.worst_error).attributes(settings),

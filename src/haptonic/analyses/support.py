@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from haptonic.cell import UnitCell
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, StudyError
 
 Supports = Callable[[UnitCell, Any], HaptonicError | None]
 
@@ -24,3 +24,19 @@ def every_cell(cell: UnitCell, options: Any) -> HaptonicError | None:
 def no_cell(cell: UnitCell, options: Any) -> HaptonicError | None:
     """None: the answer does not depend on a cell."""
     return None
+
+
+def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
+    """The error for a pillar's material with another loss factor than the plate's."""
+    of_plate = cell.material.loss_factor
+    others = {at: solid.loss_factor for at, solid in cell.materials.items() if solid.loss_factor != of_plate}
+    if not others:
+        return None
+    at, loss = next(iter(others.items()))
+    return StudyError.unsupported(
+        argument=f"cell.{at}",
+        given=f"a loss factor of {loss:g}, and {of_plate:g} in the plate",
+        allowed="the same loss factor in plate and pillars",
+        cause="this analysis multiplies the stiffness of the whole lattice by a single complex factor",
+        next_step=f"give this material by its constants in a [cell.{at}] table, with the plate's loss_factor",
+    )

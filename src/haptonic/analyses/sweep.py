@@ -102,12 +102,13 @@ def swept(
 
 
 def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
-    if cell.pillar is None or not isinstance(cell.material, IsotropicMaterial):
+    solid = cell.pillar_material
+    if cell.pillar is None or not isinstance(solid, IsotropicMaterial):
         return np.full(RESONANCES, np.nan), np.full(RESONANCES, np.nan)
     slender = np.full(RESONANCES, np.nan)
     if cell.pillar.is_cylinder:  # equation (3) knows no other
-        slender = euler_bernoulli(cell.pillar, cell.material)
-    return slender, timoshenko(cell.pillar, cell.material, RESONANCES)
+        slender = euler_bernoulli(cell.pillar, solid)
+    return slender, timoshenko(cell.pillar, solid, RESONANCES)
 
 
 def cost(study: Description, options: NoOptions) -> Cost:

@@ -101,7 +101,7 @@ class UnitCell(TileShape):
         "Without the pillar.", title="Plate thickness", examples=["1.5 mm"]
     )
     material: Annotated[Material, GIVEN, TOP] = needed(
-        "Of the plate and its pillars: a built-in name or its constants."
+        "A built-in name or constants, for the plate and for every pillar without a material of its own."
     )
     pillar: Pillar | None = setting(
         None, "On every site, if the sites have no tables; without any the cell is plain plate."
@@ -121,15 +121,16 @@ class UnitCell(TileShape):
 
     def __post_init__(self) -> None:
         # lattices and outlines always have it; the rest of the group is left until it is asked for
-        if not is_symmetry(self.material.stiffness, HALF_TURNED):
-            raise problem(
-                "unsupported",
-                self.material.name,
-                "a material that half a turn about the plate's normal leaves as it is",
-                "its constants couple motion in the plane with motion out of it",
-                "turn the material so that one of its axes is normal to the plate",
-                at="material",
-            )
+        for at, solid in self.materials.items():
+            if not is_symmetry(solid.stiffness, HALF_TURNED):
+                raise problem(
+                    "unsupported",
+                    solid.name,
+                    "a material that half a turn about the plate's normal leaves as it is",
+                    "its constants couple motion in the plane with motion out of it",
+                    "turn the material so that one of its axes is normal to the plate",
+                    at=at,
+                )
         if not self.is_simple:
             self._check_sites()
             return
@@ -200,6 +201,21 @@ class UnitCell(TileShape):
     def pillar_path(self, number: int) -> str:
         """Of the table in a study that gives the pillar of a site, counted from 0."""
         return f"cell.site[{number + 1}].pillar" if self.site else "cell.pillar"
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """Materials of the plate and of pillars that have their own, by the path of the key in [cell]."""
+        solids = {"material": self.material}
+        for table, (number, *_) in self.pillar_tables.items():
+            pillar = self.pillars[number]
+            if pillar is not None and pillar.material is not None:
+                solids[f"{table.removeprefix('cell.')}.material"] = pillar.material
+        return solids
+
+    @property
+    def loss_factors(self) -> tuple[float, ...]:
+        """Loss factors of the cell's materials, ascending, equal ones once."""
+        return tuple(sorted({solid.loss_factor for solid in self.materials.values()}))
 
     @property
     def pillar_tables(self) -> dict[str, list[int]]:

@@ -28,6 +28,7 @@ from haptonic.fields import (
     setting,
     size,
 )
+from haptonic.materials import GIVEN, Material, is_symmetry
 from haptonic.units import format_quantity
 
 Faces = Literal["one", "both"]
@@ -99,13 +100,18 @@ class Pillar:
             next_step='write "diameter", with twice the value',
         ),
         **meant("diameter", "d", "width", "side", "w", "diameter_bottom"),
-        **meant("height", "h", "length", "pillar_height"),
+        **meant("height", "h", "pillar_height"),
         **meant("section", "shape", "form", "cross_section"),
         **meant("draft", "taper", "taper_angle", "draft_angle"),
         **absent(
-            "material", "density", "youngs_modulus", "poisson_ratio", "coating",
-            cause="plate and pillars are one body of one material; a pillar of another one is not computed",
-            next_step="give the material of both at the top, in material or [material]",
+            "density", "youngs_modulus", "poisson_ratio",
+            cause="a pillar has a material, and the material has these constants",
+            next_step="write them into a [cell.pillar.material] table, or give material a built-in name",
+        ),
+        **absent(
+            "coating",
+            cause="a pillar consists of one material; coated ones are not computed here",
+            next_step="leave this key out",
         ),
         **absent(
             "hole", "bore", "inner_diameter", "hollow",
@@ -151,6 +157,11 @@ class Pillar:
         "Corners of a convex section, in order; it is that of the name points.",
         title="Corners of the section",
         max_length=MOST_CORNERS,
+    )
+    material: Annotated[Material, GIVEN] | None = setting(
+        None,
+        "A built-in name or its constants; without it the pillar is of the plate's material.",
+        title="Pillar material",
     )
 
     def __post_init__(self) -> None:
@@ -281,7 +292,12 @@ class Pillar:
         return width - (height - low) * math.tan(self.draft)
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
-        """Whether an orthogonal map (3, 3) of space that keeps the normal leaves the outline as it is."""
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the pillar as it is.
+
+        A pillar of the plate's material has that material's symmetry as well, which the tile checks.
+        """
+        if self.material is not None and not is_symmetry(self.material.stiffness, turn):
+            return False
         return self.outline.has_symmetry(turn[:2, :2])
 
     def is_image(self, other: Pillar, turn: NDArray[np.float64]) -> bool:
@@ -344,8 +360,8 @@ class Pillar:
 
     @property
     def is_cylinder(self) -> bool:
-        """Whether the pillar is a plain round one."""
-        return self == Pillar(self.diameter, self.height)
+        """True if the pillar is a plain round one, of whatever material."""
+        return self == Pillar(self.diameter, self.height, material=self.material)
 
     @cached_property
     def arc(self) -> Fillet | None:

@@ -77,6 +77,13 @@ class TileShape:
         return self
 
     @property
+    def pillar_material(self) -> Material:
+        """What the pillar consists of: a material of its own, or the plate's."""
+        if self.pillar is None or self.pillar.material is None:
+            return self.material
+        return self.pillar.material
+
+    @property
     def elongation(self) -> float:
         """Square of the extent over the area; of a lattice's cell as though its angles were right ones."""
         return self.extent**2 / self.area

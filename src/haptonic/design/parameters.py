@@ -15,7 +15,7 @@ UNITS = ByPattern({
     path: key.unit
     for path, key in sorted(table(UnitCell, "cell.").items(), key=lambda one: one[0].startswith("material."))
     # the bands are those without loss; one mesh is followed, so lattices and sites keep their symmetry
-    if key.quantity and key.kind != "quantities" and path != "material.loss_factor"
+    if key.quantity and key.kind != "quantities" and not path.endswith("material.loss_factor")
     and ".pillar.point[]" not in path and not path.endswith(".pillar.turn")
 })  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Fields
 from haptonic.bloch.exact import ExactModes
-from haptonic.cell import HexMesh, PlacedTile, UnitCell, mesh_cell
+from haptonic.cell import HexMesh, PlacedTile, TileShape, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.sectors import sectors
 from haptonic.design.parameters import UNITS, values_of
@@ -29,9 +29,7 @@ from haptonic.errors import GeometryError
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
 from haptonic.superelement import FoldedMesh, TiledMesh, through_levels
 
-# constants of the material that eigenvalues are in proportion to, or their inverses
-SCALES = {"material.youngs_modulus": 1.0, "material.density": -1.0}
-POISSON = "material.poisson_ratio"
+MATERIAL = "material."  # begins the last part of a path that names a constant of a material
 SAME_BLOCKS = 1e-2  # of a piece of an outline, by which the ends of blocks move at most between two meshes
 STEP = 1e-5  # of differences of the nodes' positions, relative to the parameter's scale
 
@@ -73,33 +71,34 @@ def eigenvalue_derivatives(
     fields : (nodes, 3, k) modes of unit mass; trace : (t, k) the unknowns behind their sides
     values : (k,) their eigenvalues L, (rad/s)^2, or (1,) for all alike
     """
-    joint, start, material = shared.joint, 0, shared.cell.material
-    found = {path: _by_scale(path, material, values, fields.shape[2]) for path in paths if path in SCALES}
-    there = {path: _beside(shared.cell, path) for path in paths if not path.startswith("material.")}
+    joint, start, cell = shared.joint, 0, shared.cell
+    found = {path: np.zeros((fields.shape[2],) * 2, dtype=complex) for path in paths}
+    there = {path: _beside(cell, path) for path in paths if MATERIAL not in path}
     for number, mesh in enumerate(shared.meshes):
         end = start + mesh.mesh.topology.nodes
         own = joint.placed[number].turn.T @ fields[start:end]
         own_trace = joint.turned(number, trace[joint.of_tile(number)], back=True)
-        energies = _Energies.of(mesh.mesh, material, own, values)
+        energies = _Energies.of(mesh.mesh, mesh.cell, own, values)
         for path in paths:
-            if path in SCALES:
-                continue
-            if path == POISSON:
-                form = energies.by_poisson_ratio(material)
+            if MATERIAL in path:
+                table, _, constant = path.rpartition(".")
+                form = energies.by_constant(constant, _regions(cell, number, table))
             else:
                 velocity, of_trace = _velocities(mesh, joint.placed[number], number, *there[path])
                 form = energies.by_motion(velocity)
                 if np.abs(of_trace).max() > 0:
                     form = form + energies.by_displacement(_on_rim(mesh, of_trace, own_trace))
-            found[path] = found[path] + form if path in found else form
+            found[path] = found[path] + form
         start = end
-    return {path: found[path] for path in paths}
+    return found
 
 
-def _by_scale(path: str, material: Material, values: Array, count: int) -> Fields:
-    """Derivative with respect to a constant that all eigenvalues are in proportion to, or their inverses."""
-    here = getattr(material, path.removeprefix("material."))
-    return np.asarray(SCALES[path] * values / here * np.eye(count, dtype=complex))
+def _regions(cell: UnitCell, number: int, table: str) -> set[bool]:
+    """Regions of a tile, False its plate and True its pillar, whose material a table of the study gives."""
+    pillar = cell.pillars[number]
+    if table == "material":
+        return {False, True} if pillar is None or pillar.material is None else {False}
+    return {True} if pillar is not None and table == f"{cell.pillar_path(number)}.material" else set()
 
 
 def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
@@ -161,10 +160,16 @@ def _on_rim(shared: FoldedMesh, of_trace: Array, trace: Fields) -> Fields:
 
 @dataclass(frozen=True)
 class _Energies:
-    """Modes seen at the quadrature points of every family of elements: (points, 3, 3, k) gradients, stresses
-    times volume, (points, 3, k) momenta (density times volume times displacement)."""
+    """Modes seen at the quadrature points of every family of elements, its plate and pillar apart:
+    (points, 3, 3, k) gradients, stresses times volume, (points, 3, k) momenta (density times volume times
+    displacement).
+
+    solids : material of each part; in_pillar : whether it belongs to the pillar
+    """
 
     frames: tuple[_Frame, ...]
+    solids: tuple[Material, ...]
+    in_pillar: tuple[bool, ...]
     fields: Fields
     gradient: tuple[Fields, ...]
     stress: tuple[Fields, ...]
@@ -172,17 +177,29 @@ class _Energies:
     values: Array
 
     @classmethod
-    def of(cls, mesh: HexMesh, material: Material, fields: Fields, values: Array) -> _Energies:
-        frames = tuple(_Frame.of(mesh.points, family.nodes) for family in mesh.topology.families)
-        tensor = elasticity_tensor(material.stiffness)
+    def of(cls, mesh: HexMesh, tile: TileShape, fields: Fields, values: Array) -> _Energies:
+        parts = [
+            (family.nodes[family.in_pillar == in_pillar], in_pillar)
+            for family in mesh.topology.families
+            for in_pillar in (False, True)
+            if (family.in_pillar == in_pillar).any()
+        ]
+        frames = tuple(_Frame.of(mesh.points, nodes) for nodes, _ in parts)
+        solids = tuple(tile.pillar_material if in_pillar else tile.material for _, in_pillar in parts)
         gradient = tuple(frame.gradient(fields) for frame in frames)
         return cls(
             frames=frames,
+            solids=solids,
+            in_pillar=tuple(in_pillar for _, in_pillar in parts),
             fields=fields,
             gradient=gradient,
-            stress=tuple(_stress(tensor, g, f) for g, f in zip(gradient, frames, strict=True)),
+            stress=tuple(
+                _stress(elasticity_tensor(solid.stiffness), g, frame)
+                for solid, g, frame in zip(solids, gradient, frames, strict=True)
+            ),
             momentum=tuple(
-                material.density * f.volume[:, None, None] * fields[f.nodes.ravel()] for f in frames
+                solid.density * frame.volume[:, None, None] * fields[frame.nodes.ravel()]
+                for solid, frame in zip(solids, frames, strict=True)
             ),
             values=values,
         )
@@ -208,12 +225,24 @@ class _Energies:
             total += _product(frame.gradient(change), s) - self.values * _product(moved, p)
         return total + total.conj().T
 
-    def by_poisson_ratio(self, material: Material) -> Fields:
-        """Derivative with respect to Poisson's ratio."""
-        assert isinstance(material, IsotropicMaterial)
-        tensor = elasticity_tensor(_poisson_slope(material))
-        pairs = zip(self.frames, self.gradient, strict=True)
-        return np.asarray(sum(_product(g, _stress(tensor, g, frame)) for frame, g in pairs))
+    def by_constant(self, constant: str, regions: set[bool]) -> Fields:
+        """Derivative with respect to a constant of the material of some regions."""
+        total = np.zeros((self.fields.shape[2],) * 2, dtype=complex)
+        for part, (frame, solid) in enumerate(zip(self.frames, self.solids, strict=True)):
+            if self.in_pillar[part] not in regions:
+                continue
+            assert isinstance(solid, IsotropicMaterial)
+            gradient = self.gradient[part]
+            if constant == "youngs_modulus":
+                total += _product(gradient, self.stress[part]) / solid.youngs_modulus
+            elif constant == "density":
+                moved = self.fields[frame.nodes.ravel()]
+                total -= self.values * _product(moved, self.momentum[part]) / solid.density
+            else:
+                assert constant == "poisson_ratio", constant
+                tensor = elasticity_tensor(_poisson_slope(solid))
+                total += _product(gradient, _stress(tensor, gradient, frame))
+        return total
 
 
 @dataclass(frozen=True)

@@ -124,7 +124,7 @@ class Slot:
 
     def name_of(self, value: object) -> str | None:
         """The name that stands for the field's value in a file, if there is one."""
-        return self.named.name_of(value) if self.named else None
+        return self.named.name_of(value) if self.named and value is not None else None
 
     def declared(self, model: Any, value: object) -> Quantity | None:
         """The declaration of a number that is the field's value; another key of the table may decide it."""
@@ -144,7 +144,7 @@ def _slots(kind: type) -> tuple[Slot, ...]:
     made = []
     for name, field in fields_of(kind).items():
         placed = next((one for one in field.metadata if isinstance(one, Placed)), Placed())
-        named = next((one for one in field.metadata if isinstance(one, Named)), None)
+        named = _named(field)
         kinds = tuple(_kinds(named.table if named else field.annotation))
         made.append(
             Slot(
@@ -241,8 +241,7 @@ def unit_of(model: object, field: FieldInfo, entry: str) -> Quantity | None:
 
 
 def _key(path: str, field: FieldInfo) -> Key:
-    quantity, kind = quantity_of(field), _kind(field)
-    named = next((item for item in field.metadata if isinstance(item, Named)), None)
+    quantity, kind, named = quantity_of(field), _kind(field), _named(field)
     count = len(quantities_of(field)) if kind == "quantities" else 1
     bounds, typical = (quantity.limits, quantity.usual) if quantity else (_plain_bounds(field), "")
     if count > 1:
@@ -274,7 +273,7 @@ def _kind(field: FieldInfo) -> str:
         return "quantity" if quantity.unit else "number"
     if _choices(field.annotation):
         return "choice"
-    named = next((item for item in field.metadata if isinstance(item, Named)), None)
+    named = _named(field)
     if any(_kinds(named.table if named else field.annotation)):
         return "table"
     plain = {get_args(part)[0] if get_origin(part) is Annotated else part for part in parts}
@@ -298,6 +297,11 @@ def quantity_of(field: FieldInfo) -> Quantity | None:
 def quantities_of(field: FieldInfo) -> tuple[Quantity, ...]:
     """The declarations of a field: several for a list, each of whose numbers has its own."""
     return tuple(item for item in metadata_of(field) if isinstance(item, Quantity))
+
+
+def _named(field: FieldInfo) -> Named | None:
+    """The mark of a field whose value a name can stand for, also where the field may be absent."""
+    return next((item for item in metadata_of(field) if isinstance(item, Named)), None)
 
 
 def metadata_of(field: FieldInfo) -> tuple[Any, ...]:

@@ -248,14 +248,13 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
 def pillars_modes(plate: Plate, high: float) -> int:
     """Modes below a frequency, Hz, at least: those of each pillar as a cantilever that bends in two
     directions on a rigid foot."""
-    layout = plate.layout
-    if not isinstance(layout.material, IsotropicMaterial):
-        return 0
-    counts = Counter(pillar for _, _, pillar in layout.standing)
-    return sum(
-        2 * count * int((euler_bernoulli(pillar, layout.material) < high).sum())
-        for pillar, count in counts.items()
-    )
+    counts = Counter(pillar for _, _, pillar in plate.layout.standing)
+    modes = 0
+    for pillar, count in counts.items():
+        solid = pillar.material or plate.layout.material
+        if isinstance(solid, IsotropicMaterial):
+            modes += 2 * count * int((euler_bernoulli(pillar, solid) < high).sum())
+    return modes
 
 
 def _check_memory(model: PlateModel, low: float, high: float, shifts: int) -> None:

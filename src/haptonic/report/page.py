@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.bloch import gaps_of
+from haptonic.cell import UnitCell
 from haptonic.fields import Quantity, table
 from haptonic.fields.keys import key_of, leaves
 from haptonic.materials import built_in_name
@@ -91,7 +92,7 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
-        ("Material", study.cell.material.name),
+        ("Material", _materials(cell)),
         ("Carrier", "not given" if study.carrier is None else hz_text(study.carrier, form="g")),
         ("Complete gap", "; ".join(gap_text(gap) for gap in complete) or "none found"),
     ]
@@ -103,6 +104,12 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     if results.started is not None:
         facts.append(("Computed", results.started.strftime("%d %B %Y, %H:%M %Z").strip()))
     return facts
+
+
+def _materials(cell: UnitCell) -> str:
+    """Names of the cell's materials, the plate's first."""
+    plate, *others = dict.fromkeys(solid.name for solid in cell.materials.values())
+    return plate if not others else f"{plate}; pillars of {' and '.join(others)}"
 
 
 def _length(value: float) -> str:
@@ -134,10 +141,11 @@ def _inputs(results: Results) -> Table:
         key = key_of(path, keys)
         assert key is not None, path
         rows.append((path, key.title, _shown(value, quantity)))
-    if built_in_name(study.cell.material):
-        material = study.cell.material
-        rows.append(("material: kind", "", str(material.to_dict()["kind"])))
-        rows += [(f"material: {path}", "", _shown(value, unit)) for path, value, unit in leaves(material)]
+    for at, solid in study.cell.materials.items():
+        if built_in_name(solid):
+            name = at if at == "material" else f"cell.{at}"
+            rows.append((f"{name}: kind", "", str(solid.to_dict()["kind"])))
+            rows += [(f"{name}: {path}", "", _shown(value, unit)) for path, value, unit in leaves(solid)]
     return Table("Inputs, defaults included.", ("Key", "Title", "Value"), tuple(rows))
 
 

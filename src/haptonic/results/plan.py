@@ -138,7 +138,10 @@ def sentence_of(title: str, cell: UnitCell, carrier: float | None) -> str:
     bare = "" if cell.has_pillars else " without pillars"
     at = f", for {format_quantity(carrier, 'Hz')}" if carrier else ""
     lattice = f"a{'n' * (cell.lattice.name[0] in 'aeiou')} {cell.lattice.name} lattice"
-    return f"{title}: {lattice} in {cell.material.name}{bare}{at}."
+    solids = dict.fromkeys(solid.name for solid in cell.materials.values())
+    plate, *others = solids
+    of_others = f" with pillars of {' and '.join(others)}" if others else ""
+    return f"{title}: {lattice} in {plate}{of_others}{bare}{at}."
 
 
 def border_text(layout: Layout) -> list[str]:

@@ -109,8 +109,11 @@ class RibbonWaves(Result):
         found = self.guided
         apart = np.abs(found["frequency"].values - near)
         nearest = [apart[found["phase"].values == phase].min() for phase in np.unique(found["phase"].values)]
-        loss = self.dataset.attrs["loss_factor"]
-        damped = f"; the plate's material damps it to a quality of {1 / loss:.0f}" if loss else ""
+        losses = np.atleast_1d(self.dataset.attrs["loss_factor"])
+        damped = ""
+        if losses.max() > 0:
+            least = "" if len(losses) == 1 else "at least "
+            damped = f"; losses of the material limit its quality to {least}{1 / losses.max():.0f}"
         return [f"Copies of it {lines} cells apart move it by {hz_text(max(nearest), form='.2g')}{damped}."]
 
     def tables(self) -> list[Table]:

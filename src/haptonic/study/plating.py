@@ -42,6 +42,13 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
             "its regions are plain below, where the finger and the actuators are",
             'write faces = "one", or leave [plate] out: bands, layers, ribbons and waveguides have both',
         )  # fmt: skip
+    if section.loss_factor is None and len(own.loss_factors) > 1:
+        raise _refused(
+            "missing", "plate.loss_factor", "nothing, and pillars of another loss factor than the plate's",
+            "a single loss factor for the plate and its pillars",
+            "the response of a plate has one loss factor for everything that is not glued on",
+            f"add loss_factor to [plate], between {own.loss_factors[0]:g} and {own.loss_factors[-1]:g}",
+        )  # fmt: skip
     layout = _layout(section, own)
     _check_grid(layout, section.response.grid)
     called = [_called("actuator", i, one) for i, one in enumerate(section.actuator, start=1)]

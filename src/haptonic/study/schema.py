@@ -367,11 +367,11 @@ class Description:
         ------
         StudyError : a material, given in Python, that no file describes
         """
-        solid = self.cell.material
-        others = self.finite_plate.materials.values() if self.finite_plate else ()
-        unwritten = [one for one in others if built_in_name(one) is None]
-        if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
-            unwritten.insert(0, solid)
+        glued = self.finite_plate.materials.values() if self.finite_plate else ()
+        unwritten = [solid for solid in glued if built_in_name(solid) is None]
+        for solid in self.cell.materials.values():
+            if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
+                unwritten.insert(0, solid)
         if unwritten:
             raise StudyError.unsupported(
                 argument="material",
@@ -395,6 +395,9 @@ class Description:
         if self.finite_plate is not None:
             solids = self.finite_plate.materials
             data["plate"]["materials"] = {name: solid.to_dict() for name, solid in solids.items()}
+        of_pillars = {at: solid.to_dict() for at, solid in self.cell.materials.items() if at != "material"}
+        if of_pillars:
+            data["cell"]["materials"] = of_pillars
         return data | {"material": self.cell.material.to_dict()}
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from haptonic.arrays import Array, Bools
 from haptonic.cell import HexMesh, MeshPlan, TileShape, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
-from haptonic.elements import element_matrices
+from haptonic.elements import matrices_by_region
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement.assembly import Assembler, assembler_of
 from haptonic.superelement.interior import Bounded
@@ -58,7 +58,8 @@ class FoldedMesh:
         elements, mass = [], np.zeros(len(folding.origin))
         for family, picked, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
             nodes = family.nodes[picked]
-            matrices = element_matrices(mesh.points, nodes, cell.material)
+            materials = (cell.material, cell.pillar_material)
+            matrices = matrices_by_region(mesh.points, nodes, materials, family.in_pillar[picked])
             own = (matrices.mass * weight[:, None]).ravel()
             mass += np.bincount(folding.node[nodes].ravel(), own, minlength=len(mass))
             elements.append(matrices)

@@ -91,7 +91,7 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
         length=tile.thickness + pillar.height - low,
         half_width=pillar.radius,
         outline=pillar.outline,
-        material=tile.material,
+        material=tile.pillar_material,
         degree=degree,
         order=LEAST_ORDER + PER_LAYER * plan.pillar_layers,
         kinds=len(PARITIES) // 2 ** len(folds_of(tile)),
@@ -134,8 +134,8 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
         block,
         measured,
     )
-    content = [repr(about).encode(), points.tobytes(), tile.material.stiffness.tobytes()]
-    key = hashlib.sha256(b"".join(content) + repr(tile.material.density).encode()).hexdigest()
+    solids = [(solid.density, solid.stiffness.tobytes()) for solid in (tile.material, tile.pillar_material)]
+    key = hashlib.sha256(repr((about, solids)).encode() + points.tobytes()).hexdigest()
     whole = HexMesh(topology, points)
     return _feet.of(key, lambda: _condensed(tile, whole, ends, steps, block, measured))
 

@@ -24,7 +24,9 @@ def unit_of(name: str) -> str | None:
 def values_of(plate: Plate) -> dict[str, float]:
     """All numbers of a plate that can be fitted, SI."""
     found = {}
-    if isinstance(plate.layout.material, IsotropicMaterial):
+    of_one = all(pillar.material is None for _, _, pillar in plate.layout.standing)
+    # stiffness of the whole plate is in proportion to the modulus of a single material only
+    if of_one and isinstance(plate.layout.material, IsotropicMaterial):
         found[YOUNG] = plate.layout.material.youngs_modulus
     if plate.loss_factor:
         found[LOSS] = plate.loss_factor
