@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from haptonic.cell.edges import between_edges, bridges, is_unbridged
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.sectors import least_blocks
-from haptonic.cell.tile import TileShape
+from haptonic.cell.tile import TileShape, sides_of
 
 # Length of an element along a prism, and along other pillars, whose order is higher, in diameters: of one of
 # 1 deg draft, twelve diameters high, 1.4 and order 6 lost 1e-7, 2.8 lost 1e-5.
@@ -333,8 +335,10 @@ def _neck(cell: TileShape, pillar: Pillar, least: float = 0.0) -> float:
     around, a square's, lost 3 %.
     A pillar of a radius below ``least`` (m) is taken for one of that radius.
     """
-    half_side, bend = 0.5 * cell.extent, pillar.outline.bend
-    return math.sqrt(2 * cell.clearance * bend * max(pillar.widest, least)) / half_side
+    normal, away = sides_of(cell.corners)
+    free = np.maximum(away - pillar.widest * pillar.outline.support(normal), ROUNDING * cell.extent)
+    bend = pillar.outline.bend(normal) * max(pillar.widest, least)
+    return float(np.sqrt(2 * free * bend).min()) / (0.5 * cell.extent)
 
 
 def _near_rim(cell: TileShape) -> int:

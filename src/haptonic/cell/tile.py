@@ -41,11 +41,17 @@ def inradius(loop: Array) -> float:
     return float((across / np.linalg.norm(along, axis=1)).min())
 
 
-def room_in(loop: Array, outline: Outline) -> float:
-    """Largest scale of an outline that fits into a polygon (sides, 2), anticlockwise about the origin."""
+def sides_of(loop: Array) -> tuple[Array, Array]:
+    """(sides, 2) outward normals and (sides,) distances of the sides of a polygon about the origin."""
     along = np.roll(loop, -1, axis=0) - loop
     normal = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.linalg.norm(along, axis=1)[:, None]
-    return float((np.einsum("nc,nc->n", normal, loop) / outline.support(normal)).min())
+    return normal, np.einsum("nc,nc->n", normal, loop)
+
+
+def room_in(loop: Array, outline: Outline) -> float:
+    """Largest scale of an outline that fits into a polygon (sides, 2), anticlockwise about the origin."""
+    normal, away = sides_of(loop)
+    return float((away / outline.support(normal)).min())
 
 
 class TileShape:

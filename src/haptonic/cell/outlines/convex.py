@@ -90,9 +90,8 @@ class Convex(Outline):
     def flats(self) -> Array:
         return self._normal
 
-    @property
-    def bend(self) -> float:  # type: ignore[override]
-        return float("inf")
+    def bend(self, direction: Array) -> Array:
+        return np.full(len(direction), np.inf)
 
     @property
     def is_tangential(self) -> bool:  # type: ignore[override]

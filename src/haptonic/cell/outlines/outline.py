@@ -25,13 +25,11 @@ class Outline:
     joints : number of pieces between which curvature or slope jumps; 0 for a smooth curve
     corners : (n, 2) places where the slope jumps, anticlockwise
     flats : (n, 2) outward normals of straight sides
-    bend : smallest radius of curvature of a smooth curve, in half-widths; infinite beside a straight side
     is_tangential : True if every side touches the circle of radius 1: parallel curves are scaled copies
     warps : True if torsion bends the section out of its plane
     """
 
     joints: int
-    bend: float
     is_tangential: bool
     warps: bool
 
@@ -53,6 +51,10 @@ class Outline:
 
     def support(self, direction: Array) -> Array:
         """(n,) farthest reach along unit vectors (n, 2): half-widths of the outline seen from there."""
+        raise NotImplementedError
+
+    def bend(self, direction: Array) -> Array:
+        """(n,) radius of curvature where normals are (n, 2); infinite for any curve with straight sides."""
         raise NotImplementedError
 
     def image(self, turn: Array) -> Outline:

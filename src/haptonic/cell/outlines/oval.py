@@ -58,10 +58,9 @@ class Oval(Outline):
     def flats(self) -> Array:
         return np.empty((0, 2))
 
-    @property
-    def bend(self) -> float:  # type: ignore[override]
+    def bend(self, direction: Array) -> Array:
         small, large = self._half_axes
-        return small**2 / large
+        return np.asarray((small * large) ** 2 / self.support(direction) ** 3)
 
     @property
     def is_tangential(self) -> bool:  # type: ignore[override]
