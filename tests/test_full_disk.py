@@ -91,7 +91,7 @@ def test_a_full_disk_behind_standard_output_is_told(words):
 def test_a_terminal_without_a_letter_shows_another(monkeypatch):
     monkeypatch.setenv("PYTHONIOENCODING", "ascii")
     done = subprocess.run(
-        [sys.executable, "-m", "haptonic", "keys", "cell"], capture_output=True, text=True, check=False
+        [sys.executable, "-m", "haptonic", "keys", "touch"], capture_output=True, text=True, check=False
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert "?m" in done.stdout

@@ -16,7 +16,7 @@ from haptonic.bloch.reach import starting_rung
 from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import MeshPlan, Pillar, UnitCell
-from haptonic.cell.pillar import Step
+from haptonic.cell.pillar_parts import Step
 from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
 from haptonic.materials import material

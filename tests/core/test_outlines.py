@@ -10,7 +10,7 @@ from hypothesis import given, settings, strategies as st
 from five_parts import refusing
 from haptonic.cell import Pillar, Step
 from haptonic.cell.outlines import CIRCLE, NUMBERS, SECTIONS, Scaled, taken_by
-from haptonic.cell.pillar import Corner
+from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import GeometryError
 
 MM = 1e-3

@@ -13,7 +13,7 @@ from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Pillar, UnitCell
-from haptonic.cell.pillar import Step
+from haptonic.cell.pillar_parts import Step
 from haptonic.lattice import Lattice
 from haptonic.superelement import FoldedMesh, Tiling, condense, parts
 

@@ -166,8 +166,8 @@ def test_what_a_refusal_allows_is_the_border(name):
     with pytest.raises(GeometryError) as refusal:
         replace(pillar, **change)
     allowed = refusal.value.allowed
-    unit = math.radians(1) if "degrees" in allowed else MM
-    limit = unit * float(re.search(r"-?[\d.]+", allowed)[0])
+    number, unit = re.search(r"(-?[\d.]+) (degrees|mm|um|µm)", allowed).groups()
+    limit = float(number) * {"degrees": math.radians(1), "mm": MM}.get(unit, 1e-3 * MM)
     sign = +1 if "at least" in allowed else -1
 
     def there(value):

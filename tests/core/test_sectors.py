@@ -16,7 +16,7 @@ from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import Brickwork, MeshPlan, Pillar, Site, UnitCell, mesh_cell
-from haptonic.cell.pillar import Corner
+from haptonic.cell.pillar_parts import Corner
 from haptonic.cell.sectors import OPERATIONS
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice

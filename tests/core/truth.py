@@ -21,7 +21,8 @@ from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import Pillar, Site, UnitCell
-from haptonic.cell.pillar import Faces, Step
+from haptonic.cell.pillar import Faces
+from haptonic.cell.pillar_parts import Step
 from haptonic.cell.sites import SITES
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice

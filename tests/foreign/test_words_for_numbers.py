@@ -73,7 +73,7 @@ def test_thousands_of_small_data_sets(tmp_path, filled):
     start = time.process_time()
     scan = read_scan(tmp_path / "a.uff")
     assert time.process_time() - start < 8.0
-    assert len(scan.report.dropped) == (0 if filled else 50_000)
+    assert not scan.report.dropped  # lines to draw are no measurement, and an empty block is no damage
 
 
 @given(

@@ -21,7 +21,7 @@ from haptonic.analyses.plate import compute_plate
 from haptonic.analyses.runner import Runner
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Pillar, UnitCell
-from haptonic.cell.pillar import Step
+from haptonic.cell.pillar_parts import Step
 from haptonic.design.brief import Brief
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import HaptonicWarning

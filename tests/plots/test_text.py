@@ -5,7 +5,7 @@ from hypothesis import given, strategies as st
 from matplotlib.figure import Figure
 
 from haptonic.plots import style
-from haptonic.plots.text import khz, readable, scaled_unit
+from haptonic.plots.text import readable, scaled_unit, uncertain
 
 
 @pytest.mark.parametrize(
@@ -20,12 +20,12 @@ from haptonic.plots.text import khz, readable, scaled_unit
     ],
 )
 def test_a_frequency_with_its_bound(frequency, error, text):
-    assert khz(frequency, error) == text
+    assert uncertain(frequency / 1e3, error / 1e3) == text
 
 
 @given(st.floats(1.0, 1e6), st.floats(1e-2, 1e4))
 def test_the_shown_bound_is_never_smaller_than_the_bound_nor_much_larger(frequency, error):
-    shown = khz(frequency, error).split(" ± ")[1]
+    shown = uncertain(frequency / 1e3, error / 1e3).split(" ± ")[1]
     assert float(shown) * 1e3 >= error * (1 - 1e-6)
     assert float(shown) * 1e3 <= 1.5 * error * (1 + 1e-6)
 

@@ -119,6 +119,7 @@ def test_inputs_are_plain_si_values(reference_path):
     assert inputs["cell"]["pillar"] == {
         "diameter": 0.0035, "height": 0.0147, "section": "round", "draft": 0.0, "fillet": 0.0, "step": None,
         "length": None, "sides": None, "corner_radius": None, "turn": None, "point": [],
+        "material": None,
     }  # fmt: skip
     assert inputs["material"]["youngs_modulus"] == 70e9
     assert inputs["sweep"][0]["from"] == 0.2

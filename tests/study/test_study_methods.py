@@ -32,7 +32,7 @@ def test_help_and_signature_show_every_option_with_its_default_and_words(name):
     help_text = " ".join(pydoc.render_doc(method, renderer=pydoc.plaintext).split())
     assert NAMES[name] in help_text
     assert [one.name for one in options] == list(shown.parameters)[: len(options)]
-    assert list(shown.parameters)[len(options) :] == ["store", "workers", "scheduler", "progress"]
+    assert list(shown.parameters)[len(options) :] == ["store", "workers", "scheduler", "progress", "budget"]
     for one in options:
         known = option_of(one)
         assert f"{one.name} : " in help_text

@@ -11,7 +11,7 @@ from haptonic.analyses import NAMES
 from haptonic.analyses.export import ExportOptions
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.outlines import SECTIONS, taken_by
-from haptonic.cell.pillar import Corner
+from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material

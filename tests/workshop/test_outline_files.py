@@ -11,7 +11,7 @@ from family import MM, RECTANGLE, cell, enclosed, is_watertight
 
 from five_parts import refusing
 from haptonic.cell import Pillar, Step
-from haptonic.cell.pillar import Corner
+from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import GeometryError
 from haptonic.workshop import Part, part_drawing, surface, volume_of_step, write_dxf, write_step
 

@@ -3,7 +3,8 @@
 from haptonic.cell.brickwork import Brickwork
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.mesh import HexMesh, mesh_cell
-from haptonic.cell.pillar import Pillar, Step
+from haptonic.cell.pillar import Pillar
+from haptonic.cell.pillar_parts import Step
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.ribbon import Ribbon
 from haptonic.cell.rows import Filler, Rows

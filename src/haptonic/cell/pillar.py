@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -14,6 +14,7 @@ from pydantic import Field
 from haptonic.arrays import Array
 from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
 from haptonic.cell.outlines.outline import SAME
+from haptonic.cell.pillar_parts import Corner, Fillet, Step
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
 from haptonic.fields import (
@@ -35,53 +36,9 @@ Faces = Literal["one", "both"]
 
 LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps
 STEEPEST = math.radians(40)  # draft
-ALONG_STAGE = (
-    12  # order of the points along a stage: exact for sides of straight lines, and curves of degree 11
-)
+ALONG_STAGE = 12  # order of the points along a stage: exact for straight sides, and curves of degree 11
 MOST_CORNERS = 24  # of a section
 USUAL_DRAFT = (0.0, math.radians(10))
-
-
-@described("cell.pillar.point", GeometryError)
-class Corner:
-    """A corner of a pillar's section, in half diameters from the pillar's axis."""
-
-    x: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
-        "In half diameters from the axis.", title="Corner along x"
-    )
-    y: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
-        "In half diameters from the axis.", title="Corner along y"
-    )
-
-
-@described("cell.pillar.step", GeometryError)
-class Step:
-    """Where a pillar becomes narrower, m. The section above is a scaled copy of that below."""
-
-    diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
-        "Smaller than below it by more than 5 %.", title="Diameter above the step"
-    )
-    height: Annotated[float, size(10e-9, 100e-3)] = needed(
-        "Above the face of the plate.", title="Height of the step"
-    )
-
-
-@dataclass(frozen=True)
-class Fillet:
-    """The arc between the plate's top and the pillar's side, in (half-width, height above the plate), m.
-
-    It touches both. Angles count from the direction to the plate, up to ``opening``.
-    """
-
-    radius: float
-    centre: tuple[float, float]
-    opening: float
-
-    def at(self, share: Array | float) -> Array:
-        """(..., 2) points of the arc, from the plate (share 0) to the pillar (share 1)."""
-        angle = self.opening * np.asarray(share, dtype=float)
-        away = np.stack([-np.sin(angle), -np.cos(angle)], axis=-1)
-        return np.asarray(self.centre + self.radius * away)
 
 
 @described("cell.pillar", GeometryError)
@@ -292,21 +249,20 @@ class Pillar:
         return width - (height - low) * math.tan(self.draft)
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
-        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the pillar as it is.
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the pillar as it is."""
+        return self.keeps_material(turn) and self.outline.has_symmetry(turn[:2, :2])
 
-        A pillar of the plate's material has that material's symmetry as well, which the tile checks.
-        """
-        if self.material is not None and not is_symmetry(self.material.stiffness, turn):
-            return False
-        return self.outline.has_symmetry(turn[:2, :2])
+    def keeps_material(self, turn: NDArray[np.float64]) -> bool:
+        """True if a map leaves the pillar's own material as it is; the tile checks that of the plate."""
+        return self.material is None or is_symmetry(self.material.stiffness, turn)
 
     def is_image(self, other: Pillar, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) that keeps the normal takes the pillar to another one."""
-        if len(self.stages) != len(other.stages):
+        if len(self.stages) != len(other.stages) or self.material != other.material:
             return False
         mine, its = (np.array([*np.ravel(p.stages), p.draft, p.fillet]) for p in (self, other))
         alike = self == other or bool((np.abs(mine - its) <= SAME * np.abs(mine)).all())
-        return alike and self.outline.image(turn[:2, :2]).is_same(other.outline)
+        return alike and self.keeps_material(turn) and self.outline.image(turn[:2, :2]).is_same(other.outline)
 
     def turned(self, angle: float) -> Pillar:
         """The pillar turned anticlockwise about its axis, rad; itself if that leaves it as it is."""

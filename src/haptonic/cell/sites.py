@@ -262,7 +262,7 @@ def _upright(outline: Array, plate: Plate, pillar: Pillar | None) -> tuple[SiteT
     best: tuple[int, SiteTile, Array] | None = None
     for angle in _axes(outline):
         turn = _turn(angle)
-        if not is_symmetry(plate[1].stiffness, turn):
+        if not is_symmetry(plate[1].stiffness, turn) or (pillar and not pillar.keeps_material(turn)):
             continue
         tile = site_tile(outline, turn, plate, pillar)
         mirrors = sum(tile.has_symmetry(mirror) for mirror in MIRRORS)

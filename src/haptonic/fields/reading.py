@@ -77,3 +77,15 @@ def arranged(
                     arranged(below, one, top) if isinstance(one, Mapping) else one for one in value
                 ]
     return own
+
+
+def with_value(given: Any, steps: list[str], value: Any) -> Any:
+    """The content of a file with another value where these steps end; steps into a list count from 1."""
+    if not steps:
+        return value
+    step, *left = steps
+    if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
+        row = int(step) - 1
+        return [*given[:row], with_value(given[row], left, value), *given[row + 1 :]]
+    inside = given if isinstance(given, dict) else {}  # a step that leads nowhere is refused when it is read
+    return inside | {step: with_value(inside.get(step), left, value)}

@@ -28,7 +28,6 @@ from haptonic.fields import (
     needed,
     numbers,
     problem,
-    read,
     remade,
     setting,
     table,
@@ -39,6 +38,7 @@ from haptonic.fields import (
     with_numbers,
 )
 from haptonic.fields.keys import key_of
+from haptonic.fields.reading import read, with_value
 from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
@@ -57,8 +57,7 @@ from haptonic.updating.settings import FitSettings
 from haptonic.vibrometry.settings import ScanSettings
 
 MOST_SWEEPS = 50
-# tables that decide no bands and no plate
-AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}
+AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}  # they decide no bands, no plate
 
 
 @described("", kw_only=True)
@@ -304,7 +303,7 @@ class Description:
         """
         data = tomllib.loads(self._with_parameters({}, None).to_toml())
         for key, value in changes.items():
-            data = _with(data, key.replace("[", ".").replace("]", "").split("."), value)
+            data = with_value(data, key.replace("[", ".").replace("]", "").split("."), value)
         made = read(type(self), data, "study")
         warn_caller((f"{path}: {text}" for path, text in made._unusual_values().items()), caller())
         return made
@@ -368,10 +367,8 @@ class Description:
         StudyError : a material, given in Python, that no file describes
         """
         glued = self.finite_plate.materials.values() if self.finite_plate else ()
-        unwritten = [solid for solid in glued if built_in_name(solid) is None]
-        for solid in self.cell.materials.values():
-            if built_in_name(solid) is None and not isinstance(solid, IsotropicMaterial):
-                unwritten.insert(0, solid)
+        own = [solid for solid in self.cell.materials.values() if not isinstance(solid, IsotropicMaterial)]
+        unwritten = [solid for solid in (*own, *glued) if built_in_name(solid) is None]
         if unwritten:
             raise StudyError.unsupported(
                 argument="material",
@@ -393,21 +390,10 @@ class Description:
         left |= {"ribbon"} if self.ribbon_settings is None else set()
         data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
-            solids = self.finite_plate.materials
-            data["plate"]["materials"] = {name: solid.to_dict() for name, solid in solids.items()}
-        of_pillars = {at: solid.to_dict() for at, solid in self.cell.materials.items() if at != "material"}
-        if of_pillars:
-            data["cell"]["materials"] = of_pillars
-        return data | {"material": self.cell.material.to_dict()}
-
-
-def _with(given: Any, steps: list[str], value: Any) -> Any:
-    """The content of a file with another value where these steps end; steps into a list count from 1."""
-    if not steps:
-        return value
-    step, *left = steps
-    if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
-        row = int(step) - 1
-        return [*given[:row], _with(given[row], left, value), *given[row + 1 :]]
-    inside = given if isinstance(given, dict) else {}  # a step that leads nowhere is refused when it is read
-    return inside | {step: _with(inside.get(step), left, value)}
+            glued = self.finite_plate.materials.items()
+            data["plate"]["materials"] = {name: solid.to_dict() for name, solid in glued}
+        solids = {at: solid.to_dict() for at, solid in self.cell.materials.items()}
+        data["material"] = solids.pop("material")
+        if solids:
+            data["cell"]["materials"] = solids
+        return data

@@ -85,7 +85,8 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
         return None
     # polynomials that the nodes of the foot can follow; other sections than round ones warp in torsion
     degree = plan.per_quarter // 2 if pillar.outline.warps else (plan.per_quarter + 2) // 3
-    degree = max(degree, LEAST_DEGREE)
+    if plan.blocks * plan.sides > 4:  # a coarse mesh of four blocks does not follow so many polynomials
+        degree = max(degree, LEAST_DEGREE)
     return PillarBody(
         low=low,
         length=tile.thickness + pillar.height - low,

@@ -16,7 +16,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.outlines import Outline, Section
-from haptonic.cell.pillar import Fillet
+from haptonic.cell.pillar_parts import Fillet
 
 Place = tuple[float, float]
 
