@@ -1,7 +1,7 @@
-"""Errors of cells with pillars of other sections than round, against a finer mesh.
+"""Errors of cells with pillars of other sections than round, or of other materials, against a finer mesh.
 
-    python outlines.py            # all; some minutes each
-    python outlines.py hexagon    # those whose name has the word
+    python pillars.py            # all; some minutes each
+    python pillars.py hexagon    # those whose name has the word
 
 For each cell and each of the first three resolutions: the largest and the median distance to the mesh of
 order 6 with two rings, what was stated, and the largest ratio of both over ten bands at one wavevector. The
@@ -12,19 +12,23 @@ from __future__ import annotations
 
 import math
 import sys
+from dataclasses import replace
 
 import numpy as np
 
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.materials import material
+from haptonic.materials import IsotropicMaterial, material
 
 MM = 1e-3
 KAPPA, BANDS = np.array([1.9, 2.4]), 10
 FINE, TRIED = Resolution(6, 2, 3, 24), (Resolution(3, 1), Resolution(4, 1), Resolution(5, 1))
 SQUARE, TRIANGULAR = Lattice.square(7 * MM), Lattice.triangular(7 * MM)
-# lattice, thickness (mm), pillar
+RUBBER = IsotropicMaterial(1.175e5, 0.469, 1300.0, name="rubber")
+TUNGSTEN = IsotropicMaterial(411e9, 0.28, 19250.0, name="tungsten")
+SHORT, WIDE = Pillar(3 * MM, 4 * MM), Pillar(5 * MM, 3 * MM)
+# lattice, thickness (mm), pillar; the plate is of aluminium
 CELLS = {
     "hexagon": (SQUARE, 1.5, Pillar(3 * MM, 6 * MM, "hexagon")),
     "hexagon, triangular": (TRIANGULAR, 1.5, Pillar(3 * MM, 6 * MM, "hexagon")),
@@ -45,6 +49,15 @@ CELLS = {
         1.5,
         Pillar(3 * MM, 6 * MM, "ellipse", length=4 * MM, step=Step(1.8 * MM, 3 * MM)),
     ),
+    "material, steel": (SQUARE, 1.5, replace(SHORT, material=material("steel"))),
+    "material, tungsten, triangular": (TRIANGULAR, 1.5, replace(SHORT, material=TUNGSTEN)),
+    "material, tungsten, wide": (SQUARE, 1.5, replace(WIDE, material=TUNGSTEN)),
+    "material, epoxy": (SQUARE, 1.5, replace(SHORT, material=material("epoxy"))),
+    "material, epoxy, wide": (SQUARE, 1.5, replace(WIDE, material=material("epoxy"))),
+    "material, rubber": (SQUARE, 1.5, replace(SHORT, material=RUBBER)),
+    "material, rubber, wide": (TRIANGULAR, 1.5, replace(WIDE, material=RUBBER)),
+    "material, thin, tungsten": (SQUARE, 0.5, replace(SHORT, material=TUNGSTEN)),
+    "material, fillet, steel": (SQUARE, 1.5, replace(SHORT, fillet=0.4 * MM, material=material("steel"))),
 }
 
 
