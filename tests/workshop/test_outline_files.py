@@ -39,7 +39,7 @@ def test_files_hold_the_outline(pillar, faces, tmp_path):
     assert volume_of_step(path) == pytest.approx(exact, rel=1e-6)
     skin = surface(part, chord=1e-6)
     assert is_watertight(skin.cells_dict["triangle"])
-    assert enclosed(skin.points, skin.cells_dict["triangle"]) == pytest.approx(exact, rel=3e-4)
+    assert enclosed(skin.points, skin.cells_dict["triangle"]) == pytest.approx(exact, rel=5e-4)
     if faces == "both":
         assert is_its_own_image(path, body.thickness / MM)
 
