@@ -57,7 +57,6 @@ CELLS = {
     "material, rubber": (SQUARE, 1.5, replace(SHORT, material=RUBBER)),
     "material, rubber, wide": (TRIANGULAR, 1.5, replace(WIDE, material=RUBBER)),
     "material, thin, tungsten": (SQUARE, 0.5, replace(SHORT, material=TUNGSTEN)),
-    "material, fillet, steel": (SQUARE, 1.5, replace(SHORT, fillet=0.4 * MM, material=material("steel"))),
 }
 
 

@@ -92,7 +92,7 @@ def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, 
     for words in (
         "The defect holds",
         "Copies of it 3 cells apart",
-        f"quality of {1 / data.attrs['loss_factor']:.0f}",
+        f"quality to {1 / data.attrs['loss_factor']:.0f}",
     ):
         assert words in said, said
     assert "wavenumber" not in said, "what changes along the ribbon has none"

@@ -156,7 +156,7 @@ def test_a_sweep_moves_a_site():
 @pytest.mark.parametrize("path", ["cell.a1[1]", "cell.a2", "cell.site[2].at[1]", "cell.site[1].position[2]"])
 def test_designs_and_tolerances_keep_the_symmetry_and_name_the_way(table, path):
     rest = "from = 1\nto = 2" if table == "design.vary" else "spread = 1"
-    with refusing(StudyError, "unsupported", f"{table}[1].parameter", "cell.pitch_2 or cell.angle"):
+    with refusing(StudyError, "unsupported", f"{table}[1].parameter", "cell.pitch_2 and cell.angle"):
         loads(f'{VECTORS}\n[[{table}]]\nparameter = "{path}"\n{rest}\n')
 
 

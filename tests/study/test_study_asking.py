@@ -21,7 +21,7 @@ OF_OTHERS = {
     "cell.angle",
     "cell.pillar.length",
     "cell.pillar.corner_radius",
-    *(path for path in UNITS if path.startswith("cell.site")),
+    *(path for path in UNITS if path.startswith(("cell.site", "cell.pillar.material."))),
 }
 PLAIN = 'material = "steel"\n[cell]\npitch = "10 mm"\nthickness = "1 mm"\n'
 
@@ -300,7 +300,6 @@ class TestWriting:
             - ({"cell.pillar.fillet"} if not pillar["fillet"] else set())
         )
         there -= {path for path in UNITS if ".step." in path and "step" not in pillar}
-        there -= {path for path in UNITS if ".pillar.material." in path}
         names = data.draw(st.lists(st.sampled_from(sorted(there)), unique=True, max_size=12))
         ranges = {"material.poisson_ratio": (0.1, 0.4), "cell.pillar.draft": (-0.3, 0.3)}
         rows = []

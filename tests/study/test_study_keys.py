@@ -22,7 +22,13 @@ OF_LATTICES = {"cell.pitch_2", "cell.angle", "cell.a1", "cell.a2"}
 OF_SECTIONS = {
     f"cell.pillar.{name}" for name in ("length", "sides", "corner_radius", "point[].x", "point[].y")
 }
-OF_OTHERS = OF_LATTICES | OF_SECTIONS | OF_SITES
+# of a pillar without a fillet
+OF_MATERIALS = {
+    path
+    for path, key in KEYS.items()
+    if path.startswith("cell.pillar.material") and key.kind not in {"table", "tables"}
+}
+OF_OTHERS = OF_LATTICES | OF_SECTIONS | OF_SITES | OF_MATERIALS
 
 
 def paths_of(data, prefix=""):
