@@ -124,8 +124,8 @@ class Pillar:
     def __post_init__(self) -> None:
         self._check_section()
         if self.material is not None and self.fillet:
-            # No mesh is graded towards the fillet's rim, where the materials meet: errors of steel on aluminium
-            # were up to six times what is stated.
+            # No mesh is graded towards the fillet's rim, where the materials meet: errors of steel on
+            # aluminium were up to six times what is stated.
             raise problem(
                 "conflict",
                 f"a fillet of {_text(self.fillet)} on a pillar of {self.material.name}",
