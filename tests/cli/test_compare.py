@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 import xarray as xr
@@ -14,14 +15,15 @@ from hypothesis import given, strategies as st
 
 from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
-from haptonic.analyses.comparing import OfTable, of_dataset, of_table
+from haptonic.analyses.comparing import PARTS, OfTable, of_dataset, of_file, of_table
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.table_path import OurPath
 from haptonic.bloch import bloch_model
 from haptonic.channels.text_table import read_table
-from haptonic.errors import ChannelError
+from haptonic.errors import ChannelError, StudyError
 from haptonic.results.comparison import BandSet, Comparison
 from haptonic.store import Store
+from haptonic.study import load
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 from quick import QUICK_CELL
@@ -335,6 +337,32 @@ class TestCommand:
             told = inside("compare", one, result, "--json").json
             assert np.abs(told["data"]["difference_hz"]).max() < 2e-3 * 60e3  # straight between wavevectors
             assert told["changed"] == []
+
+    @pytest.fixture(scope="class")
+    @classmethod
+    def result(cls, written):
+        """The content of a bands.nc."""
+        load(cls.folder / "one.toml").bands().write(cls.folder / "result")
+        return (cls.folder / "result" / "bands.nc").read_bytes()
+
+    @pytest.mark.parametrize("part", [name for name in PARTS if name != "distance"])
+    def test_a_part_of_another_size_is_not_read(self, tmp_path, monkeypatch, result, part):
+        """A file of some kB took seconds, for 300 MB were unfolded before sizes were compared."""
+        (tmp_path / "bands.nc").write_bytes(result)
+        with h5py.File(tmp_path / "bands.nc", "r+") as file:
+            del file[part]
+            file.create_dataset(part, (3 * 10**7,), "u1", compression="gzip", fillvalue=7, chunks=(10**6,))
+        asked = []
+        monkeypatch.setattr("haptonic.channels.hdf5.ask", lambda *question, **_: asked.append(question))
+        refused(lambda: of_file(tmp_path / "bands.nc"), kind=StudyError, code="unreadable")
+        assert not asked
+
+    @pytest.mark.parametrize("inputs", ["NaN", "7", "[1]", '"x"', '{"cell": 3}'])
+    def test_inputs_that_are_no_table(self, tmp_path, result, inputs):
+        (tmp_path / "bands.nc").write_bytes(result)
+        with h5py.File(tmp_path / "bands.nc", "r+") as file:
+            file.attrs["inputs"] = inputs
+        refused(lambda: of_file(tmp_path / "bands.nc"), kind=StudyError, code="unreadable")
 
     @pytest.fixture(scope="class")
     @classmethod

@@ -116,10 +116,14 @@ def strangers(draw, containers=(*ARRAYS, *TABLES, "uff")) -> Stranger:
     turned = draw(st.booleans()) and "cells" not in container and "structures" not in container
     if square and sided:
         options["points_in"] = "columns" if turned else "rows"
-    if placed == "points" and points in (2, 3) and not square:
-        options["points_in"] = "rows"
+    axes = draw(st.sampled_from([2, 3, 3]))  # of a table of places
+    both_sides = placed == "points" and points == axes > 1
+    places_turned = draw(st.booleans())
+    if both_sides and not square and (axes == 2 or draw(st.booleans())):
+        options["points_in"] = "columns" if places_turned else "rows"
     style = {
-        "placed": placed, "separator": draw(st.sampled_from([",", ";", "\t"])),
+        "placed": placed, "axes": axes, "places_turned": places_turned,
+        "height": draw(st.sampled_from([0.0, 1e-3])), "separator": draw(st.sampled_from([",", ";", "\t"])),
         "decimal": draw(st.sampled_from([".", ","])), "titles": draw(st.integers(0, 3)),
         "below": draw(st.booleans()), "spectra": draw(st.booleans()), "h2": draw(
             st.sampled_from(["", "after", "before"])),
@@ -144,7 +148,10 @@ def strangers(draw, containers=(*ARRAYS, *TABLES, "uff")) -> Stranger:
     if placed == "at" or (container == "uff" and style["empty"]):
         options["at"] = list(zip(x, y, strict=True))
     complete = (
-        (said or told or container == "uff") and (named or container == "uff") and (sided or not square)
+        (said or told or container == "uff")
+        and (named or container == "uff")
+        and (sided or not square)
+        and not (both_sides and square and axes == 2)
     )
     return Stranger(**{**vars(made), "complete": complete, "options": options})
 
@@ -191,7 +198,9 @@ def _arrays(stranger: Stranger, folder: Path) -> Path:
     if placed == "xy":
         table |= {names["x"]: x, names["y"]: y}
     elif placed == "points":
-        table[names["points"]] = np.column_stack([x, y, 0 * x])
+        style = stranger.style
+        places = np.column_stack([x, y, 0 * x + style["height"]])[:, : style["axes"]]
+        table[names["points"]] = places.T if style["places_turned"] else places
     kind = stranger.container
     if "cells" in kind or "structures" in kind:
         for one in parts:

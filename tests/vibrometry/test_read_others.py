@@ -263,6 +263,14 @@ class TestHdf5:
             read_scan(tmp_path / "a.h5")
         assert_told(caught.value, "missing or damaged", code="unreadable", argument="file of time records")
 
+    @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+    def test_a_number_of_measured_points_that_is_none(self, tmp_path, value):
+        write_records(time_scan(), tmp_path / "a.h5")
+        with h5py.File(tmp_path / "a.h5", "r+") as file:
+            file["response"].attrs["measured"] = value
+        with refusing(ScanError, "unreadable", "file of time records", "missing or damaged"):
+            read_scan(tmp_path / "a.h5")
+
     def test_a_later_form_and_another_motion(self, tmp_path):
         write_records(time_scan(), tmp_path / "a.h5")
         with h5py.File(tmp_path / "a.h5", "r+") as file:

@@ -145,6 +145,48 @@ def test_a_response_that_unfolds_to_gigabytes(tmp_path, part):
     assert time.process_time() - before < 1.0
 
 
+@pytest.mark.parametrize("part", ["frf", "frequency", "x", "y", "points", "coherence"])
+def test_arrays_of_anybody_that_unfold_to_gigabytes(tmp_path, part):
+    """One of 16 kB had been read for 8 s before its size was compared."""
+    sets = {"frf": VALUES.T, "frequency": LINES, "x": X, "y": Y, "coherence": np.full((12, 8), 0.9)}
+    if part == "points":
+        sets = {name: sets[name] for name in ("frf", "frequency")}
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        for name, values in sets.items():
+            if name != part:
+                file[name] = values
+        axes, chunks = ((10**7, 3), (10**6, 3)) if part == "points" else ((3 * 10**7,), (10**6,))
+        file.create_dataset(part, axes, "f8", compression="gzip", fillvalue=7, chunks=chunks)
+    before = time.process_time()
+    refused(lambda: read_scan(tmp_path / "a.h5"), kind=HaptonicError)
+    assert time.process_time() - before < 0.3
+
+
+@pytest.mark.parametrize("side", ["rows", "columns"])
+@pytest.mark.parametrize("height", [0.0, 1e-3])
+def test_places_of_three_points_at_three_frequencies(tmp_path, side, height):
+    """The word for the response had turned the table of the places as well."""
+    few, places = VALUES[:3, :3], np.column_stack([X[:3], Y[:3], np.full(3, height)])
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        file["frf"] = few.T if side == "rows" else few
+        file["frequency"], file["points"] = LINES[:3], places
+    scan = read_scan(tmp_path / "a.h5", points_in=side)
+    assert scan.response.points == pytest.approx(places[:, :2])
+    assert scan.response.values[..., 0] == pytest.approx(few)
+    assert any("of one height" in one for one in scan.report.remarks)
+
+
+def test_places_of_two_points_at_two_frequencies(tmp_path):
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        file["frf"], file["frequency"] = VALUES[:2, :2], LINES[:2]
+        file["points"] = np.column_stack([X[:2], Y[:2]])
+    error = refused(lambda: read_scan(tmp_path / "a.h5", points_in="rows"), code="conflict")
+    assert "--at" in error.command
+    at = f"{X[0]} m, {Y[0]} m; {X[1]} m, {Y[1]} m"
+    found = read_scan(tmp_path / "a.h5", points_in="columns", at=at).response
+    assert found.values[..., 0] == pytest.approx(VALUES[:2, :2])
+
+
 @pytest.mark.parametrize("word", ["units", "unit", "Unit"])
 def test_units_are_attributes_of_hdf5_data_sets(tmp_path, word):
     sets = {"frf": (1e3 * VALUES, "mm/s/V"), "frequency": (1e-3 * LINES, "kHz"), "x": (1e3 * X, "mm"),

@@ -44,11 +44,13 @@ def outcome(stranger) -> str:
     )
     if right:
         return "right"
+    if stranger.said or stranger.container == "uff" or "unit" in stranger.options:
+        return "wrong"
+    # A file without units, read by somebody who gives none: a warning, or what was taken is listed.
     if any(issubclass(one.category, HaptonicWarning) for one in said):
         return "warned"
-    # a file without units, read by somebody who gives none: what was taken is listed
     assumed = [one for one in scan.report.remarks if "unit" in one and "taken" in one]
-    return "assumed" if assumed and not stranger.complete and not stranger.said else "wrong"
+    return "assumed" if assumed else "wrong"
 
 
 @QUICK

@@ -12,7 +12,7 @@ import numpy as np
 from haptonic.analyses.table_columns import TableOfBands, columns_of
 from haptonic.analyses.table_path import OurPath, gathered, positions, unit_of
 from haptonic.bloch import gaps_of
-from haptonic.channels.hdf5 import arrays_of
+from haptonic.channels.hdf5 import arrays_of, refuse_sizes
 from haptonic.channels.text_table import TextTable, read_table
 from haptonic.errors import ChannelError, StudyError, shown
 from haptonic.foreign.process import ask
@@ -67,12 +67,15 @@ def of_file(path: Path) -> xr.Dataset:
     """
     try:
         content = ask("hdf5.tree", path, deep=False)
+        refuse_sizes(path, content["sets"], PARTS)
         parts = arrays_of(path, content, [*PARTS])
         data = xr.Dataset(
             {name: (dims, parts[name]) for name, dims in PARTS.items()}, attrs=content["attributes"]
         )
         of_dataset("", data)
-    except (ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError) as error:
+    except (
+        ChannelError, OSError, MemoryError, KeyError, ValueError, TypeError, IndexError, AttributeError,
+    ) as error:  # fmt: skip
         raise unread(
             StudyError,
             error,

@@ -82,6 +82,34 @@ def arrays_of(path: Path, content: Mapping[str, Any], names: Sequence[str]) -> d
     }
 
 
+def refuse_sizes(
+    path: Path, sets: Mapping[str, Mapping[str, Any]], dimensions: Mapping[str, Sequence[str]]
+) -> None:
+    """Refuse sets of other sizes than their dimensions have, before any of them is read.
+
+    A compressed set of some kB may unfold to a gigabyte, which takes seconds.
+
+    Parameters
+    ----------
+    sets : of the "hdf5.tree"; those that are not there are passed over
+    dimensions : names of the dimensions of each set; the first set with a dimension gives its size
+
+    Raises
+    ------
+    ChannelError : a set has another shape
+    """
+    sizes: dict[str, int] = {}
+    for name, axes in dimensions.items():
+        if name not in sets:
+            continue
+        shape = tuple(sets[name]["shape"])
+        if len(shape) == len(axes):
+            for axis, size in zip(axes, shape, strict=True):
+                sizes.setdefault(axis, size)
+        if shape != tuple(sizes.get(axis, -1) for axis in axes):
+            raise damaged(path, f"{name} is {sets[name]['kind']} of shape {shape}")
+
+
 def _unpacked(path: Path, name: str, values: Any, says: Mapping[str, Any]) -> NDArray[Any]:
     array = np.asarray(values, dtype=None if isinstance(values, np.ndarray) else object)
     packed = {word: says[word] for word in PACKING if word in says}

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic import hdf5
-from haptonic.channels.hdf5 import arrays_of
+from haptonic.channels.hdf5 import arrays_of, refuse_sizes
 from haptonic.errors import ChannelError, ResourceError, ResponseError
 from haptonic.foreign.process import ask
 from haptonic.gate import json_from, passed
@@ -24,7 +24,12 @@ from haptonic.response.checks import DIRECTIONS
 from haptonic.response.value import FrequencyResponse
 
 KIND = "haptonic frequency response"
-PARTS = ("response_real", "response_imag", "frequency", "x", "y", "direction", "coherence", "region")
+DIMENSIONS = {
+    **dict.fromkeys(("response_real", "response_imag"), ("line", "point", "direction")),
+    "frequency": ("line",), "x": ("point",), "y": ("point",), "direction": ("direction",),
+    "coherence": ("line", "point"), "region": ("point",),
+}  # fmt: skip
+PARTS = tuple(DIMENSIONS)
 FORM = 1  # of the file; a larger one comes from a later haptonic
 
 
@@ -91,21 +96,14 @@ def is_response(attributes: Mapping[str, Any]) -> bool:
 
 
 def _check_sizes(path: Path, sets: Mapping[str, Mapping[str, Any]]) -> None:
-    """Refuse parts of other kinds or sizes than a response has, before any of them is read.
-
-    A compressed data set of some kB may unfold to gigabytes.
-    """
-    shapes = {name: tuple(sets[name]["shape"]) for name in PARTS if name in sets}
-    lines, points, directions = (*shapes["response_real"], *(-1,) * 3)[:3]
-    wanted = {
-        "response_real": (lines, points, directions), "response_imag": (lines, points, directions),
-        "frequency": (lines,), "x": (points,), "y": (points,), "direction": (directions,),
-        "coherence": (lines, points), "region": (points,),
-    }  # fmt: skip
-    for name, shape in shapes.items():
+    """Refuse parts of other kinds or sizes than a response has, before any of them is read."""
+    refuse_sizes(path, sets, DIMENSIONS)
+    for name in DIMENSIONS:
         kind = "text" if name in ("direction", "region") else "number"
-        if shape != wanted[name] or sets[name]["kind"] != kind or directions > len(DIRECTIONS):
-            raise _foreign(path, f"{name} is {sets[name]['kind']} of shape {shape}")
+        if name in sets and sets[name]["kind"] != kind:
+            raise _foreign(path, f"{name} is {sets[name]['kind']}, where {kind} belongs")
+    if "direction" in sets and sets["direction"]["shape"][0] > len(DIRECTIONS):
+        raise _foreign(path, f"{sets['direction']['shape'][0]} directions")
 
 
 def from_plain(data: xr.Dataset) -> FrequencyResponse:

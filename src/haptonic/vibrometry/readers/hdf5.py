@@ -109,7 +109,7 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
             origin=SIMULATED if says["origin"] == SIMULATED else "measured",
             title=str(says["title"]),
         )  # fmt: skip
-    except (ChannelError, KeyError, ValueError, TypeError) as error:
+    except (ChannelError, KeyError, ValueError, TypeError, OverflowError) as error:
         found = error.given if isinstance(error, ChannelError) else type(error).__name__
         raise _foreign(path, f"a part is missing or damaged ({found})") from error
     if not 0 <= measured < len(scan.names):

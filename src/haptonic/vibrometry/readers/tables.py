@@ -17,7 +17,7 @@ from haptonic.errors import ScanError
 from haptonic.foreign.process import refuse_larger
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
-from haptonic.vibrometry.readers.mapped import Mapped, check_meanings, chosen, unfit
+from haptonic.vibrometry.readers.mapped import Mapped, Side, check_meanings, chosen, unfit
 from haptonic.vibrometry.readers.quantities import (
     UnfitError,
     frequency_factor,
@@ -31,6 +31,7 @@ from haptonic.vibrometry.readers.quantities import (
 )
 from haptonic.vibrometry.records import InMemory, OfChannels, Source, TimeScan
 
+PARTS = (("response",), ("real", "imaginary"), ("amplitude", "phase"))  # of a response, any of these
 MEANINGS = (
     "frequency", "response", "real", "imaginary", "amplitude", "phase", "coherence", "x", "y", "points",
     "reference", "sample_rate", "unit",
@@ -86,7 +87,7 @@ def _is_scan(arrays: Mapping[str, Channel], how: Mapped) -> bool:
     except ScanError:  # two arrays of one meaning; the error comes when they are read
         return True
     placed = bool(how.at) or {"x", "y"} <= table or "points" in table
-    answered = any(parts <= table for parts in ({"response"}, {"real", "imaginary"}, {"amplitude", "phase"}))
+    answered = any({*parts} <= table for parts in PARTS)
     return placed and answered and not table.isdisjoint({"frequency", "sample_rate"})
 
 
@@ -119,25 +120,26 @@ class _Arrays:
         return "F" if self.notes.format == "MATLAB" else "C"
 
     def _numbers(self, meaning: str) -> Array:
-        refuse_larger(self.notes.path, self.table[meaning].size)
-        return numbers(self.table[meaning], self._order)
+        """Frequencies or places, which are no more than the numbers of the response, or three for each.
+
+        A compressed array of some kB may unfold to a gigabyte, so sizes are compared first.
+        """
+        channel = self.table[meaning]
+        shape = next(self.table[part].shape for part, *_ in PARTS if part in self.table)
+        if channel.size > 3 * prod(shape):
+            raise self._unfit(meaning, f"shape {channel.shape}, for a response of shape {shape}")
+        refuse_larger(self.notes.path, channel.size)
+        return numbers(channel, self._order)
 
     def _responses(self, origin: Origin, title: str) -> FrequencyResponse:
         table, how, notes = self.table, self.how, self.notes
-        parts = next(
-            (
-                pair
-                for pair in (("response",), ("real", "imaginary"), ("amplitude", "phase"))
-                if {*pair} <= table.keys()
-            ),
-            None,
-        )
+        parts = next((pair for pair in PARTS if {*pair} <= table.keys()), None)
         if parts is None:
             raise self._unfit("response", "no such variable")
         if "frequency" not in table:
             raise self._unfit("frequency", "neither frequencies nor a sample rate")
         lines = frequency_factor(table["frequency"].unit, how, notes) * self._lines()
-        places, grid = self._places(max(prod(table[parts[0]].shape) // max(len(lines), 1), 1))
+        places, grid = self._places(max(prod(table[parts[0]].shape) // max(len(lines), 1), 1), len(lines))
         shape = _Layout(len(places), len(lines), grid)
         of_unit = [table[part] for part in parts if part != "phase"]
         ratio = response_unit(of_unit, how, notes, self._unit_in_file())
@@ -188,12 +190,12 @@ class _Arrays:
             return ""
         return str(np.asarray(self.table["unit"]).item()).strip()
 
-    def _places(self, expected: int) -> tuple[list[Point | None], tuple[int, ...]]:
+    def _places(self, expected: int, lines: int) -> tuple[list[Point | None], tuple[int, ...]]:
         """Places of the points, and the axes of their arrays if these are more than one.
 
         Parameters
         ----------
-        expected : points, by the size of the response
+        expected, lines : points, and lines or samples, by the size of the response
         """
         table, how = self.table, self.how
         grid: tuple[int, ...] = ()
@@ -208,7 +210,7 @@ class _Arrays:
             grid = axes[0] if len(axes[0]) > 1 else ()
         elif "points" in table and len(table["points"].shape) == 2:
             channels = [table["points"]] * 2
-            columns = self._columns(expected)
+            columns = self._columns(expected, lines)
         else:
             raise self._unfit("x, y or points", "no coordinates")
         x, y = (
@@ -219,7 +221,7 @@ class _Arrays:
         places = [Point(float(a), float(b)) if ok else None for a, b, ok in zip(x, y, fine, strict=True)]
         return places, grid
 
-    def _columns(self, expected: int) -> list[Array]:
+    def _columns(self, expected: int, lines: int) -> list[Array]:
         """x and y of one table of the points, whichever way it lies."""
         channel = self.table["points"]
         both = self._numbers("points").reshape(channel.shape, order=self._order)
@@ -230,12 +232,37 @@ class _Arrays:
         }
         if not any(fits.values()):
             raise self._unfit("points", f"a table of {rows} x {columns}, for {expected} points")
-        side = self.how.points_in
-        if all(fits.values()) and side is None:
-            raise self._ask_side("points", channel.shape)
-        turned = side == "columns" if all(fits.values()) else fits["columns"]
-        both = both.T if turned else both
+        side = "columns" if fits["columns"] else "rows"
+        if all(fits.values()):
+            side = self._side_of_points(both, meant=expected != lines)
+        both = both.T if side == "columns" else both
         return [both[:, 0], both[:, 1]]
+
+    def _side_of_points(self, both: Array, meant: bool) -> Side:
+        """Whether rows or columns of a square table are points: z is the same for all points of a plane.
+
+        Parameters
+        ----------
+        meant : False if the word of the user may be meant for a response that is square as well
+        """
+        if self.how.points_in is not None and meant:
+            return self.how.points_in
+        name, shape = self.table["points"].name, both.shape
+        heights: dict[Side, Array] = {"rows": both[:, -1], "columns": both[-1]}
+        level = [side for side, z in heights.items() if len(both) == 3 and np.ptp(z) == 0]
+        if len(level) == 1:
+            self.notes.remark(f'the {level[0]} of "{name}" were taken as points: they are of one height')
+            return level[0]
+        if self.how.points_in is None:
+            raise self._ask_side("points", shape)
+        raise ScanError.conflict(
+            argument=f"{self.notes.path.name}: {name}",
+            given=f"shape {shape}, and a response that is square as well",
+            allowed="x and y apart, or another number of frequencies than of points",
+            cause="rows as well as columns may be points, and the word for it may be meant for the response",
+            next_step='give the places: read_scan(path, at="X, Y; X, Y")',
+            command=f'haptonic scan {self.how.path} --points-in {self.how.points_in} --at "X, Y; X, Y"',
+        )
 
     def _ask_side(self, meaning: str, shape: tuple[int, ...]) -> ScanError:
         return ScanError.conflict(
@@ -275,7 +302,8 @@ class _Arrays:
                               "response", "reference", "x", "y")  # fmt: skip
         if not {table[name].kind for name in ("response", "reference")} <= {"number"}:
             raise self._unfit("response", "time records that are not real numbers")
-        places, _ = self._places(max(table["response"].shape[:1] or (1,)))
+        shape = table["response"].shape
+        places, _ = self._places(max(shape[:1] or (1,)), shape[-1] if len(shape) == 2 else 0)
         response, reference = (self._records_first(name, len(places)) for name in ("response", "reference"))
         (count, repeats, samples), driven = _shape(response), _shape(reference)
         if count != len(places) or driven[1:] != (repeats, samples) or driven[0] not in (1, count):
