@@ -157,7 +157,7 @@ def drawn(choose: Choose) -> Drawn:
         "number": choose(NUMBERS), "unit": choose(("Hz", "kHz", "MHz", "rad/s")),
         "comment": choose(("", "% ", "# ", "")),
         "further": choose(("", "", "quality", "infinite", "twice", "angular", "polarisation", "index",
-                           "error")),
+                           "error", "period")),
         "damage": choose(DAMAGES), "start": choose((0, 0, 1, 2)), "image": choose(range(8)),
         "count": choose((4, 7, 13)), "encoding": choose(("utf-8", "utf-8-sig", "utf-16", "latin-1")),
         "end": choose(("\n", "\r\n")), "behind": choose((False, False, True)),
@@ -218,6 +218,7 @@ def drawn(choose: Choose) -> Drawn:
         "polarisation": [("p_ax", "1", lambda f: number(0.3) if f > 5e3 else "NaN"),
                          ("p_tr", "1", lambda f: number(0.7))],
         "index": [("Mode number", "1", lambda f: "3")],
+        "period": [("Period", "us", lambda f: number(1e6 / max(f, 1e-3)))],
         "error": [("Error", shown, lambda f: number(0.5 / per))],
     }.get(kinds["further"], [])  # fmt: skip
     if kinds["layout"].startswith("wide") or kinds["layout"] in ("shuffled", "backwards"):

@@ -63,6 +63,7 @@ KINDS = {
     "N/m^3": "stiffness per area",
     "N s/m": "damping",
 }
+OTHER = "another quantity"
 
 _NUMBER = r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)"
 _NAME = r"[A-Za-zµ][A-Za-z0-9_µ]*(?:(?:\^|\*\*)-?[1-9])?"
@@ -206,6 +207,26 @@ def hz_text(*frequencies: float, form: str = ".4g", error: float | None = None) 
     unit, scale = frequency_scale(*frequencies)
     text = " to ".join(format(one * scale, form) for one in frequencies)
     return f"{text}{'' if error is None else f' ± {error * scale:{form}}'} {unit}"
+
+
+def kind_of(unit: str) -> str:
+    """What a unit measures: "time" for "us", "another quantity" for "dB"; empty if no such unit is known."""
+    match = _QUANTITY.fullmatch(f"1 {unit}".translate(TYPOGRAPHIC))
+    if match is None or not match["unit"]:
+        return ""
+    common = [kind for of, kind in KINDS.items() if match["unit"] in _table(of)]  # without pint
+    try:
+        return common[0] if common else next(filter(None, (_kind(match["unit"], of) for of in KINDS)), OTHER)
+    except _UnknownUnitError:
+        return ""
+
+
+def _kind(unit_text: str, unit: str) -> str:
+    try:
+        _factor(unit_text, unit)
+    except _OtherKindError:
+        return ""
+    return KINDS[unit]
 
 
 def example_of(unit: str) -> str:

@@ -200,6 +200,36 @@ def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
     )
 
 
+@pytest.mark.parametrize("said", [None, "kHz", "Hz", "us"])
+@pytest.mark.parametrize(
+    ("head", "why"),
+    [
+        ("Period (us)", "a period is no frequency"), ("T [ms]", "a period is no frequency"),
+        ("x / s", "a period is no frequency"), ("wavelength (mm)", "one of length"),
+        ("max(w) (mm)", "one of length"), ("level [dB]", "of another quantity"),
+        ("angle (deg)", "one of angle"),
+        ("Period", ""), ("Wellenlänge", ""),
+    ],
+)  # fmt: skip
+def test_what_is_measured_in_something_else_is_no_frequency(tmp_path, head, why, said):
+    """The next step had been --frequency-unit=kHz, by which periods were compared as frequencies."""
+    path = tmp_path / "theirs.csv"
+    path.write_text(f"k,{head}\n0,5\n1,2\n2,3\n3,5\n")
+    error = refused(
+        lambda: laid(path, "segments", said), why, code="malformed", argument="theirs.csv", kind=ChannelError
+    )
+    assert "--frequency-unit" not in error.next_step
+    assert not why or head.split()[0] in error.given
+
+
+@pytest.mark.parametrize(("unit", "why"), [("us", "a period is no frequency"), ("mm", "one of length")])
+def test_a_frequency_unit_of_something_else(tmp_path, unit, why):
+    path = tmp_path / "theirs.csv"
+    path.write_text("k,f\n0,5\n1,2\n2,3\n3,5\n")
+    error = refused(lambda: laid(path, "segments", unit), why, argument="--frequency-unit", kind=ChannelError)
+    assert "--frequency-unit=kHz" in error.next_step
+
+
 def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
     """Γ-X-M-Γ of a square lattice, k_x and k_y in rad/m."""
     path = tmp_path / "theirs.csv"

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array
 from haptonic.channels.text_table import TextColumn, TextTable
 from haptonic.errors import ChannelError, HaptonicError, shown
-from haptonic.units import to_si
+from haptonic.units import kind_of, to_si
 
 Settings = tuple[tuple[str, float], ...]
 Damping = Literal["quality factor", "damping ratio", "loss factor", "imaginary part"]
@@ -38,7 +38,7 @@ _INDEX = re.compile(
 _NO_FREQUENCY = re.compile(
     r"quality|\bq\b|qeig|q[ _-]?fac|damping|zeta|ζ|loss|\beta\b|η|polari[sz]|^p[_ ]?[a-z]{1,3}$|parit|"
     r"symmetr|participation|degenera|weight|error|err$|residu|uncert|std|tolerance|target|search|shift|step|"
-    r"reference|güte|dämpfung|amortissement|facteur|velocity|phase|character|energy|ratio|fraction",
+    r"reference|\bperiod|périod|wavelength|wellenlänge|longueur|longitud|güte|dämpfung|amortissement|facteur|velocity|phase|character|energy|ratio|fraction",
     re.IGNORECASE,
 )
 _DAMPING: dict[Damping, re.Pattern[str]] = {
@@ -175,6 +175,8 @@ def _frequencies(
 ) -> list[TextColumn]:
     """The columns of frequencies: those in hertz, else those in rad/s, else those without a unit."""
     rest = [c for c in table.columns if c not in axes and not c.is_text]
+    other = [c for c in rest if c.unit not in ("", "1") and kind_of(c.unit) not in ("", "frequency")]
+    rest = [c for c in rest if c not in other]
     plain = [c for c in rest if not _NO_FREQUENCY.search(_stem(c)) and not _IMAGINARY.search(_stem(c))]
     for kind in (_HERTZ, _ANGULAR):
         if found := [c for c in plain if kind.fullmatch(c.unit)]:
@@ -182,10 +184,18 @@ def _frequencies(
     unknown = [
         c for c in plain if not c.unit and not (_INDEX.fullmatch(_stem(c)) and not c.heading.name.isdigit())
     ]
-    other = {c.unit for c in plain if c.unit not in ("", "1")}
-    if not unknown and frequency_unit is None and other:
-        raise _ask_unit(table, ", ".join(sorted(other)))
+    strange = {c.unit for c in plain if c.unit not in ("", "1")}
+    if not unknown and frequency_unit is None and strange:
+        raise _ask_unit(table, ", ".join(sorted(strange)))
     found = unknown or ([c for c in plain if c.unit] if frequency_unit else [])
+    if not found and other:
+        raise ChannelError.malformed(
+            argument=table.path.name,
+            given=f"the column {other[0].name} in {other[0].unit}",
+            allowed="a column of frequencies, in Hz, kHz or rad/s",
+            cause=_no_frequency(other[0].unit),
+            next_step="export frequencies" + ", 1 / period," * (kind_of(other[0].unit) == "time") + " in Hz",
+        )
     if not found:
         raise _refused(
             table, f"the columns {', '.join(table.names)}", "a column of frequencies, in Hz, kHz or rad/s"
@@ -204,9 +214,21 @@ def _factor(
     try:
         return to_si(f"1 {unit}", "Hz", "--frequency-unit")
     except HaptonicError as error:
-        if frequency_unit:
-            raise
-        raise _ask_unit(table, shown(unit)) from error
+        if not frequency_unit:
+            raise _ask_unit(table, shown(unit)) from error
+        raise ChannelError.malformed(
+            argument="--frequency-unit",
+            given=shown(unit),
+            allowed="Hz, kHz, MHz, rad/s, ...",
+            cause=_no_frequency(unit) if kind_of(unit) else error.cause,
+            next_step="give the unit of the frequencies, such as --frequency-unit=kHz",
+        ) from error
+
+
+def _no_frequency(unit: str) -> str:
+    """Why a unit is none of frequencies."""
+    kind = kind_of(unit)
+    return "a period is no frequency" if kind == "time" else f"the unit is one of {kind}, not of frequency"
 
 
 def _ask_unit(table: TextTable, given: str) -> ChannelError:
