@@ -87,7 +87,9 @@ TITLES = (
 )
 UNIT_STYLES = ("({})", "[{}]", "[ {} ]", "in {}", "/ {}", "/{}", "line", "none")
 SEPARATORS = ((",", "."), (";", "."), (";", ","), ("\t", "."), ("\t", ","), ("  ", "."), ("      ", "."),
-              (" ", "."), (" | ", "."), (", ", "."), ("  ", ","), ("width", "."), ("width", "."))  # fmt: skip
+              (" ", "."), (" | ", "."), (", ", "."), ("  ", ","), ("width", "."),
+              ("narrow", "."))  # fmt: skip
+WIDTHS = {"width": 26, "narrow": 17}  # of columns; longer names shift those behind them
 LAYOUTS = (
     "wide",
     "wide",
@@ -271,12 +273,14 @@ def drawn(choose: Choose) -> Drawn:
         heads = [named(head, u, style) for head, u in zip(heads, units, strict=True)]
 
     def line(cells: Sequence[str], between: str = separator, mark: str = "") -> str:
-        if separator != "width":
+        if separator not in WIDTHS:
             return mark + between.join(cells)
+        width = WIDTHS[separator]
         return (
             mark
             + "".join(
-                cell.ljust(max(26, len(cell) + 1) - (0 if k else len(mark))) for k, cell in enumerate(cells)
+                cell.ljust(max(width, len(cell) + 1) - (0 if k else len(mark)))
+                for k, cell in enumerate(cells)
             ).rstrip()
         )
 
@@ -287,7 +291,7 @@ def drawn(choose: Choose) -> Drawn:
     names_given = damage != "no names"
     if not names_given:
         lines = lines[: len(TITLES[kinds["titles"]])]
-    ending = separator if kinds["behind"] and separator.strip() not in ("", "width") else ""
+    ending = separator if kinds["behind"] and separator.strip() not in ("", *WIDTHS) else ""
     body = [line(row) + (ending if row else "") for row in rows]
     place = int(chance.integers(0, len(body)))
     if damage == "word" and rows[place]:

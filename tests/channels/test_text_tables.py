@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import random
 import time
 
 import numpy as np
@@ -153,7 +154,16 @@ def test_comments_among_rows_and_short_rows_are_named(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "text", ["1" * 10**5, "a(" * 50_000, "( " * 50_000, " " * 10**5 + "a", "1 + " * 40_000, "[  " * 30_000]
+    "text",
+    [
+        "1" * 10**5,
+        "a(" * 50_000,
+        "( " * 50_000,
+        " " * 10**5 + "a",
+        "1 + " * 40_000,
+        "[  " * 30_000,
+        '"' * 10**6,
+    ],
 )
 def test_a_long_line_takes_no_longer_than_its_length(tmp_path, text):
     """Patterns that try every part of a line took minutes for such lines."""
@@ -178,3 +188,50 @@ def test_more_names_than_columns_are_not_matched(tmp_path):
     table = read_table(tmp_path / "a.txt")
     assert (table.unmatched, table.has_names) == (1, False)
     assert "line 1 holds no 2 names" in table.remarks[0]
+
+
+NAMES = (
+    "Eigenfrequency", "Quality factor", "f1", "Eigenfrequenz in rad/s @ 3", "freq (Hz) @ 1", "Mode", "p_ax",
+    "Damping ratio (1)", "Taux d'amortissement", "f / Hz", "real part", "Facteur de qualité", "Force x (N)",
+    "k (rad/m)", "Vector de onda", "kx in 1/m", "a b c",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_names_above_columns_in_blanks_are_theirs_or_none(tmp_path, seed):
+    """Names longer than their columns shift those behind them: words of neighbours had been joined."""
+    chance, path, known = random.Random(seed), tmp_path / "a.txt", 0
+    for _ in range(100):
+        names, width = chance.sample(NAMES, chance.randint(2, 6)), chance.randint(6, 28)
+        aligned = chance.choice([str.ljust, str.rjust])
+        form = chance.choice(["{:.9g}", "{:.4f}", "{:.3e}", "{:g}"])
+        rows = [[form.format(chance.uniform(1, 1e5)) for _ in names] for _ in range(chance.choice([1, 3, 8]))]
+        head, *lines = (
+            "".join(aligned(c, max(width, len(c) + 1)) for c in cells) for cells in [names, *rows]
+        )
+        path.write_text("\n".join([chance.choice(["", "% ", "# "]) + head, *lines]))
+        try:
+            table = read_table(path)
+        except ChannelError:
+            continue
+        if table.has_names:
+            assert [column.heading.text for column in table.columns] == names, path.read_text()
+            known += 1
+    assert known > 30
+
+
+@pytest.mark.parametrize("text", ["1," * 10**6, f'1,"{"2," * 10**5}"', "1 " * 10**6])
+def test_a_table_of_too_many_columns_is_refused(tmp_path, text):
+    """Two megabytes of them took minutes, and a long cell in quotation marks ended in a traceback."""
+    (tmp_path / "a.csv").write_text(f"{text}\n{text}\n")
+    before = time.process_time()
+    error = refused(lambda: read_table(tmp_path / "a.csv"), kind=ChannelError, code="unreadable")
+    assert time.process_time() - before < 3.0
+    assert len(str(error)) < 1000
+
+
+def test_columns_of_one_name_are_counted(tmp_path):
+    (tmp_path / "a.csv").write_text(",".join(["f"] * 3000 + ["f.7"]) + "\n" + ",".join("1" * 3001) + "\n")
+    names = list(read_table(tmp_path / "a.csv").columns_by_name)
+    assert names[:2] == ["f", "f.1"]
+    assert names[-2:] == ["f.2999", "f.7.1"]

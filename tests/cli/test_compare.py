@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import time
+import tracemalloc
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -228,6 +230,47 @@ def test_a_frequency_unit_of_something_else(tmp_path, unit, why):
     path.write_text("k,f\n0,5\n1,2\n2,3\n3,5\n")
     error = refused(lambda: laid(path, "segments", unit), why, argument="--frequency-unit", kind=ChannelError)
     assert "--frequency-unit=kHz" in error.next_step
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("longitudinal", "transverse"), ("Vibration 1", "Vibration 2"), ("symmetric", "antisymmetric"),
+        ("z-polarised", "in-phase"), ("Schwingung", "acceleration mode"), ("onda longitudinal", "periodic"),
+    ],
+)  # fmt: skip
+def test_bands_may_be_called_by_their_kind(tmp_path, names):
+    """Columns in Hz had been left out for "ratio" in "vibration" and "symmetr" in "symmetric"."""
+    path, position = tmp_path / "theirs.csv", np.linspace(0, 3, 5)
+    rows = [f"{k},{f[0]},{f[1]}" for k, f in zip(position, dispersion(position), strict=True)]
+    path.write_text("\n".join([f"k,{names[0]} (Hz),{names[1]} (Hz)", *rows]))
+    side = laid(path, "segments", None)
+    assert side.frequency == pytest.approx(dispersion(position)[:, :2])
+    assert side.left == ()
+
+
+@pytest.mark.parametrize("kind", ["backwards", "blocks", "one of each", "columns of one name", "other names"])
+def test_large_tables_take_no_longer_than_their_size(tmp_path, kind):
+    """Rows and columns were compared with all others: 10,000 columns took minutes, 20,000 rows 3 GB."""
+    path, rows = tmp_path / "theirs.csv", 5000
+    position = np.linspace(0, 3, rows)[:: -1 if kind == "backwards" else 1]
+    head, lines = "k,f (Hz)", [f"{k},{1e3 * (k + 1)}" for k in position]
+    if kind == "blocks":
+        lines = [f"{line}\n" for line in lines]
+    elif kind == "one of each":
+        lines = [f"{k},5\n{k},6" for k in position]
+    elif "name" in kind:
+        names = [f"f{k}" if kind == "columns of one name" else f"{'nm'[k % 2]}{hex(k)}z" for k in range(rows)]
+        head = ",".join(["k", *(f"{name} (Hz)" for name in names)])
+        lines = [",".join([str(k), *(str(1e3 + 7 * j + k) for j in range(rows))]) for k in range(4)]
+    path.write_text("\n".join([head, *lines]))
+    tracemalloc.start()
+    before = time.process_time()
+    laid(path, "segments", None)
+    took, (_, peak) = time.process_time() - before, tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert took < 6.0  # of which tracemalloc takes most
+    assert peak < 60e6
 
 
 def test_two_columns_of_the_wavevector_make_a_way(tmp_path):

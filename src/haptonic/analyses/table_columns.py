@@ -35,10 +35,16 @@ _INDEX = re.compile(
     r"(?:number|index|no\.?|nr\.?|#|id)",
     re.IGNORECASE,
 )
-_NO_FREQUENCY = re.compile(
-    r"quality|\bq\b|qeig|q[ _-]?fac|damping|zeta|ζ|loss|\beta\b|η|polari[sz]|^p[_ ]?[a-z]{1,3}$|parit|"
-    r"symmetr|participation|degenera|weight|error|err$|residu|uncert|std|tolerance|target|search|shift|step|"
-    r"reference|\bperiod|périod|wavelength|wellenlänge|longueur|longitud|güte|dämpfung|amortissement|facteur|velocity|phase|character|energy|ratio|fraction",
+# of numbers in Hz that are no eigenfrequencies
+_BESIDE = (
+    r"quality|\bq\b|qeig|q[ _-]?fac|damping|zeta|ζ|loss|\berr|err$|fehler|residu|uncert|\bstd|tolerance|"
+    r"target|\bsearch|\bshift|\bstep|\breference|güte|dämpfung|amortissement|facteur|line ?width"
+)
+_NO_EIGENFREQUENCY = re.compile(_BESIDE, re.IGNORECASE)
+_NO_FREQUENCY = re.compile(  # without a unit
+    rf"{_BESIDE}|\bbeta\b|η|polari[sz]|^p[_ ]?[a-z]{{1,3}}$|parit|symmetr|participation|degenera|weight|"
+    r"\bperiods?\b|périod|wavelength|wellenlänge|longueur|longitud\b|velocity|phase|character|energy|"
+    r"\bratio|\bfraction",
     re.IGNORECASE,
 )
 _DAMPING: dict[Damping, re.Pattern[str]] = {
@@ -95,23 +101,24 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
         raise _refused(
             table, f"fewer cells in line {table.short[0]} than above it", "as many cells in every row"
         )
-    chosen = _frequencies(table, _axes(table), frequency_unit)
-    axes = [column for column in _axes(table) if column not in chosen]
-    frequency = {c.number: _numbers(table, c) for c in chosen}
-    factor = {c.number: _factor(table, c, chosen, frequency_unit) for c in chosen}
-    values = np.stack([np.real(frequency[c.number]) * factor[c.number] for c in chosen], axis=1)
+    axes = _axes(table)
+    chosen = _frequencies(table, axes, frequency_unit)
+    axes = _without(axes, chosen)
+    frequency = {c.number: table.numbers(c) for c in chosen}
+    factor = _factors(table, chosen, frequency_unit)
+    values = np.stack([np.real(frequency[c.number]) * factor[c.unit] for c in chosen], axis=1)
     if np.isinf(values).any():
         line = int(table.lines[np.argwhere(np.isinf(values))[0, 0]])
         raise _refused(table, f"an infinite frequency in line {line}", "finite frequencies")
-    left = [c for c in table.columns if c not in chosen and c not in axes]
+    left = _without(table.columns, [*chosen, *axes])
     values, kept = _once(values, chosen)
-    left += [c for c in chosen if c not in kept]
+    left += _without(chosen, kept)
     loss, source = _loss(table, left, kept, frequency, values.shape)
     settings = [_setting(c) for c in kept]
     named = tuple(c.name for c in sorted(left, key=lambda c: c.number))
     if not axes or (settings[0] and all(settings)):
         return _by_headings(table, kept, values, settings, named, axes)
-    wavevector = np.stack([np.real(_numbers(table, c)) for c in axes], axis=1).astype(float)
+    wavevector = np.stack([np.real(table.numbers(c)) for c in axes], axis=1).astype(float)
     if not np.isfinite(wavevector).all():
         row = int(np.argwhere(~np.isfinite(wavevector))[0, 0])
         raise _refused(
@@ -148,7 +155,7 @@ def _axes(table: TextTable) -> list[TextColumn]:
     others = [
         c
         for c in table.columns
-        if not (_is_frequency_unit(c.unit) or _INDEX.fullmatch(_stem(c)) or _NO_FREQUENCY.search(_stem(c)))
+        if not (_is_frequency_unit(c.unit) or _INDEX.fullmatch(_stem(c)) or _is_beside(c))
     ]
     if not table.has_names:
         return [table.columns[0]]
@@ -170,14 +177,22 @@ def _is_frequency_unit(unit: str) -> bool:
     return bool(_HERTZ.fullmatch(unit) or _ANGULAR.fullmatch(unit))
 
 
+def _is_beside(column: TextColumn) -> bool:
+    """True if the name is that of something else than bands; those in Hz may be "symmetric"."""
+    pattern = _NO_EIGENFREQUENCY if _is_frequency_unit(column.unit) else _NO_FREQUENCY
+    return bool(pattern.search(_stem(column)) or _IMAGINARY.search(_stem(column)))
+
+
 def _frequencies(
     table: TextTable, axes: Sequence[TextColumn], frequency_unit: str | None
 ) -> list[TextColumn]:
     """The columns of frequencies: those in hertz, else those in rad/s, else those without a unit."""
-    rest = [c for c in table.columns if c not in axes and not c.is_text]
-    other = [c for c in rest if c.unit not in ("", "1") and kind_of(c.unit) not in ("", "frequency")]
-    rest = [c for c in rest if c not in other]
-    plain = [c for c in rest if not _NO_FREQUENCY.search(_stem(c)) and not _IMAGINARY.search(_stem(c))]
+    rest = [c for c in _without(table.columns, axes) if not c.is_text]
+    units = {c.unit for c in rest} - {"", "1"}
+    others = {unit for unit in units if kind_of(unit) not in ("", "frequency")}
+    other = [c for c in rest if c.unit in others]
+    rest = [c for c in rest if c.unit not in others]
+    plain = [c for c in rest if not _is_beside(c)]
     for kind in (_HERTZ, _ANGULAR):
         if found := [c for c in plain if kind.fullmatch(c.unit)]:
             return found
@@ -198,17 +213,22 @@ def _frequencies(
         )
     if not found:
         raise _refused(
-            table, f"the columns {', '.join(table.names)}", "a column of frequencies, in Hz, kHz or rad/s"
+            table,
+            f"the columns {shown(', '.join(table.names), 200)}",
+            "a column of frequencies, in Hz, kHz or rad/s",
         )
     return found
 
 
-def _factor(
-    table: TextTable, column: TextColumn, chosen: Sequence[TextColumn], frequency_unit: str | None
-) -> float:
-    """Hz in one of a column's unit; the unit of the user goes before that of the file."""
-    known = {c.unit for c in chosen if c.unit}
-    unit = frequency_unit or column.unit or (known.pop() if len(known) == 1 else "")
+def _factors(table: TextTable, chosen: Sequence[TextColumn], frequency_unit: str | None) -> dict[str, float]:
+    """Hz in one of each unit of the columns; the unit of the user goes before that of the file."""
+    units = {c.unit for c in chosen}
+    known = units - {""}
+    only = known.pop() if len(known) == 1 else ""
+    return {unit: _hertz(table, frequency_unit or unit or only, frequency_unit) for unit in units}
+
+
+def _hertz(table: TextTable, unit: str, frequency_unit: str | None) -> float:
     if not unit:
         raise _ask_unit(table, "nothing")
     try:
@@ -241,34 +261,36 @@ def _ask_unit(table: TextTable, given: str) -> ChannelError:
     )
 
 
-def _numbers(table: TextTable, column: TextColumn) -> NDArray[Any]:
-    return table.numbers(column)
-
-
 def _once(values: Array, columns: Sequence[TextColumn]) -> tuple[Array, list[TextColumn]]:
     """Frequencies of which no column is another one, as "Frequency" beside "Eigenfrequency" is.
 
     Numbered columns are bands, which may be equal where the lattice is symmetric.
     """
-    kept: list[int] = []
-    for k, column in enumerate(columns):
-        twin = next(
-            (
-                j for j in kept
-                if (not _is_numbered(column, columns[j]))
-                and np.allclose(values[:, j], values[:, k], rtol=SAME, atol=1e-9, equal_nan=True)
-            ),
-            None,
-        )  # fmt: skip
-        if twin is None:
-            kept.append(k)
-    return values[:, kept], [columns[k] for k in kept]
+    numbering: dict[tuple[str, str], int] = {}
+    of = np.array([numbering.setdefault(_numbering(c), len(numbering)) for c in columns])
+    kept = np.ones(len(columns), dtype=bool)
+    differing = int((np.diff(np.sort(values, axis=1), axis=1) > 0).sum(axis=1).argmax()) if len(values) else 0
+    for k in range(len(columns)) if len(numbering) > 1 else ():
+        twins = np.flatnonzero(kept[:k] & (of[:k] != of[k]))
+        for rows in (slice(differing, differing + 1), slice(None)):  # few are left after a single row
+            if len(twins):
+                near = np.isclose(
+                    values[rows, twins], values[rows, [k]], rtol=SAME, atol=1e-9, equal_nan=True
+                )
+                twins = twins[near.all(axis=0)]
+        kept[k] = len(twins) == 0
+    return values[:, kept], [column for column, keep in zip(columns, kept, strict=True) if keep]
 
 
-def _is_numbered(one: TextColumn, other: TextColumn) -> bool:
-    """True if two columns are bands of one numbering, or bear one name in one unit."""
-    stems = {re.sub(r"[\d@].*$|\d+", "", c.heading.name).strip(" _-") for c in (one, other)}
-    return len(stems) == 1 and one.unit == other.unit
+def _numbering(column: TextColumn) -> tuple[str, str]:
+    """What the columns of all bands have in common: the name without numbers, and the unit."""
+    return re.sub(r"[\d@].*$|\d+", "", column.heading.name).strip(" _-"), column.unit
+
+
+def _without(columns: Sequence[TextColumn], others: Sequence[TextColumn]) -> list[TextColumn]:
+    """The columns that are none of others."""
+    numbers = {column.number for column in others}
+    return [column for column in columns if column.number not in numbers]
 
 
 def _loss(
@@ -314,7 +336,7 @@ def _by_headings(
     if len(names) != 1 or not settings[0]:
         raise _refused(
             table,
-            f"the columns {', '.join(table.names)}",
+            f"the columns {shown(', '.join(table.names), 200)}",
             "a column of the wavevector, such as k, or kx and ky",
         )
     found = [_AXIS.fullmatch(name) for name in names.pop()]

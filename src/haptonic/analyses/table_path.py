@@ -229,8 +229,9 @@ def gathered(
     size = max(float(np.abs(table.wavevector).max()), 1e-300)
     _, group = np.unique(np.round(table.wavevector / (SAME_PLACE * size)), axis=0, return_inverse=True)
     group = group.reshape(-1)
-    rows = [np.flatnonzero((group == number) & on) for number in range(int(group.max()) + 1)]
-    rows = [one for one in rows if len(one)]
+    by_group = np.argsort(group, kind="stable")
+    by_group = by_group[on[by_group]]
+    rows = np.split(by_group, np.flatnonzero(np.diff(group[by_group])) + 1)
     usual = int(np.bincount([len(one) for one in rows]).argmax())
     _refuse_segments(path, table, group)
     sets: dict[float, list[tuple[Array, Array | None, int]]] = {}
@@ -311,7 +312,10 @@ def _refuse_segments(path: Path, table: TableOfBands, group: NDArray[np.int64]) 
         return
     axis = table.wavevector[:, 0]
     starts = [0, *(np.flatnonzero((np.diff(axis) < 0) | (np.diff(table.blocks) != 0)) + 1), len(axis)]
-    runs = [np.bincount(group[a:b], minlength=int(group.max()) + 1) for a, b in pairwise(starts)]
+    groups = int(group.max()) + 1
+    if (len(starts) - 1) * groups > len(axis):  # too few rows for runs that have all wavevectors
+        return
+    runs = [np.bincount(group[a:b], minlength=groups) for a, b in pairwise(starts)]
     if len(runs) < 2 or any(not np.array_equal(run > 0, runs[0] > 0) for run in runs):
         return
     if np.count_nonzero(runs[0]) > 1 and all(

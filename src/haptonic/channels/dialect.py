@@ -53,7 +53,10 @@ def split(line: str, separator: str) -> list[str]:
         line = re.sub(r"(?<=\d)\s*\*\s*(?=[ij])", "*", line)
         return [cell.strip('"') for cell in line.split()]
     if '"' in line:
-        rows = list(csv.reader([line], delimiter=separator, skipinitialspace=True))
+        try:
+            rows = list(csv.reader([line], delimiter=separator, skipinitialspace=True))
+        except csv.Error:  # a cell of more than 131072 characters, which is none
+            rows = [line.split(separator)]
         return [cell.strip() for cell in rows[0]] if rows else []
     return [cell.strip() for cell in line.split(separator)]
 

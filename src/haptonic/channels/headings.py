@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from haptonic.channels.cells import is_missing, number_of
 from haptonic.units import TYPOGRAPHIC
@@ -140,11 +141,16 @@ def names_by_blanks(
     bound = re.findall(r"\S+(?:\s+[\[(][^)\]]*[\])])?(?:\s+@\s*\S+)?", text)
     if len(bound) == count:
         return bound
-    for cuts in ((starts or ())[1:], (ends or ())[:-1]):
-        if cuts and (aligned := _cut(plain, cuts)):
+    for cuts, beside in (((starts or ())[1:], -1), ((ends or ())[:-1], 0)):
+        if cuts and (aligned := _cut(plain, cuts, beside)):
             return aligned
     words, lacking = wide[0].split(), count - len(wide)
-    if not 0 < lacking < len(words) or words[lacking] in ("in", "/") or wide[0][-1] not in ")]":
+    if (
+        not 0 < lacking < len(words)
+        or words[lacking] == "in"
+        or words[lacking][0] in "/[(@"
+        or wide[0][-1] not in ")]"
+    ):
         return None
     if all(_WAVEVECTOR.fullmatch(word) for word in words[:lacking]):
         return [*words[:lacking], " ".join(words[lacking:]), *wide[1:]]
@@ -167,8 +173,22 @@ def _holds_wavevector(cell: str) -> bool:
     )
 
 
-def _cut(line: str, cuts: Sequence[int]) -> list[str] | None:
-    """Pieces of a line between places where no word is cut in two; None if there are none such."""
-    pieces = [line[a:b] for a, b in zip([0, *cuts], [*cuts, len(line)], strict=True)]
-    apart = all(line[cut - 1 : cut].isspace() or line[cut : cut + 1].isspace() for cut in cuts)
-    return [" ".join(piece.split()) for piece in pieces] if apart and all(map(str.strip, pieces)) else None
+def _cut(line: str, cuts: Sequence[int], beside: int) -> list[str] | None:
+    """Pieces of a line between places where no word is cut in two; None if there are none such.
+
+    A name that is longer than its column shifts those behind it, and a blank within it may lie at a cut by
+    chance. So two blanks part a name of several words from its neighbours.
+
+    Parameters
+    ----------
+    beside : of the blank that lies at each cut: -1 where pieces begin there, 0 where they end
+    """
+    texts = [line[a:b] for a, b in zip([0, *cuts], [*cuts, len(line)], strict=True)]
+    pieces = [" ".join(text.split()) for text in texts]
+    if not all(pieces) or not all(line[cut + beside : cut + beside + 1].isspace() for cut in cuts):
+        return None
+    for (before, after), (name, other) in zip(pairwise(texts), pairwise(pieces), strict=True):
+        blanks = len(before) - len(before.rstrip()) + len(after) - len(after.lstrip())
+        if blanks < 2 and (" " in name or " " in other):
+            return None
+    return pieces

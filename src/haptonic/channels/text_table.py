@@ -8,6 +8,7 @@ columns have numbers, from 1. Every line that is left out is counted or refused,
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -26,6 +27,7 @@ from haptonic.errors import ChannelError, shown
 from haptonic.names import from_cell
 
 PORTION = 20_000  # lines that are read at a time
+MOST_COLUMNS = 20_000  # each takes time: a million of them in 2 MB took minutes
 MOST_NOTED = 5  # comments among the rows that are named
 
 
@@ -95,11 +97,12 @@ class TextTable:
     def columns_by_name(self) -> dict[str, TextColumn]:
         """The columns by their names; the second of two of one name gets ".1" behind it."""
         known: dict[str, TextColumn] = {}
+        again: Counter[str] = Counter()
         for column in self.columns:
-            name, count = column.name, 0
+            name = column.name
             while name in known:
-                count += 1
-                name = f"{column.name}.{count}"
+                again[column.name] += 1
+                name = f"{column.name}.{again[column.name]}"
             known[name] = column
         return known
 
@@ -154,6 +157,8 @@ def read_table(
     dialect = dialect_of(sample)
     if dialect is None:
         raise refused(path, "no line with a number", "export it as text, a row of numbers a line")
+    if dialect.cells > MOST_COLUMNS:
+        raise refused(path, f"{dialect.cells:,} columns", f"export at most {MOST_COLUMNS:,} columns")
     if unsure := comma_meaning(sample, dialect):
         raise refused(path, unsure, "export it with a decimal point, or with semicolons between the columns")
     head = head_of(path, lines, dialect, skip, option)
