@@ -324,6 +324,30 @@ class TestOmissions:
         rest = np.delete(found["friction"].values, row)
         assert rest == pytest.approx(np.delete(TRUE, row), rel=1e-9)
 
+    @pytest.mark.parametrize(
+        ("channel", "sensor"),
+        [
+            *((channel, PLAIN) for channel in ("time", "position", "Fx", "Fy", "Fz")),
+            ("Fy", Sensor(largest_force=50.0)), ("time", Sensor(rate=1000.0)),
+        ],
+    )  # fmt: skip
+    def test_a_channel_that_is_shorter_than_the_others(self, tmp_path, channel, sensor):
+        """A force across that was cut ended in a traceback, as did others where a largest force was given."""
+        folder = written(tmp_path / "a", MADE[:8], kind="h5")
+        name = sorted(folder.glob("P*.h5"))[3].name
+        with h5py.File(folder / name, "r+") as file:
+            values = file[channel][:-100]
+            del file[channel]
+            file[channel] = values
+        found = friction_in(folder, sensor)
+        if sensor.rate is not None:  # times are not used
+            assert not counts(found)
+            return
+        assert counts(found) == {"unreadable record": 1}
+        (row,) = np.flatnonzero(found["excluded"].values)
+        assert f"{name}: channel {channel}" in str(found["detail"].values[row])
+        assert np.delete(found["friction"].values, row) == pytest.approx(np.delete(TRUE[:8], row), rel=1e-9)
+
     def test_times_beyond_the_end_of_a_block(self, tmp_path):
         folder = written(tmp_path / "a", MADE, per="block", kind="h5")
         found = friction_in(edited(folder, lambda t: t.assign(start=t["start"] + 1000 * (t["trial"] == 4))))

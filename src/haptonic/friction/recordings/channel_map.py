@@ -77,6 +77,7 @@ class ChannelMap:
         ------
         FrictionError : a channel is missing, nothing between the two times, or forces that no finger makes
         """
+        self._refuse_lengths(channels)
         rate = clock.rate
         first = round((start or 0.0) * rate)
         last = None if stop is None else round(stop * rate)
@@ -114,6 +115,24 @@ class ChannelMap:
             across=across, remarks=(clock.remark,) if clock.remark else (),
         )  # fmt: skip
         return self._along(record, mounting.angle) if self.axis_unknown and self.mountings else record
+
+    def _refuse_lengths(self, channels: Group) -> None:
+        """Refuse channels of which one has fewer samples than another: nothing says which samples it lacks."""
+        timed = self.rate is None  # else times are not used
+        used = (one.name for what, one in self.scaled.items() if timed or what != "time")
+        every = channels.channels
+        lengths = {name: every[name].size for name in (*self.gauges, *used) if name in every}
+        if not lengths:
+            return
+        few, many = min(lengths, key=lengths.__getitem__), max(lengths, key=lengths.__getitem__)
+        if lengths[few] != lengths[many]:
+            raise FrictionError.malformed(
+                argument=f"channel {few}",
+                given=f"{lengths[few]} samples, where {many} has {lengths[many]}",
+                allowed="as many samples in all channels of a record",
+                cause="the file was cut, or the channels have rates of their own",
+                next_step="record this trial again, or export all channels at one rate",
+            )
 
     def _along(self, record: Record, usual: float) -> Record:
         """The record with the force along the participant's strokes, or along its own direction."""

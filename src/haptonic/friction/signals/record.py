@@ -89,7 +89,10 @@ class Record:
             raise _unusable(
                 "rate", f"{self.rate} Hz", "a positive sampling rate in Hz", "no times were recorded"
             )
-        channels = {"normal": self.normal, "tangential": self.tangential, "position": self.position}
+        channels = {
+            "normal": self.normal, "tangential": self.tangential, "across": self.across,
+            "position": self.position,
+        }  # fmt: skip
         for name, channel in channels.items():
             if channel is None:
                 continue
