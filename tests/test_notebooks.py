@@ -7,14 +7,17 @@ import html
 import json
 import re
 import sys
+import tomllib
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+import haptonic
 from haptonic import progress
 from haptonic.plots.style import Drawing
 from haptonic.study import loads
+from haptonic.study.template import templates
 from quick import QUICK_CELL
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -57,6 +60,20 @@ def test_the_first_steps_of_the_afternoon(capsys):
     assert space["bands"].gaps[0].holds(46e3)
     assert "1 % apart on average" in space["beside"].summary()[0]
     assert "12 mm: 42.2 to 49.5 kHz, holds the carrier: True" in capsys.readouterr().out
+
+
+def test_the_tables_of_the_afternoon_are_the_study_of_its_cells():
+    """Commands that ended a step had failed, for nothing had written what they need."""
+    (tables,) = re.findall(r"^```toml\n(.*?)^```", NOTEBOOKS["afternoon"], re.DOTALL | re.MULTILINE)
+    written = loads(f"{templates()['bare-cell']}\n{tables}")
+    space: dict[str, object] = {"hp": haptonic}
+    for _, code in cells("afternoon"):
+        for line in ast.parse(code).body:
+            if isinstance(line, ast.Assign) and ast.unparse(line.value).startswith("hp.Study("):
+                exec(ast.unparse(line), space)
+    same, other = (tomllib.loads(one.to_toml()) for one in (written, space["study"]))
+    for table in ("carrier", "cell", "plate", "touch", "scan", "protocol"):
+        assert same[table] == other[table]
 
 
 def test_the_first_page_says_what_its_code_gives():

@@ -117,7 +117,7 @@ class ChannelMap:
         return self._along(record, mounting.angle) if self.axis_unknown and self.mountings else record
 
     def _refuse_lengths(self, channels: Group) -> None:
-        """Refuse channels of which one has fewer samples than another: nothing says which samples it lacks."""
+        """Refuse channels of which one has fewer samples than another: nothing says which it lacks."""
         timed = self.rate is None  # else times are not used
         used = (one.name for what, one in self.scaled.items() if timed or what != "time")
         every = channels.channels
