@@ -71,6 +71,7 @@ NAMES = {
     "french": ("Vecteur d'onde", "Fréquence propre", "Taux d'amortissement", "Facteur de qualité"),
     "spanish": ("Vector de onda", "Frecuencia propia", "Amortiguamiento (damping)", "Quality factor"),
     "capitals": ("K", "FREQUENCY", "DAMPING RATIO", "Q"),
+    "vibration": ("q", "Vibration frequency", "Loss factor", "Qeig"),
 }
 TITLES = (
     (),
