@@ -354,6 +354,15 @@ class TestOmissions:
         assert counts(found) == {"unreadable record": 6}
         assert "start and stop" in str(found["detail"].values[3])
 
+    @pytest.mark.parametrize("name", ["x" * 60_000, "x" * 300, "folder/" * 2000 + "x", "a\x01b", "missing"])
+    def test_a_name_that_no_file_has(self, tmp_path, name):
+        """One of 60,000 characters ended in a traceback."""
+        folder = written(tmp_path / "a", MADE[:8], kind="h5")
+        edited(folder, lambda t: t.assign(file=t["file"].where(t.index != 3, name)))
+        found = friction_in(folder)
+        assert counts(found) == {"unreadable record": 1}
+        assert found["excluded"].values[3] == "unreadable record"
+
     def test_declared_exclusions(self, tmp_path):
         folder = written(tmp_path / "a", MADE)
         found = friction_in(

@@ -169,9 +169,13 @@ def _files(
 
 def _with_ending(folder: Path, name: str) -> str:
     """The name, with the ending that it lacks if a single file in the folder has this name."""
-    if Path(name).suffix or "*" in name or not (folder / name).parent.is_dir() or (folder / name).is_file():
+    whole = folder / name
+    try:
+        if whole.suffix or "*" in name or not whole.parent.is_dir() or whole.is_file():
+            return name
+        found = [one for one in whole.parent.iterdir() if one.stem == whole.name and one.is_file()]
+    except OSError:  # too long for any file, or a folder that may not be read: whoever opens it says so
         return name
-    found = [one for one in (folder / name).parent.iterdir() if one.stem == Path(name).name and one.is_file()]
     return str(found[0].relative_to(folder)) if len(found) == 1 else name
 
 
