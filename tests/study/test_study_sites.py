@@ -92,7 +92,7 @@ def test_sites_are_where_the_lattice_or_the_table_says():
     cell = loads(SQUARE + FREE).cell
     assert cell.shares == pytest.approx(np.array([[0, 0], [1 / 3, 0.4], [5 / 7, 5.5 / 7]]))
     assert cell.pillars[1] is None
-    assert not loads(STUDY).cell.has_pillars
+    assert not loads(STUDY).cell.has_features
 
 
 def test_from_python_the_same():
