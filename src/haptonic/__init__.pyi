@@ -1,4 +1,4 @@
-from .cell import Pillar, UnitCell
+from .cell import Disc, Pillar, UnitCell
 from .errors import HaptonicError, HaptonicWarning
 from .lattice import Lattice
 from .study import Study, load
@@ -7,6 +7,7 @@ from .vibrometry import read_scan
 __version__: str
 
 __all__ = [
+    "Disc",
     "HaptonicError",
     "HaptonicWarning",
     "Lattice",

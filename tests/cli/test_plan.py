@@ -63,7 +63,7 @@ class TestPlan:
     @pytest.mark.parametrize("name", TEMPLATES)
     def test_a_report_has_a_waveguide_wherever_there_are_pillars(self, name):
         study = loads(TEMPLATES[name])
-        if study.carrier is not None and study.cell.has_pillars:
+        if study.carrier is not None and study.cell.has_features:
             assert named("waveguide").reported(study) is not None, "whatever the lattice"
 
     def test_a_plate_is_told_by_its_regions_and_patches(self, inside, file, tmp_path):

@@ -18,13 +18,16 @@ def dense(matrices):
     return K.reshape(elements, 3 * nodes, 3 * nodes)
 
 
-def assembled(mesh: HexMesh, material, of_pillar=None):
-    """Stiffness (3 nodes, 3 nodes), sparse, and the diagonal (3 nodes,) of the mass."""
+def assembled(mesh: HexMesh, *solids):
+    """Stiffness (3 nodes, 3 nodes), sparse, and the diagonal (3 nodes,) of the mass.
+
+    solids : materials by the numbers of the mesh's regions, or one for all
+    """
     K, mass = sp.csr_array((mesh.unknowns,) * 2), np.zeros(mesh.unknowns)
     regions = [
-        (family.nodes[family.in_pillar == in_pillar], solid)
+        (family.nodes[family.region == region], solids[min(region, len(solids) - 1)])
         for family in mesh.topology.families
-        for in_pillar, solid in ((False, material), (True, of_pillar or material))
+        for region in np.unique(family.region)
     ]
     for members, solid in regions:
         for start in range(0, len(members), 64):  # a fine mesh would need too much memory at once

@@ -11,7 +11,7 @@ from five_parts import refusing
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import HexMesh, MeshPlan, Pillar, UnitCell, mesh_cell
-from haptonic.cell.plan import PRISM_LAYER, layers_along
+from haptonic.cell.orders import PRISM_LAYER, layers_along
 from haptonic.cell.quadrature import lobatto
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice

@@ -234,7 +234,7 @@ def truth(question: Drawn) -> Truth | None:
 
 def foreseen(question: Drawn) -> float:
     """Processor time of a truth as it is foreseen, s, for want of a better measure by the product."""
-    if not question.cell.has_pillars:
+    if not question.cell.has_features:
         return 0.0
     used = [
         Resolution(*mesh, STEPS, BLOCK).for_bands(question.cell, question.count) for mesh in _meshes(question)

@@ -82,7 +82,7 @@ def _single(layout, block, cell_order, rings, plain_order):
         tile = UnitCell(lattice, layout.thickness, layout.material)
         plan = MeshPlan.suited(tile, plain_order, 0)
     mesh = mesh_cell(tile, plan)
-    K, mass = assembled(mesh, layout.material)
+    K, mass = assembled(mesh, *tile.solids)
     points = mesh.points + np.array([left, bottom, 0.0]) - np.append(tile.corners[0], 0.0)
     box = np.array([left, bottom]), np.array([right, top])
     return Piece(points, {PLATE: K}, mass, flat_faces(mesh), box, {}, {})

@@ -12,7 +12,7 @@ from hypothesis import given, strategies as st
 
 from five_parts import assert_told, refusing
 from haptonic.errors import HaptonicWarning, ScanError
-from haptonic.vibrometry import Disc, Rectangle, drive, drive_notes, scan_plan, write_drive
+from haptonic.vibrometry import Rectangle, RoundRegion, drive, drive_notes, scan_plan, write_drive
 
 USUAL = {"low": 20e3, "high": 70e3, "sample_rate": 250e3, "duration": 8e-3}
 
@@ -148,7 +148,7 @@ class TestPlan:
     @given(
         st.lists(
             st.one_of(
-                st.builds(Disc, st.floats(0, 0.14), st.floats(0, 0.12), st.floats(1e-3, 0.05)),
+                st.builds(RoundRegion, st.floats(0, 0.14), st.floats(0, 0.12), st.floats(1e-3, 0.05)),
                 st.builds(
                     Rectangle,
                     st.floats(0, 0.1),
@@ -171,7 +171,9 @@ class TestPlan:
             assert any(region.holds(place[None]).any() for region in excluded)
 
     def test_the_way_is_much_shorter_than_row_by_row(self):
-        pillars = [Disc(7e-3 * (i + 0.5), 7e-3 * (j + 0.5), 3.5e-3) for i in range(20) for j in range(3)]
+        pillars = [
+            RoundRegion(7e-3 * (i + 0.5), 7e-3 * (j + 0.5), 3.5e-3) for i in range(20) for j in range(3)
+        ]
         plan = scan_plan(PLATE, 2e-3, pillars)
         assert len(plan.left_out) > 100
         sorted_points = plan.points[np.lexsort(plan.points.T)]
@@ -198,6 +200,6 @@ class TestPlan:
 
 
 def test_a_disc_has_its_rim_and_nothing_beyond():
-    disc = Disc(1.0, 2.0, 0.5)
+    disc = RoundRegion(1.0, 2.0, 0.5)
     points = np.array([[1.25, 2.0], [1.0, 1.75], [1.2501, 2.0], [1.2, 2.2]])
     assert disc.holds(points).tolist() == [True, True, False, False]

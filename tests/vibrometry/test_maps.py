@@ -14,8 +14,8 @@ from five_parts import assert_told, refusing
 from haptonic.errors import HaptonicWarning, ResponseError, ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry import (
-    Disc,
     Rectangle,
+    RoundRegion,
     lattice_decay,
     measured_gap,
     region_statistics,
@@ -72,7 +72,7 @@ class TestRegistration:
     @pytest.mark.parametrize("angle", [0.0, 0.02, -0.4, 0.7])
     @pytest.mark.parametrize("scaled", [True, False])
     def test_best_fit_with_points_missing(self, angle, scaled):
-        plan = scan_plan(PLATE, 4e-3, [Disc(0.05, 0.05, 0.02)]).points
+        plan = scan_plan(PLATE, 4e-3, [RoundRegion(0.05, 0.05, 0.02)]).points
         keep = np.random.default_rng(1).random(len(plan)) > 0.03
         scale = 1.03 if scaled else 1.0
         noise = 2e-4 * np.random.default_rng(2).normal(size=plan.shape)
@@ -89,11 +89,11 @@ class TestRegistration:
         response = made(np.ones((2, len(plan))), np.array([1.0, 2.0]), *seen.T, title="twin")
         fit = register_by_corners(moved(CORNERS, 1.0, 0.2, [0.1, 0.0]), CORNERS)
         found = fit.registered(
-            response, {"hole": Disc(0.07, 0.06, 0.02), "WG1": Rectangle(0, 0.021, 0.14, 0.032)}
+            response, {"hole": RoundRegion(0.07, 0.06, 0.02), "WG1": Rectangle(0, 0.021, 0.14, 0.032)}
         )
         assert found.points == pytest.approx(plan, abs=1e-12)
         inside = Rectangle(0, 0.021, 0.14, 0.032).holds(plan)
-        hole = Disc(0.07, 0.06, 0.02).holds(plan)
+        hole = RoundRegion(0.07, 0.06, 0.02).holds(plan)
         assert np.array_equal(found.inside("hole"), hole)
         assert np.array_equal(found.inside("WG1"), inside & ~hole)
         notes = found.dataset.attrs

@@ -11,7 +11,7 @@ from haptonic.analyses.designing.search import compute_design
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import pillars_only
 from haptonic.design.brief import Brief
 from haptonic.design.quick import QUICK
 from haptonic.errors import StudyError
@@ -124,7 +124,7 @@ ANALYSIS = Analysis(
     name="design",
     result=Design,
     compute=compute,
-    supports=every_cell,
+    supports=pillars_only,
     cost=cost,
     planned=lambda study: study.carrier is not None and bool(study.design_settings.vary),
     options=DesignOptions,

@@ -12,6 +12,7 @@ from haptonic.analyses import tolerance
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import pillars_only
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.later import xarray as xr
@@ -188,6 +189,8 @@ def left_out(options: ExportOptions) -> dict[str, str]:
 
 def supports(cell: UnitCell, options: ExportOptions) -> HaptonicError | None:
     """A part has one material; outlines and the drawing do not show what `workshop.part.hidden` names."""
+    if (refusal := pillars_only(cell, options)) is not None:
+        return refusal
     others = {at: solid for at, solid in cell.materials.items() if solid != cell.material}
     if others:
         at, solid = next(iter(others.items()))

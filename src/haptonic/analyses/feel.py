@@ -11,7 +11,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import checked_fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import whole_lower_face
 from haptonic.errors import StudyError
 from haptonic.friction.lubrication.law import check_reduction
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
@@ -146,7 +146,7 @@ ANALYSIS = Analysis(
     name="feel",
     result=Feel,
     compute=compute,
-    supports=every_cell,
+    supports=whole_lower_face,
     cost=cost,
     reported=lambda study: FeelOptions() if has_plate(study) else None,
     options=FeelOptions,

@@ -57,12 +57,12 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
     """
     cell, settings, layers = study.cell, study.bands_settings, study.layers_settings
     carrier = need_carrier(study)
-    if not cell.has_pillars:
+    if not cell.has_features:
         raise StudyError.missing(
             argument="cell.pillar",
-            allowed="a cell with a pillar",
+            allowed="a cell with a pillar or discs",
             cause="rows of plain plate between two plain plates reflect nothing",
-            next_step="add a [cell.pillar] table",
+            next_step="add a [cell.pillar] table, or [[cell.disc]] tables",
         )
     frequencies = layers.frequencies(carrier)
     incidence = Incidence(layers.angle, layers.count, cell.material.loss_factor)

@@ -105,7 +105,7 @@ def has_mirror(study: Description) -> bool:
 
     There is a carrier, and something that reflects; on which lattice does not matter.
     """
-    return study.carrier is not None and study.cell.has_pillars
+    return study.carrier is not None and study.cell.has_features
 
 
 def need_rows(study: Description, table: str = "layers") -> tuple[int, float]:

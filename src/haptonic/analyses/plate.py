@@ -11,7 +11,7 @@ from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import checked_fineness, gap_of_plate, has_plate, need_carrier, response_settings
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import whole_lower_face
 from haptonic.bloch import Gap
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.band_response import band_response, need_loss
@@ -144,7 +144,7 @@ ANALYSIS = Analysis(
     name="plate",
     result=PlateResult,
     compute=compute,
-    supports=every_cell,
+    supports=whole_lower_face,
     cost=cost,
     reported=lambda study: PlateOptions() if has_plate(study) else None,
     options=PlateOptions,

@@ -16,7 +16,7 @@ from haptonic.analyses.needs import response_settings
 from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan, on_plate
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import whole_lower_face
 from haptonic.analyses.verdict import response_in
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
@@ -208,7 +208,7 @@ ANALYSIS = Analysis(
     name="simulate scan",
     result=SimulatedScan,
     compute=compute,
-    supports=every_cell,
+    supports=whole_lower_face,
     cost=cost,
     options=SimulateScanOptions,
     check=check,

@@ -40,3 +40,30 @@ def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
         cause="this analysis multiplies the stiffness of the whole lattice by a single complex factor",
         next_step=f"give this material by its constants in a [cell.{at}] table, with the plate's loss_factor",
     )
+
+
+def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
+    """The error for discs, of which an analysis knows nothing."""
+    if not cell.disc_tables:
+        return None
+    table = next(iter(cell.disc_tables))
+    return StudyError.unsupported(
+        argument=f"cell.{table}disc",
+        given="a cell with discs",
+        allowed="pillars, or plain plate",
+        cause="this analysis varies, draws or cuts pillars only",
+        next_step="compute its bands, a sweep, layers, a ribbon or a plate, or write [cell.pillar] in place",
+    )
+
+
+def whole_lower_face(cell: UnitCell, options: Any) -> HaptonicError | None:
+    """The error for a hole in the face that a finger touches and a laser scans."""
+    for table, number in cell.holes_below():
+        return StudyError.unsupported(
+            argument=f"cell.{table}disc[{number}]",
+            given="a hole through the plate",
+            allowed="discs that leave the lower face of a finite plate whole, such as blind holes",
+            cause="a finger touches the lower face everywhere, and the scan's points lie on it",
+            next_step="give the hole a low above the lower face, or compute bands, a sweep or layers",
+        )
+    return None

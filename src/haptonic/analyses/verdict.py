@@ -13,7 +13,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import checked_fineness, response_settings
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import whole_lower_face
 from haptonic.arrays import Ints
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
@@ -228,7 +228,7 @@ ANALYSIS = Analysis(
     name="verdict",
     result=Verdict,
     compute=compute,
-    supports=every_cell,
+    supports=whole_lower_face,
     cost=cost,
     options=VerdictOptions,
     doing="model",

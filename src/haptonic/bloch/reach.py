@@ -39,10 +39,10 @@ def first_rung(cell: UnitCell, accuracy: float) -> int:
     Between pillars that nearly touch on a thin plate the rungs told 1.3 to 1.8 times what they do elsewhere.
     Of a plain plate order 3 told 3 to 8 %, whatever was asked: its lower order has parabolas for plate waves.
     """
-    if not cell.has_pillars:
+    if not cell.has_features:
         return max(starting_rung(accuracy), 1)
     narrow = any(
-        one.tile.pillar is not None and one.tile.is_thin and one.tile.clearance < cell.thickness
+        one.tile.feature is not None and one.tile.is_thin and one.tile.clearance < cell.thickness
         for one in cell.tiles
     )
     return min(starting_rung(accuracy) + narrow, len(LADDER) - 1)

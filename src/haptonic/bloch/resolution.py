@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from haptonic.arrays import Array, Bools
-from haptonic.cell import MeshPlan, Period, Pillar, TileShape
+from haptonic.cell import MeshPlan, Period, Pillar, Stack, TileShape
 from haptonic.cell.edges import between_edges, is_unbridged
+from haptonic.cell.orders import USUAL_BANDS, orders_for_bands
 from haptonic.cell.pieces import Meshed, pieces_of
-from haptonic.cell.plan import USUAL_BANDS, orders_for_bands
 from haptonic.parallel import threads
 from haptonic.superelement.symmetry import THIRD, folds_of
 from haptonic.superelement.trace import trace_levels
@@ -33,6 +33,9 @@ ON_THIN = {3: 0.3, 4: 0.55}  # the same beside a thin plate: the lower mesh of o
 # where gaps cross at corners motion changes within their width, and one order fewer around a single element
 # tells half of what is left. At 0.07 six of a hundred frequencies needed 1.1 in place of 0.75.
 CROSSING, CROSSED = 0.11, 1.4
+# Of discs without an edge that the mesh is graded towards, see `benchmarks/discs.py`: of the plate's material
+# alone, and with interfaces, at whose ends on a surface stress is weakly singular.
+WITHOUT_EDGE, AT_INTERFACES = 0.3, 1.0
 PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
 # Of the memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
 # and the square of a pencil's size; bytes of the program at rest. See benchmarks/answered_in_budget.py.
@@ -131,6 +134,8 @@ class Resolution:
 
     def _remaining(self, tile: TileShape, share: float) -> float:
         pillar = tile.pillar
+        if tile.stack is not None:
+            return self._of_stack(tile.stack)
         if pillar is None:
             return 0.15
         narrow = bool(len(pillar.outline.flats)) and tile.clearance < CROSSING * pillar.widest
@@ -141,6 +146,15 @@ class Resolution:
             finer = orders_for_bands(tile, self.bands * share) - orders_for_bands(tile, USUAL_BANDS * share)
             factor = min(factor * (1.0 + FOR_BANDS * max(finer, 0.0)), max(factor, self._of_edge_alone))
         return factor * CROSSED if narrow and self.order < 5 else factor
+
+    def _of_stack(self, stack: Stack) -> float:
+        """The same for discs: as of a pillar's foot where stress is singular at an edge."""
+        if stack.has_corners:
+            return self._of_edge_alone
+        if not stack.singular.any():
+            return AT_INTERFACES if len(stack.solids) else WITHOUT_EDGE
+        rings = min(self.foot_rings, 2)
+        return MEASURED.get((self.order, rings), MEASURED[6, 2] if rings == 2 else self._of_edge_alone)
 
     @property
     def _of_edge_alone(self) -> float:
@@ -165,7 +179,7 @@ class Resolution:
         Without an edge each order divides the error, by the more the better a wave is resolved. A band that
         was 0.013 from order 4 needed 0.27 of it at order 5, one that was 0.029 from order 3 0.58 at order 4.
         """
-        return 0.0 if cell.has_pillars else UNRESOLVED
+        return 0.0 if cell.has_features else UNRESOLVED
 
     def estimate(self, cell: Period, frequency: Array, distance: Array, moving: Bools) -> Array:
         """(k,) Hz, errors of frequencies (k,) by the mesh, from their distance to the next lower orders.

@@ -1,6 +1,7 @@
 """Unit cells: what they are made of, and their block-structured meshes."""
 
 from haptonic.cell.brickwork import Brickwork
+from haptonic.cell.disc import Disc
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.mesh import HexMesh, mesh_cell
 from haptonic.cell.pillar import Pillar
@@ -9,11 +10,13 @@ from haptonic.cell.plan import MeshPlan
 from haptonic.cell.ribbon import Ribbon
 from haptonic.cell.rows import Filler, Rows
 from haptonic.cell.sites import Site
+from haptonic.cell.stack import Stack
 from haptonic.cell.tile import FreeEdge, Period, PlacedTile, TileShape
 from haptonic.cell.topology import Topology
 
 __all__ = [
     "Brickwork",
+    "Disc",
     "Filler",
     "FreeEdge",
     "HexMesh",
@@ -24,6 +27,7 @@ __all__ = [
     "Ribbon",
     "Rows",
     "Site",
+    "Stack",
     "Step",
     "TileShape",
     "Topology",

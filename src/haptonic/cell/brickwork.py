@@ -7,13 +7,15 @@ against the next, bricks lie as in a wall. Rows lie along x, or along y where th
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
 
+from haptonic.cell.checks import LEAST_CLEARANCE
 from haptonic.cell.directed import along_axis
-from haptonic.cell.geometry import LEAST_CLEARANCE, UnitCell
+from haptonic.cell.geometry import UnitCell
 from haptonic.cell.rows import Rows
 from haptonic.cell.sectors import unmeshed
 from haptonic.cell.tile import SiteTile
@@ -22,6 +24,7 @@ from haptonic.translations import SAME
 
 FINEST = 48  # denominator of a share of a period, up to which it is taken for a fraction
 MOST_PIECES = 4  # of a side of a brick; more would be finer than its mesh
+Steps = tuple[tuple[float, ...], tuple[float, ...]]  # between lines along x and along y, m
 Ways = tuple[float, float]  # from a pillar to where its brick ends, to either side, m
 
 
@@ -141,7 +144,7 @@ def _between(places: list[Fraction]) -> list[tuple[Fraction, Fraction, Fraction]
 def _bricks(cell: UnitCell, axis: int, size: tuple[float, float], offset: Fraction) -> tuple[Brick, ...]:
     """Of rows along an axis, as though it were x; ``size``: their period and how far they are apart, m."""
     period, height = size
-    standing = [number for number, pillar in enumerate(cell.pillars) if pillar is not None]
+    standing = [number for number, feature in enumerate(cell.features) if feature is not None]
     levels: dict[Fraction, list[tuple[Fraction, int]]] = {}
     for number in standing:
         place = cell.shares[number] @ cell.lattice.vectors
@@ -179,30 +182,31 @@ def _tile(cell: UnitCell, number: int, x: Ways, y: Ways) -> SiteTile:
         period=extent,
         thickness=cell.thickness,
         material=cell.material,
-        pillar=cell.pillars[number],
+        site_feature=cell.features[number],
         faces=cell.faces,
     )
 
 
 def _check_room(cell: UnitCell, brick: Brick) -> None:
-    """Refuse a pillar that crosses the line halfway to the next."""
-    pillar = cell.pillars[brick.number]
-    assert pillar is not None
+    """Refuse a pillar or disc that crosses the line halfway to the next."""
+    feature = brick.tile.feature
+    assert feature is not None
+    table = f"{cell.table_of(brick.number)}{feature.table}"
     room = brick.tile.room - LEAST_CLEARANCE * cell.lattice.pitch
-    if pillar.widest > room:
-        per_half = pillar.diameter / pillar.radius
-        beyond = per_half * (pillar.widest - pillar.radius)
+    if feature.widest > room:
+        per_half = feature.diameter / feature.radius
+        beyond = per_half * (feature.widest - feature.radius)
         raise GeometryError.out_of_range(
-            argument=f"{cell.pillar_path(brick.number)}.diameter",
-            given=f"{pillar.diameter * 1e3:.4g} mm"
+            argument=f"{table}.diameter",
+            given=f"{feature.diameter * 1e3:.4g} mm"
             + (f", and {beyond * 1e3:.4g} mm more where it is widest" if beyond else ""),
             allowed=f"less than {(per_half * room - beyond) * 1e3:.4g} mm in a plate",
             cause="a plate is cut halfway between rows of pillars, and this one crosses such a line",
-            next_step="choose a thinner pillar or a larger pitch; bands, layers and ribbons have no such "
-            "limit",
+            next_step=f"choose a thinner {feature.noun} or a larger pitch; bands, layers and ribbons have no "
+            "such limit",
         )
     if (parts := unmeshed(brick.tile)) is not None:
-        raise GeometryError.unsupported(argument=f"{cell.pillar_path(brick.number)}.section", **parts)
+        raise GeometryError.unsupported(argument=f"{table}.section", **parts)
 
 
 def _unsupported(cell: UnitCell, cause: str) -> GeometryError:
@@ -215,3 +219,25 @@ def _unsupported(cell: UnitCell, cause: str) -> GeometryError:
         next_step='write lattice = "triangular", or sizes that meet this; `haptonic ribbon` takes any '
         "lattice",
     )
+
+
+def equal_pieces(steps: Steps) -> int:
+    """Into how many equal pieces a mesh has to divide the sides of a brick to meet all lines between tiles.
+
+    Raises
+    ------
+    GeometryError : no few of them do
+    """
+    shares = [share for along in steps for share in np.cumsum(along) / sum(along)]
+    count = math.lcm(*(Fraction(float(share)).limit_denominator(FINEST).denominator for share in shares))
+    if count > MOST_PIECES:
+        raise GeometryError.unsupported(
+            argument="plate.map",
+            given=f"a lattice with lines between its tiles at {count}ths of a side",
+            allowed=f"lines at a half, at thirds or at quarters (at most {MOST_PIECES} equal pieces)",
+            cause="lines halfway between the pillars of a row do not meet those of the next row, or of "
+            "another lattice in the same columns",
+            next_step="move the sites to places such as 1/2 or 1/4 of the period, or draw lattices in "
+            "columns and rows of their own",
+        )
+    return count

@@ -12,24 +12,25 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.brillouin import IrreducibleZone
+from haptonic.cell.blocks import VOID
+from haptonic.cell.checks import check_cell
+from haptonic.cell.disc import Disc
 from haptonic.cell.pillar import Faces, Pillar
-from haptonic.cell.sectors import unmeshed
 from haptonic.cell.sites import (
+    MOST_DISCS,
     MOST_SITES,
     SITES,
     Plate,
     Site,
     SiteMap,
-    apart,
-    check_shares,
-    check_tiles,
     placed_tiles,
     polygons,
     shares_of,
     site_map,
     site_tile,
 )
-from haptonic.cell.tile import HALF_TURNED, FreeEdge, PlacedTile, TileShape
+from haptonic.cell.stack import Feature, Stack
+from haptonic.cell.tile import FreeEdge, PlacedTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import (
     INLINE,
@@ -40,7 +41,6 @@ from haptonic.fields import (
     meant,
     needed,
     numbers,
-    problem,
     setting,
     size,
     unusual_beside,
@@ -50,16 +50,15 @@ from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
 from haptonic.units import format_quantity
 
-LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar and the nearest side of its cell
 # of the pitch: usual ratios of sizes, whatever the size of the cell; a slip of a prefix is a factor of 1000
 USUAL_THICKNESS, USUAL_HEIGHT, USUAL_DIAMETER = (0.01, 3.0), (0.02, 8.0), (0.03, 1.0)
 
 
 @described("cell", GeometryError)
 class UnitCell(TileShape):
-    """One period of the plate between z = 0 and z = ``thickness``, on which pillars stand.
+    """One period of the plate between z = 0 and z = ``thickness``, with pillars or discs on its sites.
 
-    With pillars on both ``faces`` those on z = 0 are the images of the others in the middle plane.
+    With pillars or discs on both ``faces`` those below are the images of those above the middle plane.
 
     A cell of one site, in its middle, is a tile itself; one of several consists of their `tiles`.
 
@@ -78,12 +77,23 @@ class UnitCell(TileShape):
             cause="the plate has a thickness; a height belongs to a pillar",
             next_step='write "thickness", or move it to [cell.pillar]',
         ),
-        **meant("pillar", "resonator", "inclusion", "post"),
+        **meant("pillar", "resonator", "post"),
+        **absent(
+            "inclusion",
+            cause="an inclusion is a disc of another material through the plate",
+            next_step="write a [[cell.disc]] table with its diameter and material",
+        ),
         **meant("site", "sites", "pillars"),
+        **meant("disc", "discs", "layer", "feature"),
         **absent(
             "hole", "holes", "void", "slot",
-            cause="a cell is a plate with pillars; holes through the plate are not computed here",
-            next_step="leave this key out",
+            cause="a hole is an empty disc through the plate",
+            next_step="write a [[cell.disc]] table with its diameter and empty = true",
+        ),
+        **absent(
+            "coating", "glue", "cap",
+            cause="coatings, layers of glue and caps are discs",
+            next_step="write a [[cell.disc]] table for each part, with diameter, low, high and material",
         ),
         **absent(
             "width", "size_x", "size_y",
@@ -118,51 +128,16 @@ class UnitCell(TileShape):
         "symmetric or antisymmetric about it.",
         title="Faces with pillars",
     )
+    disc: tuple[Disc, ...] = setting(
+        (),
+        "In place of a pillar, on every site: put in one after the other, a later one replaces what it "
+        "overlaps.",
+        title="Discs",
+        max_length=MOST_DISCS,
+    )
 
     def __post_init__(self) -> None:
-        # lattices and outlines always have it; the rest of the group is left until it is asked for
-        for at, solid in self.materials.items():
-            if not is_symmetry(solid.stiffness, HALF_TURNED):
-                raise problem(
-                    "unsupported",
-                    solid.name,
-                    "a material that half a turn about the plate's normal leaves as it is",
-                    "its constants couple motion in the plane with motion out of it",
-                    "turn the material so that one of its axes is normal to the plate",
-                    at=at,
-                )
-        if not self.is_simple:
-            self._check_sites()
-            return
-        if self.pillar is not None and self.clearance < LEAST_CLEARANCE * self.lattice.pitch:
-            raise _too_wide(self.pillar, self.room - LEAST_CLEARANCE * self.lattice.pitch)
-        if (parts := unmeshed(self)) is not None:
-            raise problem("unsupported", **parts, at="pillar.section")
-
-    def _check_sites(self) -> None:
-        if self.site and self.pillar is not None:
-            raise problem(
-                "conflict",
-                "a pillar beside [[cell.site]]",
-                "pillars of the sites, or one for all of them",
-                "the pillar of a site was given twice",
-                "put it into the tables of the sites, as [cell.site.pillar], or leave these out",
-                at="pillar",
-            )
-        check_shares(self.site, self.lattice.given, self.lattice.name)
-        shares = self.shares
-        least = 2 * LEAST_CLEARANCE * self.lattice.pitch
-        if (pair := apart(shares, self.lattice.vectors, least)) is not None:
-            raise problem(
-                "repeated",
-                f"the place of site[{pair[0] + 1}]",
-                f"a place more than {format_quantity(least, 'm', digits=3)} from every other site",
-                "two sites are one place of the lattice, or nearly",
-                "move one of them, or leave it out",
-                at=f"site[{pair[1] + 1}].at",
-            )
-        tiles = self.tiles
-        check_tiles(tiles, len(self.site), self.lattice.pitch, LEAST_CLEARANCE * self.lattice.pitch)
+        check_cell(self)
 
     def doubtful(self) -> dict[str, str]:
         """Words, by path below the cell, on sizes that are unusual for its pitch."""
@@ -174,6 +149,9 @@ class UnitCell(TileShape):
             assert pillar is not None
             sizes[f"{below}.diameter"] = (pillar.diameter, USUAL_DIAMETER)
             sizes[f"{below}.height"] = (pillar.height, USUAL_HEIGHT)
+        for table, discs in self.disc_tables.items():
+            for number, disc in enumerate(discs, start=1):
+                sizes[f"{table}disc[{number}].diameter"] = (disc.diameter, USUAL_DIAMETER)
         return {path: unusual_beside(value, "m", shares, pitch, words)
                 for path, (value, shares) in sizes.items()}  # fmt: skip
 
@@ -191,26 +169,44 @@ class UnitCell(TileShape):
 
     @cached_property
     def pillars(self) -> tuple[Pillar | None, ...]:
-        """The pillar of each site, None for an empty one."""
-        if self.is_simple:
-            return (self.pillar,)
-        named = len(SITES.get(self.lattice.name, ()))
-        own = [one.pillar for one in self.site] or [self.pillar] * named
-        return (*own, *[None] * (len(self.shares) - len(own)))
+        """The pillar of each site, None for an empty one or one with discs."""
+        return tuple(one if isinstance(one, Pillar) else None for one in self.features)
+
+    @cached_property
+    def stack(self) -> Stack | None:  # type: ignore[override]
+        """The discs on every site, if the sites have no tables; None without any."""
+        return self._stack(self.disc)
+
+    def _stack(self, discs: tuple[Disc, ...]) -> Stack | None:
+        return Stack(discs, self.thickness, self.is_mirrored) if discs else None
 
     def pillar_path(self, number: int) -> str:
         """Of the table in a study that gives the pillar of a site, counted from 0."""
-        return f"cell.site[{number + 1}].pillar" if self.site else "cell.pillar"
+        return f"{self.table_of(number)}pillar"
+
+    def table_of(self, number: int) -> str:
+        """Path of the table that gives what is on a site, counted from 0, with a dot at its end."""
+        return f"cell.site[{number + 1}]." if self.site else "cell."
 
     @property
     def materials(self) -> dict[str, Material]:
-        """Materials of the plate and of pillars that have their own, by the path of the key in [cell]."""
+        """Materials of the plate, and of pillars and discs with one of their own, by their key in [cell]."""
         solids = {"material": self.material}
         for table, (number, *_) in self.pillar_tables.items():
             pillar = self.pillars[number]
             if pillar is not None and pillar.material is not None:
                 solids[f"{table.removeprefix('cell.')}.material"] = pillar.material
+        for table, discs in self.disc_tables.items():
+            for number, disc in enumerate(discs, start=1):
+                if disc.material is not None:
+                    solids[f"{table}disc[{number}].material"] = disc.material
         return solids
+
+    @property
+    def disc_tables(self) -> dict[str, tuple[Disc, ...]]:
+        """The lists of discs that a study gives, by the path of what has them, from [cell] on."""
+        lists = {"": self.disc} | {f"site[{n}].": site.disc for n, site in enumerate(self.site, start=1)}
+        return {table: discs for table, discs in lists.items() if discs}
 
     @property
     def loss_factors(self) -> tuple[float, ...]:
@@ -226,6 +222,14 @@ class UnitCell(TileShape):
                 found.setdefault(self.pillar_path(number), []).append(number)
         return found
 
+    def holes_below(self) -> Iterator[tuple[str, int]]:
+        """Path of the list and number of the first disc of each that leaves a hole in the lower face."""
+        for table, discs in self.disc_tables.items():
+            stack = Stack(discs, self.thickness, self.is_mirrored)
+            lowest = stack.grid[stack.in_plate - 1 if self.is_mirrored else 0]
+            if VOID in lowest:
+                yield table, next(n for n, disc in enumerate(discs, start=1) if disc.empty)
+
     def ways(self, numbers: Iterable[int]) -> Iterator[float]:
         """Widths of the ways between the pillars of some sites and their neighbours, m."""
         steps = np.array(list(product((-1, 0, 1), repeat=2)))
@@ -235,10 +239,25 @@ class UnitCell(TileShape):
                 away = (self.shares[beside] - self.shares[number] + steps) @ self.vectors
                 yield pillar.gap_to(other, away[away.any(axis=1)])
 
+    @cached_property
+    def features(self) -> tuple[Feature | None, ...]:
+        """The pillar or the stack of discs of each site, None for an empty one."""
+        if self.is_simple:
+            return (self.feature,)
+        named = len(SITES.get(self.lattice.name, ()))
+        own = [site.pillar or self._stack(site.disc) for site in self.site] or [self.feature] * named
+        return (*own, *[None] * (len(self.shares) - len(own)))
+
     @property
-    def has_pillars(self) -> bool:
-        """Whether anything stands on the plate."""
-        return any(self.pillars)
+    def parts(self) -> str:
+        """What is on the sites, in a word: pillars, discs or both."""
+        kinds = dict.fromkeys(feature.noun for feature in self.features if feature is not None)
+        return " and ".join(f"{kind}s" for kind in kinds)
+
+    @property
+    def has_features(self) -> bool:
+        """True if the cell is no plain plate."""
+        return any(self.features)
 
     @cached_property
     def tiles(self) -> tuple[PlacedTile, ...]:
@@ -248,7 +267,7 @@ class UnitCell(TileShape):
         return placed_tiles(
             self.shares @ self.lattice.vectors,
             self.outlines,
-            self.pillars,
+            self.features,
             self._plate,
             self.site_map(HALF_TURN),
         )
@@ -260,7 +279,7 @@ class UnitCell(TileShape):
         outline, turn = self.outlines[number], placed.turn
         away = np.linalg.norm(outline @ turn[:2, :2] - placed.tile.corners[0], axis=1)
         outline = np.roll(outline, -int(away.argmin()), axis=0)
-        return site_tile(outline, turn, self._plate, self.pillars[number])
+        return site_tile(outline, turn, self._plate, self.features[number])
 
     @property
     def _plate(self) -> Plate:
@@ -319,7 +338,7 @@ class UnitCell(TileShape):
 
     def site_map(self, operation: Operation) -> SiteMap | None:
         """Where an operation of the lattice takes the sites; None if not to others that are alike."""
-        return site_map(self.shares, self.pillars, operation, self.lattice.point_group.turn(operation))
+        return site_map(self.shares, self.features, operation, self.lattice.point_group.turn(operation))
 
     @cached_property
     def zone(self) -> IrreducibleZone:
@@ -333,6 +352,7 @@ class UnitCell(TileShape):
             lattice=self.lattice.scaled(factor),
             thickness=self.thickness * factor,
             pillar=self.pillar and self.pillar.scaled(factor),
+            disc=tuple(disc.scaled(factor) for disc in self.disc),
             site=tuple(one.scaled(factor) for one in self.site),
         )
 
@@ -351,43 +371,5 @@ class UnitCell(TileShape):
 
     def without_pillar(self) -> UnitCell:
         """The plain plate of the same period and sites."""
-        return replace(self, pillar=None, site=tuple(replace(one, pillar=None) for one in self.site))
-
-
-def _text(length: float) -> str:
-    return format_quantity(length, "m")
-
-
-def _too_wide(pillar: Pillar, room: float) -> Exception:
-    """A pillar, or its fillet, that is wider than the half-width that there is room for, m."""
-    free = "so that a hundredth of the pitch stays free on either side"
-    if room <= 0:
-        return problem(
-            "out-of-range",
-            _text(pillar.diameter),
-            f"no pillar, {free}",
-            "the lattice's translations are nearly parallel, so that its rows nearly meet",
-            "turn one of the translations away from the other",
-            at="pillar.diameter",
-        )
-    sharp = replace(pillar, fillet=0.0)
-    if pillar.arc is not None and sharp.widest < room:
-        most = pillar.fillet * (room - pillar.radius) / (pillar.arc.centre[0] - pillar.radius)
-        return problem(
-            "out-of-range",
-            _text(pillar.fillet),
-            f"less than {_text(most)}, {free}",
-            "the fillet reaches beyond the cell",
-            "choose a smaller radius, a thinner pillar or a larger pitch",
-            at="pillar.fillet",
-        )
-    per_half = pillar.diameter / pillar.radius
-    beyond = per_half * (sharp.widest - pillar.radius)
-    return problem(
-        "out-of-range",
-        _text(pillar.diameter) + (f", and {_text(beyond)} more where the pillar is widest" if beyond else ""),
-        f"less than {_text(per_half * room - beyond)}, {free}",
-        "the pillar is wider than the cell",
-        "choose a thinner pillar or a larger pitch",
-        at="pillar.diameter",
-    )
+        site = tuple(replace(one, pillar=None, disc=()) for one in self.site)
+        return replace(self, pillar=None, disc=(), site=site)

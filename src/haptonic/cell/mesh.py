@@ -61,13 +61,13 @@ def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
     for layer, shares in enumerate(profile.layer_shares):
         for share in shares[1 if layer else 0 :]:
             levels.append(_level(profile, outlines, layer, share))
-    sizes = plan.level_sizes
-    points = [level[:size] for level, size in zip(levels, sizes, strict=True)]
     topology = topology_of(plan, mirrored=cell.is_mirrored, free=cell.free_width is not None)
-    half = np.concatenate(points)
+    half = np.concatenate([level[chosen] for level, chosen in zip(levels, topology.positions, strict=True)])
     if not cell.is_mirrored:
         return HexMesh(topology, half)
-    image = half[sizes[0] :] * np.array([1.0, 1.0, -1.0]) + np.array([0.0, 0.0, cell.thickness])
+    image = half[topology.level_start[1] :] * np.array([1.0, 1.0, -1.0]) + np.array(
+        [0.0, 0.0, cell.thickness]
+    )
     return HexMesh(topology, np.concatenate([half, image]))
 
 
@@ -75,13 +75,15 @@ def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
 class _Outlines:
     """Curves around the axis, (around, 2) points each in the order of the rim.
 
-    core, ring : around the core and of every border between rings, for a half-width of 1
+    core : around the core, for a half-width of 1
+    width, rings : half-widths of the borders about the axis, m, and each border for a half-width of 1
     rim : around the cell, or around the pillar that it is a piece of, m
     shares : where the nodes lie along a side of a patch of the core
     """
 
     core: Array
-    ring: Array
+    width: tuple[float, ...]
+    rings: tuple[Array, ...]
     rim: Array
     shares: Array
 
@@ -89,13 +91,23 @@ class _Outlines:
     def of(cls, cell: TileShape, plan: MeshPlan) -> _Outlines:
         along = 0.5 * (1 + lobatto(plan.order)[0])
         share = (np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks
-        corners, around = cell.corners, sectors(cell, plan.blocks)
-        ring = around.points(along[:-1])
-        core = around.core(along[:-1])
+        corners, borders = cell.corners, sectors(cell, plan.blocks)
+        rings = tuple(around.points(along[:-1]) for around in borders)
+        core = borders[0].core(along[:-1])
         whole = np.append(share, 1.0)
         shares = whole if len(corners) == 4 else 2 * whole[: plan.side // 2 + 1]
-        rim = along_sides(corners, share) if cell.free_width is None else cell.free_width * ring
-        return cls(core, ring, rim, shares)
+        rim = along_sides(corners, share) if cell.free_width is None else cell.free_width * rings[0]
+        width = tuple(border.half_width for border in cell.stack.borders) if cell.stack else (1.0,)
+        return cls(core=core, width=width, rings=rings, rim=rim, shares=shares)
+
+    def ring(self, width: float) -> Array:
+        """The curve of a half-width, m: between two borders in proportion, elsewhere like the nearest."""
+        number = int(np.searchsorted(self.width, width))
+        if len(self.rings) == 1 or number in (0, len(self.rings)):
+            return width * self.rings[min(number, len(self.rings) - 1)]
+        low, high = self.width[number - 1 : number + 1]
+        share = (width - low) / (high - low)
+        return (1 - share) * low * self.rings[number - 1] + share * high * self.rings[number]
 
 
 def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> Array:
@@ -114,11 +126,11 @@ def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> A
         along = profile.ring_shares[ring]
         for s, w, z in list(zip(along, width, height, strict=True))[1:]:
             if ring == 0:  # from the core's outline to that of the others
-                curve = w * outlines.ring + (1 - s) * width[0] * (outlines.core - outlines.ring)
+                curve = outlines.ring(w) + (1 - s) * (width[0] * outlines.core - outlines.ring(width[0]))
             elif ring == len(widths) - 1:
-                curve = (1 - s) * w * outlines.ring + s * outlines.rim
+                curve = (1 - s) * outlines.ring(w) + s * outlines.rim
             else:
-                curve = w * outlines.ring
+                curve = outlines.ring(w)
             pieces.append(_at_height(curve, z))
     return np.concatenate(pieces)
 

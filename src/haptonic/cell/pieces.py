@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 
 from haptonic.arrays import Array
 from haptonic.cell.edges import between_edges, bridges
+from haptonic.cell.orders import layers_along
 from haptonic.cell.pillar import Faces, Pillar
-from haptonic.cell.plan import MeshPlan, layers_along
+from haptonic.cell.plan import MeshPlan
 from haptonic.cell.tile import TileShape
 from haptonic.materials import Material
 

@@ -5,17 +5,29 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cached_property
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
 
 from haptonic.arrays import Array
-from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
+from haptonic.cell.outlines import Scaled, SectionName
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.pillar_parts import Corner, Fillet, Step
 from haptonic.cell.quadrature import lobatto
+from haptonic.cell.sectioned import (
+    CORNER_RADIUS,
+    CORNERS,
+    LENGTH,
+    SECTION,
+    SIDES,
+    TURN,
+    CornerRadius,
+    Sectioned,
+    SectionLength,
+    SectionSides,
+    SectionTurn,
+)
 from haptonic.errors import GeometryError
 from haptonic.fields import (
     LARGEST,
@@ -37,12 +49,11 @@ Faces = Literal["one", "both"]
 LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps
 STEEPEST = math.radians(40)  # draft
 ALONG_STAGE = 12  # order of the points along a stage: exact for straight sides, and curves of degree 11
-MOST_CORNERS = 24  # of a section
 USUAL_DRAFT = (0.0, math.radians(10))
 
 
 @described("cell.pillar", GeometryError)
-class Pillar:
+class Pillar(Sectioned):
     """Pillar centred on the cell. All lengths in m, angles in rad.
 
     Raises
@@ -50,6 +61,8 @@ class Pillar:
     GeometryError : sizes that do not make a body
     """
 
+    noun: ClassVar[str] = "pillar"
+    table: ClassVar[str] = "pillar"
     aliases: ClassVar[Aliases] = {
         **meant(
             "diameter", "radius", "r",
@@ -67,12 +80,13 @@ class Pillar:
         ),
         **absent(
             "coating",
-            cause="a pillar consists of one material; coated ones are not computed here",
-            next_step="leave this key out",
+            cause="a pillar consists of one material; coated ones are stacks of discs",
+            next_step="give core and coating as [[cell.disc]] tables in place of the pillar",
         ),
         **absent(
             "hole", "bore", "inner_diameter", "hollow",
-            cause="pillars are solid; hollow ones are not computed here", next_step="leave this key out",
+            cause="pillars are solid; hollow ones are stacks of discs",
+            next_step="give them as two [[cell.disc]] tables, the second with empty = true",
         ),
     }  # fmt: skip
 
@@ -85,9 +99,7 @@ class Pillar:
     height: Annotated[float, size(10e-9, 100e-3)] = needed(
         "Above the face of the plate.", title="Pillar height", examples=["14.7 mm"]
     )
-    section: SectionName = setting(
-        "round", "Seen from above; before it is turned, sides of a square lie along x and y."
-    )
+    section: SectionName = SECTION
     draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (
         setting(0.0, "Between side and normal; positive is narrower at the top.", title="Draft angle")
     )
@@ -97,24 +109,11 @@ class Pillar:
         title="Fillet radius",
     )
     step: Step | None = setting(None, "Where the pillar becomes narrower, if it does.")
-    length: Annotated[float, size(50e-6, 50e-3)] | None = setting(
-        None, "Of a rectangle or an ellipse: its width along y.", title="Length of the section"
-    )
-    sides: Annotated[int, Field(ge=3, le=MOST_CORNERS)] | None = setting(
-        None, "Of a polygon; all are equal.", title="Number of sides"
-    )
-    corner_radius: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST)] | None = setting(
-        None, "Of rounded corners, seen from above; without it they are sharp."
-    )
-    turn: Annotated[float, Quantity("rad", at_least=-math.pi, at_most=math.pi)] | None = setting(
-        None, "By which the section is turned, anticlockwise.", title="Turn of the section"
-    )
-    point: tuple[Corner, ...] = setting(
-        (),
-        "Corners of a convex section, in order; it is that of the name points.",
-        title="Corners of the section",
-        max_length=MOST_CORNERS,
-    )
+    length: SectionLength = LENGTH
+    sides: SectionSides = SIDES
+    corner_radius: CornerRadius = CORNER_RADIUS
+    turn: SectionTurn = TURN
+    point: tuple[Corner, ...] = CORNERS
     material: Annotated[Material, GIVEN] | None = setting(
         None,
         "A built-in name or its constants; without it the pillar is of the plate's material.",
@@ -122,7 +121,8 @@ class Pillar:
     )
 
     def __post_init__(self) -> None:
-        self._check_section()
+        self.check_section()
+        self._check_sides()
         if self.material is not None and self.fillet:
             # No mesh is graded towards the fillet's rim, where the materials meet: errors of steel on
             # aluminium were up to six times what is stated.
@@ -168,26 +168,8 @@ class Pillar:
                     at="fillet",
                 )
 
-    def _check_section(self) -> None:
-        """Refuse numbers that do not fit the section or make no outline, and a draft that it cannot have."""
-        takes = taken_by(SECTIONS[self.section])
-        for name in NUMBERS:
-            given = getattr(self, name)
-            having = [other for other, kind in SECTIONS.items() if name in taken_by(kind)]
-            allowed = f"{name} for a section that is {', '.join(having[:-1])} or {having[-1]}"
-            allowed = allowed if len(having) > 1 else f"{name} for the section {having[0]}"
-            if takes.get(name) and not given:
-                raise problem("missing", "nothing", allowed, "it was left out", f"add {name}", at=name)
-            if given and name not in takes:
-                raise problem(
-                    "conflict",
-                    "one" if name == "point" else f"{given:.6g}",
-                    f"{allowed}, and for no other",
-                    f"a section that is {self.section} is given without it",
-                    f'remove {name}, or write section = "{having[0]}"',
-                    at=name,
-                )
-        self.form.check()
+    def _check_sides(self) -> None:
+        """Refuse a draft or a fillet that the section cannot have."""
         for name in ("draft", "fillet"):
             if getattr(self, name) and not self.outline.is_tangential:
                 raise problem(
@@ -220,32 +202,6 @@ class Pillar:
                 at="step.diameter",
             )
 
-    @cached_property
-    def form(self) -> Section:
-        """The section with its numbers: lengths per diameter, radii per half diameter."""
-        per_half = {"length": 1 / self.diameter, "corner_radius": 2 / self.diameter}
-        numbers: dict[str, Any] = {}
-        for name in taken_by(SECTIONS[self.section]):
-            if (given := getattr(self, name)) is not None:
-                numbers[name] = given * per_half[name] if name in per_half else given
-        return SECTIONS[self.section](**numbers)
-
-    @cached_property
-    def _least(self) -> float:
-        """Smallest half-width of the section, in half diameters."""
-        return self.form.outline().inradius
-
-    @cached_property
-    def outline(self) -> Outline:
-        """Of every section, scaled to a smallest half-width of 1."""
-        outline = self.form.outline()
-        return outline if self._least == 1.0 else outline.scaled(1 / self._least)
-
-    @property
-    def radius(self) -> float:
-        """Smallest half-width at the foot, the fillet not counted, m."""
-        return 0.5 * self.diameter * self._least
-
     @property
     def stages(self) -> tuple[tuple[float, float, float], ...]:
         """(low, high, half-width at its lower end) of each smooth piece of the side, m above the plate."""
@@ -267,21 +223,15 @@ class Pillar:
         """True if a map leaves the pillar's own material as it is; the tile checks that of the plate."""
         return self.material is None or is_symmetry(self.material.stiffness, turn)
 
-    def is_image(self, other: Pillar, turn: NDArray[np.float64]) -> bool:
+    def is_image(self, other: object, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) that keeps the normal takes the pillar to another one."""
+        if not isinstance(other, Pillar):
+            return False
         if len(self.stages) != len(other.stages) or self.material != other.material:
             return False
         mine, its = (np.array([*np.ravel(p.stages), p.draft, p.fillet]) for p in (self, other))
         alike = self == other or bool((np.abs(mine - its) <= SAME * np.abs(mine)).all())
         return alike and self.keeps_material(turn) and self.outline.image(turn[:2, :2]).is_same(other.outline)
-
-    def turned(self, angle: float) -> Pillar:
-        """The pillar turned anticlockwise about its axis, rad; itself if that leaves it as it is."""
-        cosine, sine = math.cos(angle), math.sin(angle)
-        if self.outline.has_symmetry(np.array([[cosine, -sine], [sine, cosine]])):
-            return self
-        whole = (self.turn or 0.0) + angle
-        return replace(self, turn=math.remainder(whole, 2 * math.pi))
 
     @cached_property
     def _outline(self) -> Array:
@@ -312,13 +262,15 @@ class Pillar:
         """Largest half-width, the fillet counted, m."""
         return max(self.broadest, self.arc.centre[0] if self.arc else 0.0)
 
-    def gap_to(self, other: Pillar, away: Array) -> float:
-        """Width of the narrowest way between this pillar and others, all alike, m.
+    @property
+    def solids(self) -> tuple[Material, ...]:
+        """Its own material, if it has one."""
+        return (self.material,) if self.material is not None else ()
 
-        Their axes are ``away`` (n, 2) from its own. Fillets are not counted. Negative where two overlap.
-        """
-        mine, beside = (Scaled(pillar.outline, pillar.broadest) for pillar in (self, other))
-        return float(mine.gap_to(beside, away).min())
+    @property
+    def borders(self) -> tuple[Scaled]:
+        """Its section where it is widest."""
+        return (Scaled(self.outline, self.widest),)
 
     @property
     def is_prism(self) -> bool:
@@ -367,8 +319,7 @@ class Pillar:
             height=self.height * factor,
             fillet=self.fillet * factor,
             step=step,
-            length=self.length and self.length * factor,
-            corner_radius=self.corner_radius and self.corner_radius * factor,
+            **self.scaled_numbers(factor),
         )
 
     @property
@@ -383,8 +334,7 @@ class Pillar:
             draft=0.0,
             fillet=0.0,
             step=None,
-            length=self.length and self.length * share,
-            corner_radius=self.corner_radius and self.corner_radius * share,
+            **self.scaled_numbers(share),
         )
 
     def _steepest(self) -> float:

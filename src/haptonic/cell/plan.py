@@ -5,17 +5,24 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-import numpy as np
-
+from haptonic.arrays import Bools
+from haptonic.cell.blocks import VOID, Grid, StackBlocks, curves_of_levels
+from haptonic.cell.divided import blocks_of
 from haptonic.cell.edges import between_edges, bridges, is_unbridged
+from haptonic.cell.orders import (
+    ROUNDING,
+    around_quarter,
+    divided_order,
+    layers_along,
+    levels_near_rim,
+    neck_of,
+    orders_for_bands,
+)
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.sectors import least_blocks
-from haptonic.cell.tile import TileShape, sides_of
+from haptonic.cell.stack import Stack
+from haptonic.cell.tile import TileShape
 
-# Length of an element along a prism, and along other pillars, whose order is higher, in diameters: of one of
-# 1 deg draft, twelve diameters high, 1.4 and order 6 lost 1e-7, 2.8 lost 1e-5.
-PRISM_LAYER, LAYER_LENGTH = 1.4, 2.8
-SHORT_STAGE = 1.4  # diameters up to which two layers lead from the foot to a step
 # Times the orders around the pillar beside a thin plate: waves between pillars are shorter. Eight left 2.5 %
 # of a tenth band that nine leave 0.2 % of: fields of its parity gain nothing from an even order.
 SHORT_WAVES = 3 / 2
@@ -33,14 +40,7 @@ ALONG_MORE = 5
 # 1.8 diameters in one layer lost 0.1 % at orders 3 and 4, which no lower order told; two layers leave 0.03 %.
 # Where layers grow from the foot's thin ones on down, two leave 3e-5 of a plate of six diameters.
 PLATE_LAYER, MOST_BELOW_BRIDGES = 1.0, 2
-# Levels more through the rim, by the width of plate between it and the foot, in thicknesses. At 0.1 the cubic
-# of order 4 lost 0.18 % that no other direction mended and no lower order told, two more mended it;
-# at 0.4 one more took 0.05 % to 0.03 %, and from 0.48 on they brought nothing.
-NEAR_RIM = {0.2: 2, 0.45: 1}
-ROUNDING = 1e-9  # of a ratio of lengths, which must not change the plan of a scaled cell
-# Bands whose waves the orders of an accuracy were chosen for, and the most that a single element should have
-# around a quarter turn: two of half as much, and one more, cost a third of it.
-USUAL_BANDS, MOST_AROUND = 10, 10
+HOLE_NECK = 0.8  # what `WIDE_NECK` is between two holes, where all the plate bends
 LEAST_DIVIDED = 3  # order of elements that an outline's corners divide: with one less linear ones stay usable
 
 
@@ -59,6 +59,7 @@ class MeshPlan:
     plate_layers : layers through the plate below the thin ones
     near_rim : levels more than elsewhere that the trace on the rim has through the plate, see `trace_levels`
     sides : of the polygon
+    stack : blocks of a stack of discs, in place of a pillar's
     levels : nodes of the trace through the thickness where tiles of other plans have to meet; 0 means its own
     outward : polynomial order across the rings; upward : along z through the plate; along : along z in the
         pillar; thin : across thin rings and thin layers; 0 means as ``order``, along as ``upward``
@@ -79,6 +80,7 @@ class MeshPlan:
     near_rim: int = 0
     sides: int = 4
     levels: int = 0
+    stack: StackBlocks | None = None
 
     def __post_init__(self) -> None:
         for name in ("outward", "upward", "thin"):
@@ -136,10 +138,12 @@ class MeshPlan:
         """
         shorter = orders_for_bands(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
+        if cell.stack is not None:
+            return cls._of_stack(cell, cell.stack, order, foot_rings, shorter)
         if cell.pillar is None:
             sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
             around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
-            around, blocks = _divided(around + more + bool(more))
+            around, blocks = divided_order(around + more + bool(more))
             outward = (order + 3 if sheet else order) + more // 2
             # Of a plate as thick as half its pitch, of Poisson ratio 0.44, order 3 through it left 2.8e-2, 4
             # 6e-4, 5 2.4e-4, 6 nothing: what an odd one leaves, the lower one does not tell.
@@ -147,10 +151,10 @@ class MeshPlan:
             return cls(around, 0, 0, blocks=blocks, outward=outward, upward=upward, thin=order)
         if cell.is_sheet:
             return cls._of_sheet(cell, cell.pillar, order, foot_rings, shorter)
-        neck = (THIN_NECK if cell.is_thin else WIDE_NECK) / _neck(cell, cell.pillar)
+        neck = (THIN_NECK if cell.is_thin else WIDE_NECK) / neck_of(cell, cell.pillar)
         smooth = 4 if order == 3 else order
         turn = (smooth + 2) * max(1.0, neck) * (SHORT_WAVES if cell.is_thin else 1.0)
-        around, blocks = _around(turn, more)
+        around, blocks = around_quarter(turn, more)
         layers = layers_along(cell.pillar)
         rings = max(foot_rings, 1) if cell.pillar.fillet else foot_rings  # the arc is an edge of elements
         bridging = bridges(cell, rings)
@@ -168,7 +172,7 @@ class MeshPlan:
             upward=smooth,
             along=smooth if cell.pillar.is_prism else smooth + ALONG_MORE,
             thin=order,
-            near_rim=_near_rim(cell),
+            near_rim=levels_near_rim(cell),
         )
 
     @classmethod
@@ -185,8 +189,8 @@ class MeshPlan:
         0.5 %, twice what was told; ``shorter`` is how many more their waves need.
         """
         layers = layers_along(pillar)
-        neck = _neck(cell, pillar, 0.5 * cell.inradius)
-        around, blocks = _around((order + 2) * SHEET_WAVES * max(1.0, SHEET_NECK / neck), shorter)
+        neck = neck_of(cell, pillar, 0.5 * cell.inradius)
+        around, blocks = around_quarter((order + 2) * SHEET_WAVES * max(1.0, SHEET_NECK / neck), shorter)
         return cls(
             around,
             foot_rings,
@@ -199,6 +203,32 @@ class MeshPlan:
             upward=max(order - 1, 4),
             thin=order,
             along=max(order, 4) + (0 if pillar.is_prism else ALONG_MORE),
+        )
+
+    @classmethod
+    def _of_stack(
+        cls, cell: TileShape, stack: Stack, order: int, foot_rings: int, shorter: float
+    ) -> MeshPlan:
+        """Plan for a stack of discs, which is meshed to its top.
+
+        Away from edges it has one order more than thin elements: around a hole stress varies faster than
+        below a pillar.
+        """
+        sheet, smooth = cell.is_sheet, order + 1
+        wide = HOLE_NECK if stack.is_void_at_rim else THIN_NECK if cell.is_thin else WIDE_NECK
+        neck = wide / neck_of(cell, stack, 0.5 * cell.inradius if sheet else 0.0)
+        waves = SHEET_WAVES if sheet else SHORT_WAVES if cell.is_thin else 1.0
+        around, blocks = around_quarter((smooth + 2) * max(1.0, neck) * waves, math.ceil(shorter - ROUNDING))
+        return cls(
+            around,
+            0,
+            0,
+            blocks=blocks,
+            outward=smooth + math.ceil(shorter / 2),
+            upward=smooth,
+            along=smooth + 1,
+            thin=order,
+            stack=blocks_of(cell, stack, foot_rings),
         )
 
     def lowered(self, cell: TileShape) -> MeshPlan:
@@ -223,7 +253,7 @@ class MeshPlan:
         ungraded = ungraded and between_edges(cell) is None
         ungraded = ungraded or is_unbridged(cell, self.foot_rings)
         foot_leads = self.foot_rings == 1 and pillar is not None and not ungraded
-        fewer_around = 2 if pillar and self.blocks == 1 and (cell.is_thin or self.thin > 3) else 1
+        fewer_around = 2 if cell.feature and self.blocks == 1 and (cell.is_thin or self.thin > 3) else 1
         fewer_along = 2 if pillar and not pillar.is_prism else 0 if foot_leads else 1
         fewer_upward = 0 if foot_leads and not cell.is_sheet else 1
         return replace(
@@ -244,7 +274,7 @@ class MeshPlan:
     def per_quarter(self) -> int:
         """Order around a quarter turn: of the single element there that resolves as much as its blocks do.
 
-        The inverse of `suited`, `divided` and `_divided`: blocks have one order more than their share.
+        The inverse of `suited`, `divided` and `divided_order`: blocks have one order more than their share.
         """
         blocks = self.blocks * self.sides
         return self.order if blocks == 4 else (self.order - 1) * blocks // 4
@@ -273,16 +303,24 @@ class MeshPlan:
     @property
     def rings(self) -> tuple[int, ...]:
         """Order across each ring from the core to the sides of the cell."""
+        if self.stack:
+            return tuple(order for one in self.stack.annuli for order in one.orders(self.outward, self.thin))
         return (*self.disc_rings, *(self.thin,) * (self.foot_rings + self.bridges[1]), self.outward)
 
     @property
     def plate_layer_orders(self) -> tuple[int, ...]:
         """Order through each layer of the plate, from the flat face up."""
+        if self.stack:
+            storeys = self.stack.storeys[: self.stack.in_plate]
+            return tuple(order for one in storeys for order in one.orders(self.upward, self.thin))
         return (*(self.upward,) * self.plate_layers, *(self.thin,) * (self.bridges[3] + self.foot_rings))
 
     @property
     def foot_layer_orders(self) -> tuple[int, ...]:
         """Order through each layer from the plate's top to the pillar's step, or to its top."""
+        if self.stack:
+            storeys = self.stack.storeys[self.stack.in_plate :]
+            return tuple(order for one in storeys for order in one.orders(self.along, self.thin))
         if not self.pillar_layers:
             return ()
         thin = self.foot_rings + self.bridges[2]
@@ -304,69 +342,28 @@ class MeshPlan:
         return sum(self.plate_layer_orders) + 1
 
     @property
-    def level_sizes(self) -> tuple[int, ...]:
-        """Number of nodes on each level; they get fewer above the plate, and above the step."""
-        core = self.core_size + self.around
-        pieces = (
-            (self.plate_levels, self.rings),
-            (sum(self.foot_layer_orders), self.disc_rings),
-            (sum(self.step_layer_orders), self.tip_rings),
+    def grid(self) -> Grid:
+        """(layers, 1 + rings) of every block; see `haptonic.cell.blocks`. A pillar's material is number 1."""
+        if self.stack:
+            return self.stack.divided()
+        count = len(self.rings)
+
+        def layer(inner: int) -> tuple[int, ...]:
+            return (*(1,) * (1 + inner), *(VOID,) * (count - inner))
+
+        return (
+            *((0,) * (1 + count),) * len(self.plate_layer_orders),
+            *(layer(len(self.disc_rings)),) * len(self.foot_layer_orders),
+            *(layer(len(self.tip_rings)),) * len(self.step_layer_orders),
         )
-        return tuple(core + self.around * sum(rings) for levels, rings in pieces for _ in range(levels))
 
+    @property
+    def curves(self) -> Bools:
+        """(levels, curves) True where a level has nodes; see `curves_of_levels`."""
+        return curves_of_levels(self.grid, self.rings, self.layer_orders)
 
-def layers_along(pillar: Pillar) -> list[int]:
-    """Layers of each of a pillar's stages, the lowest of them short, and the highest below a step.
-
-    Without that one 2.8 diameters below a step's edge lost 0.06 %, of which no lower order told.
-    """
-    longest = PRISM_LAYER if pillar.is_prism else LAYER_LENGTH
-    lengths = [(high - low) / (2 * width) for low, high, width in pillar.stages]
-    layers = [1 + max(1, _rounded(length / longest)) for length in lengths]
-    if pillar.step is not None and lengths[0] > SHORT_STAGE:
-        layers[0] += 1
-    return layers
-
-
-def _neck(cell: TileShape, pillar: Pillar, least: float = 0.0) -> float:
-    """Half the length on which two pillars are near each other, as a share of half the side it lies on.
-
-    That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter one nine orders
-    around, a square's, lost 3 %.
-    A pillar of a radius below ``least`` (m) is taken for one of that radius.
-    """
-    normal, away = sides_of(cell.corners)
-    free = np.maximum(away - pillar.widest * pillar.outline.support(normal), ROUNDING * cell.extent)
-    bend = pillar.outline.bend(normal) * max(pillar.widest, least)
-    return float(np.sqrt(2 * free * bend).min()) / (0.5 * cell.extent)
-
-
-def _near_rim(cell: TileShape) -> int:
-    """Levels more on the rim for what the foot does there."""
-    share = cell.clearance / cell.thickness
-    return next((more for near, more in NEAR_RIM.items() if share < near * (1 - ROUNDING)), 0)
-
-
-def orders_for_bands(cell: TileShape, bands: float) -> float:
-    """Orders more than usual that so many bands need along the longer side of the cell.
-
-    They are pi for each wavelength that the last band of a plain plate has there beyond those of the usual
-    bands. As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
-    """
-    waves = math.sqrt(bands / math.pi * cell.elongation)
-    return math.pi * max(waves - math.sqrt(USUAL_BANDS / math.pi), 0.0)
-
-
-def _around(turn: float, more: float) -> tuple[int, int]:
-    """Order and number of elements around a quarter turn that needs ``turn`` orders, and more for bands."""
-    return _divided(_rounded(turn + more)) if more else (_rounded(turn), 1)
-
-
-def _rounded(value: float) -> int:
-    """The nearest whole number; of a half the upper one, whatever rounding errors it has."""
-    return round((1 + ROUNDING) * value)
-
-
-def _divided(order: int) -> tuple[int, int]:
-    """Order and number of the elements that resolve as much as a single one of ``order``."""
-    return (order, 1) if order <= MOST_AROUND else ((order + 1) // 2 + 1, 2)
+    @property
+    def level_sizes(self) -> tuple[int, ...]:
+        """Number of nodes on each level."""
+        core, around = self.curves[:, 0], self.curves[:, 1:].sum(axis=1)
+        return tuple((self.core_size * core + self.around * around).tolist())

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.cell.divided import annuli_of, borders, edges_between, storeys_of
 from haptonic.cell.edges import (
     CORE_RADIUS,
     FOOT_LAYER,
@@ -27,6 +28,7 @@ from haptonic.cell.edges import (
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.quadrature import lobatto
+from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape
 
 EDGE_CROWDING = 0.35  # spacing of nodes next to an edge, as a share of an even one: stress is singular there
@@ -54,6 +56,8 @@ class Profile:
     @classmethod
     def of(cls, cell: TileShape, plan: MeshPlan) -> Profile:
         """Profile of a cell."""
+        if cell.stack is not None:
+            return cls._of_stack(cell, cell.stack, plan)
         pillar = cell.pillar
         assert plan.foot_rings or pillar is None or not pillar.fillet, "a fillet needs a ring at the foot"
         assert bool(plan.step_layers) == (pillar is not None and pillar.step is not None), (
@@ -80,6 +84,21 @@ class Profile:
             plan, pillar, width, height,
             ring_shares=_shares(plan.rings, rings),
             layer_shares=_shares(plan.layer_orders, layers),
+        )  # fmt: skip
+
+    @classmethod
+    def _of_stack(cls, cell: TileShape, stack: Stack, plan: MeshPlan) -> Profile:
+        blocks = plan.stack
+        assert blocks is not None, "a plan for something else"
+        rings = max((one.low for one in (*blocks.annuli, *blocks.storeys)), default=0)
+        rings = max(rings, max(one.high for one in (*blocks.annuli, *blocks.storeys)))
+        heights = borders(storeys_of(cell, stack, rings), blocks.storeys)
+        widths = borders(annuli_of(cell, stack, rings), blocks.annuli)[:-1]  # the last one is the tile's side
+        return cls(
+            plan, None,
+            np.repeat(widths[:, None], len(heights), axis=1), np.repeat(heights[None], len(widths), axis=0),
+            ring_shares=_shares(plan.rings, edges_between(blocks.annuli)),
+            layer_shares=_shares(plan.layer_orders, edges_between(blocks.storeys)),
         )  # fmt: skip
 
     def between(self, layer: int, share: float) -> tuple[list[Array], list[Array]]:

@@ -161,15 +161,15 @@ class Ribbon(Directed):
         return min(cell.area for cell in self.cells)
 
     @property
-    def has_pillars(self) -> bool:
-        return any(cell.has_pillars for cell in self.cells)
+    def has_features(self) -> bool:
+        return any(cell.has_features for cell in self.cells)
 
     @cached_property
     def crystals(self) -> tuple[UnitCell, ...]:
         """The cells with pillars that the first and the last column consist of, else all, each once."""
         ends = {id(line[end]): line[end] for end in (0, -1) for line in self.lines}
-        return tuple(cell for cell in ends.values() if cell.has_pillars) or tuple(
-            cell for cell in self.cells if cell.has_pillars
+        return tuple(cell for cell in ends.values() if cell.has_features) or tuple(
+            cell for cell in self.cells if cell.has_features
         )
 
     @cached_property

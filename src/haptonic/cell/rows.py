@@ -148,8 +148,8 @@ class Rows(Directed):
         return self.cell.area
 
     @property
-    def has_pillars(self) -> bool:
-        return self.cell.has_pillars
+    def has_features(self) -> bool:
+        return self.cell.has_features
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,7 +201,7 @@ class Filler:
         return self.rows.area
 
     @property
-    def has_pillars(self) -> bool:
+    def has_features(self) -> bool:
         return False
 
 

@@ -15,8 +15,8 @@ from functools import lru_cache
 import numpy as np
 
 from haptonic.arrays import Array, Ints
-from haptonic.cell.outlines import CIRCLE, Outline
-from haptonic.cell.tile import TileShape
+from haptonic.cell.outlines import CIRCLE, Outline, Scaled
+from haptonic.cell.tile import TileShape, room_in
 
 MOST_BLOCKS = 8  # to a side
 SAME = 1e-6  # of a radius: places that coincide
@@ -90,28 +90,28 @@ class Sectors:
         return CORE_BULGE * curve + (1 - CORE_BULGE) * along_sides(curve[:: len(along)], along)
 
 
-def sectors(tile: TileShape, blocks: int) -> Sectors:
-    """Sectors of a tile with so many blocks to each side, see `least_blocks`."""
-    suited = _sectors(_Seen.of(tile.above), blocks)
-    assert suited is not None, "a plan with too few blocks for the outline"
-    return suited
+def sectors(tile: TileShape, blocks: int) -> tuple[Sectors, ...]:
+    """Sectors of each border of a tile with so many blocks to each side, see `least_blocks`."""
+    suited = [_sectors(seen, blocks) for seen in _Seen.of(tile.above)]
+    return tuple(around for around in suited if around is not None)
 
 
 def least_blocks(tile: TileShape, blocks: int) -> int | None:
-    """Smallest multiple of a number of blocks to each side that suits a pillar; None if there is none."""
-    seen, most = _Seen.of(tile.above), max(MOST_BLOCKS, blocks)
-    return next((n for n in range(blocks, most + 1, blocks) if _sectors(seen, n) is not None), None)
+    """Smallest multiple of a number of blocks to each side that suits all borders; None if there is none."""
+    borders, most = _Seen.of(tile.above), max(MOST_BLOCKS, blocks)
+    suited = (n for n in range(blocks, most + 1, blocks) if all(_sectors(seen, n) for seen in borders))
+    return next(suited, None)
 
 
 def unmeshed(tile: TileShape) -> dict[str, str] | None:
     """Parts of the error for a pillar that no blocks suit; None if it can be meshed."""
-    if tile.pillar is None or least_blocks(tile, 1 if len(tile.corners) == 4 else 2) is not None:
+    if tile.feature is None or least_blocks(tile, 1 if len(tile.corners) == 4 else 2) is not None:
         return None
     return {
-        "given": f"a section that is {tile.pillar.section}",
+        "given": f"a section that is {tile.feature.section}",
         "allowed": f"a section whose corners the ends of {MOST_BLOCKS} blocks to each side of the tile reach",
         "cause": "the section is long and turned, or has many corners, and its tile leaves little room",
-        "next_step": "make the pillar smaller or rounder, turn it along the lattice, or enlarge the pitch",
+        "next_step": "make it smaller or rounder, turn it along the lattice, or enlarge the pitch",
     }
 
 
@@ -131,24 +131,31 @@ class _Seen:
     operations: tuple[int, ...]
 
     @classmethod
-    def of(cls, tile: TileShape) -> _Seen:
-        outline = tile.pillar.outline if tile.pillar else CIRCLE
-        width = tile.pillar.widest if tile.pillar else 0.6 * tile.inradius
-        corners = np.round(tile.corners / width, 12)
+    def of(cls, tile: TileShape) -> list[_Seen]:
+        """For each border of what is about the axis; where nothing is, for a circle."""
+        borders = tile.feature.borders if tile.feature else (Scaled(CIRCLE, 0.6 * tile.inradius),)
         operations = []
-        if outline.joints:
+        if any(border.outline.joints for border in borders):
             for number, turn in enumerate(OPERATIONS):
                 space = np.eye(3)
                 space[:2, :2] = turn
                 if tile.has_symmetry(space):
                     operations.append(number)
-        return cls(
-            outline=outline,
-            corners=tuple((float(x), float(y)) for x, y in corners),
-            angles=tuple(float(angle) for angle in corner_angles(tile)),
-            beyond=round(1 + RINGS * max(tile.clearance, 0.0) / width, 12),
-            operations=tuple(operations),
-        )
+        seen = []
+        for border in borders:
+            width = border.half_width
+            corners = np.round(tile.corners / width, 12)
+            clearance = room_in(tile.corners, border.outline) - width
+            seen.append(
+                cls(
+                    outline=border.outline,
+                    corners=tuple((float(x), float(y)) for x, y in corners),
+                    angles=tuple(float(angle) for angle in corner_angles(tile)),
+                    beyond=round(1 + RINGS * max(clearance, 0.0) / width, 12),
+                    operations=tuple(operations) if border.outline.joints else (),
+                )
+            )
+        return seen
 
 
 @lru_cache(maxsize=256)

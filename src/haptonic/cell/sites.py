@@ -13,8 +13,10 @@ import numpy as np
 from pydantic import field_validator
 
 from haptonic.arrays import Array, Ints
+from haptonic.cell.disc import Disc
 from haptonic.cell.pillar import Faces, Pillar
 from haptonic.cell.sectors import unmeshed
+from haptonic.cell.stack import Feature
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.fields import Quantity, described, problem, setting
@@ -26,7 +28,7 @@ Plate = tuple[float, Material, Faces]  # thickness, m, and the faces that pillar
 SHARE = Quantity("", at_least=0.0, below=1.0, hint="take whole translations off it")
 PLACE = Quantity("m")
 MIRRORS = (np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]))
-MOST_SITES = 12  # of one cell
+MOST_SITES, MOST_DISCS = 12, 12  # of one cell, and of one site
 # Of a site's tile, from the site to its farthest corner, in radii of the circle within: beside pillars whose
 # neighbours are that much nearer on one side, elements were turned inside out from 9.9 on.
 MOST_POINTED = 8.0
@@ -41,7 +43,7 @@ EMPTY: dict[str, tuple[tuple[float, float], ...]] = {"lieb": ((0.5, 0.5),)}
 
 @described("cell.site", GeometryError, kw_only=True)
 class Site:
-    """A place in the cell and the pillar that stands there.
+    """A place in the cell and the pillar that stands there, or the discs in its place.
 
     ``at`` counts in the lattice's translations, ``position`` in metres along x and y, both from a corner of
     the cell that they span.
@@ -53,7 +55,15 @@ class Site:
     position: tuple[Annotated[float, PLACE], Annotated[float, PLACE]] | None = setting(
         None, "The same as two lengths along x and y."
     )
-    pillar: Pillar | None = setting(None, "Without this table the site is empty.", title="Pillar of the site")
+    pillar: Pillar | None = setting(
+        None, "Without this table and discs the site is empty.", title="Pillar of the site"
+    )
+    disc: tuple[Disc, ...] = setting(
+        (),
+        "In place of a pillar: put in one after the other, a later one replaces what it overlaps.",
+        title="Discs of the site",
+        max_length=MOST_DISCS,
+    )
 
     @field_validator("at", mode="before")
     @classmethod
@@ -64,7 +74,8 @@ class Site:
     def scaled(self, factor: float) -> Site:
         """The same with every length multiplied by ``factor``."""
         place = self.position and (self.position[0] * factor, self.position[1] * factor)
-        return replace(self, position=place, pillar=self.pillar and self.pillar.scaled(factor))
+        discs = tuple(disc.scaled(factor) for disc in self.disc)
+        return replace(self, position=place, pillar=self.pillar and self.pillar.scaled(factor), disc=discs)
 
     def shares(self, vectors: Array) -> Array | None:
         """(2,) of the translations; None where the lattice is named after its sites."""
@@ -95,7 +106,7 @@ class SiteMap:
 
 
 def site_map(
-    shares: Array, pillars: Sequence[Pillar | None], operation: Operation, turn: Array
+    shares: Array, features: Sequence[Feature | None], operation: Operation, turn: Array
 ) -> SiteMap | None:
     """How a turn of a lattice, perhaps with a move, takes sites (n, 2) to others that are alike, if so."""
     turned = shares @ np.array(operation).T
@@ -105,7 +116,7 @@ def site_map(
         whole = np.round(steps)
         fits = np.abs(steps - whole).max(axis=2) < SAME
         for s, t in np.argwhere(fits):
-            mine, other = pillars[s], pillars[t]
+            mine, other = features[s], features[t]
             fits[s, t] = mine is other is None or bool(mine and other and mine.is_image(other, turn))
         if fits.any(axis=1).all():
             image = fits.argmax(axis=1)
@@ -216,7 +227,7 @@ def _cut(corners: Array, other: Array, same: float) -> Array:
 def placed_tiles(
     positions: Array,
     outlines: Sequence[Array],
-    pillars: Sequence[Pillar | None],
+    features: Sequence[Feature | None],
     plate: Plate,
     half_turn: SiteMap | None,
 ) -> tuple[PlacedTile, ...]:
@@ -231,17 +242,17 @@ def placed_tiles(
             other = made[half_turn.image[number]]
             made.append(PlacedTile(other.tile, HALF_TURNED @ other.turn, position))
             continue
-        pillar = pillars[number]
-        alike = _like(outline, pillar, [other.tile for other in made], plate[1])
-        tile, turn = alike or _upright(outline, plate, pillar)
+        feature = features[number]
+        alike = _like(outline, feature, [other.tile for other in made], plate[1])
+        tile, turn = alike or _upright(outline, plate, feature)
         made.append(PlacedTile(tile, turn, position))
     return tuple(made)
 
 
 def _like(
-    outline: Array, pillar: Pillar | None, tiles: Sequence[TileShape], material: Material
+    outline: Array, feature: Feature | None, tiles: Sequence[TileShape], material: Material
 ) -> tuple[TileShape, Array] | None:
-    """The tile, and the turn, that a polygon with a pillar is the image of, if there is one."""
+    """The tile, and the turn, that a polygon with a feature is the image of, if there is one."""
     for tile in tiles:
         if len(tile.corners) != len(outline):
             continue
@@ -249,22 +260,22 @@ def _like(
             turn = _turn(math.atan2(*corner[::-1]) - math.atan2(*tile.corners[0][::-1]))
             image = tile.corners @ turn[:2, :2].T
             apart = np.linalg.norm(image[:, None] - outline, axis=2).min(axis=1).max()
-            stands = tile.pillar is pillar is None or (
-                tile.pillar is not None and pillar is not None and tile.pillar.is_image(pillar, turn)
+            stands = tile.feature is feature is None or (
+                tile.feature is not None and feature is not None and tile.feature.is_image(feature, turn)
             )
             if apart < SAME * tile.extent and stands and is_symmetry(material.stiffness, turn):
                 return tile, turn
     return None
 
 
-def _upright(outline: Array, plate: Plate, pillar: Pillar | None) -> tuple[SiteTile, Array]:
+def _upright(outline: Array, plate: Plate, feature: Feature | None) -> tuple[SiteTile, Array]:
     """The tile of a polygon in axes along its mirrors, and the turn from these axes to the cell's."""
     best: tuple[int, SiteTile, Array] | None = None
     for angle in _axes(outline):
         turn = _turn(angle)
-        if not is_symmetry(plate[1].stiffness, turn) or (pillar and not pillar.keeps_material(turn)):
+        if not is_symmetry(plate[1].stiffness, turn) or (feature and not feature.keeps_material(turn)):
             continue
-        tile = site_tile(outline, turn, plate, pillar)
+        tile = site_tile(outline, turn, plate, feature)
         mirrors = sum(tile.has_symmetry(mirror) for mirror in MIRRORS)
         if best is None or mirrors > best[0]:
             best = mirrors, tile, turn
@@ -272,17 +283,22 @@ def _upright(outline: Array, plate: Plate, pillar: Pillar | None) -> tuple[SiteT
     return best[1:]
 
 
-def site_tile(outline: Array, turn: Array, plate: Plate, pillar: Pillar | None) -> SiteTile:
+def site_tile(outline: Array, turn: Array, plate: Plate, feature: Feature | None) -> SiteTile:
     """The tile of a polygon (sides, 2) in axes turned (3, 3) against the cell's."""
     thickness, material, faces = plate
     own = outline @ turn[:2, :2]
-    pillar = pillar and pillar.turned(-math.atan2(turn[1, 0], turn[0, 0]))
+    feature = feature and feature.turned(-math.atan2(turn[1, 0], turn[0, 0]))
     following = np.roll(own, -1, axis=0)
     across = own[:, 0] * following[:, 1] - own[:, 1] * following[:, 0]
     reach = float((across / np.linalg.norm(following - own, axis=1)).max())
     corners = tuple((float(x), float(y)) for x, y in own)
     return SiteTile(
-        outline=corners, period=2 * reach, thickness=thickness, material=material, pillar=pillar, faces=faces
+        outline=corners,
+        period=2 * reach,
+        thickness=thickness,
+        material=material,
+        site_feature=feature,
+        faces=faces,
     )
 
 
@@ -308,7 +324,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
     least : free width between a pillar and the sides of its tile, m
     """
     for number, tile in enumerate((placed.tile for placed in tiles), start=1):
-        at = f"site[{number}]" if number <= given else "pillar"
+        table = f"site[{number}]." if number <= given else ""
         sides = np.linalg.norm(tile.corners - np.roll(tile.corners, 1, axis=0), axis=1)
         if sides.min() < LEAST_SIDE * tile.inradius:
             raise problem(
@@ -317,27 +333,25 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 f"none shorter than {LEAST_SIDE:g} of the radius of the circle within",
                 "four tiles or more nearly meet in a point, but not quite",
                 'write the shares as fractions, such as "1/3", or move a site by a hundredth of the pitch',
-                at=f"{at}.at" if number <= given else "site",
+                at=f"{table}at" if table else "site",
             )
-        pillar = tile.pillar
-        if pillar is not None and tile.clearance < least:  # before what follows from it
-            per_half = pillar.diameter / pillar.radius
-            beyond = per_half * (pillar.widest - pillar.radius)
+        feature = tile.feature
+        if feature is not None and tile.clearance < least:  # before what follows from it
+            per_half = feature.diameter / feature.radius
+            beyond = per_half * (feature.widest - feature.radius)
             room = per_half * (tile.room - least) - beyond
             raise problem(
                 "out-of-range",
-                f"{pillar.diameter * 1e3:g} mm wide"
+                f"{feature.diameter * 1e3:g} mm wide"
                 + (f", and {beyond * 1e3:.4g} mm more where it is widest" if beyond else ""),
                 f"less than {room * 1e3:.4g} mm wide, so that a hundredth of the pitch stays free up to half-"
                 "way to the next site",
-                "the pillar overlaps the next one, or touches the edge half-way to it",
-                "choose a thinner pillar, or move the sites apart",
-                at=f"{at}.pillar.diameter" if number <= given else "pillar.diameter",
+                f"the {feature.noun} overlaps the next one, or touches the edge half-way to it",
+                f"choose a thinner {feature.noun}, or move the sites apart",
+                at=f"{table}{feature.table}.diameter",
             )
-        if (parts := unmeshed(tile)) is not None:
-            raise problem(
-                "unsupported", **parts, at=f"{at}.pillar.section" if number <= given else "pillar.section"
-            )
+        if feature is not None and (parts := unmeshed(tile)) is not None:
+            raise problem("unsupported", **parts, at=f"{table}{feature.table}.section")
         pointed = float(np.linalg.norm(tile.corners, axis=1).max() / tile.inradius)
         if pointed > MOST_POINTED and len(tiles) > 1:
             raise problem(
@@ -346,7 +360,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 f"at most {MOST_POINTED:g} times",
                 "another site is so near on one side, and none on the other, that elements would fold",
                 "move the two sites apart, or make them one",
-                at=f"{at}.at" if number <= given else "site",
+                at=f"{table}at" if table else "site",
             )
 
 

@@ -1,4 +1,4 @@
-"""A tile: a convex polygon of plate about a point, with at most one pillar there.
+"""A tile: a convex polygon of plate about a point, with a pillar or a stack of discs there, or nothing.
 
 Every cell is put together from tiles, edge to edge; a cell of one site is a tile itself.
 """
@@ -14,6 +14,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.cell.outlines import Outline
 from haptonic.cell.pillar import Faces, Pillar
+from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
 
@@ -66,8 +67,14 @@ class TileShape:
     thickness: float
     material: Material
     pillar: Pillar | None
+    stack: Stack | None = None
     faces: Faces
     free_width: float | None = None
+
+    @property
+    def feature(self) -> Feature | None:
+        """What is about the axis: the pillar, or the stack of discs."""
+        return self.pillar or self.stack
 
     @property
     def corners(self) -> Array:
@@ -88,6 +95,11 @@ class TileShape:
         if self.pillar is None or self.pillar.material is None:
             return self.material
         return self.pillar.material
+
+    @property
+    def solids(self) -> tuple[Material, ...]:
+        """Materials by the numbers that blocks of the mesh have: the plate's, then those of the feature."""
+        return (self.material, *(self.stack.solids if self.stack else (self.pillar_material,)))
 
     @property
     def elongation(self) -> float:
@@ -121,14 +133,16 @@ class TileShape:
 
     @cached_property
     def room(self) -> float:
-        """Half-width up to which a pillar of this outline fits into the polygon, m."""
-        return room_in(self.corners, self.pillar.outline) if self.pillar else self.inradius
+        """Half-width up to which a pillar or stack of this outline fits into the polygon, m."""
+        return room_in(self.corners, self.feature.outline) if self.feature else self.inradius
 
     @property
     def clearance(self) -> float:
-        """Free width of plate between the pillar and the nearest side, m; where it is wider than its smallest
-        half-width, in proportion less."""
-        return self.room - (self.pillar.widest if self.pillar else 0.0)
+        """Free width of plate between the feature and the nearest side, m.
+
+        Where the feature is wider than its smallest half-width, in proportion less.
+        """
+        return self.room - (self.feature.widest if self.feature else 0.0)
 
     @property
     def is_thin(self) -> bool:
@@ -168,9 +182,9 @@ class TileShape:
         return int(moved[0]), int(moved[1])
 
     def has_symmetry(self, turn: Array) -> bool:
-        """Whether such a map leaves polygon, pillar and material as they are."""
+        """Whether such a map leaves polygon, feature and material as they are."""
         return (
-            (self.pillar is None or self.pillar.has_symmetry(turn))
+            (self.feature is None or self.feature.has_symmetry(turn))
             and is_symmetry(self.material.stiffness, turn)
             and self.moved_sides(turn) is not None
         )
@@ -184,8 +198,16 @@ class SiteTile(TileShape):
     period: float
     thickness: float
     material: Material
-    pillar: Pillar | None
+    site_feature: Feature | None
     faces: Faces
+
+    @property
+    def pillar(self) -> Pillar | None:  # type: ignore[override]
+        return self.site_feature if isinstance(self.site_feature, Pillar) else None
+
+    @property
+    def stack(self) -> Stack | None:  # type: ignore[override]
+        return self.site_feature if isinstance(self.site_feature, Stack) else None
 
     @cached_property
     def corners(self) -> Array:
@@ -251,4 +273,4 @@ class Period(Protocol):
     def area(self) -> float: ...
 
     @property
-    def has_pillars(self) -> bool: ...
+    def has_features(self) -> bool: ...

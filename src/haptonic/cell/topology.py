@@ -2,10 +2,11 @@
 
 A cell is a polygon. Seen from above, a curved core sits in its middle: one square patch in a cell of four
 sides, else a patch for each corner, and these meet at the centre. Rings of blocks, as many to each side of
-the cell, lead from it to the pillar's foot and on to the sides. The pillar goes on with the inner ones of
-these blocks, above a step with the innermost. Where a cell is its own image in the plate's middle plane, all
-this is its upper half; the nodes of the lower one follow, and its elements. A piece of a pillar about its
-step is meshed alike: what is below the step in place of the plate, with free sides.
+the cell, lead from it to the pillar's foot and on to the sides. The grid of the plan says which of these
+blocks each layer has, and of which material: a pillar goes on with the inner ones, above a step with the
+innermost. Where a cell is its own image in the plate's middle plane, all this is its upper half; the nodes of
+the lower one follow, and its elements. A piece of a pillar about its step is meshed alike: what is below the
+step in place of the plate, with free sides.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import scipy
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Ints
+from haptonic.cell.blocks import VOID, level_positions
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.tile import Sides
 
@@ -30,10 +32,12 @@ class Elements:
 
     nodes : (m, n1, n2, n3) node numbers in a right-handed local frame, last axis along z
     in_pillar : (m,) True above the plate's top, and below its other face
+    region : (m,) number of the material, see `TileShape.solids`
     """
 
     nodes: Ints
     in_pillar: NDArray[np.bool_]
+    region: Ints
 
     def __len__(self) -> int:
         return len(self.nodes)
@@ -41,14 +45,14 @@ class Elements:
     def with_images(self, image: Ints) -> Elements:
         """These elements, then their images; upside down, so that their frames are right-handed as well."""
         nodes = np.concatenate([self.nodes, image[self.nodes][..., ::-1]])
-        return Elements(nodes, np.concatenate([self.in_pillar] * 2))
+        return Elements(nodes, np.concatenate([self.in_pillar] * 2), np.concatenate([self.region] * 2))
 
 
 @dataclass(frozen=True, eq=False)
 class Topology:
     """All of a mesh that the sizes do not touch; one object for each plan.
 
-    The nodes of a level run from the core outwards, so the pillar's come first.
+    The nodes of a level run from the core outwards.
 
     plan : what it was made from
     core : (patches, m + 1, m + 1) numbers of the core's nodes; patches that meet at the centre begin there
@@ -76,6 +80,13 @@ class Topology:
     def image(self) -> Ints:
         """(nodes,) the image of each node in the middle plane, of a mesh without a lower half itself."""
         return _images(self.level_start) if self.mirrored else np.arange(self.level_start[-1])
+
+    @cached_property
+    def positions(self) -> tuple[Ints, ...]:
+        """Numbers that the nodes of each level have among all that a level could have; rising."""
+        return tuple(
+            level_positions(curves, self.plan.core_size, self.plan.around) for curves in self.plan.curves
+        )
 
     @property
     def faces(self) -> int:
@@ -122,12 +133,15 @@ class Topology:
         turn = sides[list(moved)].T @ np.linalg.inv(sides[:2].T)  # of the polygon that stands for the cell
         distance, level = scipy.spatial.cKDTree(points).query(points @ turn.T)
         assert distance.max() < SAME, "the operation does not leave the mesh as it is"
-        sizes = np.diff(self.level_start)
-        for start in range(inner + around, sizes[0], around):
+        for start in range(inner + around, inner + around * (self.plan.curves.shape[1] - 1), around):
             level = np.append(level, start + level[inner : inner + around] - inner)
-        pieces = [start + level[:size] for start, size in zip(self.level_start[:-1], sizes, strict=True)]
+        pieces = [
+            start + np.searchsorted(places, level[places])
+            for start, places in zip(self.level_start[:-1], self.positions, strict=True)
+        ]
         upper = np.concatenate(pieces)
-        return np.concatenate([upper, self.image[upper[sizes[0] :]]]) if self.mirrored else upper
+        lower = upper[self.level_start[1] :]
+        return np.concatenate([upper, self.image[lower]]) if self.mirrored else upper
 
 
 @lru_cache(maxsize=64)
@@ -148,23 +162,24 @@ def topology_of(plan: MeshPlan, *, mirrored: bool = False, free: bool = False) -
         start += order * around
 
     level_start = np.concatenate([[0], np.cumsum(plan.level_sizes)])
-    rings_of_layer = [len(plan.rings)] * len(plan.plate_layer_orders)
-    rings_of_layer += [len(plan.disc_rings)] * len(plan.foot_layer_orders)
-    rings_of_layer += [len(plan.tip_rings)] * len(plan.step_layer_orders)
-    families: dict[tuple[int, ...], list[tuple[Ints, bool]]] = {}
+    number = np.full((len(plan.curves), start + around), -1, dtype=np.int64)
+    for level, curves in enumerate(plan.curves):
+        places = level_positions(curves, inner, around)
+        number[level, places] = level_start[level] + np.arange(len(places))
+    families: dict[tuple[int, ...], list[tuple[Ints, bool, int]]] = {}
     low = 0
-    for order, rings in zip(plan.layer_orders, rings_of_layer, strict=True):
+    for order, blocks_of_layer in zip(plan.layer_orders, plan.grid, strict=True):
         above = free or low >= plan.plate_levels - 1
         for face, ring in faces:
-            if ring < rings:
-                nodes = face[..., None] + level_start[low : low + order + 1]
-                families.setdefault(nodes.shape, []).append((nodes, above))
+            region = blocks_of_layer[1 + ring]
+            if region != VOID:
+                nodes = np.moveaxis(number[low : low + order + 1, face], 0, -1)
+                families.setdefault(nodes.shape, []).append((nodes, above, 1 if free else region))
         low += order
 
-    per_level = level_start[: plan.plate_levels, None]
-    rim = per_level + plan.level_sizes[0] - around + np.arange(0 if free else around)
+    rim = number[: plan.plate_levels, start : start + (0 if free else around)]
     grouped = [
-        Elements(np.stack([nodes for nodes, _ in members]), np.array([above for _, above in members]))
+        Elements(*(np.array(column) for column in zip(*members, strict=True)))
         for members in families.values()
     ]
     if mirrored:

@@ -11,7 +11,7 @@ import scipy
 
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
-from haptonic.cell.geometry import LEAST_CLEARANCE
+from haptonic.cell.checks import LEAST_CLEARANCE
 from haptonic.cell.sites import MOST_POINTED
 from haptonic.cell.tile import inradius, room_in
 from haptonic.design.parameters import values_of

@@ -17,11 +17,13 @@ UNITS = ByPattern({
     # the bands are those without loss; one mesh is followed, so lattices and sites keep their symmetry
     if key.quantity and key.kind != "quantities" and not path.endswith("material.loss_factor")
     and ".pillar.point[]" not in path and not path.endswith(".pillar.turn")
+    and ".disc[]" not in path  # their borders and ends must not pass each other
 })  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
 
 COORDINATE = re.compile(
-    r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?|cell(\.site\[\d+\])?\.pillar\.(turn|point\[\d+\]\.[xy])"
+    r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?|cell(\.site\[\d+\])?\."
+    r"(pillar\.(turn|point\[\d+\]\.[xy])|disc\[\d+\]\..*)"
 )
 PILLAR = ".pillar."
 HEIGHT = ".pillar.height"
@@ -54,7 +56,8 @@ class OfCell(OfNumber):
                 "unsupported",
                 path,
                 "sizes and angles of the cell and of its pillars, and constants of the material",
-                "a coordinate or the turn of a section changes the symmetry, and with it mesh and zone",
+                "a coordinate or the turn of a section changes the symmetry, and with it mesh and zone, and "
+                "discs have no derivatives here",
                 "vary it in a [[sweep]]; of a lattice given by its name, cell.pitch, cell.pitch_y, "
                 "cell.pitch_2 and cell.angle can be named here",
             )

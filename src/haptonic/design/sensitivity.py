@@ -137,7 +137,7 @@ def _velocities(
         assert len(tile.corners) == plan.sides, "a tile keeps its sides"
         mesh = mesh_cell(tile, plan)
         meshes.append((mesh.points, through_levels(tile, mesh, shared.levels)))
-        ends.append(sectors(tile, plan.blocks).place)
+        ends.append(sectors(tile, plan.blocks)[0].place)
     (here, map_ahead), (there, map_behind) = meshes
     if np.abs(ends[0] - ends[1]).max() > SAME_BLOCKS:
         raise GeometryError.unsupported(

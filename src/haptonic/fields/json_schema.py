@@ -99,6 +99,7 @@ def _plain(slot: Slot, key: Key) -> Schema:
         return _quantity(key.quantity)
     kinds: dict[str, Schema] = {
         "integer": {"type": "integer"} | _limits(slot, "imum"),
+        "boolean": {"type": "boolean"},
         "text": {"type": "string"} | _limits(slot, "Length"),
     }
     return kinds.get(key.kind, {"type": ["number", "string"]})
@@ -138,5 +139,5 @@ def _described(key: Key) -> str:
 
 def _default(key: Key) -> Any:
     """As a file would give it."""
-    plain = {"integer": int, "number": float}
+    plain = {"integer": int, "number": float, "boolean": lambda text: text == "true"}
     return plain.get(key.kind, str)(key.default_text)

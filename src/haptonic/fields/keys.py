@@ -25,8 +25,8 @@ class Key:
     """One key of the study file.
 
     path : dotted, such as ``cell.pillar.diameter``; ``sweep[].from`` for a key of every ``[[sweep]]``
-    kind : "quantity", "number", "integer", "text", "choice", "table" or "tables"; "quantities" for a list of
-        them; "entries" for a table whose keys the user chooses
+    kind : "quantity", "number", "integer", "boolean", "text", "choice", "table" or "tables"; "quantities" for
+        a list of them; "entries" for a table whose keys the user chooses
     unit : SI unit, of each where there are several; empty without one
     default : as it would be written; None for a key that has to be given, "" for one that may be absent
     bounds, typical : in words; empty without any
@@ -277,6 +277,8 @@ def _kind(field: FieldInfo) -> str:
     if any(_kinds(named.table if named else field.annotation)):
         return "table"
     plain = {get_args(part)[0] if get_origin(part) is Annotated else part for part in parts}
+    if bool in plain:
+        return "boolean"
     return "integer" if int in plain else "number" if float in plain else "text"
 
 
@@ -286,7 +288,7 @@ def _default(field: FieldInfo, quantity: Quantity | None) -> str | None:
     value = field.get_default(call_default_factory=True)
     if value is None or is_described(value) or isinstance(value, tuple | Entries):
         return ""
-    return str(value)
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def quantity_of(field: FieldInfo) -> Quantity | None:

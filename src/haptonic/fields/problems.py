@@ -218,6 +218,7 @@ def allowed_at(key: Key | None) -> str:
     forms = {
         "number": "a number, or a quantity with its unit in quotes",
         "integer": f"a whole number{bounds}, without quotes",
+        "boolean": "true or false, without quotes",
         "text": f"a text in quotes{bounds and ','}{bounds}",
         "table": f"a table, [{key.path}]",
         "tables": f"tables with double brackets, [[{key.path}]],{bounds}",
@@ -225,6 +226,9 @@ def allowed_at(key: Key | None) -> str:
     return (
         forms[key.kind] if key.path != "material" else "the name of a built-in material or a [material] table"
     )
+
+
+PLAIN, TEXT = {"integer": "10", "boolean": "true"}, '"..."'  # values of an example, by the kind of a key
 
 
 def example_at(key: Key) -> str:
@@ -239,7 +243,7 @@ def example_at(key: Key) -> str:
         return f"{name} = {_list(key)}"
     if key.quantity:
         return f"{name} = {key.quantity.example}"
-    return f"{name} = 10" if key.kind == "integer" else f'{name} = "..."'
+    return f"{name} = {PLAIN.get(key.kind, TEXT)}"
 
 
 def _list(key: Key) -> str:

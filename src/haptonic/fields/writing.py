@@ -91,4 +91,6 @@ def _value(value: Any, unit: str) -> str:
             return f'"""\n{value}"""'  # a map keeps its shape
         # a JSON string is a TOML string, but for one control character that TOML wants escaped
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, bool):
+        return str(value).lower()
     return f'"{format_quantity(value, unit, digits=None)}"' if unit else repr(value)

@@ -128,9 +128,8 @@ def body_of_brick(brick: TileShape, plan: MeshPlan, x: tuple[float, float], y: t
     mass, total = np.zeros(len(mesh.points)), sp.csr_array((3 * len(mesh.points),) * 2)
     families = {PartKey("plate", k): family.nodes for k, family in enumerate(mesh.topology.families)}
     for family in mesh.topology.families:
-        for in_pillar, solid in ((False, brick.material), (True, brick.pillar_material)):
-            nodes = family.nodes[family.in_pillar == in_pillar]
-            total = total + _elastic(mesh.points, nodes, solid, mass)
+        for region, solid in enumerate(brick.solids):
+            total = total + _elastic(mesh.points, family.nodes[family.region == region], solid, mass)
     return Body(
         points=points,
         stiffness=MappingProxyType({PLATE: total}),

@@ -16,15 +16,14 @@ from typing import Literal
 import numpy as np
 
 from haptonic.cell import Brickwork, Pillar, UnitCell
-from haptonic.cell.brickwork import FINEST, MOST_PIECES, Brick
+from haptonic.cell.brickwork import Brick, Steps, equal_pieces
+from haptonic.cell.stack import Feature
 from haptonic.cell.tile import SiteTile
-from haptonic.errors import GeometryError
 from haptonic.materials import Material
 
 Side = Literal["left", "right", "bottom", "top"]
 Tile = tuple[int, int]
 Rectangle = tuple[float, float, float, float]
-Steps = tuple[tuple[float, ...], tuple[float, ...]]  # along x and along y, m
 
 STEPS: Mapping[Side, Tile] = MappingProxyType(
     {"left": (0, -1), "right": (0, 1), "bottom": (-1, 0), "top": (1, 0)}
@@ -206,10 +205,10 @@ class Layout:
     @cached_property
     def bricks(self) -> Mapping[Tile, Laid]:
         """Every brick of a lattice by the lower left one of the tiles that it covers, row by row."""
-        standing = {name for name, cell in self.cells.items() if cell.has_pillars}
+        filled = {name for name, cell in self.cells.items() if cell.has_features}
         if self.offset is not None:
             return dict(sorted(self.offset.items()))
-        return {tile: Laid((1, 1)) for tile, name in self.there.items() if name in standing}
+        return {tile: Laid((1, 1)) for tile, name in self.there.items() if name in filled}
 
     @cached_property
     def _works(self) -> Mapping[str, Brickwork]:
@@ -325,35 +324,25 @@ class Layout:
     @cached_property
     def standing(self) -> tuple[tuple[float, float, Pillar], ...]:
         """Every pillar of the plate with the place (x, y) of its axis, m; row by row from the lower left."""
+        return tuple((x, y, one) for x, y, one in self.features if isinstance(one, Pillar))
+
+    @cached_property
+    def features(self) -> tuple[tuple[float, float, Feature], ...]:
+        """The same of every pillar and every stack of discs."""
         tiles = {corner: self.brick_at(corner).tile for corner in self.bricks}
-        return tuple((*self.axis(at), tile.pillar) for at, tile in tiles.items() if tile.pillar is not None)
+        return tuple((*self.axis(at), tile.feature) for at, tile in tiles.items() if tile.feature is not None)
 
     @property
     def pillars(self) -> int:
         """How many pillars stand on the plate."""
         return len(self.standing)
 
-
-def equal_pieces(steps: Steps) -> int:
-    """Into how many equal pieces a mesh has to divide the sides of a brick to meet all lines between tiles.
-
-    Raises
-    ------
-    GeometryError : no few of them do
-    """
-    shares = [share for along in steps for share in np.cumsum(along) / sum(along)]
-    count = math.lcm(*(Fraction(float(share)).limit_denominator(FINEST).denominator for share in shares))
-    if count > MOST_PIECES:
-        raise GeometryError.unsupported(
-            argument="plate.map",
-            given=f"a lattice with lines between its tiles at {count}ths of a side",
-            allowed=f"lines at a half, at thirds or at quarters (at most {MOST_PIECES} equal pieces)",
-            cause="lines halfway between the pillars of a row do not meet those of the next row, or of "
-            "another lattice in the same columns",
-            next_step="move the sites to places such as 1/2 or 1/4 of the period, or draw lattices in "
-            "columns and rows of their own",
-        )
-    return count
+    @property
+    def parts(self) -> str:
+        """How many pillars and stacks of discs there are, in words."""
+        stacks = len(self.features) - self.pillars
+        texts = [f"{self.pillars} pillars"] if self.pillars or not stacks else []
+        return " and ".join(texts + ([f"{stacks} stacks of discs"] if stacks else []))
 
 
 def _lines(

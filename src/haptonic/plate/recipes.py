@@ -11,13 +11,14 @@ from numpy.polynomial.legendre import leggauss
 
 from haptonic.arrays import Array
 from haptonic.cell import MeshPlan, TileShape, UnitCell
+from haptonic.cell.brickwork import Steps, equal_pieces
 from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread, threads
 from haptonic.plate.blocks import Attached
 from haptonic.plate.body import Body, BodyOrders, body, body_of_brick
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.joined import joined_tile, opened_tile
-from haptonic.plate.layout import Block, Layout, Steps, equal_pieces
+from haptonic.plate.layout import Block, Layout
 from haptonic.plate.parts import Actuator, Force, Plate
 from haptonic.plate.reduction import block_tile, cell_tile
 from haptonic.plate.skeleton import TraceOrders

@@ -9,12 +9,12 @@ import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, TileShape
+from haptonic.cell.brickwork import Steps
 from haptonic.cell.quadrature import lobatto
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.plate.body import Body
 from haptonic.plate.bonds import Bonded
 from haptonic.plate.keys import PLATE
-from haptonic.plate.layout import Steps
 from haptonic.plate.skeleton import TraceOrders, rim_fields
 from haptonic.plate.surface import flat_faces
 from haptonic.plate.tile import OnMesh, Tile

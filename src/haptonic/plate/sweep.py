@@ -233,7 +233,7 @@ def check_cost(plate: Plate, high: float, *, single: bool = False) -> None:
     share = np.sqrt(there / needed) if needed == basis else there / needed
     fits = int(share * tiles)
     gigabytes = f"{needed / 1e9:.0f} GB"
-    asked = "at" if single else f"with {plate.layout.pillars} pillars, for a basis up to"
+    asked = "at" if single else f"with {plate.layout.parts}, for a basis up to"
     raise ResourceError.too_large(
         argument="plate.map",
         given=f"{tiles} tiles {asked} {hz_text(high, form='.4g')}",
@@ -292,7 +292,7 @@ def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure
         raise ResourceError.too_large(
             argument="plate.response.highest",
             given=f"{hz_text(np.sqrt(high) / (2 * np.pi * (1 + BEYOND)))}, for a plate of "
-            f"{model.plate.layout.pillars} pillars and {model.assembly.size} unknowns",
+            f"{model.plate.layout.parts} and {model.assembly.size} unknowns",
             allowed=f"what fits into the {free / 1e9:.1f} GB that are free",
             cause=f"{how_sure}{modes} modes lie in the band; their basis needs {how_sure or 'about '}"
             f"{needed / 1e9:.1f} GB",

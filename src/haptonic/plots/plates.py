@@ -97,10 +97,10 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
         x, y = (1e3 * np.array(lines) for lines in layout.lines(block))
         shade = LATTICE if layout.at(block.tiles[0]) in layout.cells else REGION
         shades[shade].append(Rectangle((x[0], y[0]), x[-1] - x[0], y[-1] - y[0]))
-    for across, up, pillar in layout.standing:
-        middle, half = (1e3 * across, 1e3 * up), 1e3 * pillar.radius
-        corners = middle + half * pillar.outline.polygon(AROUND)
-        pillars.append(Polygon(corners) if pillar.outline.joints else Circle(middle, half))
+    for across, up, feature in layout.features:
+        middle, half = (1e3 * across, 1e3 * up), 1e3 * feature.radius
+        corners = middle + half * feature.outline.polygon(AROUND)
+        pillars.append(Polygon(corners) if feature.outline.joints else Circle(middle, half))
     for shade, tiles in shades.items():
         axes.add_collection(PatchCollection(tiles, facecolor=shade, edgecolor="white", linewidth=0.4))
     axes.add_collection(

@@ -89,6 +89,7 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
         sizes.append(
             f"{pillar.section} pillar {_length(pillar.diameter)} wide{long}, {_length(pillar.height)} high"
         )
+    sizes += [disc.text(cell.thickness) for discs in cell.disc_tables.values() for disc in discs]
     complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
@@ -109,7 +110,7 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
 def _materials(cell: UnitCell) -> str:
     """Names of the cell's materials, the plate's first."""
     plate, *others = dict.fromkeys(solid.name for solid in cell.materials.values())
-    return plate if not others else f"{plate}; pillars of {' and '.join(others)}"
+    return plate if not others else f"{plate}; {cell.parts} of {' and '.join(others)}"
 
 
 def _length(value: float) -> str:

@@ -60,7 +60,7 @@ class StudyPlan(Result):
             width, height = (1e3 * lines[-1] for lines in (layout.x, layout.y))
             drives = len(self.plate.actuators) + len(self.plate.forces)
             said.append(
-                f"A plate of {width:.4g} x {height:.4g} mm with {layout.pillars} pillars, "
+                f"A plate of {width:.4g} x {height:.4g} mm with {layout.parts}, "
                 f"{_counted(len(layout.regions), 'region')} of plain plate and {_counted(drives, 'drive')}."
             )
             said += border_text(layout)
@@ -135,12 +135,12 @@ class StudyPlan(Result):
 
 def sentence_of(title: str, cell: UnitCell, carrier: float | None) -> str:
     """What a study describes, a sentence."""
-    bare = "" if cell.has_pillars else " without pillars"
+    bare = "" if cell.has_features else " without pillars"
     at = f", for {format_quantity(carrier, 'Hz')}" if carrier else ""
     lattice = f"a{'n' * (cell.lattice.name[0] in 'aeiou')} {cell.lattice.name} lattice"
     solids = dict.fromkeys(solid.name for solid in cell.materials.values())
     plate, *others = solids
-    of_others = f" with pillars of {' and '.join(others)}" if others else ""
+    of_others = f" with {cell.parts} of {' and '.join(others)}" if others else ""
     return f"{title}: {lattice} in {plate}{of_others}{bare}{at}."
 
 

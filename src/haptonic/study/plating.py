@@ -83,9 +83,10 @@ def _layout(section: PlateSettings, own: UnitCell) -> Layout:
         if name in section.tiles.values()
     }
     for letter, name in section.tiles.items():
-        if name in cells and not cells[name].has_pillars:
+        if name in cells and not cells[name].has_features:
             raise _refused(
-                "conflict", f"plate.tiles.{letter}", shown(name), "a lattice whose cell has a pillar",
+                "conflict", f"plate.tiles.{letter}", shown(name),
+                "a lattice whose cell has a pillar or discs",
                 "the cell of this study is plain plate", f'add [cell.pillar], or write {letter} = "plain"',
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]

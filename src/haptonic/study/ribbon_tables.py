@@ -151,11 +151,11 @@ class RibbonSettings(DirectionSettings):
         """
         kinds = dict(lattices(self.cell, own, "ribbon.cell"))
         for letter, name in self.tiles.items():
-            if name in kinds and not kinds[name].has_pillars:
+            if name in kinds and not kinds[name].has_features:
                 raise StudyError.conflict(
                     argument=f"ribbon.tiles.{letter}",
                     given=shown(name),
-                    allowed="a lattice whose cell has a pillar",
+                    allowed="a lattice whose cell has a pillar or discs",
                     cause="the cell of this study is plain plate",
                     next_step=f'add [cell.pillar], or write {letter} = "plain"',
                 )

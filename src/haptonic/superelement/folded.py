@@ -58,8 +58,7 @@ class FoldedMesh:
         elements, mass = [], np.zeros(len(folding.origin))
         for family, picked, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
             nodes = family.nodes[picked]
-            materials = (cell.material, cell.pillar_material)
-            matrices = matrices_by_region(mesh.points, nodes, materials, family.in_pillar[picked])
+            matrices = matrices_by_region(mesh.points, nodes, cell.solids, family.region[picked])
             own = (matrices.mass * weight[:, None]).ravel()
             mass += np.bincount(folding.node[nodes].ravel(), own, minlength=len(mass))
             elements.append(matrices)

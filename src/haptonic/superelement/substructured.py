@@ -135,7 +135,7 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
         block,
         measured,
     )
-    solids = [(solid.density, solid.stiffness.tobytes()) for solid in (tile.material, tile.pillar_material)]
+    solids = [(solid.density, solid.stiffness.tobytes()) for solid in tile.solids]
     key = hashlib.sha256(repr((about, solids)).encode() + points.tobytes()).hexdigest()
     whole = HexMesh(topology, points)
     return _feet.of(key, lambda: _condensed(tile, whole, ends, steps, block, measured))

@@ -20,8 +20,8 @@ from .maps import (
     wavenumber_map as wavenumber_map,
 )
 from .planning import (
-    Disc as Disc,
     Rectangle as Rectangle,
+    RoundRegion as RoundRegion,
     ScanPlan as ScanPlan,
     scan_plan as scan_plan,
     visited as visited,

@@ -32,7 +32,7 @@ class Rectangle:
 
 
 @dataclass(frozen=True)
-class Disc:
+class RoundRegion:
     """A round region, its rim included; m."""
 
     x: float

@@ -36,7 +36,7 @@ def chapter(results: Results) -> Chapter | Absent:
         title=TITLE,
         identifier="plate",
         paragraphs=(
-            f"The plate has {result.plate.layout.pillars} pillars and is computed from condensed tiles with "
+            f"The plate has {result.plate.layout.parts} and is computed from condensed tiles with "
             f"{result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. At every "
             "line the answer was put back into the unreduced equations; the largest error of the field that "
             f"this bounds is {float(result.lines['solver_error'].max()):.0e}. {ERRORS} Loss factor of the "

@@ -1,0 +1,151 @@
+"""A disc: a prism of some material, or of nothing, about the axis of a site."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Annotated, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.cell.outlines import SectionName
+from haptonic.cell.outlines.outline import SAME
+from haptonic.cell.pillar_parts import Corner
+from haptonic.cell.sectioned import (
+    CORNER_RADIUS,
+    CORNERS,
+    LENGTH,
+    SECTION,
+    SIDES,
+    TURN,
+    CornerRadius,
+    Sectioned,
+    SectionLength,
+    SectionSides,
+    SectionTurn,
+)
+from haptonic.errors import GeometryError
+from haptonic.fields import Aliases, Quantity, absent, described, meant, needed, problem, setting, size
+from haptonic.materials import GIVEN, Material, is_symmetry
+from haptonic.units import format_quantity
+
+FARTHEST = 100e-3  # m, from the plate's top
+
+
+@described("cell.disc", GeometryError)
+class Disc(Sectioned):
+    """A prism about the axis of a site, from one height to another. All lengths in m, angles in rad.
+
+    It takes the place of what is there: discs are put in one after the other, a later one replaces what it
+    overlaps. Through the plate and empty it is a hole, through the plate and of another material an
+    inclusion, on the plate a pillar; several make a coating, a layer of glue or a cap.
+
+    Raises
+    ------
+    GeometryError : numbers that make no section, an upper end that is not above the lower one, or an empty
+        disc with a material
+    """
+
+    aliases: ClassVar[Aliases] = {
+        **meant(
+            "diameter", "radius", "r",
+            cause="a disc is given by its diameter, which is twice its radius",
+            next_step='write "diameter", with twice the value',
+        ),
+        **meant("diameter", "d", "width", "side", "w"),
+        **meant("section", "shape", "form", "cross_section"),
+        **meant("low", "from", "bottom", "base"),
+        **meant("high", "to", "top"),
+        **meant("empty", "void", "hole"),
+        **absent(
+            "height", "depth", "thickness",
+            cause="a disc reaches from one height to another, both from the plate's upper face",
+            next_step="write low and high",
+        ),
+    }  # fmt: skip
+
+    diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
+        "Of other sections than a round one the width along x, of a hexagon or polygon across its flats. "
+        "Smaller than the pitch by more than 2 %.",
+        title="Disc diameter",
+        examples=["5 mm"],
+    )
+    low: Annotated[float, Quantity("m", at_least=-FARTHEST, at_most=FARTHEST)] | None = setting(
+        None,
+        "Height of the lower end above the plate's upper face, negative inside the plate; without it the "
+        "lower face.",
+        title="Lower end of the disc",
+    )
+    high: Annotated[float, Quantity("m", at_least=-FARTHEST, at_most=FARTHEST)] | None = setting(
+        None,
+        "Height of the upper end, counted alike; without it the plate's upper face.",
+        title="Upper end of the disc",
+    )
+    material: Annotated[Material, GIVEN] | None = setting(
+        None,
+        "A built-in name or its constants; without it the disc is of the plate's material.",
+        title="Disc material",
+    )
+    empty: bool = setting(
+        False, "Nothing is left where the disc is: it is a hole.", title="Empty disc", strict=True
+    )
+    section: SectionName = SECTION
+    length: SectionLength = LENGTH
+    sides: SectionSides = SIDES
+    corner_radius: CornerRadius = CORNER_RADIUS
+    turn: SectionTurn = TURN
+    point: tuple[Corner, ...] = CORNERS
+
+    def __post_init__(self) -> None:
+        self.check_section()
+        if self.empty and self.material is not None:
+            raise problem(
+                "conflict",
+                f"an empty disc of {self.material.name}",
+                "a material, or empty = true",
+                "nothing is left of an empty disc that could have a material",
+                "leave one of the two out",
+                at="material",
+            )
+        high = 0.0 if self.high is None else self.high
+        if self.low is not None and not self.low < high:
+            raise problem(
+                "out-of-range",
+                format_quantity(self.low, "m"),
+                f"below the upper end, {format_quantity(high, 'm')}",
+                "the disc has no thickness; heights count upwards from the plate's upper face",
+                "exchange low and high, or give the upper end of a disc that is above the plate",
+                at="low",
+            )
+
+    def text(self, thickness: float) -> str:
+        """The disc in words, for a plate of some thickness, m."""
+        low, high = (format_quantity(end - thickness, "m") for end in self.ends(thickness))
+        solid = "empty" if self.empty else self.material.name if self.material else "of the plate's material"
+        return f"{self.section} disc {format_quantity(self.diameter, 'm')} wide from {low} to {high}, {solid}"
+
+    def ends(self, thickness: float) -> tuple[float, float]:
+        """Lower and upper end above the plate's lower face, m."""
+        low = -thickness if self.low is None else self.low
+        return thickness + low, thickness + (self.high or 0.0)
+
+    def keeps_material(self, turn: NDArray[np.float64]) -> bool:
+        """True if a map leaves the disc's own material as it is."""
+        return self.material is None or is_symmetry(self.material.stiffness, turn)
+
+    def is_image(self, other: Disc, turn: NDArray[np.float64]) -> bool:
+        """True if an orthogonal map (3, 3) that keeps the normal takes the disc to another one."""
+        same = (self.low, self.high, self.material, self.empty)
+        alike = same == (other.low, other.high, other.material, other.empty)
+        alike &= abs(self.radius - other.radius) <= SAME * self.radius
+        return alike and self.keeps_material(turn) and self.outline.image(turn[:2, :2]).is_same(other.outline)
+
+    def scaled(self, factor: float) -> Disc:
+        """The same disc with every length multiplied by ``factor``."""
+        return replace(
+            self,
+            diameter=self.diameter * factor,
+            low=self.low and self.low * factor,
+            high=self.high and self.high * factor,
+            **self.scaled_numbers(factor),
+        )

@@ -1,0 +1,160 @@
+"""How a stack of discs is divided into blocks: how many, and where their borders lie.
+
+Thin rings and layers grade the mesh towards every edge where stress is singular. From them on, and outwards
+from the axis, elements grow with the distance, beside which stress falls as a power of it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from haptonic.arrays import Array, Bools
+from haptonic.cell.blocks import Division, StackBlocks
+from haptonic.cell.edges import BRIDGED, CORE_RADIUS, EDGE_GRADING, EDGE_WIDTH, MOST_APART
+from haptonic.cell.stack import Stack
+from haptonic.cell.tile import TileShape
+
+RING_GROWTH = 2.0  # of rings: outer over inner half-width
+# length of an element in the plate, and above it, in diameters of the narrowest disc, as of a pillar
+IN_PLATE, ABOVE_PLATE = 1.0, 1.4
+SAMPLES = 400  # of an interval, at which the density of elements is summed up
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class Interval:
+    """An annulus or a storey, m, and what its elements follow.
+
+    low, high : its ends; near_low, near_high : reach of the thin elements there, farthest first
+    growth : largest ratio of the outer to the inner end of an element, as counted from zero; 0 means any
+    length : of the longest element
+    """
+
+    low: float
+    high: float
+    near_low: Array
+    near_high: Array
+    growth: float = 0.0
+    length: float = math.inf
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Ends of what lies between the thin elements."""
+        return self.low + float(self.near_low.max(initial=0.0)), self.high - float(
+            self.near_high.max(initial=0.0)
+        )
+
+    def _elements(self) -> tuple[Array, Array]:
+        """Places between the thin elements, and how many elements lie below each."""
+        start, end = self.middle
+        place = start + (end - start) * 0.5 * (1 - np.cos(np.linspace(0.0, np.pi, SAMPLES)))
+        density = np.full(SAMPLES, 1 / self.length)
+        if self.growth:
+            density = np.maximum(density, 1 / (place * math.log(self.growth)))
+        for near, distance in ((self.near_low, place - self.low), (self.near_high, self.high - place)):
+            if len(near):
+                density = np.maximum(density, 1 / (distance * math.log(BRIDGED)))
+        density = np.maximum(density, 1e-3 / (end - start))
+        steps = 0.5 * (density[1:] + density[:-1]) * np.diff(place)
+        return place, np.concatenate([[0.0], np.cumsum(steps)])
+
+    @property
+    def division(self) -> Division:
+        """How many elements there are."""
+        whole = float(self._elements()[1][-1])
+        # a single one reaches from the thin elements as far as `MOST_APART` times their width
+        alone = math.log(MOST_APART) / math.log(BRIDGED) if len(self.near_low) + len(self.near_high) else 1.0
+        between = 1 if whole <= alone * (1 + ROUNDING) else math.ceil(whole * (1 - ROUNDING))
+        return Division(len(self.near_low), between, len(self.near_high))
+
+    def borders(self, division: Division) -> list[float]:
+        """Places of the borders between elements, and of both ends, m."""
+        place, below = self._elements()
+        inner = np.interp(below[-1] * np.arange(division.between + 1) / division.between, below, place)
+        thin_low = [self.low, *(self.low + self.near_low[::-1])] if division.low else [self.low]
+        thin_high = [*(self.high - self.near_high), self.high] if division.high else [self.high]
+        return [*thin_low, *(float(one) for one in inner[1:-1]), *thin_high]
+
+
+def annuli_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
+    """The annuli of a stack with ``rings`` thin ones at every singular edge; the first begins at the core."""
+    radius = [border.half_width for border in stack.borders]
+    ends = [0.0, *radius, radius[-1] + tile.clearance]
+    near = _near_borders(tile, stack, rings)
+    first = Interval(CORE_RADIUS * radius[0], radius[0], np.empty(0), near[0])
+    return [first] + [
+        Interval(low, high, near[number], near[number + 1] if number + 1 < len(near) else np.empty(0),
+                 growth=RING_GROWTH)
+        for number, (low, high) in enumerate(pairwise(ends[1:]))
+    ]  # fmt: skip
+
+
+def storeys_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
+    """The storeys of a stack with ``rings`` thin layers at every end where there is a singular edge."""
+    near = _near_ends(tile, stack, rings)
+    diameter = 2 * stack.borders[0].half_width
+    return [
+        Interval(
+            float(low),
+            float(high),
+            near[number],
+            near[number + 1],
+            length=diameter * (IN_PLATE if number < stack.in_plate else ABOVE_PLATE),
+        )
+        for number, (low, high) in enumerate(pairwise(stack.heights))
+    ]
+
+
+def blocks_of(tile: TileShape, stack: Stack, rings: int) -> StackBlocks:
+    """Blocks of a stack with ``rings`` thin elements at every singular edge."""
+    return StackBlocks(
+        grid=stack.grid,
+        in_plate=stack.in_plate,
+        storeys=tuple(one.division for one in storeys_of(tile, stack, rings)),
+        annuli=tuple(one.division for one in annuli_of(tile, stack, rings)),
+    )
+
+
+def borders(intervals: Sequence[Interval], divisions: Sequence[Division]) -> Array:
+    """Places of all borders of intervals that follow each other, each once, m."""
+    places = [interval.borders(division) for interval, division in zip(intervals, divisions, strict=True)]
+    return np.array([places[0][0], *(place for one in places for place in one[1:])])
+
+
+def edges_between(divisions: Sequence[Division]) -> tuple[int, ...]:
+    """Numbers of the elements that follow on a singular edge between two intervals."""
+    ends = np.cumsum([division.count for division in divisions])
+    return tuple(int(end) for end, division in zip(ends[:-1], divisions[:-1], strict=True) if division.high)
+
+
+def _near_borders(tile: TileShape, stack: Stack, rings: int) -> list[Array]:
+    """Reach of the thin rings at each border, m."""
+    rooms = _rooms(tile, stack)
+    return [_reach(rooms[border], stack.singular[border], rings) for border in range(len(rooms))]
+
+
+def _near_ends(tile: TileShape, stack: Stack, rings: int) -> list[Array]:
+    """Reach of the thin layers at each end of a storey, m."""
+    rooms = _rooms(tile, stack)
+    return [_reach(rooms[:, end], stack.singular[:, end], rings) for end in range(len(stack.heights))]
+
+
+def _rooms(tile: TileShape, stack: Stack) -> Array:
+    """(borders, ends) the smallest length at each edge: of both annuli and both storeys beside it, m."""
+    radius = np.array([border.half_width for border in stack.borders])
+    width = np.concatenate([[radius[0]], np.diff(radius), [2 * tile.clearance]])
+    height = np.concatenate([[np.inf], np.diff(stack.heights), [np.inf]])
+    beside = np.minimum(width[:-1], width[1:])
+    return np.asarray(np.minimum(beside[:, None], np.minimum(height[:-1], height[1:])))
+
+
+def _reach(rooms: Array, singular: Bools, rings: int) -> Array:
+    """How far from an edge the borders of thin elements lie, farthest first, m; none without an edge."""
+    if not singular.any():
+        return np.empty(0)
+    return np.asarray(EDGE_WIDTH * rooms[singular].min() * EDGE_GRADING ** np.arange(rings))

@@ -1,0 +1,134 @@
+"""What pillars and discs share: a section about an axis, by its name and its numbers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cached_property
+from typing import Annotated, Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from haptonic.arrays import Array
+from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
+from haptonic.cell.pillar_parts import Corner
+from haptonic.fields import LARGEST, Quantity, problem, setting, size
+
+MOST_CORNERS = 24  # of a section
+LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
+# declarations of the numbers of a section, which the classes with one take as theirs
+SECTION = setting("round", "Seen from above; before it is turned, sides of a square lie along x and y.")
+SectionLength = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
+LENGTH = setting(None, "Of a rectangle or an ellipse: its width along y.", title="Length of the section")
+SectionSides = Annotated[int, Field(ge=3, le=MOST_CORNERS)] | None
+SIDES = setting(None, "Of a polygon; all are equal.", title="Number of sides")
+CornerRadius = Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST)] | None
+CORNER_RADIUS = setting(None, "Of rounded corners, seen from above; without it they are sharp.")
+SectionTurn = Annotated[float, Quantity("rad", at_least=-math.pi, at_most=math.pi)] | None
+TURN = setting(None, "By which the section is turned, anticlockwise.", title="Turn of the section")
+CORNERS = setting(
+    (),
+    "Corners of a convex section, in order; it is that of the name points.",
+    title="Corners of the section",
+    max_length=MOST_CORNERS,
+)
+
+
+class Sectioned:
+    """A prism, solid or empty, with one section about an axis; its classes declare these numbers.
+
+    diameter : width of the section along x, m; see `haptonic.cell.outlines` for the other numbers
+    """
+
+    diameter: float
+    section: SectionName
+    length: float | None
+    sides: int | None
+    corner_radius: float | None
+    turn: float | None
+    point: tuple[Corner, ...]
+
+    def check_section(self) -> None:
+        """Refuse numbers that do not fit the section, or make no outline."""
+        takes = taken_by(SECTIONS[self.section])
+        for name in NUMBERS:
+            given = getattr(self, name)
+            having = [other for other, kind in SECTIONS.items() if name in taken_by(kind)]
+            allowed = f"{name} for a section that is {', '.join(having[:-1])} or {having[-1]}"
+            allowed = allowed if len(having) > 1 else f"{name} for the section {having[0]}"
+            if takes.get(name) and not given:
+                raise problem("missing", "nothing", allowed, "it was left out", f"add {name}", at=name)
+            if given and name not in takes:
+                raise problem(
+                    "conflict",
+                    "one" if name == "point" else f"{given:.6g}",
+                    f"{allowed}, and for no other",
+                    f"a section that is {self.section} is given without it",
+                    f'remove {name}, or write section = "{having[0]}"',
+                    at=name,
+                )
+        self.form.check()
+
+    @cached_property
+    def form(self) -> Section:
+        """The section with its numbers: lengths per diameter, radii per half diameter."""
+        per_half = {"length": 1 / self.diameter, "corner_radius": 2 / self.diameter}
+        numbers: dict[str, Any] = {}
+        for name in taken_by(SECTIONS[self.section]):
+            if (given := getattr(self, name)) is not None:
+                numbers[name] = given * per_half[name] if name in per_half else given
+        return SECTIONS[self.section](**numbers)
+
+    @cached_property
+    def _least(self) -> float:
+        """Smallest half-width of the section, in half diameters."""
+        return self.form.outline().inradius
+
+    @cached_property
+    def outline(self) -> Outline:
+        """Of every section, scaled to a smallest half-width of 1."""
+        outline = self.form.outline()
+        return outline if self._least == 1.0 else outline.scaled(1 / self._least)
+
+    @property
+    def radius(self) -> float:
+        """Smallest half-width at the foot, the fillet not counted, m."""
+        return 0.5 * self.diameter * self._least
+
+    def turned(self, angle: float) -> Self:
+        """The same turned anticlockwise about its axis, rad; itself if that leaves it as it is."""
+        cosine, sine = math.cos(angle), math.sin(angle)
+        if self.outline.has_symmetry(np.array([[cosine, -sine], [sine, cosine]])):
+            return self
+        whole = (self.turn or 0.0) + angle
+        made: Self = replace(self, turn=math.remainder(whole, 2 * math.pi))  # type: ignore[type-var]
+        return made
+
+    @property
+    def widest(self) -> float:
+        """Largest of the smallest half-widths of its sections, m."""
+        return self.radius
+
+    @property
+    def broadest(self) -> float:
+        """The same without a fillet, m."""
+        return self.radius
+
+    def gap_to(self, other: Sectioned, away: Array) -> float:
+        """Width of the narrowest way between this and others, all alike, m.
+
+        Their axes are ``away`` (n, 2) from its own. Fillets are not counted. Negative where two overlap.
+        """
+        mine, beside = (Scaled(one.outline, one.broadest) for one in (self, other))
+        return float(mine.gap_to(beside, away).min())
+
+    def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves it as it is."""
+        return self.outline.has_symmetry(turn[:2, :2])
+
+    def scaled_numbers(self, factor: float) -> dict[str, Any]:
+        """Lengths of the section beside the diameter, multiplied."""
+        return {name: given and given * factor for name, given in
+                (("length", self.length), ("corner_radius", self.corner_radius))}  # fmt: skip

@@ -1,0 +1,314 @@
+"""A stack: discs about one axis as a grid of storeys and annuli, each part of one material or empty.
+
+The borders of all discs, seen from above, divide a tile into annuli; their ends divide it into storeys. So a
+hole, an inclusion and its coating, a pillar on glue and a cap wider than its shaft are grids of a few parts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.arrays import Array, Bools, Ints
+from haptonic.cell.blocks import VOID, Grid
+from haptonic.cell.disc import Disc
+from haptonic.cell.outlines import Outline, Scaled
+from haptonic.cell.outlines.outline import SAME
+from haptonic.cell.pillar import Pillar
+from haptonic.fields import problem
+from haptonic.materials import Material
+from haptonic.units import format_quantity
+
+LEAST_APART = 1e-3  # of the widest disc's half-width, or of the plate's thickness: borders that are two
+TURNS = 360  # directions in which borders are compared
+
+
+@dataclass(frozen=True)
+class Stack:
+    """Discs about the axis of a tile, put in one after the other.
+
+    thickness : of the plate, m
+    mirrored : whether the tile is its own image in the plate's middle plane; then the upper half counts
+    """
+
+    noun: ClassVar[str] = "disc"
+    discs: tuple[Disc, ...]
+    thickness: float
+    mirrored: bool = False
+
+    @cached_property
+    def heights(self) -> Array:
+        """(storeys + 1,) ends of the storeys above the plate's lower face, m, rising."""
+        floor = 0.5 * self.thickness if self.mirrored else 0.0
+        ends = [end for disc in self.discs for end in disc.ends(self.thickness) if end > floor]
+        return _distinct([floor, self.thickness, *ends], self.thickness)
+
+    @cached_property
+    def borders(self) -> tuple[Scaled, ...]:
+        """Borders of the annuli, from the innermost one on."""
+        scale = max(disc.radius for disc in self.discs)
+        found: list[Scaled] = []
+        for disc in sorted(self.discs, key=lambda one: one.radius * one.outline.reach):
+            same = (one.outline.is_same(disc.outline) and abs(one.half_width - disc.radius) < SAME * scale
+                    for one in found)  # fmt: skip
+            if not any(same):
+                found.append(Scaled(disc.outline, disc.radius))
+        return tuple(found)
+
+    def _border_of(self, disc: Disc) -> int:
+        return next(
+            number for number, border in enumerate(self.borders)
+            if border.outline.is_same(disc.outline)
+            and abs(border.half_width - disc.radius) < SAME * self.borders[-1].half_width
+        )  # fmt: skip
+
+    @cached_property
+    def in_plate(self) -> int:
+        """Number of storeys that the plate consists of."""
+        return int(np.argmin(np.abs(self.heights - self.thickness)))
+
+    @cached_property
+    def solids(self) -> tuple[Material, ...]:
+        """Materials of discs that have their own; in the grid they have the numbers 1, 2, ..."""
+        return tuple(dict.fromkeys(disc.material for disc in self.discs if disc.material is not None))
+
+    @cached_property
+    def grid(self) -> Grid:
+        """(storeys, annuli) number of each part's material: 0 is the plate's, `VOID` nothing."""
+        return self._grid_of(self.discs)
+
+    def _grid_of(self, discs: tuple[Disc, ...]) -> Grid:
+        middles = 0.5 * (self.heights[1:] + self.heights[:-1])
+        grid = np.full((len(middles), len(self.borders) + 1), VOID)
+        grid[middles < self.thickness] = 0
+        for disc in discs:
+            low, high = disc.ends(self.thickness)
+            region = VOID if disc.empty else 0
+            if disc.material is not None:
+                region = 1 + self.solids.index(disc.material)
+            grid[(middles > low) & (middles < high), : self._border_of(disc) + 1] = region
+        return tuple(tuple(int(region) for region in row) for row in grid)
+
+    @cached_property
+    def singular(self) -> Bools:
+        """(borders, ends of storeys) True where stress is singular.
+
+        It is where a re-entrant edge is, or where materials meet in a corner. It is not at an edge that juts
+        out, nor along a straight surface or interface; where an interface ends at a level surface it is weak.
+        """
+        grid = np.array(self.grid)
+        below = grid[:1] if self.mirrored else np.full_like(grid[:1], VOID)
+        grid = np.concatenate([below, grid, np.full_like(grid[:1], VOID)])
+        inner, outer = grid[:, :-1], grid[:, 1:]
+        corners = np.stack([inner[:-1], outer[:-1], inner[1:], outer[1:]])  # of each end, (4, ends, borders)
+        upright = (corners[0] == corners[2]) & (corners[1] == corners[3])
+        level = (corners[0] == corners[1]) & (corners[2] == corners[3])
+        solid = corners != VOID
+        juts_out = solid.sum(axis=0) == 1
+        ends_at_surface = (solid[0] == solid[1]) & (solid[2] == solid[3]) & (solid[0] != solid[2])
+        return np.asarray(~(upright | level | juts_out | ends_at_surface).T)
+
+    def check(self, table: str) -> None:
+        """Refuse discs that make no body with the plate, or of which one changes nothing.
+
+        table : of the study that has the discs, with a dot at its end; errors name a disc by its number
+        """
+        self._check_ends(table)
+        self._check_borders(table)
+        for number in range(len(self.discs)):
+            if self._grid_of(self.discs[:number] + self.discs[number + 1 :]) == self.grid:
+                raise problem(
+                    "conflict",
+                    "a disc that changes nothing",
+                    "discs of a material, empty ones, and those that are above the plate",
+                    "it lies within the plate and is of the plate's material, or later discs replace it",
+                    "give it a material or empty = true, move it, or leave it out",
+                    at=f"{table}disc[{number + 1}]",
+                )
+        self._check_joined(table)
+
+    def _check_ends(self, table: str) -> None:
+        for number, disc in enumerate(self.discs, start=1):
+            low, high = disc.ends(self.thickness)
+            if low < -SAME * self.thickness:
+                raise problem(
+                    "out-of-range",
+                    format_quantity(low - self.thickness, "m"),
+                    f"at least {format_quantity(-self.thickness, 'm')}, the plate's lower face",
+                    "the disc reaches out of the plate below",
+                    'leave low out for a disc through the plate; faces = "both" gives its image below',
+                    at=f"{table}disc[{number}].low",
+                )
+            if high <= self.heights[0]:
+                raise problem(
+                    "out-of-range",
+                    format_quantity(high - self.thickness, "m"),
+                    f"above the plate's middle plane, {format_quantity(-0.5 * self.thickness, 'm')}",
+                    "discs on both faces are given by those of the upper half",
+                    'give its image in the upper half, or write faces = "one"',
+                    at=f"{table}disc[{number}].high",
+                )
+        short = int(np.diff(self.heights).argmin())
+        if np.diff(self.heights)[short] < LEAST_APART * self.thickness:
+            raise problem(
+                "out-of-range",
+                f"ends that are {format_quantity(float(np.diff(self.heights)[short]), 'm', digits=3)} apart",
+                f"equal ends, or ends at least {format_quantity(LEAST_APART * self.thickness, 'm')} apart",
+                "a layer as thin as that has no mesh",
+                "make the two ends equal, or the layer thicker",
+                at=f"{table}disc",
+            )
+
+    def _check_borders(self, table: str) -> None:
+        """Refuse borders that cross or touch, or are nearly the same."""
+        angle = 2 * np.pi * np.arange(TURNS) / TURNS
+        way = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        least = LEAST_APART * self.borders[-1].half_width
+        for inner, outer in pairwise(self.borders):
+            reach = [one.half_width * radii(one.outline, way) for one in (inner, outer)]
+            if (reach[1] - reach[0]).min() < least:
+                raise problem(
+                    "out-of-range",
+                    f"sections of {format_quantity(2 * inner.half_width, 'm')} and "
+                    f"{format_quantity(2 * outer.half_width, 'm')} whose outlines cross or nearly touch",
+                    f"equal sections, or one at least {format_quantity(least, 'm', digits=3)} inside another",
+                    "discs of a stack lie inside each other, seen from above",
+                    "make the inner one smaller, or the two equal",
+                    at=f"{table}disc",
+                )
+
+    def _check_joined(self, table: str) -> None:
+        """Refuse parts that hang in the air, or touch the rest along an edge only."""
+        solid = np.array(self.grid) != VOID
+        joined = np.zeros_like(solid)
+        joined[: self.in_plate, -1] = True
+        while True:
+            more = joined.copy()
+            more[1:] |= joined[:-1]
+            more[:-1] |= joined[1:]
+            more[:, 1:] |= joined[:, :-1]
+            more[:, :-1] |= joined[:, 1:]
+            more &= solid
+            if (more == joined).all():
+                break
+            joined = more
+        grid = np.pad(solid, ((1, 1), (0, 0)))
+        inner, outer = grid[:, :-1], grid[:, 1:]
+        rising, falling = inner[:-1] & outer[1:], outer[:-1] & inner[1:]
+        neither = ~(outer[:-1] | inner[1:]), ~(inner[:-1] | outer[1:])
+        edges = (rising & neither[0]) | (falling & neither[1])
+        if (joined != solid).any() or edges.any():
+            raise problem(
+                "conflict",
+                "a part that touches the plate along an edge only"
+                if edges.any()
+                else "a part that the plate does not carry",
+                "discs that make one body with the plate",
+                "between the part and the plate there is nothing",
+                "let the ends of the discs meet, or leave the part out",
+                at=f"{table}disc",
+            )
+
+    @property
+    def has_corners(self) -> bool:
+        """True if a section has corners, along which stress is singular and no mesh is graded."""
+        return any(len(border.outline.corners) for border in self.borders)
+
+    @property
+    def outline(self) -> Outline:
+        """Of the widest disc."""
+        return self.borders[-1].outline
+
+    @property
+    def radius(self) -> float:
+        """Smallest half-width of the widest disc, m."""
+        return self.borders[-1].half_width
+
+    @property
+    def widest(self) -> float:
+        """The same, m."""
+        return self.radius
+
+    @property
+    def broadest(self) -> float:
+        """The same, m."""
+        return self.radius
+
+    @property
+    def _widest_disc(self) -> Disc:
+        return max(self.discs, key=lambda disc: disc.radius)
+
+    @property
+    def table(self) -> str:
+        """Of the study that gives the widest disc."""
+        return f"disc[{1 + self.discs.index(self._widest_disc)}]"
+
+    @property
+    def diameter(self) -> float:
+        """Of the widest disc, m."""
+        return self._widest_disc.diameter
+
+    @property
+    def section(self) -> str:
+        """Name of the widest disc's section."""
+        return self._widest_disc.section
+
+    @property
+    def height(self) -> float:
+        """Of the highest part above the plate, m; 0 without any."""
+        return float(self.heights[-1]) - self.thickness
+
+    @property
+    def is_void_at_rim(self) -> bool:
+        """True if the widest disc is empty everywhere in the plate: a hole."""
+        return all(row[-2] == VOID for row in self.grid[: self.in_plate])
+
+    def keeps_material(self, turn: NDArray[np.float64]) -> bool:
+        """True if a map leaves the materials of all discs as they are."""
+        return all(disc.keeps_material(turn) for disc in self.discs)
+
+    def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the stack as it is."""
+        return self.is_image(self, turn)
+
+    def is_image(self, other: object, turn: NDArray[np.float64]) -> bool:
+        """True if an orthogonal map (3, 3) that keeps the normal takes the stack to another one."""
+        return (
+            isinstance(other, Stack)
+            and len(self.discs) == len(other.discs)
+            and all(mine.is_image(its, turn) for mine, its in zip(self.discs, other.discs, strict=True))
+        )
+
+    def turned(self, angle: float) -> Stack:
+        """The same turned anticlockwise about its axis, rad."""
+        return replace(self, discs=tuple(disc.turned(angle) for disc in self.discs))
+
+    def gap_to(self, other: Feature, away: Array) -> float:
+        """Width of the narrowest way between this and others, all alike; see `Pillar.gap_to`."""
+        return float(self.borders[-1].gap_to(Scaled(other.outline, other.broadest), away).min())
+
+
+Feature = Pillar | Stack
+
+
+def radii(outline: Outline, way: Array) -> Array:
+    """(n,) distance of an outline from its axis in directions (n, 2), in its half-widths.
+
+    The outline is convex and encloses the origin: of all lines along its sides the nearest one counts.
+    """
+    curve = outline.polygon(4 * TURNS, 8)
+    angle = np.unwrap(np.arctan2(curve[:, 1], curve[:, 0]))
+    distance = np.linalg.norm(curve, axis=1)
+    asked = np.arctan2(way[:, 1], way[:, 0])
+    return np.asarray(np.interp(asked, angle, distance, period=2 * np.pi))
+
+
+def _distinct(values: list[float], scale: float) -> Array:
+    """Values in rising order; those that differ by rounding only once."""
+    ordered: Ints | Array = np.sort(values)
+    return np.asarray(ordered[np.append(True, np.diff(ordered) > SAME * scale)])

@@ -1,0 +1,268 @@
+"""Stacks of discs: volumes, identities, a brute solution, an independent library, and what is refused."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from brute import assembled, frequencies, periodic_projection
+from hypothesis import given, settings, strategies as st
+from strategies import ALUMINIUM
+
+from five_parts import refusing
+from haptonic.bloch import BlochModel, Resolution
+from haptonic.bloch.pencil import bloch_pencil, eigenpairs
+from haptonic.cell import Disc, MeshPlan, Pillar, Site, Step, UnitCell, mesh_cell
+from haptonic.errors import GeometryError
+from haptonic.lattice import Lattice
+from haptonic.materials import OrthotropicMaterial, material
+from haptonic.superelement import FoldedMesh, Tiling, condense_by_parts, through_levels
+
+MM = 1e-3
+EPOXY, STEEL = material("epoxy"), material("steel")
+SAME = replace(ALUMINIUM, name="the same metal")
+KAPPA = np.array([1.1, 2.3])
+COARSE = Resolution(3, 1)
+PITCH, THICKNESS = 7 * MM, 1.5 * MM
+
+
+def cell(*discs, lattice=None, **more):
+    return UnitCell(lattice or Lattice.square(PITCH), THICKNESS, ALUMINIUM, disc=discs, **more)
+
+
+def above(diameter, low, high, **more):
+    return Disc(diameter * MM, low=low * MM, high=high * MM, **more)
+
+
+CELLS = {
+    "hole": cell(Disc(4 * MM, empty=True)),
+    "blind hole": cell(Disc(4 * MM, low=-0.7 * MM, empty=True)),
+    "inclusion": cell(Disc(4 * MM, material=STEEL)),
+    "coated inclusion": cell(Disc(5 * MM, material=EPOXY), Disc(4 * MM, material=STEEL)),
+    "pillar": cell(above(3.5, 0, 6)),
+    "pillar on glue": cell(above(3, 0, 0.5, material=EPOXY), above(3, 0.5, 4, material=STEEL)),
+    "cap": cell(above(2.5, 0, 3), above(4.5, 3, 4)),
+    "hollow pillar": cell(above(4, 0, 4), above(2.5, 0, 4, empty=True)),
+    "square hole in a round inclusion": cell(
+        Disc(5 * MM, material=STEEL), Disc(2.5 * MM, section="square", empty=True)
+    ),
+    "both faces": cell(above(3.5, 0, 4), faces="both"),
+    "blind holes on both faces": cell(Disc(4 * MM, low=-0.4 * MM, empty=True), faces="both"),
+    "triangular": cell(Disc(4 * MM, section="hexagon", empty=True), lattice=Lattice.triangular(PITCH)),
+    "two sites": UnitCell(
+        Lattice(lattice="honeycomb", pitch=9 * MM),
+        THICKNESS,
+        ALUMINIUM,
+        site=(Site(disc=(Disc(3 * MM, empty=True),)), Site(pillar=Pillar(2.4 * MM, 4 * MM))),
+    ),
+}
+
+
+@cache
+def solved(any_cell, count=8, resolution=COARSE):
+    return BlochModel.of(any_cell, resolution, count, measured=False).solve(KAPPA)
+
+
+def round_area(diameter):
+    return np.pi * (0.5 * diameter * MM) ** 2
+
+
+AL, EP, IRON = ALUMINIUM.density, EPOXY.density, STEEL.density
+PLATE = AL * PITCH**2 * THICKNESS
+MASS = {
+    "hole": PLATE - AL * round_area(4) * THICKNESS,
+    "blind hole": PLATE - AL * round_area(4) * 0.7 * MM,
+    "inclusion": PLATE + (IRON - AL) * round_area(4) * THICKNESS,
+    "coated inclusion": PLATE + ((EP - AL) * round_area(5) + (IRON - EP) * round_area(4)) * THICKNESS,
+    "pillar": PLATE + AL * round_area(3.5) * 6 * MM,
+    "pillar on glue": PLATE + round_area(3) * (EP * 0.5 + IRON * 3.5) * MM,
+    "cap": PLATE + AL * (round_area(2.5) * 3 + round_area(4.5)) * MM,
+    "hollow pillar": PLATE + AL * (round_area(4) - round_area(2.5)) * 4 * MM,
+    "square hole in a round inclusion": PLATE
+    + ((IRON - AL) * round_area(5) - IRON * (2.5 * MM) ** 2) * THICKNESS,
+    "both faces": PLATE + 2 * AL * round_area(3.5) * 4 * MM,
+    "blind holes on both faces": PLATE - 2 * AL * round_area(4) * 0.4 * MM,
+    "triangular": AL * np.sqrt(0.75) * (PITCH**2 - (4 * MM) ** 2) * THICKNESS,
+}
+
+
+@pytest.mark.parametrize("name", MASS)
+def test_mass_is_that_of_the_solid(name):
+    tile = CELLS[name].tiles[0].tile
+    folded = FoldedMesh.of(tile, replace(MeshPlan.suited(tile, 2, 1), order=7))
+    assert folded.nodal_mass.sum() == pytest.approx(MASS[name], rel=1e-6)
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_elements_are_not_inside_out(name):
+    for placed in CELLS[name].tiles:
+        for order in (2, 4):
+            mesh = mesh_cell(placed.tile, MeshPlan.suited(placed.tile, order, 2))
+            for family in mesh.topology.families:
+                corners = mesh.points[
+                    family.nodes[
+                        :,
+                        :: family.nodes.shape[1] - 1,
+                        :: family.nodes.shape[2] - 1,
+                        :: family.nodes.shape[3] - 1,
+                    ]
+                ]
+                edges = np.stack(
+                    [np.diff(corners, axis=axis + 1).mean(axis=(1, 2, 3)) for axis in range(3)], axis=1
+                )
+                assert (np.linalg.det(edges) > 0).all()
+
+
+@pytest.mark.parametrize("name", ["hole", "coated inclusion", "cap", "both faces"])
+def test_frequencies_are_those_of_the_whole_mesh(name):
+    """Folded and condensed, against whole matrices of one mesh, which is as coarse as its blocks allow."""
+    one = CELLS[name]
+    plan = replace(MeshPlan.suited(one, 2, 0), order=3, outward=2, upward=2, along=2, thin=2)
+    mesh = mesh_cell(one, plan)
+    tile = condense_by_parts(one, plan, 4, block=20, measured=False)
+    condensed = np.sqrt(eigenpairs(bloch_pencil(Tiling.single(tile)), KAPPA, 8)[0]) / (2 * np.pi)
+    through = through_levels(one, mesh, tile.levels)
+    P = periodic_projection(mesh.points, one.lattice.vectors, KAPPA, through, mesh.topology.rim)
+    assert condensed == pytest.approx(frequencies(*assembled(mesh, *one.solids), P, 8), rel=2e-4)
+
+
+class TestIdentities:
+    """Two ways to say one thing have frequencies that differ by less than both errors."""
+
+    @staticmethod
+    def agree(one, other, share=1.0):
+        mine, its = solved(one), solved(other)
+        assert (np.abs(mine.frequency - its.frequency) < share * (mine.error + its.error)).all()
+
+    def test_a_disc_on_the_plate_is_a_pillar(self):
+        pillar = UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, Pillar(3.5 * MM, 6 * MM))
+        self.agree(CELLS["pillar"], pillar)
+
+    def test_a_disc_of_another_material_on_the_plate_is_such_a_pillar(self):
+        pillar = Pillar(3 * MM, 4 * MM, material=STEEL)
+        self.agree(
+            cell(above(3, 0, 4, material=STEEL)),
+            UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, pillar),
+        )
+
+    def test_two_discs_that_grow_narrower_are_a_pillar_with_a_step(self):
+
+        pillar = Pillar(3.5 * MM, 6 * MM, step=Step(2 * MM, 3 * MM))
+        self.agree(
+            cell(above(3.5, 0, 3), above(2, 3, 6)),
+            UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, pillar),
+        )
+
+    def test_a_filled_hole_is_plain_plate(self):
+        self.agree(cell(Disc(4 * MM, material=SAME)), cell())
+
+    def test_a_hole_that_a_later_disc_fills_in_part_is_narrower(self):
+        ring = cell(Disc(5 * MM, material=SAME), Disc(4 * MM, empty=True))
+        self.agree(ring, CELLS["hole"])
+
+    def test_a_coating_of_the_cores_material_is_a_wider_inclusion(self):
+        same = replace(STEEL, name="the same steel")
+        self.agree(
+            cell(Disc(5 * MM, material=same), Disc(3 * MM, material=STEEL)),
+            cell(Disc(5 * MM, material=STEEL)),
+        )
+
+    def test_a_hole_of_next_to_nothing_is_a_hole(self):
+        # as stiff for its weight as aluminium, so that it has no low modes of its own
+        nothing = replace(ALUMINIUM, name="next to nothing", youngs_modulus=26e6, density=1.0)
+        filled, empty = solved(cell(Disc(4 * MM, material=nothing))), solved(CELLS["hole"])
+        assert filled.frequency[:3] == pytest.approx(empty.frequency[:3], rel=5e-3)
+
+    def test_a_blind_hole_through_half_the_plate_on_both_faces_goes_through(self):
+        through = replace(CELLS["hole"], faces="both")
+        self.agree(through, CELLS["hole"])
+
+    @given(factor=st.floats(0.01, 100.0))
+    @settings(max_examples=4, deadline=None)
+    def test_frequencies_fall_as_sizes_grow(self, factor):
+        one = CELLS["blind hole"]
+        scaled = solved(one.scaled(factor)).frequency * factor
+        assert scaled == pytest.approx(solved(one).frequency, rel=1e-6)
+
+    def test_two_sites_alike_are_a_lattice_of_half_the_pitch(self):
+        """A centred square of two sites is the square lattice that is turned by 45 degrees."""
+        disc = (Disc(3 * MM, empty=True),)
+        large = UnitCell(
+            Lattice.square(PITCH),
+            THICKNESS,
+            ALUMINIUM,
+            site=(Site(at=(0.0, 0.0), disc=disc), Site(at=(0.5, 0.5), disc=disc)),
+        )
+        small = UnitCell(Lattice.square(PITCH / np.sqrt(2)), THICKNESS, ALUMINIUM, disc=disc)
+        # at Gamma of the large cell fold the points Gamma and M of the small one
+        many = BlochModel.of(large, COARSE, 10, measured=False).solve(np.zeros(2))
+        few = BlochModel.of(small, COARSE, 8, measured=False)
+        both = [few.solve(np.array(kappa)) for kappa in ((0.0, 0.0), (np.pi, np.pi))]
+        expected = np.sort(np.concatenate([one.frequency for one in both]))[:10]
+        assert many.frequency[3:] == pytest.approx(expected[3:], rel=4e-3)
+
+
+class TestSymmetry:
+    def test_it_is_that_of_all_sections(self):
+        turned = cell(Disc(5 * MM, material=STEEL), Disc(3 * MM, section="square", turn=0.2, empty=True))
+        assert len(turned.point_group.operations) == 4
+        assert len(CELLS["coated inclusion"].point_group.operations) == 8
+
+    def test_it_is_that_of_all_materials(self):
+        ply = OrthotropicMaterial(
+            "ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0
+        )
+        assert len(cell(Disc(4 * MM, material=ply)).point_group.operations) == 4
+
+
+REFUSED = {
+    "wider than the cell": ([Disc(7.2 * MM, empty=True)], "out-of-range", "cell.disc[1].diameter"),
+    "out of the plate below": ([Disc(3 * MM, low=-2 * MM, empty=True)], "out-of-range", "cell.disc[1].low"),
+    "nothing changes": ([Disc(3 * MM)], "conflict", "cell.disc[1]"),
+    "replaced": ([Disc(3 * MM, material=STEEL), Disc(4 * MM, empty=True)], "conflict", "cell.disc[1]"),
+    "in the air": ([above(3, 1, 2)], "conflict", "cell.disc"),
+    "held by an edge": (
+        [above(4, 0, 2), above(2, 0, 2, empty=True), above(2, 2, 3)], "conflict", "cell.disc",
+    ),
+    "outlines cross": (
+        [Disc(4 * MM, material=STEEL),
+         Disc(4.5 * MM, section="square", turn=np.pi / 4, low=-1 * MM, empty=True),
+         Disc(3.9 * MM, section="square", low=-0.5 * MM, empty=True)],
+        "out-of-range", "cell.disc",
+    ),
+    "a coating too thin": (
+        [Disc(4 * MM, material=EPOXY), Disc(3.999 * MM, material=STEEL)], "out-of-range", "cell.disc",
+    ),
+    "a layer too thin": (
+        [above(3, 0, 0.0001, material=EPOXY), above(3, 0.0001, 2, material=STEEL)],
+        "out-of-range", "cell.disc",
+    ),
+}  # fmt: skip
+
+
+class TestRefusals:
+    @pytest.mark.parametrize("name", REFUSED)
+    def test_discs_that_make_no_body(self, name):
+        discs, code, argument = REFUSED[name]
+        with refusing(GeometryError, code, argument):
+            cell(*discs)
+
+    def test_a_pillar_and_discs_on_one_site(self):
+        with refusing(GeometryError, "conflict", "cell.disc"):
+            cell(Disc(2 * MM, empty=True), pillar=Pillar(3 * MM, 4 * MM))
+
+    def test_discs_beside_sites(self):
+        with refusing(GeometryError, "conflict", "cell.disc"):
+            cell(Disc(2 * MM, empty=True), site=(Site(at=(0.0, 0.0)),))
+
+    def test_an_empty_disc_of_a_material(self):
+        with refusing(GeometryError, "conflict", "cell.disc.material"):
+            Disc(3 * MM, material=STEEL, empty=True)
+
+    def test_an_upper_end_below_the_lower_one(self):
+        with refusing(GeometryError, "out-of-range", "cell.disc.low"):
+            Disc(3 * MM, low=1 * MM)
+
+    def test_a_disc_below_the_middle_plane_of_two_faces(self):
+        with refusing(GeometryError, "out-of-range", "cell.disc[1].high"):
+            cell(Disc(3 * MM, high=-1 * MM, empty=True), faces="both")

@@ -1,0 +1,106 @@
+"""Bloch waves of a plate with discs of several materials with NGSolve; see `ngsolve_cell`.
+
+The solid of each material is cut out with OpenCascade, and all are glued, so that elements meet at the
+interfaces. Elements along all edges within the cell are small, and split once towards them.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import ngsolve as ng
+import numpy as np
+from netgen.occ import Box, Cylinder, Glue, IdentificationType, OCCGeometry, X, Y, Z, gp_Trsf
+from numpy.typing import NDArray
+
+from peers.ngsolve_cell import FOOT_RATIO, _arpack, _shifted_inverse
+
+Solid = tuple[float, float, float]  # Young's modulus (Pa), Poisson ratio, density (kg/m^3)
+
+
+@dataclass(frozen=True)
+class PeerDisc:
+    """A prism about the middle of the cell between two heights above the plate's lower face, m.
+
+    solid : None where the disc is empty; square : whether its section is a square along x and y
+    """
+
+    diameter: float
+    low: float
+    high: float
+    solid: Solid | None
+    square: bool = False
+
+
+def frequencies(
+    pitch: float,
+    thickness: float,
+    plate: Solid,
+    discs: Sequence[PeerDisc],
+    kappas: Sequence[tuple[float, float]],
+    count: int,
+    *,
+    order: int = 3,
+    maxh: float | None = None,
+    edge_size: float | None = None,
+) -> NDArray[np.float64]:
+    """(wavevectors, count) lowest frequencies, Hz, of a square lattice; later discs replace earlier ones."""
+    modulus, _, density = plate
+    parts = [(Box((-0.5, -0.5, 0.0), (0.5, 0.5, thickness / pitch)), plate)]
+    for disc in discs:
+        tool = _solid(disc, pitch)
+        parts = [(body - tool, solid) for body, solid in parts]
+        if disc.solid is not None:
+            parts.append((tool, disc.solid))
+    for number, (body, _) in enumerate(parts):
+        for solid in body.solids:
+            solid.name = f"part{number}"
+    whole = Glue([body for body, _ in parts])
+    size = (edge_size or 0.2 * min(disc.diameter for disc in discs)) / pitch
+    for edge in whole.edges:
+        if max(abs(edge.center.x), abs(edge.center.y)) < 0.49:
+            edge.maxh = size
+            edge.hpref = 1
+    for name, direction in (("a1", X), ("a2", Y)):
+        whole.faces.Min(direction).Identify(
+            whole.faces.Max(direction),
+            name,
+            IdentificationType.PERIODIC,
+            gp_Trsf.Translation(1.0 * direction),
+        )
+    maxh = min(1.5 * thickness, 0.35 * pitch) if maxh is None else maxh
+    mesh = ng.Mesh(
+        OCCGeometry(whole).GenerateMesh(
+            maxh=maxh / pitch, grading=0.5, curvaturesafety=1.0, parallel_meshing=False
+        )
+    )
+    mesh.RefineHP(1, factor=FOOT_RATIO)
+    mesh.Curve(order)
+
+    def of_part(number: int) -> Any:
+        return mesh.MaterialCF({f"part{k}": solid[number] for k, (_, solid) in enumerate(parts)})
+
+    youngs, poisson, heavy = of_part(0) / modulus, of_part(1), of_part(2) / density
+    mu = youngs / (2 * (1 + poisson))
+    first = youngs * poisson / ((1 + poisson) * (1 - 2 * poisson))
+    found = []
+    for kappa in kappas:
+        space = ng.Periodic(
+            ng.VectorH1(mesh, order=order, complex=True), phase=[complex(np.exp(1j * k)) for k in kappa]
+        )
+        u, v = space.TnT()
+        strain_u, strain_v = ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v))
+        energy = 2 * mu * ng.InnerProduct(strain_u, strain_v) + first * ng.div(u) * ng.div(v)
+        stiffness = ng.BilinearForm(energy * ng.dx).Assemble().mat
+        mass = ng.BilinearForm(heavy * u * v * ng.dx).Assemble().mat
+        squares = _arpack(stiffness, mass, _shifted_inverse(space, stiffness, mass), count)
+        unit = np.sqrt(modulus / density) / (2 * np.pi * pitch)
+        found.append(np.sqrt(np.maximum(np.sort(squares)[:count], 0.0)) * unit)
+    return np.array(found)
+
+
+def _solid(disc: PeerDisc, pitch: float) -> Any:
+    radius, low, high = 0.5 * disc.diameter / pitch, disc.low / pitch, disc.high / pitch
+    if disc.square:
+        return Box((-radius, -radius, low), (radius, radius, high))
+    return Cylinder((0.0, 0.0, low), Z, r=radius, h=high - low)

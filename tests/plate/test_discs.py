@@ -1,0 +1,66 @@
+"""Plates whose lattice has discs: against plates of pillars, and by their mass."""
+
+from dataclasses import replace
+
+import full
+import numpy as np
+import pytest
+import scipy.linalg as la
+from small import LOSS, drawn
+from whole import lossless
+
+from bricks import ALUMINIUM, PITCH, THICKNESS
+from haptonic.cell import Disc, MeshPlan, Pillar, UnitCell
+from haptonic.lattice import Lattice
+from haptonic.materials import material
+from haptonic.plate.body import body_of_brick
+from haptonic.plate.holding import Support
+from haptonic.plate.model import Fineness, PlateModel
+from haptonic.plate.parts import Plate
+
+MM, HZ = 1e-3, 2 * np.pi
+SAME = Fineness(along=4, through=2, cell=2, rings=0, plain=3)
+STEEL = material("steel")
+
+
+def cell(*discs, pillar=None):
+    return UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, pillar, disc=discs)
+
+
+CAP = cell(Disc(2.5 * MM, low=0.0, high=3 * MM), Disc(4.5 * MM, low=3 * MM, high=4 * MM))
+CELLS = {
+    "blind hole": (cell(Disc(4 * MM, low=-1 * MM, empty=True)), -ALUMINIUM.density * 1 * MM),
+    "inclusion": (cell(Disc(4 * MM, material=STEEL)), (STEEL.density - ALUMINIUM.density) * THICKNESS),
+}
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_mass_of_a_brick_is_that_of_its_solid(name):
+    one, more = CELLS[name]
+    body = body_of_brick(one, MeshPlan.suited(one, 4, 1), (0.0, PITCH), (0.0, PITCH))
+    whole = ALUMINIUM.density * PITCH**2 * THICKNESS + more * np.pi * (2 * MM) ** 2
+    assert body.mass[::3].sum() == pytest.approx(whole, rel=1e-6)
+
+
+def small_plate(of_lattice):
+    """A row of two cells with a plain tile between them, clamped on the left."""
+    layout = replace(drawn("o1o"), cells={"o": of_lattice})
+    return Plate(layout, supports=(Support("left", "clamped"),), loss_factor=LOSS)
+
+
+@pytest.mark.parametrize("of_lattice", [*(one for one, _ in CELLS.values()), CAP], ids=[*CELLS, "cap"])
+def test_modes_are_those_of_the_whole_plate(of_lattice):
+    """Against one mesh of which nothing is reduced."""
+    plate = small_plate(of_lattice)
+    exact = full.frequencies(full.full(plate, 2, 0, 3), 8, 10e3)
+    model = PlateModel.of(plate, 80e3, SAME)
+    window = (HZ * 0.99 * exact[0]) ** 2, (HZ * 1.003 * exact[-1]) ** 2
+    modes = np.sqrt(la.eigh(*lossless(model), eigvals_only=True, subset_by_value=window)) / HZ
+    assert len(modes) == len(exact)
+    assert modes == pytest.approx(exact, rel=1e-4)
+
+
+def test_a_disc_on_the_plate_is_a_pillar():
+    pillar, disc = cell(pillar=Pillar(3 * MM, 4 * MM)), cell(Disc(3 * MM, low=0.0, high=4 * MM))
+    one, other = (full.frequencies(full.full(small_plate(each), 3, 1, 4), 6, 10e3) for each in (pillar, disc))
+    assert one == pytest.approx(other, rel=3e-3)

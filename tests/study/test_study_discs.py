@@ -1,0 +1,84 @@
+"""Studies whose cell has discs: read, written, refused, swept."""
+
+import pytest
+
+from five_parts import refusing
+from haptonic.cell import Disc
+from haptonic.errors import StudyError
+from haptonic.materials import material
+from haptonic.study import loads
+
+STUDY = """
+material = "aluminium-paper"
+[cell]
+pitch = "10 mm"
+thickness = "2 mm"
+[[cell.disc]]
+diameter = "8 mm"
+material = "epoxy"
+[[cell.disc]]
+diameter = "6 mm"
+section = "hexagon"
+high = "3 mm"
+[cell.disc.material]
+youngs_modulus = "200 GPa"
+poisson_ratio = 0.3
+density = "7850 kg/m^3"
+"""
+HOLE = STUDY.split("[[cell.disc]]")[0] + '[[cell.disc]]\ndiameter = "8 mm"\nempty = true\n'
+SITES = """
+material = "steel"
+[cell]
+lattice = "honeycomb"
+pitch = "10 mm"
+thickness = "1 mm"
+[[cell.site]]
+[[cell.site.disc]]
+diameter = "4 mm"
+empty = true
+[[cell.site]]
+[cell.site.pillar]
+diameter = "3 mm"
+height = "4 mm"
+"""
+
+
+@pytest.mark.parametrize("text", [STUDY, HOLE, SITES])
+def test_what_is_written_is_read_again(text):
+    study = loads(text)
+    assert loads(study.to_toml()) == study
+
+
+def test_discs_are_read_with_their_materials():
+    wide, narrow = loads(STUDY).cell.disc
+    assert wide == Disc(8e-3, material=material("epoxy"))
+    assert narrow.material.youngs_modulus == 200e9
+    assert narrow.high == 3e-3
+    assert set(loads(STUDY).inputs()["cell"]["materials"]) == {"disc[1].material", "disc[2].material"}
+
+
+def test_a_sweep_changes_a_number_of_a_disc():
+    study = loads(
+        HOLE + '[[sweep]]\nvary = "cell.disc[1].diameter / cell.pitch"\nfrom = 0.3\nto = 0.5\nsteps = 3\n'
+    )
+    designs = list(study.designs(study.sweep_settings[0]))
+    assert [design.cell.disc[0].diameter for design in designs] == pytest.approx([3e-3, 4e-3, 5e-3])
+
+
+@pytest.mark.parametrize("table", ["hole", "inclusion", "coating", "cap"])
+def test_another_word_for_a_disc_is_answered_with_what_to_write(table):
+    with refusing(StudyError, "unknown", f"cell.{table}") as refusal:
+        loads(STUDY.split("[[cell.disc]]")[0] + f'[cell.{table}]\ndiameter = "3 mm"\n')
+    assert "[[cell.disc]]" in refusal.value.next_step
+
+
+def test_a_disc_of_a_site_is_named_by_its_path():
+    with refusing(StudyError, "out-of-range", "cell.site[1].disc[1].diameter"):
+        loads(SITES.replace('"4 mm"\nempty', '"9 mm"\nempty'))
+
+
+@pytest.mark.parametrize("table", ["design.vary", "tolerance.of"])
+def test_designs_and_tolerances_name_no_disc(table):
+    more = 'from = "3 mm"\nto = "4 mm"' if table == "design.vary" else 'spread = "0.1 mm"'
+    with refusing(StudyError, "unsupported", f"{table}[1].parameter"):
+        loads(f'{HOLE}[[{table}]]\nparameter = "cell.disc[1].diameter"\n{more}\n')
