@@ -156,7 +156,9 @@ def spoiled(what):
     elif what == "record too short":
         made = {name: array[:9] if name != "rate" else array for name, array in made.items()}
     elif what == "saturated channel":
-        made["normal"] = np.minimum(made["normal"], 0.5)
+        # noise shows that it is an end even where other strokes go beyond
+        noise = 1e-3 * np.random.default_rng(0).standard_normal(1500)
+        made["normal"] = np.minimum(made["normal"] + noise, 0.5)
     elif what == "contact before the stroke":
         made = {name: array[310:] if name != "rate" else array for name, array in made.items()}
     elif what == "normal force in the other direction":
@@ -165,6 +167,9 @@ def spoiled(what):
         made["normal"] = 0.01 * np.sin(np.arange(1500.0))
     elif what == "steady part too short":
         made["normal"] *= np.abs(np.arange(1500) - 800) < 40
+    elif what == "drift of the sensor":
+        made["normal"] += 0.1 * np.arange(1500) / 1000
+        made = {name: array[:1200] if name != "rate" else array for name, array in made.items()}
     elif what == "normal force outside of the rule":
         made["normal"] *= 10
         made["tangential"] *= 10

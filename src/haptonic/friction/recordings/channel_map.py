@@ -12,9 +12,8 @@ from haptonic.arrays import Array
 from haptonic.channels import Group
 from haptonic.errors import FrictionError, HaptonicError
 from haptonic.friction.recordings.mounting import Mounting, own_angle
-from haptonic.friction.signals.clock import OTHER_RATE, Clock, clock_of, seconds_of_day
+from haptonic.friction.signals.clock import OTHER_RATE, Clock, clock_of, repeats_of, seconds_of_day
 from haptonic.friction.signals.filters import design_frequency
-from haptonic.friction.signals.limits import stays
 from haptonic.friction.signals.record import Record
 
 HIGHEST_RATE = 1e12  # Hz; no converter comes near
@@ -37,6 +36,7 @@ class ChannelMap:
     remarks : what was guessed, in words
     sign_unknown : whether the study does not say in which direction the normal force counts
     axis_unknown : whether the study does not say along which channel the stroke goes
+    named : whether the study names both the normal and the tangential force
     mountings : how the sensor lay, by participant; see `mounted`
     doubts : what is unusual about it
     """
@@ -50,6 +50,7 @@ class ChannelMap:
     remarks: tuple[str, ...]
     sign_unknown: bool
     axis_unknown: bool
+    named: bool = False
     mountings: Mapping[str, Mounting] = field(default_factory=dict)
     doubts: tuple[str, ...] = ()
 
@@ -91,11 +92,13 @@ class ChannelMap:
         if self.matrix is None:
             normal, tangential = scaled("normal"), scaled("tangential")
             across = scaled("across") if "across" in self.scaled else None
+            names = [
+                self.scaled[axis].name for axis in ("normal", "tangential", "across") if axis in self.scaled
+            ]
         else:
-            volts = np.array([signal(name) for name in self.gauges])
+            volts, names = np.array([signal(name) for name in self.gauges]), list(self.gauges)
             normal, tangential, across = self.matrix @ volts
-            flat = bool(volts.size) and any(stays(end) == "sure" for one in volts for end in (one, -one))
-            flat |= self.largest_gauge is not None and bool((np.abs(volts) >= self.largest_gauge).any())
+            flat = self.largest_gauge is not None and bool((np.abs(volts) >= self.largest_gauge).any())
         if self.largest_force is not None:
             flat |= bool((np.abs([normal, tangential]) >= self.largest_force).any())
         if not normal.size:
@@ -111,7 +114,8 @@ class ChannelMap:
         record = Record(
             normal=mounting.sign * normal, tangential=tangential, rate=rate,
             position=scaled("position") if "position" in self.scaled else None, saturated=flat,
-            across=across, remarks=(clock.remark,) if clock.remark else (),
+            across=across, raw=np.array([clock.rows(channels[name], first, last) for name in names]),
+            remarks=(clock.remark,) if clock.remark else (),
         )  # fmt: skip
         return self._along(record, mounting.angle) if self.axis_unknown and self.mountings else record
 
@@ -144,15 +148,21 @@ class ChannelMap:
             if rate is None or not 0 < rate < HIGHEST_RATE:
                 raise no_rate()
             return Clock(rate)
-        one = self.scaled["time"]
-        if self.rate is not None:
-            try:
-                times = _times(channels, one)
-                rate = (len(times) - 1) / float(times[-1] - times[0])
-            except (HaptonicError, ZeroDivisionError, IndexError):  # times that nobody needs
+        time = self.scaled["time"]
+        try:
+            times = _times(channels, time)
+        except HaptonicError:
+            if self.rate is not None:  # times that nobody needs
                 return Clock(self.rate)
-            return Clock(self.rate, remark="" if abs(rate - self.rate) <= ALIKE * self.rate else OTHER_RATE)
-        return clock_of(_times(channels, one), f"channel {one.name}")
+            raise
+        others = {*(channel.name for channel in self.scaled.values()), *self.gauges} - {time.name}
+        repeats = repeats_of(times, (channels[name] for name in others))
+        times = times[~repeats]
+        if self.rate is None:
+            return clock_of(times, f"channel {time.name}").without(repeats)
+        span = float(times[-1] - times[0]) if len(times) else 0.0
+        alike = not span or abs((len(times) - 1) / span - self.rate) <= ALIKE * self.rate
+        return Clock(self.rate, remark="" if alike else OTHER_RATE).without(repeats)
 
 
 def _times(channels: Group, one: ScaledChannel) -> Array:

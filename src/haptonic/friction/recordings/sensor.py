@@ -63,7 +63,7 @@ class Sensor:
 
     normal: Text = setting(
         "",
-        "Name or number of its channel; a minus before it turns the sign.",
+        "Name or number of its channel; a minus before it turns the sign, else the records show it.",
         title="Normal force",
         examples=["-Fz"],
     )
@@ -172,8 +172,9 @@ class Sensor:
             remarks.append(f"the sampling rate, {rate:g} Hz, was taken from a title")
         return ChannelMap(
             scaled=scaled, rate=rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
-            largest_gauge=self.largest_gauge, remarks=tuple(remarks), sign_unknown=not self.normal,
-            axis_unknown=not self.tangential,
+            largest_gauge=self.largest_gauge, remarks=tuple(remarks),
+            sign_unknown=not self.normal.startswith("-"), axis_unknown=not self.tangential,
+            named=bool(self.normal and self.tangential),
         )  # fmt: skip
 
     def _guesses(self, channels: Group) -> dict[str, list[str]]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.errors import FrictionError
 
 JITTER = 0.1  # of a sampling interval: times that scatter by less are even
@@ -25,6 +25,7 @@ DAY = 86400.0
 SCATTER = "the times scatter: the samples were taken as equidistant"
 UNEVEN = "the samples lie at uneven times: they were interpolated on an even grid"
 BRIDGED = f"rows are missing for up to {1e3 * LONGEST_GAP:g} ms at a time: these gaps were bridged by lines"
+REPEATED = "rows that repeat the row above them, with its time, were left out"
 OTHER_RATE = "the column of times says another sampling rate than trials.sensor.rate, which was used"
 ADVICE = 'give rate = "1 kHz", or what it was, in [trials.sensor]: it goes before the times'
 
@@ -40,21 +41,55 @@ class Clock:
 
     rate : Hz
     times : (row,) s, ascending, at which the rows lie; None where they lie at even times already
+    once : (row of the file,) False for rows that repeat the one above them and are left out; None if none do
     remark : what was done about the times; empty if nothing
     """
 
     rate: float
     times: Array | None = None
+    once: Bools | None = None
     remark: str = ""
+
+    def without(self, repeats: Bools) -> Clock:
+        """The same for a file with rows that repeat the one above them; this clock is of the other rows."""
+        if not repeats.any():
+            return self
+        remark = f"{REPEATED}; {self.remark}" if self.remark else REPEATED
+        return replace(self, once=~repeats, remark=remark)
 
     def regular(self, values: Array) -> Array:
         """Samples at even times; rows of one time count as their mean."""
+        values = values if self.once is None else values[self.once]
         if self.times is None:
             return values
         times, first, count = np.unique(self.times, return_index=True, return_counts=True)
         means = np.add.reduceat(np.asarray(values, dtype=float), first) / count
         grid = np.arange(np.floor((times[-1] - times[0]) * self.rate + 1e-6) + 1) / self.rate
         return np.asarray(np.interp(times[0] + grid, times, means))
+
+    def rows(self, values: Array, first: int, last: int | None) -> Array:
+        """Values of the file, as they are, between two of the even samples."""
+        values = values if self.once is None else values[self.once]
+        if self.times is None:
+            return values[first:last]
+        ends = [None if end is None else self.times[0] + end / self.rate for end in (first, last)]
+        start, stop = (None if end is None else int(np.searchsorted(self.times, end)) for end in ends)
+        return values[start:stop]
+
+
+def repeats_of(time: Array, channels: Iterable[Array]) -> Bools:
+    """(row,) True for rows that repeat the row above them, if all rows of one time do so.
+
+    A clock that is too coarse gives one time to rows that differ.
+    """
+    none = np.zeros(len(time), dtype=bool)
+    same = np.concatenate([[False], np.diff(time) == 0]) if len(time) else none
+    if not same.any():
+        return none
+    for values in channels:
+        if len(values) == len(time) and not (values[1:] == values[:-1])[same[1:]].all():
+            return none
+    return same
 
 
 def clock_of(time: Array, where: str) -> Clock:

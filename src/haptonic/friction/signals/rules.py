@@ -16,6 +16,7 @@ Force = Annotated[float, Quantity("N", at_least=0.0, at_most=100.0)]
 Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 
 OTHER_WAY = "normal force in the other direction"
+DRIFTS = "drift of the sensor"
 REASONS = (
     "missing numbers",
     "record too short",
@@ -24,6 +25,7 @@ REASONS = (
     OTHER_WAY,
     "no contact",
     "steady part too short",
+    DRIFTS,
     "normal force outside of the rule",
     "speed outside of the rule",
 )
@@ -46,8 +48,8 @@ REMEDIES = {
         'shorten bias_window in [trials], or write bias_window = "0 s" if the sensor was set to zero before',
     ),
     OTHER_WAY: (
-        "the sensor was turned round, or the sign in [trials.sensor] is the other one",
-        'turn the sign of normal in [trials.sensor], as in normal = "-Fz"',
+        "the sensor was turned round, or a minus before normal in [trials.sensor] is wrong",
+        "leave the minus out before normal in [trials.sensor]: the records of each participant show the sign",
     ),
     "no contact": (
         "the normal force stays below the threshold: another channel, another unit or a light touch",
@@ -56,6 +58,10 @@ REMEDIES = {
     "steady part too short": (
         "too few samples have contact and a steady speed in one direction",
         "check position in [trials.sensor], or change plateau, middle or steady in [trials]",
+    ),
+    DRIFTS: (
+        "the forces drift before the finger comes, and no rest at the end shows how far",
+        "end each record without the finger on the plate, or let the sensor warm up before the trials",
     ),
     "normal force outside of the rule": (
         "the unit of the forces is another one, or people pressed harder or less than planned",
@@ -119,6 +125,8 @@ class Measured:
     spread : standard deviation of the ratio over the steady part
     force, speed : means over the steady part, N and m/s
     duration : of the steady part, s
+    sensor_drift : of the normal force from the start of the record to its end, N; unknown where the record
+        does not end at rest
     below_threshold, reversing, off_plateau : shares of the samples left out for that reason
     excluded : one of `REASONS`, or nothing
     """
@@ -129,6 +137,7 @@ class Measured:
     force: float = np.nan
     speed: float = np.nan
     duration: float = 0.0
+    sensor_drift: float = np.nan
     below_threshold: float = np.nan
     reversing: float = np.nan
     off_plateau: float = np.nan

@@ -13,13 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
-from haptonic.friction.signals.measuring import Columns, measure_all
+from haptonic.friction.signals.limits import RangeEnds
+from haptonic.friction.signals.measuring import Columns, marked, measure_part
 from haptonic.friction.signals.record import Label, Record
 from haptonic.friction.signals.rules import DEFAULT_RULES, OMISSIONS, REASONS, Rules
 from haptonic.later import xarray as xr
 
 PORTION = 256  # records that are held at a time
-UNITS = {"force": "N", "speed": "m/s", "duration": "s", "friction": "1"}
+UNITS = {"force": "N", "speed": "m/s", "duration": "s", "sensor_drift": "N", "friction": "1"}
 IDENTITY = ("participant", "block", "trial")
 
 
@@ -38,12 +39,17 @@ def measured(records: Iterable[tuple[Label, Record]], rules: Rules = DEFAULT_RUL
     """
     coming = iter(records)
     labels: list[Label] = []
-    found: list[Columns] = []
+    columns, limits = list[Columns](), list[RangeEnds]()
     while portion := list(islice(coming, PORTION)):
         labels += [label for label, _ in portion]
-        found.append(measure_all([record for _, record in portion], rules))
-    named = {field.name: np.array([getattr(one, field.name) for one in labels]) for field in fields(Label)}
-    return tabulated(named, joined(found), rules)
+        numbers, ends = measure_part([record for _, record in portion], rules)
+        columns.append(numbers)
+        limits.append(ends)
+    named = {
+        field.name: np.array([getattr(label, field.name) for label in labels]) for field in fields(Label)
+    }
+    every = marked(joined(columns), RangeEnds.joined(limits)) if columns else {}
+    return tabulated(named, every, rules)
 
 
 def joined(found: list[Columns]) -> Columns:
