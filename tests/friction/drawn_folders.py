@@ -57,11 +57,12 @@ KINDS: Mapping[str, tuple[Any, ...]] = {
     ),
     "names": tuple(NAMES),
     "unit": tuple(FORCES),
+    "other_unit": (False, False, True),  # in the files of one participant
     "unit_in": ("brackets", "square", "name"),
     "direction": tuple(ANGLES),
     "turned_plane": (False, False, True),
     "sign": ("up", "down", "one down", "one up"),
-    "named": (False, False, True),
+    "answered": (False, True, True),  # the study says what the files do not
     "separator": (",", ";", "\t", "; and comma", "tab and comma", "blanks"),
     "step": (0.0, 1e-3, 5e-3, 20e-3),
     "drift": (0.0, 0.05, -0.1),
@@ -92,7 +93,7 @@ class Folder:
         self.rng = np.random.default_rng(draw["seed"])
         self.truth: dict[tuple[str, int], float] = {}
         self.spoiled, self.clipped = ("P2", 2), dict[tuple[str, int], bool]()
-        if self.draw["names"] == "none":  # a number gives the direction of the stroke
+        if self.draw["names"] == "none" or self.answers:  # the study gives the direction of the stroke
             self.draw |= {"direction": "y", "turned_plane": False}
         if self.draw["spoil"] == "clipped":  # no converter has less than a hundred steps up to its end
             finest = {"pressing": 5e-3, "along": 1e-3}[self.draw["clip"]]
@@ -116,15 +117,26 @@ class Folder:
         self._table(rows)
 
     @property
+    def answers(self) -> bool:
+        """Whether the study gives the channels by number; exchanged numbers are a slip of the study."""
+        unclear = self.draw["names"] in ("none", "strange", "twice") or self.draw["exchanged"]
+        return bool(self.draw["answered"] and unclear)
+
+    @property
     def sensor(self) -> Sensor:
         """What a user would say who knows the files, as far as the draw has it."""
         said: dict[str, Any] = {}
-        if self.draw["clock"] in ("scatter and rate", "no times", "doubled and rate"):
+        names, unit, clock = (self.draw[key] for key in ("names", "unit", "clock"))
+        if clock in ("scatter and rate", "no times", "doubled and rate"):
             said["rate"] = self.draw["rate"]
-        if self.draw["names"] == "none" and self.draw["named"]:
-            first = 1 if self.draw["clock"] == "no times" else 2
+        if self.answers:
+            first = 1 if clock == "no times" else 2
             said |= {"normal": str(first + 2), "tangential": str(first + 1)}
-            said |= {} if first == 1 else {"time": "1"}
+            said |= {"time": "1"} if first == 2 and names == "none" else {}
+        if self.draw["answered"] and (unit == "V" or (names == "none" and unit != "counts")):
+            said["force_unit"] = "N" if unit == "V" else unit
+        if self.draw["answered"] and (clock == "ms unsaid" or (clock == "milliseconds" and names == "none")):
+            said["time_unit"] = "ms"
         return Sensor(**said)
 
     @property
@@ -136,13 +148,12 @@ class Folder:
     @property
     def refused(self) -> bool:
         """Whether the files do not say enough, so that a refusal is right."""
-        names, unit = self.draw["names"], self.draw["unit"]
-        nameless = names == "none" and not self.draw["named"]
-        unsaid = unit not in ("", "N") and names == "none"
+        if self.draw["answered"]:
+            return False
+        names, unit, clock = (self.draw[key] for key in ("names", "unit", "clock"))
         return (
-            nameless or unsaid or names in ("strange", "twice") or unit == "V"
-            or self.draw["exchanged"]
-            or self.draw["clock"] == "ms unsaid" or (self.draw["clock"] == "milliseconds" and names == "none")
+            names in ("none", "strange", "twice") or unit == "V" or self.draw["exchanged"]
+            or clock == "ms unsaid"
         )  # fmt: skip
 
     def _record(self, key: tuple[str, int], friction: float, spoil: str) -> str:
@@ -187,7 +198,10 @@ class Folder:
         if spoil == "restart":
             time = np.where(np.arange(count) > count // 2, time - time[count // 2], time)
         position = 0.08 * np.clip(taken - 0.4, 0, None)
-        return self._text(time[keep], axes[:, keep], position[keep], spoil)
+        unit = draw["unit"]
+        if draw["other_unit"] and person == "P3" and draw["unit_in"] != "name" and draw["names"] != "none":
+            unit = {"N": "mN", "mN": "N", "gf": "lbf", "lbf": "gf"}.get(unit, unit)
+        return self._text(time[keep], axes[:, keep], position[keep], spoil, unit)
 
     def _taken(self, even: np.ndarray) -> np.ndarray:
         """Times at which samples are taken, before they are written."""
@@ -201,9 +215,8 @@ class Folder:
             return np.cumsum(steps) - steps[0]
         return even
 
-    def _text(self, time: np.ndarray, axes: np.ndarray, position: np.ndarray, spoil: str) -> str:
-        draw, clock = self.draw, self.draw["clock"]
-        scale, unit = FORCES[draw["unit"]], draw["unit"]
+    def _text(self, time: np.ndarray, axes: np.ndarray, position: np.ndarray, spoil: str, unit: str) -> str:
+        draw, clock, scale = self.draw, self.draw["clock"], FORCES[unit]
         x, y, z = NAMES[draw["names"]] or ("", "", "")
         if draw["exchanged"]:
             y, z = z, y
@@ -306,8 +319,8 @@ def outcome(folder: Path, draw: Mapping[str, Any]) -> str:
         whole = (made.refused or nothing_left) and all(error.parts().values())
         return "refused" if whole else f"fault: refused: {error.argument}: {error.given}; {error.cause}"
     found, noted = "right", any("records do not end at rest" in text for text in read.doubts)
-    if draw["exchanged"] and any("exchanged" in text for text in read.doubts):
-        return "noted"  # both forces are named, and the names are not true
+    if draw["exchanged"] and draw["names"] == "none" and any("exchanged" in text for text in read.doubts):
+        return "noted"  # the study names both forces, and not truly
     drifts = bool(draw["drift"]) and not draw["rest_after"]
     for row in range(trials.sizes["stroke"]):
         key = str(trials["participant"].values[row]), int(trials["trial"].values[row])

@@ -27,6 +27,7 @@ def test_one_thing_unlike_the_plain_case(tmp_path, name, value):
     [
         {"drift": -0.1, "rest_after": 0.0},
         {"drift": 0.05, "rest_after": 0.0, "step": 5e-3},
+        {"unit": "lbf", "other_unit": True},
         {"spoil": "clipped", "step": 5e-3, "noise": "quiet", "sign": "one up"},
         {"spoil": "clipped", "clip": "along", "direction": "other", "bias": -2.0},
     ],
@@ -38,11 +39,11 @@ def test_some_things_unlike_the_plain_case(tmp_path, unlike):
 
 
 @pytest.mark.parametrize(
-    "friction_names", [{}, {"names": "Kraft_z"}, {"names": "none", "named": True}], ids=str
+    "friction_names", [{}, {"names": "Kraft_z"}, {"names": "none", "answered": True}], ids=str
 )
 def test_exchanged_forces_are_refused_or_noted_where_the_study_names_both(tmp_path, friction_names):
     result = outcome(tmp_path / "a", {**PLAIN, **friction_names, "exchanged": True})
-    assert result == ("noted" if "named" in friction_names else "refused")
+    assert result == ("noted" if "answered" in friction_names else "refused")
 
 
 def test_the_plain_case_is_read(tmp_path):

@@ -12,21 +12,15 @@ from haptonic.arrays import Array
 from haptonic.channels import Group
 from haptonic.errors import FrictionError, HaptonicError
 from haptonic.friction.recordings.mounting import Mounting, own_angle
-from haptonic.friction.signals.clock import OTHER_RATE, Clock, clock_of, repeats_of, seconds_of_day
+from haptonic.friction.recordings.scaled_channel import ScaledChannel
+from haptonic.friction.recordings.titles import scale_of
+from haptonic.friction.signals.clock import OTHER_RATE, Clock, clock_of, repeats_of
 from haptonic.friction.signals.filters import design_frequency
 from haptonic.friction.signals.record import Record
 
 HIGHEST_RATE = 1e12  # Hz; no converter comes near
 ALIKE = 0.05  # by which the rate of the times may differ from the one that the study gives
 ELSEWHERE = "the stroke goes in another direction than the participant's others: its own direction was taken"
-
-
-@dataclass(frozen=True)
-class ScaledChannel:
-    """A channel and what one of its units is in SI, negative where the sign is turned."""
-
-    name: str
-    factor: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,17 +80,21 @@ class ChannelMap:
             return clock.regular(channels[name])[first:last]
 
         def scaled(meaning: str) -> Array:
-            return self.scaled[meaning].factor * signal(self.scaled[meaning].name)
+            channel = self.scaled[meaning]
+            values = signal(channel.name)
+            return channel.factor_in(channels) * values
 
         flat, across = False, None
         if self.matrix is None:
             normal, tangential = scaled("normal"), scaled("tangential")
             across = scaled("across") if "across" in self.scaled else None
-            names = [
-                self.scaled[axis].name for axis in ("normal", "tangential", "across") if axis in self.scaled
-            ]
+            forces = [self.scaled[axis] for axis in ("normal", "tangential", "across") if axis in self.scaled]
+            raw = [(force.name, force.factor_in(channels)) for force in forces]
         else:
-            volts, names = np.array([signal(name) for name in self.gauges]), list(self.gauges)
+            volts, raw = (
+                np.array([signal(name) for name in self.gauges]),
+                [(name, 1.0) for name in self.gauges],
+            )
             normal, tangential, across = self.matrix @ volts
             flat = self.largest_gauge is not None and bool((np.abs(volts) >= self.largest_gauge).any())
         if self.largest_force is not None:
@@ -114,7 +112,8 @@ class ChannelMap:
         record = Record(
             normal=mounting.sign * normal, tangential=tangential, rate=rate,
             position=scaled("position") if "position" in self.scaled else None, saturated=flat,
-            across=across, raw=np.array([clock.rows(channels[name], first, last) for name in names]),
+            across=across,
+            raw=np.array([unit * clock.rows(channels[name], first, last) for name, unit in raw]),
             remarks=(clock.remark,) if clock.remark else (),
         )  # fmt: skip
         return self._along(record, mounting.angle) if self.axis_unknown and self.mountings else record
@@ -144,13 +143,13 @@ class ChannelMap:
 
     def _clock(self, channels: Group) -> Clock:
         if "time" not in self.scaled:
-            rate = self.rate or channels.rate
+            rate = self.rate or channels.rate or scale_of(channels).rate
             if rate is None or not 0 < rate < HIGHEST_RATE:
                 raise no_rate()
             return Clock(rate)
         time = self.scaled["time"]
         try:
-            times = _times(channels, time)
+            times = time.times(channels)
         except HaptonicError:
             if self.rate is not None:  # times that nobody needs
                 return Clock(self.rate)
@@ -163,14 +162,6 @@ class ChannelMap:
         span = float(times[-1] - times[0]) if len(times) else 0.0
         alike = not span or abs((len(times) - 1) / span - self.rate) <= ALIKE * self.rate
         return Clock(self.rate, remark="" if alike else OTHER_RATE).without(repeats)
-
-
-def _times(channels: Group, one: ScaledChannel) -> Array:
-    channel = channels.channels.get(one.name)
-    values = np.zeros(0) if channel is None else np.asarray(channel)
-    if values.dtype.kind in "OUS":
-        return seconds_of_day(values.ravel().tolist(), f"channel {one.name}")
-    return one.factor * channels[one.name]
 
 
 def no_rate() -> FrictionError:

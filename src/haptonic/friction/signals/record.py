@@ -73,7 +73,7 @@ class Record:
     position : (samples,) m along the stroke, or None
     saturated : whether a channel of the sensor was at its end, where the forces themselves do not show it
     across : (samples,) N, the other force in the plane, or None
-    raw : (channel, row) channels as the file has them, which show the ends of their ranges; None where the
+    raw : (channel, row) channels at the rows of the file, which show the ends of their ranges; None where the
         forces are as in the file
     remarks : what was done to the samples, such as bridged gaps
     """
@@ -117,7 +117,7 @@ class Record:
 
     @property
     def channels(self) -> Array:
-        """(channel, row) channels as the file has them, or the forces."""
+        """(channel, row) channels at the rows of the file, or the forces."""
         return np.array([self.normal, self.tangential], dtype=float) if self.raw is None else self.raw
 
 
