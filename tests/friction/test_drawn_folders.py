@@ -28,6 +28,7 @@ def test_one_thing_unlike_the_plain_case(tmp_path, name, value):
         {"drift": -0.1, "rest_after": 0.0},
         {"drift": 0.05, "rest_after": 0.0, "step": 5e-3},
         {"unit": "lbf", "other_unit": True},
+        {"clock": "scatter and rate", "spoil": "gap"},
         {"spoil": "clipped", "step": 5e-3, "noise": "quiet", "sign": "one up"},
         {"spoil": "clipped", "clip": "along", "direction": "other", "bias": -2.0},
     ],

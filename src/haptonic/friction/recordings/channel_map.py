@@ -14,12 +14,11 @@ from haptonic.errors import FrictionError, HaptonicError
 from haptonic.friction.recordings.mounting import Mounting, own_angle
 from haptonic.friction.recordings.scaled_channel import ScaledChannel
 from haptonic.friction.recordings.titles import scale_of
-from haptonic.friction.signals.clock import OTHER_RATE, Clock, clock_of, repeats_of
+from haptonic.friction.signals.clock import Clock, clock_at, clock_of, repeats_of
 from haptonic.friction.signals.filters import design_frequency
 from haptonic.friction.signals.record import Record
 
 HIGHEST_RATE = 1e12  # Hz; no converter comes near
-ALIKE = 0.05  # by which the rate of the times may differ from the one that the study gives
 ELSEWHERE = "the stroke goes in another direction than the participant's others: its own direction was taken"
 
 
@@ -156,12 +155,9 @@ class ChannelMap:
             raise
         others = {*(channel.name for channel in self.scaled.values()), *self.gauges} - {time.name}
         repeats = repeats_of(times, (channels[name] for name in others))
-        times = times[~repeats]
-        if self.rate is None:
-            return clock_of(times, f"channel {time.name}").without(repeats)
-        span = float(times[-1] - times[0]) if len(times) else 0.0
-        alike = not span or abs((len(times) - 1) / span - self.rate) <= ALIKE * self.rate
-        return Clock(self.rate, remark="" if alike else OTHER_RATE).without(repeats)
+        times, where = times[~repeats], f"channel {time.name}"
+        clock = clock_of(times, where) if self.rate is None else clock_at(self.rate, times, where)
+        return clock.without(repeats)
 
 
 def no_rate() -> FrictionError:

@@ -22,6 +22,8 @@ COARSEST = 0.05  # error of a sampling rate from rounded times
 FASTEST = 1e6  # Hz: no force sensor gives more, so times that say so are in another unit
 DAY = 86400.0
 
+NEAR = 0.5  # of a sampling interval: usual steps of times that agree with a rate
+ALIKE = 0.05  # by which the mean rate of the times may differ from the one that is given
 SCATTER = "the times scatter: the samples were taken as equidistant"
 UNEVEN = "the samples lie at uneven times: they were interpolated on an even grid"
 BRIDGED = f"rows are missing for up to {1e3 * LONGEST_GAP:g} ms at a time: these gaps were bridged by lines"
@@ -143,14 +145,35 @@ def clock_of(time: Array, where: str) -> Clock:
         longest = int(np.argmax(steps))
         lost = float((steps[gaps] - even).sum())
         if steps[longest] > LONGEST_GAP + even or lost > MOST_LOST * span:
-            raise _unusable(
-                where,
-                f"times that do not advance evenly: no sample for {steps[longest]:.3g} s after "
-                f"{time[longest] - time[0]:.3g} s",
-                "rows were lost",
-                "record this trial again; or, if the samples follow each other evenly, " + ADVICE,
-            )  # fmt: skip
+            even_anyway = "record this trial again; or, if the samples follow each other evenly, " + ADVICE
+            raise _rows_lost(time, where, even_anyway)
     return _plausible(Clock(1 / even, times=time, remark=BRIDGED if gaps.any() else UNEVEN), where)
+
+
+def clock_at(rate: float, time: Array, where: str) -> Clock:
+    """The clock of a record whose rate, Hz, is given, and goes before the times of its rows, s.
+
+    Raises
+    ------
+    FrictionError : times that agree with the rate and show that rows are missing; ``where`` is the file
+    """
+    steps = np.diff(time)
+    if not steps.size or not np.isfinite(steps).all() or time[-1] == time[0]:
+        return Clock(rate)
+    if abs(np.median(steps) * rate - 1) < NEAR and steps.max() > LONGEST_GAP + 1 / rate:
+        raise _rows_lost(
+            time, where, "record this trial again; or, if none was lost, take the times out of the file"
+        )
+    mean = len(steps) / float(time[-1] - time[0])
+    return Clock(rate, remark="" if abs(mean - rate) <= ALIKE * rate else OTHER_RATE)
+
+
+def _rows_lost(time: Array, where: str, next_step: str) -> FrictionError:
+    longest = int(np.argmax(np.diff(time)))
+    return _unusable(
+        where, f"times that do not advance evenly: no sample for {time[longest + 1] - time[longest]:.3g} s "
+        f"after {time[longest] - time[0]:.3g} s", "rows were lost", next_step,
+    )  # fmt: skip
 
 
 def _going_back(where: str, steps: Array) -> FrictionError:
