@@ -13,7 +13,7 @@ import numpy as np
 from haptonic.errors import HaptonicError
 from haptonic.friction.recordings import Sensor, analysed
 from haptonic.friction.signals import Rules
-from haptonic.friction.signals.rules import DRIFTS, OTHER_WAY
+from haptonic.friction.signals.rules import DRIFTS, JUMPS, OTHER_WAY
 
 OFF, ON = 0.50, 0.25
 ERROR = 0.01  # of a coefficient of friction
@@ -46,6 +46,7 @@ REASONS = {
     "no file": ("unreadable record",),
     "restart": ("unreadable record",),
     "sign": (OTHER_WAY,),
+    "jump": (JUMPS,),
 }
 # What is drawn of each folder; the first of every kind is the plain case.
 KINDS: Mapping[str, tuple[Any, ...]] = {
@@ -187,6 +188,9 @@ class Folder:
             end = np.round((abs(draw["bias"]) + {"pressing": 0.8, "along": 0.25}[draw["clip"]]) / 5e-3) * 5e-3
             self.clipped[key] = bool((np.abs(axes[some]) > end).any())
             axes[some] = np.clip(axes[some], -end, end)
+        middle = round(0.6 * rate)
+        if spoil == "jump":
+            axes[rng.integers(3), middle] += rng.choice([-3.0, 3.0])
         keep = np.ones(count, dtype=bool)
         if draw["clock"] == "lost":
             keep[rng.choice(np.arange(5, count - 5), 6, replace=False)] = False

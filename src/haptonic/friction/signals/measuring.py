@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools
 from haptonic.friction.signals.filters import design_frequency, smoothed
+from haptonic.friction.signals.jumps import jumps
 from haptonic.friction.signals.limits import RangeEnds
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rest import RETURNED, drifts, rest_of
-from haptonic.friction.signals.rules import DEFAULT_RULES, DRIFTS, OTHER_WAY, Measured, Rules
+from haptonic.friction.signals.rules import DEFAULT_RULES, DRIFTS, JUMPS, OTHER_WAY, Measured, Rules
 
 Columns = dict[str, NDArray[np.generic]]
 
@@ -185,6 +186,9 @@ def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np
         excluded[whole] = "record too short"
     else:
         limits = RangeEnds.of([record.channels for record in records])
+        for row in np.flatnonzero(whole):
+            if jumps(records[row].channels):
+                excluded[row] = JUMPS
         excluded[whole & np.array([record.saturated for record in records])] = "saturated channel"
     usable = np.flatnonzero(excluded == "")
     found = {name: np.full(count, value) for name, value in asdict(Measured()).items() if name != "excluded"}

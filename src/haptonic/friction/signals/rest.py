@@ -13,7 +13,7 @@ QUIET_SHARE = 0.03  # of the force of the stroke: an end that is no louder is re
 TOUCHED = 0.05  # of the stroke's force: the finger has come
 BEFORE = 0.025  # s before that, in which the finger may have begun to press and the filter shows it
 PARTS = 8  # of the rest at the start, whose means scatter about a line
-CERTAIN = 6.0  # times its standard error: a slope that scatter makes in a rest of a thousand
+CERTAIN = 8.0  # times its standard error: a slope that scatter makes in a rest of five thousand
 MATERIAL = 0.02  # of a force: a drift until the middle of the stroke that changes friction
 
 

@@ -17,10 +17,12 @@ Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 
 OTHER_WAY = "normal force in the other direction"
 DRIFTS = "drift of the sensor"
+JUMPS = "jump of a channel"
 REASONS = (
     "missing numbers",
     "record too short",
     "saturated channel",
+    JUMPS,
     "contact before the stroke",
     OTHER_WAY,
     "no contact",
@@ -42,6 +44,10 @@ REMEDIES = {
     "saturated channel": (
         "a force stays at one value, the end of the channel's range",
         "choose a larger range of the sensor; largest_force in [trials.sensor] gives its end",
+    ),
+    JUMPS: (
+        "a channel jumps for a sample or two: a loose contact, or lost data",
+        "look at the cables, and record these trials again",
     ),
     "contact before the stroke": (
         "the finger lies on the plate within the bias window, at the start of the record",
