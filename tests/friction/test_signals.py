@@ -196,6 +196,23 @@ def test_excluded_trials_stay_in_the_table():
     assert list(table["trial"].values) == [*range(1, len(REASONS) + 1), 99]
 
 
+@pytest.mark.parametrize("which", [0, 3, 7])
+@pytest.mark.parametrize("offset", [0.0, -2.0])
+def test_a_finger_that_lies_on_the_plate_all_the_time_is_seen_beside_other_trials(which, offset):
+    records = []
+    for trial in range(8):
+        made = stroke()
+        made["normal"] += offset + 0.02 * trial
+        if trial == which:  # pressed from the start to the end, by a force that rises a little
+            made = {name: array[500:1000] if name != "rate" else array for name, array in made.items()}
+            made["normal"] *= np.linspace(1, 1.3, 500) if not offset else 1
+            made["normal"] += 0.3 * np.linspace(0, 1, 500) if offset else 0
+        records.append((Label("P1", 1, trial + 1, "WG1", "on"), Record(**made)))
+    excluded = measured(records)["excluded"].values
+    assert excluded[which] != ""
+    assert (np.delete(excluded, which) == "").all()
+
+
 def test_a_record_twice_is_refused():
     record = Record(**stroke())
     refused(

@@ -18,7 +18,15 @@ from haptonic.friction.signals.jumps import jumps
 from haptonic.friction.signals.limits import RangeEnds
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rest import RETURNED, drifts, rest_of
-from haptonic.friction.signals.rules import DEFAULT_RULES, DRIFTS, JUMPS, OTHER_WAY, Measured, Rules
+from haptonic.friction.signals.rules import (
+    DEFAULT_RULES,
+    DRIFTS,
+    JUMPS,
+    OTHER_WAY,
+    TOUCHED_EARLY,
+    Measured,
+    Rules,
+)
 
 Columns = dict[str, NDArray[np.generic]]
 
@@ -39,6 +47,7 @@ class Processed:
         speed
     touched : (stroke,) whether there is contact within the window of the bias already
     pulled : (stroke,) whether the normal force falls where the finger presses
+    zero : (stroke,) N, normal force that was taken as zero at the start
     drift : (stroke,) N, of the normal force from the start to the end; NaN where the end is no rest
     drifting : (stroke,) whether the rest at the start drifts, and no rest at the end corrects it
     """
@@ -51,6 +60,7 @@ class Processed:
     plateau: Bools
     touched: Bools
     pulled: Bools
+    zero: Array
     drift: Array
     drifting: Bools
 
@@ -141,7 +151,7 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
     window = round(rules.bias_window * rate)
     touched = np.zeros(channels.shape[1], dtype=bool)
     pulled = drifting = touched
-    drift = np.full(channels.shape[1], np.nan)
+    drift, zero = np.full(channels.shape[1], np.nan), np.zeros(channels.shape[1])
     if window:
         start = channels[:2, :, :window].mean(axis=2)
         up, down = (np.abs(end(smooth[0], axis=1) - start[0]) for end in (np.max, np.min))
@@ -152,6 +162,7 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         touched |= (stroke > rules.threshold) & ~back & (np.abs(far) < LITTLE * np.abs(start[0]))
         rest, settled = rest_of(channels[:2], smooth[0], start, back, window)
         forces = forces - rest
+        zero = start[0]
         drift = np.where(settled, rest[0, :, -1] - rest[0, :, 0], np.nan)
         unsure = np.flatnonzero(~settled & ~touched)
         drifting = np.zeros_like(touched)
@@ -168,6 +179,7 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         plateau=plateau,
         touched=touched,
         pulled=pulled & ~touched,
+        zero=zero,
         drift=drift,
         drifting=drifting,
     )
@@ -210,7 +222,7 @@ def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Ar
     excluded[~contact.any(axis=1)] = "no contact"
     excluded[stroke.pulled] = OTHER_WAY
     excluded[stroke.drifting & (excluded == "")] = DRIFTS
-    excluded[stroke.touched] = "contact before the stroke"
+    excluded[stroke.touched] = TOUCHED_EARLY
     enough, least = excluded == "", np.maximum(count, 1)
 
     def mean(values: Array) -> Array:
@@ -227,6 +239,7 @@ def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Ar
             "spread": np.sqrt((apart**2).sum(axis=1) / (count - 1)),
             "force": force,
             "speed": speed,
+            "rest_force": stroke.zero,
             "sensor_drift": stroke.drift,
         }
     numbers = {name: np.where(enough, values, np.nan) for name, values in numbers.items()}

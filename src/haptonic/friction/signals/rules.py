@@ -18,12 +18,13 @@ Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 OTHER_WAY = "normal force in the other direction"
 DRIFTS = "drift of the sensor"
 JUMPS = "jump of a channel"
+TOUCHED_EARLY = "contact before the stroke"
 REASONS = (
     "missing numbers",
     "record too short",
     "saturated channel",
     JUMPS,
-    "contact before the stroke",
+    TOUCHED_EARLY,
     OTHER_WAY,
     "no contact",
     "steady part too short",
@@ -49,7 +50,7 @@ REMEDIES = {
         "a channel jumps for a sample or two: a loose contact, or lost data",
         "look at the cables, and record these trials again",
     ),
-    "contact before the stroke": (
+    TOUCHED_EARLY: (
         "the finger lies on the plate within the bias window, at the start of the record",
         'shorten bias_window in [trials], or write bias_window = "0 s" if the sensor was set to zero before',
     ),
@@ -131,6 +132,7 @@ class Measured:
     spread : standard deviation of the ratio over the steady part
     force, speed : means over the steady part, N and m/s
     duration : of the steady part, s
+    rest_force : normal force that was taken as zero, at the start of the record, N
     sensor_drift : of the normal force from the start of the record to its end, N; unknown where the record
         does not end at rest
     below_threshold, reversing, off_plateau : shares of the samples left out for that reason
@@ -143,6 +145,7 @@ class Measured:
     force: float = np.nan
     speed: float = np.nan
     duration: float = 0.0
+    rest_force: float = np.nan
     sensor_drift: float = np.nan
     below_threshold: float = np.nan
     reversing: float = np.nan
