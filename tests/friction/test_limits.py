@@ -61,6 +61,16 @@ def test_forces_within_the_range_are_at_no_limit(drawn):
 
 
 @settings(max_examples=20)
+@given(st.integers(0, 10**6), st.sampled_from([1000.0, 1 / 4.4482216152605]))
+def test_an_end_is_the_same_in_files_of_other_units(seed, unit):
+    drawn = {"step": 5e-3, "noise": 0.15, "offset": 0.0, "drift": 0.0, "rest_after": 0.2, "count": 3}
+    strokes, changed = experiment(seed, limit=0.8, **drawn)
+    others = [np.vectorize(lambda value: float(f"{value:.6g}"))(unit * forces) / unit for forces in strokes]
+    reached = RangeEnds.of([*strokes, *others]).reached()
+    assert reached[np.tile(changed > 0.02, 2)].all()
+
+
+@settings(max_examples=20)
 @given(st.integers(0, 10**6))
 def test_a_smaller_range_of_some_strokes_is_seen_where_noise_shows(seed):
     drawn = {"step": 1e-3, "noise": 3.0, "offset": 0.0, "drift": 0.0, "rest_after": 0.2, "count": 3}

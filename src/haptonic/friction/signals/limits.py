@@ -19,6 +19,7 @@ SURE = 3  # it stays there, and noise would have moved it
 
 MOST = 6  # channels of a sensor
 COUNTS = 30.0  # steps of the converter that a channel uses; with fewer any quiet force stays at one value
+ROUNDED = 1e-5  # of a value: files of other units round the same end to other numbers
 RUN = 5  # equal samples in a row
 AWAY = 0.3  # of the range of the stroke, or of the way to its extreme: what is nearer to rest is no end
 OPPOSITE = 0.5  # the same for an end that is nearer to zero than the other extreme
@@ -84,7 +85,8 @@ class RangeEnds:
         # a steep channel skips steps of the converter, which others show
         used = self.level.reshape(MOST, 2, -1).max(axis=2).sum(axis=1)
         shown = np.where((used >= COUNTS * self.step.min()).repeat(2)[:, None], self.shown, NOTHING)
-        farthest = self.level == self.level.max(axis=1, keepdims=True)
+        end = self.level.max(axis=1, keepdims=True)
+        farthest = self.level >= end - ROUNDED * np.abs(end)
         is_end = (farthest & (shown >= STAYS)).any(axis=1, keepdims=True)
         return np.asarray(((shown == SURE) | (is_end & farthest & (shown >= TOUCHES))).any(axis=0))
 
