@@ -8,6 +8,7 @@ import time
 
 import numpy as np
 import pytest
+from hypothesis import given, settings, strategies as st
 
 from five_parts import refused
 from haptonic.channels import opened
@@ -235,3 +236,29 @@ def test_columns_of_one_name_are_counted(tmp_path):
     names = list(read_table(tmp_path / "a.csv").columns_by_name)
     assert names[:2] == ["f", "f.1"]
     assert names[-2:] == ["f.2999", "f.7.1"]
+
+
+@settings(max_examples=30)
+@given(
+    st.sampled_from(["\t", ";"]),
+    st.sampled_from(["1,01e+06", "-2,5E-3", "0,5", "12,3456"]),
+    st.integers(30, 400),
+    st.data(),
+)
+def test_a_rare_decimal_comma_among_whole_numbers_is_one(tmp_path_factory, separator, rare, rows, data):
+    at = data.draw(st.integers(0, rows - 1))
+    path = tmp_path_factory.mktemp("rare") / "a.csv"
+    cells = [["1000000", "-20"] for _ in range(rows)]
+    cells[at][0] = rare
+    path.write_text("\n".join(["time" + separator + "force", *map(separator.join, cells)]) + "\n")
+    column = opened(path).group("")["time"]
+    assert len(column) == rows
+    assert column[at] == float(rare.replace(",", "."))
+    assert np.delete(column, at) == pytest.approx(1e6)
+
+
+def test_a_rare_comma_that_may_be_of_thousands_is_refused(tmp_path):
+    rows = ["1000000;-20"] * 400
+    rows[201] = "1,000;-20"
+    (tmp_path / "a.csv").write_text("\n".join(["time;force", *rows]) + "\n")
+    refused(lambda: opened(tmp_path / "a.csv"), '"1,000" may be', code="unreadable", kind=ChannelError)

@@ -5,7 +5,15 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from five_parts import refused
-from haptonic.friction.signals.clock import BRIDGED, SCATTER, UNEVEN, clock_of, seconds_of_day
+from haptonic.friction.signals.clock import (
+    BRIDGED,
+    OTHER_RATE,
+    SCATTER,
+    UNEVEN,
+    clock_at,
+    clock_of,
+    seconds_of_day,
+)
 
 RATES = st.sampled_from([250.0, 400.0, 500.0, 1000.0, 2000.0])
 
@@ -51,6 +59,21 @@ def test_a_few_lost_rows_are_bridged_and_many_are_refused():
         code="malformed",
         argument="a.csv",
     )
+
+
+@settings(max_examples=30, deadline=None)
+@given(RATES, st.floats(0.0, 0.3), st.integers(0, 99), st.floats(0.05, 0.5))
+def test_lost_rows_are_seen_though_the_rate_is_given(rate, scatter, seed, gap):
+    time = (np.arange(1200) + np.random.default_rng(seed).uniform(-scatter, scatter, 1200)) / rate
+    assert clock_at(rate, time, "a.csv").remark == ""
+    assert clock_at(2 * rate, time, "a.csv").remark == OTHER_RATE
+    time[700:] += gap
+    refused(lambda: clock_at(rate, time, "a.csv"), "no sample for", "record this trial", code="malformed")
+
+
+def test_times_that_say_nothing_do_not_go_before_a_rate():
+    for time in (np.floor(np.arange(700) / 500), np.zeros(9), np.array([0.0, np.nan, 1.0]), np.zeros(0)):
+        assert clock_at(500.0, time, "a.csv").rate == 500
 
 
 @pytest.mark.parametrize(

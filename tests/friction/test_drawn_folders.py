@@ -8,7 +8,7 @@ import pytest
 from drawn_folders import KINDS, drawn_at, outcome
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-GOOD = ("right", "left out", "refused")
+GOOD = ("right", "left out", "noted", "refused")
 DRAWS = st.fixed_dictionaries({name: st.sampled_from(some) for name, some in KINDS.items()})
 PLAIN = {name: some[0] for name, some in KINDS.items()}
 SINGLE = [(name, value) for name, some in KINDS.items() if name != "seed" for value in dict.fromkeys(some)]
@@ -20,6 +20,31 @@ SINGLE = [(name, value) for name, some in KINDS.items() if name != "seed" for va
 def test_one_thing_unlike_the_plain_case(tmp_path, name, value):
     found = outcome(tmp_path / "a", {**PLAIN, name: value})
     assert found in GOOD, found
+
+
+@pytest.mark.parametrize(
+    "unlike",
+    [
+        {"drift": -0.1, "rest_after": 0.0},
+        {"drift": 0.05, "rest_after": 0.0, "step": 5e-3},
+        {"unit": "lbf", "other_unit": True},
+        {"clock": "scatter and rate", "spoil": "gap"},
+        {"spoil": "clipped", "step": 5e-3, "noise": "quiet", "sign": "one up"},
+        {"spoil": "clipped", "clip": "along", "direction": "other", "bias": -2.0},
+    ],
+    ids=str,
+)
+def test_some_things_unlike_the_plain_case(tmp_path, unlike):
+    result = outcome(tmp_path / "a", {**PLAIN, **unlike})
+    assert result in GOOD, result
+
+
+@pytest.mark.parametrize(
+    "friction_names", [{}, {"names": "Kraft_z"}, {"names": "none", "answered": True}], ids=str
+)
+def test_exchanged_forces_are_refused_or_noted_where_the_study_names_both(tmp_path, friction_names):
+    result = outcome(tmp_path / "a", {**PLAIN, **friction_names, "exchanged": True})
+    assert result == ("noted" if "answered" in friction_names else "refused")
 
 
 def test_the_plain_case_is_read(tmp_path):

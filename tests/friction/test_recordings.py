@@ -1,5 +1,7 @@
 """From folders of files to trials: every format, guesses, units, calibration, and all that can be wrong."""
 
+import dataclasses
+
 import h5py
 import numpy as np
 import pandas as pd
@@ -165,9 +167,12 @@ class TestSensor:
         named = analysed(folder, Sensor(normal="-Fz", tangential="Fy"), Rules())
         assert named.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
         assert "sign" not in " ".join(named.remarks)
+        plain = analysed(folder, Sensor(normal="Fz"), Rules())
+        assert plain.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert "sign was turned" in " ".join(plain.remarks)
         refused(
-            lambda: friction_in(folder, Sensor(normal="Fz")),
-            'normal = "-Fz"',
+            lambda: friction_in(written(tmp_path / "b", MADE), Sensor(normal="-Fz")),
+            "leave the minus out",
             code="too-few",
             argument="trials",
         )
@@ -288,6 +293,20 @@ def spoiled(name, change):
         return path.name
 
     return spoil
+
+
+@pytest.mark.parametrize("sensor", [PLAIN, dataclasses.replace(PLAIN, rate=1000.0)], ids=["times", "rate"])
+def test_rows_that_repeat_the_row_above_them_are_left_out(tmp_path, sensor):
+    folder, rng = written(tmp_path / "a", MADE[:8]), np.random.default_rng(1)
+    once = friction_in(folder, sensor)
+    for path in folder.glob("P*.csv"):
+        names, *rows = path.read_text().splitlines()
+        times = rng.choice([1, 1, 1, 2, 4], len(rows))
+        path.write_text("\n".join([names, *np.repeat(rows, times)]) + "\n")
+    repeated = analysed(folder, sensor, Rules())
+    for name in ("friction", "speed", "duration"):
+        assert repeated.trials[name].values == pytest.approx(once[name].values, rel=1e-9), name
+    assert any("repeat the row above" in text for text in repeated.doubts)
 
 
 class TestOmissions:

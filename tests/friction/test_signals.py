@@ -156,7 +156,11 @@ def spoiled(what):
     elif what == "record too short":
         made = {name: array[:9] if name != "rate" else array for name, array in made.items()}
     elif what == "saturated channel":
-        made["normal"] = np.minimum(made["normal"], 0.5)
+        # noise shows that it is an end even where other strokes go beyond
+        noise = 1e-3 * np.random.default_rng(0).standard_normal(1500)
+        made["normal"] = np.minimum(made["normal"] + noise, 0.5)
+    elif what == "jump of a channel":
+        made["tangential"][700] += 5
     elif what == "contact before the stroke":
         made = {name: array[310:] if name != "rate" else array for name, array in made.items()}
     elif what == "normal force in the other direction":
@@ -165,6 +169,9 @@ def spoiled(what):
         made["normal"] = 0.01 * np.sin(np.arange(1500.0))
     elif what == "steady part too short":
         made["normal"] *= np.abs(np.arange(1500) - 800) < 40
+    elif what == "drift of the sensor":
+        made["normal"] += 0.1 * np.arange(1500) / 1000
+        made = {name: array[:1200] if name != "rate" else array for name, array in made.items()}
     elif what == "normal force outside of the rule":
         made["normal"] *= 10
         made["tangential"] *= 10
@@ -187,6 +194,23 @@ def test_excluded_trials_stay_in_the_table():
     assert counts == dict.fromkeys(REASONS, 1) | dict.fromkeys(OMISSIONS, 0)
     assert table["excluded"].values[-1] == ""
     assert list(table["trial"].values) == [*range(1, len(REASONS) + 1), 99]
+
+
+@pytest.mark.parametrize("which", [0, 3, 7])
+@pytest.mark.parametrize("offset", [0.0, -2.0])
+def test_a_finger_that_lies_on_the_plate_all_the_time_is_seen_beside_other_trials(which, offset):
+    records = []
+    for trial in range(8):
+        made = stroke()
+        made["normal"] += offset + 0.02 * trial
+        if trial == which:  # pressed from the start to the end, by a force that rises a little
+            made = {name: array[500:1000] if name != "rate" else array for name, array in made.items()}
+            made["normal"] *= np.linspace(1, 1.3, 500) if not offset else 1
+            made["normal"] += 0.3 * np.linspace(0, 1, 500) if offset else 0
+        records.append((Label("P1", 1, trial + 1, "WG1", "on"), Record(**made)))
+    excluded = measured(records)["excluded"].values
+    assert excluded[which] != ""
+    assert (np.delete(excluded, which) == "").all()
 
 
 def test_a_record_twice_is_refused():

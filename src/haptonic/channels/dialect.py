@@ -6,7 +6,7 @@ import csv
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from haptonic.channels.cells import is_missing, joined, number_of
@@ -123,6 +123,31 @@ def dialect_of(sample: Sequence[str]) -> Dialect | None:
             if best and best[0][0] == 1:
                 return best[1]
     return best[1] if best else None
+
+
+def with_rare_commas(
+    lines: Sequence[str], sample: Sequence[str], dialect: Dialect
+) -> tuple[Dialect, list[str]]:
+    """The dialect with decimal commas if lines beyond the sample have them; these lines join the sample.
+
+    A table of whole numbers shows no sign before decimals; a rare number such as 1,01e+06 does.
+    """
+    sample = list(sample)
+    if dialect.decimal == "," or dialect.separator == ",":
+        return dialect, sample
+    numbers = [
+        cell
+        for row in map(dialect.split, sample)
+        if dialect.is_row(row)
+        for cell, numeric in zip(row, dialect.numeric, strict=False)
+        if numeric
+    ]
+    if any("." in cell for cell in numbers):
+        return dialect, sample
+    commas = replace(dialect, decimal=",")
+    rare = [line for line in lines if "," in line and not is_comment(line)]
+    rare = [line for line in rare if commas.is_row(row := commas.split(line)) and not dialect.is_row(row)]
+    return (commas, [*sample, *rare[:TAIL]]) if rare else (dialect, sample)
 
 
 def comma_meaning(sample: Sequence[str], dialect: Dialect) -> str:

@@ -19,7 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.channels.cells import is_missing, numbers_in
-from haptonic.channels.dialect import Dialect, comma_meaning, dialect_of, is_comment, sample_of
+from haptonic.channels.dialect import (
+    Dialect,
+    comma_meaning,
+    dialect_of,
+    is_comment,
+    sample_of,
+    with_rare_commas,
+)
 from haptonic.channels.headings import Heading
 from haptonic.channels.text_file import refused, text_of
 from haptonic.channels.text_head import head_of
@@ -159,6 +166,7 @@ def read_table(
         raise refused(path, "no line with a number", "export it as text, a row of numbers a line")
     if dialect.cells > MOST_COLUMNS:
         raise refused(path, f"{dialect.cells:,} columns", f"export at most {MOST_COLUMNS:,} columns")
+    dialect, sample = with_rare_commas(lines[skip:], sample, dialect)
     if unsure := comma_meaning(sample, dialect):
         raise refused(path, unsure, "export it with a decimal point, or with semicolons between the columns")
     head = head_of(path, lines, dialect, skip, option)

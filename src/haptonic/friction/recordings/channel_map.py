@@ -12,22 +12,14 @@ from haptonic.arrays import Array
 from haptonic.channels import Group
 from haptonic.errors import FrictionError, HaptonicError
 from haptonic.friction.recordings.mounting import Mounting, own_angle
-from haptonic.friction.signals.clock import OTHER_RATE, Clock, clock_of, seconds_of_day
+from haptonic.friction.recordings.scaled_channel import ScaledChannel
+from haptonic.friction.recordings.titles import scale_of
+from haptonic.friction.signals.clock import Clock, clock_at, clock_of, repeats_of
 from haptonic.friction.signals.filters import design_frequency
-from haptonic.friction.signals.limits import stays
 from haptonic.friction.signals.record import Record
 
 HIGHEST_RATE = 1e12  # Hz; no converter comes near
-ALIKE = 0.05  # by which the rate of the times may differ from the one that the study gives
 ELSEWHERE = "the stroke goes in another direction than the participant's others: its own direction was taken"
-
-
-@dataclass(frozen=True)
-class ScaledChannel:
-    """A channel and what one of its units is in SI, negative where the sign is turned."""
-
-    name: str
-    factor: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +29,7 @@ class ChannelMap:
     remarks : what was guessed, in words
     sign_unknown : whether the study does not say in which direction the normal force counts
     axis_unknown : whether the study does not say along which channel the stroke goes
+    named : whether the study names both the normal and the tangential force
     mountings : how the sensor lay, by participant; see `mounted`
     doubts : what is unusual about it
     """
@@ -50,6 +43,7 @@ class ChannelMap:
     remarks: tuple[str, ...]
     sign_unknown: bool
     axis_unknown: bool
+    named: bool = False
     mountings: Mapping[str, Mounting] = field(default_factory=dict)
     doubts: tuple[str, ...] = ()
 
@@ -86,17 +80,23 @@ class ChannelMap:
             return clock.regular(channels[name])[first:last]
 
         def scaled(meaning: str) -> Array:
-            return self.scaled[meaning].factor * signal(self.scaled[meaning].name)
+            channel = self.scaled[meaning]
+            values = signal(channel.name)
+            return channel.factor_in(channels) * values
 
         flat, across = False, None
         if self.matrix is None:
             normal, tangential = scaled("normal"), scaled("tangential")
             across = scaled("across") if "across" in self.scaled else None
+            forces = [self.scaled[axis] for axis in ("normal", "tangential", "across") if axis in self.scaled]
+            raw = [(force.name, force.factor_in(channels)) for force in forces]
         else:
-            volts = np.array([signal(name) for name in self.gauges])
+            volts, raw = (
+                np.array([signal(name) for name in self.gauges]),
+                [(name, 1.0) for name in self.gauges],
+            )
             normal, tangential, across = self.matrix @ volts
-            flat = bool(volts.size) and any(stays(end) == "sure" for one in volts for end in (one, -one))
-            flat |= self.largest_gauge is not None and bool((np.abs(volts) >= self.largest_gauge).any())
+            flat = self.largest_gauge is not None and bool((np.abs(volts) >= self.largest_gauge).any())
         if self.largest_force is not None:
             flat |= bool((np.abs([normal, tangential]) >= self.largest_force).any())
         if not normal.size:
@@ -112,7 +112,9 @@ class ChannelMap:
         record = Record(
             normal=mounting.sign * normal, tangential=tangential, rate=rate,
             position=scaled("position") if "position" in self.scaled else None, saturated=flat,
-            across=across, remarks=(clock.remark,) if clock.remark else (),
+            across=across,
+            raw=np.array([unit * clock.rows(channels[name], first, last) for name, unit in raw]),
+            remarks=(clock.remark,) if clock.remark else (),
         )  # fmt: skip
         return self._along(record, mounting.angle) if self.axis_unknown and self.mountings else record
 
@@ -159,27 +161,22 @@ class ChannelMap:
 
     def _clock(self, channels: Group) -> Clock:
         if "time" not in self.scaled:
-            rate = self.rate or channels.rate
+            rate = self.rate or channels.rate or scale_of(channels).rate
             if rate is None or not 0 < rate < HIGHEST_RATE:
                 raise no_rate()
             return Clock(rate)
-        one = self.scaled["time"]
-        if self.rate is not None:
-            try:
-                times = _times(channels, one)
-                rate = (len(times) - 1) / float(times[-1] - times[0])
-            except (HaptonicError, ZeroDivisionError, IndexError):  # times that nobody needs
+        time = self.scaled["time"]
+        try:
+            times = time.times(channels)
+        except HaptonicError:
+            if self.rate is not None:  # times that nobody needs
                 return Clock(self.rate)
-            return Clock(self.rate, remark="" if abs(rate - self.rate) <= ALIKE * self.rate else OTHER_RATE)
-        return clock_of(_times(channels, one), f"channel {one.name}")
-
-
-def _times(channels: Group, one: ScaledChannel) -> Array:
-    channel = channels.channels.get(one.name)
-    values = np.zeros(0) if channel is None else np.asarray(channel)
-    if values.dtype.kind in "OUS":
-        return seconds_of_day(values.ravel().tolist(), f"channel {one.name}")
-    return one.factor * channels[one.name]
+            raise
+        others = {*(channel.name for channel in self.scaled.values()), *self.gauges} - {time.name}
+        repeats = repeats_of(times, (channels[name] for name in others))
+        times, where = times[~repeats], f"channel {time.name}"
+        clock = clock_of(times, where) if self.rate is None else clock_at(self.rate, times, where)
+        return clock.without(repeats)
 
 
 def no_rate() -> FrictionError:

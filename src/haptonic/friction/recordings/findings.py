@@ -2,28 +2,35 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.errors import FrictionError
 from haptonic.friction.recordings.channel_map import ChannelMap
-from haptonic.friction.recordings.mounting import Mounting, mounting_of
+from haptonic.friction.recordings.mounting import Mounting, begins_sliding, mounting_of
+from haptonic.friction.signals.limits import RangeEnds
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import OTHER_WAY, REMEDIES
 from haptonic.later import xarray as xr
 
 SLIPPERY = 0.03  # median friction below which no fingertip slides on a plate that is not driven
 STICKY = 1.0  # median friction above which normal and tangential force may be exchanged
+FEWEST_EXCHANGED = 2  # records that show that the forces are exchanged
 MOST_NAMED = 10  # participants that a sentence names
 
 
 def mounted(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) -> ChannelMap:
     """The channel map with how the sensor lay for each participant, and with what is unusual about it."""
     sign, angle = channel_map.sign_unknown, channel_map.axis_unknown
-    lay = {name: mounting_of(some, sign=sign, angle=True) for name, some in records.items()}
+    exchanged = _exchanged(channel_map, records)
+    within = _within_ranges(records)
+    lay = {name: mounting_of(some, sign=sign, angle=True) for name, some in within.items()}
     remarks, doubts = _signs(lay)
+    doubts += exchanged
     along, across = channel_map.plane
     if angle:
         doubts += [
@@ -40,6 +47,41 @@ def mounted(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) ->
         ]
         lay = {name: Mounting(one.sign) for name, one in lay.items()}
     return channel_map.mounted(lay, tuple(remarks), tuple(doubts))
+
+
+def _within_ranges(records: Mapping[str, Sequence[Record]]) -> dict[str, list[Record]]:
+    """Records of each participant without those in which a channel is at its end, if others are left.
+
+    Such a channel turns the force in the plane.
+    """
+    ends = RangeEnds.of([record.channels for some in records.values() for record in some])
+    reached = iter(ends.reached().tolist())
+    within = {name: [record for record in some if not next(reached)] for name, some in records.items()}
+    return {name: within[name] or list(some) for name, some in records.items()}
+
+
+def _exchanged(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) -> list[str]:
+    """A doubt if the tangential force begins before the normal one in most records, and both are named.
+
+    Raises
+    ------
+    FrictionError : the same, and they are not both named
+    """
+    begin = [begins_sliding(record) for some in records.values() for record in some]
+    if 2 * sum(begin) <= len(begin) or sum(begin) < FEWEST_EXCHANGED:
+        return []
+    given = f"a tangential force before the finger presses, in {sum(begin)} of {len(begin)} records"
+    if channel_map.named:
+        return [f"{given}: no friction does so; check whether normal and tangential force are exchanged"]
+    along, across = channel_map.plane
+    others = " or ".join(f'"{name}"' for name in (along, across) if name)
+    raise FrictionError.conflict(
+        argument="trials.sensor.normal",
+        given=given,
+        allowed="a normal force that begins before the tangential one, or with it: friction needs a load",
+        cause="normal and tangential force are exchanged, or the normal force is another channel",
+        next_step=f"name both in [trials.sensor]: normal is perhaps {others}",
+    )
 
 
 def _signs(lay: Mapping[str, Mounting]) -> tuple[list[str], list[str]]:
@@ -110,11 +152,12 @@ def doubts_of(trials: xr.Dataset, normal: str) -> list[str]:
     for person in dict.fromkeys(people[against].tolist()):
         rows = people == person
         share = int((against & rows).sum())
-        named = f'normal = "{normal}" in [trials.sensor]' if normal else "the other trials"
+        named = f'normal = "{normal}" in [trials.sensor]' if normal.startswith("-") else "the other trials"
         doubts.append(
-            f"the normal force of {person} goes the other way than {named} says, in {share} of "
+            f"the normal force of {person} goes the other way than that of {named}, in {share} of "
             f"{int(rows.sum())} trials: they were left out"
         )
+    doubts += _unchecked(trials)
     counts = excluded == ""
     off = counts & (trials["actuation"].values == "off")
     friction = trials["friction"].values[off if off.any() else counts]
@@ -130,3 +173,19 @@ def doubts_of(trials: xr.Dataset, normal: str) -> list[str]:
             "exchanged, name them with normal and tangential in [trials.sensor]"
         )
     return doubts
+
+
+def _unchecked(trials: xr.Dataset) -> list[str]:
+    """A sentence about trials whose records do not end at rest, so that nothing shows a small drift."""
+    window = json.loads(trials.attrs.get("rules", "{}")).get("bias_window")
+    if "sensor_drift" not in trials or not window:
+        return []
+    counts = trials["excluded"].values == ""
+    unknown = int((np.isnan(trials["sensor_drift"].values) & counts).sum())
+    if not unknown:
+        return []
+    return [
+        f"{unknown} of {int(counts.sum())} records do not end at rest: a drift of the sensor is not "
+        "corrected there, and seen only where the rest at the start shows it; let the finger leave the "
+        "plate before a record ends"
+    ]

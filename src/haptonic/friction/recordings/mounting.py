@@ -14,8 +14,9 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.friction.signals.filters import smoothed
-from haptonic.friction.signals.measuring import FEWEST, RETURNED, rest_of
+from haptonic.friction.signals.measuring import FEWEST
 from haptonic.friction.signals.record import Record
+from haptonic.friction.signals.rest import RETURNED, rest_of
 
 AT_REST = 20  # that part of a record, at its start, shows the sensor without a finger
 PRESSED = 0.5  # of the largest normal force: the finger presses
@@ -23,6 +24,9 @@ STRAIGHT = 0.15  # across the stroke over along it: no finger strokes straighter
 ASIDE = 0.3  # the same of a single stroke that goes elsewhere than the others of its participant
 LEAST = 0.1  # force across over normal force that shows it
 NOTHING = 0.01  # friction below which there is no direction
+BEGUN = 0.2  # of the largest tangential force: the finger slides
+NOISES = 3.0  # times the largest departure while the sensor rests: a force
+UNLOADED = 5.0  # times the normal force: no friction of a finger is as large
 GONE = 0.2  # of the force at the start: what is left when a finger that lay there is lifted
 
 
@@ -51,6 +55,23 @@ def excursion(normal: Array) -> float:
     return 0.0 if lifted else size
 
 
+def begins_sliding(record: Record) -> bool:
+    """True if a tangential force begins where the finger does not press yet, which friction never does."""
+    across = [] if record.across is None else [record.across]
+    channels = np.array([record.normal, record.tangential, *across], dtype=float)
+    part = max(2, channels.shape[1] // AT_REST)
+    if channels.shape[1] <= FEWEST or not np.isfinite(channels).all():
+        return False
+    smooth = smoothed(channels, record.rate)
+    departs = np.abs(smooth - smooth[:, :part].mean(axis=1, keepdims=True))
+    noise = NOISES * float(departs[1:, :part].max())
+    slides = np.hypot(departs[1], departs[2]) if len(departs) > 2 else departs[1]
+    begun = np.flatnonzero(slides > max(BEGUN * slides.max(), noise))
+    if not begun.size or slides.max() < departs[0].max() * NOTHING:
+        return False
+    return bool(departs[0, begun[0]] < slides[begun[0]] / UNLOADED)
+
+
 def moments(record: Record) -> Array:
     """(2, 2) mean products of the forces in the plane over the square of the normal force, without noise."""
     if record.across is None:
@@ -62,7 +83,8 @@ def moments(record: Record) -> Array:
     smooth, start = smoothed(channels[0], record.rate), channels[:, :, :part].mean(axis=2)
     departs = np.abs(smooth - start[0][:, None]).max(axis=1)
     back = np.abs(smooth[:, -part:].mean(axis=1) - start[0]) < RETURNED * departs
-    normal, *plane = (channels - rest_of(channels, smooth, start, back, part))[:, 0]
+    rest, _ = rest_of(channels, smooth, start, back, part)
+    normal, *plane = (channels - rest)[:, 0]
     forces, normal = np.array(plane), np.abs(normal)
     if not normal.any():
         return np.zeros((2, 2))

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import AfterValidator, Field
@@ -12,11 +13,11 @@ from pydantic import AfterValidator, Field
 from haptonic.arrays import Array
 from haptonic.channels import Group
 from haptonic.channels.delimited import FIRST_ROW, NAMES_LINE
-from haptonic.channels.labels import factor_of
 from haptonic.errors import FrictionError, HaptonicError, nearest, shown
 from haptonic.fields import Quantity, described, handed_on, problem, setting
-from haptonic.friction.recordings.channel_map import ChannelMap, ScaledChannel, no_rate
-from haptonic.friction.recordings.channel_names import Names, plain, split
+from haptonic.friction.recordings.channel_map import ChannelMap, no_rate
+from haptonic.friction.recordings.channel_names import Names, plain
+from haptonic.friction.recordings.scaled_channel import KINDS, ScaledChannel
 from haptonic.friction.recordings.titles import scale_of
 from haptonic.later import pandas as pd
 from haptonic.names import names_in
@@ -32,7 +33,9 @@ GAUGES = tuple(
     for first in (0, 1)
 )
 CALIBRATION = "calibration.csv"  # taken if it lies beside the trials and nothing is said
-DIMENSION = {"normal": "N", "tangential": "N", "across": "N", "position": "m", "time": "s"}
+DIMENSION: dict[str, Literal["N", "m", "s"]] = {
+    "normal": "N", "tangential": "N", "across": "N", "position": "m", "time": "s",
+}  # fmt: skip
 WORDS = {
     "normal": "the normal force", "tangential": "the tangential force", "position": "the position",
     "time": "the times",
@@ -63,7 +66,7 @@ class Sensor:
 
     normal: Text = setting(
         "",
-        "Name or number of its channel; a minus before it turns the sign.",
+        "Name or number of its channel; a minus before it turns the sign, else the records show it.",
         title="Normal force",
         examples=["-Fz"],
     )
@@ -144,16 +147,19 @@ class Sensor:
         matrix: Array | None = None
         gauges: tuple[str, ...] = ()
         raw = calibration is not None and bool(self.calibration or self.gauges or not guesses["normal"])
-        for meaning in DIMENSION:
+        for meaning, dimension in DIMENSION.items():
             asked = getattr(self, meaning, "")
-            if raw and DIMENSION[meaning] == "N":
+            if raw and dimension == "N":
                 continue
             name = (
                 self._asked(meaning, asked, channels) if asked else self._guessed(meaning, guesses, channels)
             )
             if not name:
                 continue
-            scaled[meaning] = self._scaled(meaning, name, channels, turned=asked.startswith("-"))
+            sign = -1.0 if asked.startswith("-") else 1.0
+            unit = getattr(self, f"{KINDS[dimension]}_unit")
+            channel = ScaledChannel(name, dimension, unit, sign)
+            scaled[meaning] = replace(channel, usual=channel.factor_in(channels))
             if not asked and meaning != "across":
                 remarks.append(f'the channel "{name}" was taken as {meaning}')
         if raw and calibration is not None:
@@ -164,16 +170,15 @@ class Sensor:
         scale = scale_of(channels)
         if scale.counts != 1 and not self.force_unit:
             remarks.append(f"a title gives {scale.counts:g} counts for a force of 1 {scale.unit or 'N'}")
-        rate = self.rate
-        if "time" not in scaled and rate is None and channels.rate is None:
-            rate = scale.rate
-            if rate is None:
+        if "time" not in scaled and self.rate is None and channels.rate is None:
+            if scale.rate is None:
                 raise no_rate()
-            remarks.append(f"the sampling rate, {rate:g} Hz, was taken from a title")
+            remarks.append(f"the sampling rate, {scale.rate:g} Hz, was taken from a title")
         return ChannelMap(
-            scaled=scaled, rate=rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
-            largest_gauge=self.largest_gauge, remarks=tuple(remarks), sign_unknown=not self.normal,
-            axis_unknown=not self.tangential,
+            scaled=scaled, rate=self.rate, gauges=gauges, matrix=matrix, largest_force=self.largest_force,
+            largest_gauge=self.largest_gauge, remarks=tuple(remarks),
+            sign_unknown=not self.normal.startswith("-"), axis_unknown=not self.tangential,
+            named=bool(self.normal and self.tangential),
         )  # fmt: skip
 
     def _guesses(self, channels: Group) -> dict[str, list[str]]:
@@ -269,26 +274,6 @@ class Sensor:
                 next_step='write gauges = "G0, G1, G2, G3, G4, G5"',
             )
         return gauges
-
-    def _scaled(self, meaning: str, name: str, channels: Group, *, turned: bool) -> ScaledChannel:
-        kind = {"N": "force", "m": "position", "s": "time"}[DIMENSION[meaning]]
-        unit = getattr(self, f"{kind}_unit") or channels.channels[name].unit or split(name)[1]
-        factor = 1.0
-        if not unit and kind == "force":
-            scale = scale_of(channels)
-            unit, factor = scale.unit, 1 / scale.counts
-        if unit:
-            try:
-                factor *= factor_of(unit, DIMENSION[meaning])
-            except HaptonicError as error:
-                raise FrictionError.malformed(
-                    argument=f"unit of the channel {name}",
-                    given=f'"{unit}"',
-                    allowed=f'a unit of {kind}, such as "m{DIMENSION[meaning]}"',
-                    cause="raw volts without a calibration" if unit.endswith("V") else error.cause,
-                    next_step=f"give {kind}_unit, or calibration and gauges, in [trials.sensor]",
-                ) from None
-        return ScaledChannel(name, -factor if turned else factor)
 
     def _rows(self, calibration: Array) -> Array:
         """(3, 6) rows of the calibration for normal force, tangential one, and the one across."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.errors import FrictionError
 
 JITTER = 0.1  # of a sampling interval: times that scatter by less are even
@@ -22,9 +22,12 @@ COARSEST = 0.05  # error of a sampling rate from rounded times
 FASTEST = 1e6  # Hz: no force sensor gives more, so times that say so are in another unit
 DAY = 86400.0
 
+NEAR = 0.5  # of a sampling interval: usual steps of times that agree with a rate
+ALIKE = 0.05  # by which the mean rate of the times may differ from the one that is given
 SCATTER = "the times scatter: the samples were taken as equidistant"
 UNEVEN = "the samples lie at uneven times: they were interpolated on an even grid"
 BRIDGED = f"rows are missing for up to {1e3 * LONGEST_GAP:g} ms at a time: these gaps were bridged by lines"
+REPEATED = "rows that repeat the row above them, with its time, were left out"
 OTHER_RATE = "the column of times says another sampling rate than trials.sensor.rate, which was used"
 ADVICE = 'give rate = "1 kHz", or what it was, in [trials.sensor]: it goes before the times'
 
@@ -40,21 +43,55 @@ class Clock:
 
     rate : Hz
     times : (row,) s, ascending, at which the rows lie; None where they lie at even times already
+    once : (row of the file,) False for rows that repeat the one above them and are left out; None if none do
     remark : what was done about the times; empty if nothing
     """
 
     rate: float
     times: Array | None = None
+    once: Bools | None = None
     remark: str = ""
+
+    def without(self, repeats: Bools) -> Clock:
+        """The same for a file with rows that repeat the one above them; this clock is of the other rows."""
+        if not repeats.any():
+            return self
+        remark = f"{REPEATED}; {self.remark}" if self.remark else REPEATED
+        return replace(self, once=~repeats, remark=remark)
 
     def regular(self, values: Array) -> Array:
         """Samples at even times; rows of one time count as their mean."""
+        values = values if self.once is None else values[self.once]
         if self.times is None:
             return values
         times, first, count = np.unique(self.times, return_index=True, return_counts=True)
         means = np.add.reduceat(np.asarray(values, dtype=float), first) / count
         grid = np.arange(np.floor((times[-1] - times[0]) * self.rate + 1e-6) + 1) / self.rate
         return np.asarray(np.interp(times[0] + grid, times, means))
+
+    def rows(self, values: Array, first: int, last: int | None) -> Array:
+        """Values of the file, as they are, between two of the even samples."""
+        values = values if self.once is None else values[self.once]
+        if self.times is None:
+            return values[first:last]
+        ends = [None if end is None else self.times[0] + end / self.rate for end in (first, last)]
+        start, stop = (None if end is None else int(np.searchsorted(self.times, end)) for end in ends)
+        return values[start:stop]
+
+
+def repeats_of(time: Array, channels: Iterable[Array]) -> Bools:
+    """(row,) True for rows that repeat the row above them, if all rows of one time do so.
+
+    A clock that is too coarse gives one time to rows that differ.
+    """
+    none = np.zeros(len(time), dtype=bool)
+    same = np.concatenate([[False], np.diff(time) == 0]) if len(time) else none
+    if not same.any():
+        return none
+    for values in channels:
+        if len(values) == len(time) and not (values[1:] == values[:-1])[same[1:]].all():
+            return none
+    return same
 
 
 def clock_of(time: Array, where: str) -> Clock:
@@ -108,14 +145,35 @@ def clock_of(time: Array, where: str) -> Clock:
         longest = int(np.argmax(steps))
         lost = float((steps[gaps] - even).sum())
         if steps[longest] > LONGEST_GAP + even or lost > MOST_LOST * span:
-            raise _unusable(
-                where,
-                f"times that do not advance evenly: no sample for {steps[longest]:.3g} s after "
-                f"{time[longest] - time[0]:.3g} s",
-                "rows were lost",
-                "record this trial again; or, if the samples follow each other evenly, " + ADVICE,
-            )  # fmt: skip
+            even_anyway = "record this trial again; or, if the samples follow each other evenly, " + ADVICE
+            raise _rows_lost(time, where, even_anyway)
     return _plausible(Clock(1 / even, times=time, remark=BRIDGED if gaps.any() else UNEVEN), where)
+
+
+def clock_at(rate: float, time: Array, where: str) -> Clock:
+    """The clock of a record whose rate, Hz, is given, and goes before the times of its rows, s.
+
+    Raises
+    ------
+    FrictionError : times that agree with the rate and show that rows are missing; ``where`` is the file
+    """
+    steps = np.diff(time)
+    if not steps.size or not np.isfinite(steps).all() or time[-1] == time[0]:
+        return Clock(rate)
+    if abs(np.median(steps) * rate - 1) < NEAR and steps.max() > LONGEST_GAP + 1 / rate:
+        raise _rows_lost(
+            time, where, "record this trial again; or, if none was lost, take the times out of the file"
+        )
+    mean = len(steps) / float(time[-1] - time[0])
+    return Clock(rate, remark="" if abs(mean - rate) <= ALIKE * rate else OTHER_RATE)
+
+
+def _rows_lost(time: Array, where: str, next_step: str) -> FrictionError:
+    longest = int(np.argmax(np.diff(time)))
+    return _unusable(
+        where, f"times that do not advance evenly: no sample for {time[longest + 1] - time[longest]:.3g} s "
+        f"after {time[longest] - time[0]:.3g} s", "rows were lost", next_step,
+    )  # fmt: skip
 
 
 def _going_back(where: str, steps: Array) -> FrictionError:

@@ -14,9 +14,19 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools
 from haptonic.friction.signals.filters import design_frequency, smoothed
+from haptonic.friction.signals.jumps import jumps
 from haptonic.friction.signals.limits import RangeEnds
 from haptonic.friction.signals.record import Record
-from haptonic.friction.signals.rules import DEFAULT_RULES, OTHER_WAY, Measured, Rules
+from haptonic.friction.signals.rest import RETURNED, drifts, rest_of
+from haptonic.friction.signals.rules import (
+    DEFAULT_RULES,
+    DRIFTS,
+    JUMPS,
+    OTHER_WAY,
+    TOUCHED_EARLY,
+    Measured,
+    Rules,
+)
 
 Columns = dict[str, NDArray[np.generic]]
 
@@ -25,9 +35,6 @@ TOGETHER = 64  # strokes: their channels stay in the processor's cache
 # A sensor without a finger shows little beside the force of a stroke; a finger that lies on it from the start
 # is lifted in the end, which leaves little of the force at the start.
 LITTLE = 0.2
-RETURNED = 0.5  # of the stroke's force: how near to the start the end has to come to be rest
-QUIET = 3.0  # times the noise at the start, or
-QUIET_SHARE = 0.03  # of the force of the stroke: an end that is no louder is rest
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +47,9 @@ class Processed:
         speed
     touched : (stroke,) whether there is contact within the window of the bias already
     pulled : (stroke,) whether the normal force falls where the finger presses
+    zero : (stroke,) N, normal force that was taken as zero at the start
+    drift : (stroke,) N, of the normal force from the start to the end; NaN where the end is no rest
+    drifting : (stroke,) whether the rest at the start drifts, and no rest at the end corrects it
     """
 
     normal: Array
@@ -50,6 +60,9 @@ class Processed:
     plateau: Bools
     touched: Bools
     pulled: Bools
+    zero: Array
+    drift: Array
+    drifting: Bools
 
     @property
     def steady(self) -> Bools:
@@ -103,9 +116,9 @@ def measure_part(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> tup
 
 
 def marked(columns: Columns, limits: RangeEnds) -> Columns:
-    """The columns with the strokes excluded whose force stays at a limit that many strokes share."""
+    """The columns with the strokes excluded in which a channel is at the end of its range."""
     excluded = columns["excluded"].copy()
-    excluded[limits.shared() & (excluded != "missing numbers")] = "saturated channel"
+    excluded[limits.reached() & (excluded != "missing numbers")] = "saturated channel"
     return {**columns, "excluded": excluded}
 
 
@@ -137,7 +150,8 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
     forces = smooth[:2] if rules.filter == "literal" else smoothed(channels[:2], rate, rules.filter)
     window = round(rules.bias_window * rate)
     touched = np.zeros(channels.shape[1], dtype=bool)
-    pulled = touched
+    pulled = drifting = touched
+    drift, zero = np.full(channels.shape[1], np.nan), np.zeros(channels.shape[1])
     if window:
         start = channels[:2, :, :window].mean(axis=2)
         up, down = (np.abs(end(smooth[0], axis=1) - start[0]) for end in (np.max, np.min))
@@ -146,7 +160,13 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         back = np.abs(channels[0, :, -window:].mean(axis=1) - start[0]) < RETURNED * stroke
         touched = np.ptp(smooth[0, :, :window], axis=1) > rules.threshold
         touched |= (stroke > rules.threshold) & ~back & (np.abs(far) < LITTLE * np.abs(start[0]))
-        forces = forces - rest_of(channels[:2], smooth[0], start, back, window)
+        rest, settled = rest_of(channels[:2], smooth[0], start, back, window)
+        forces = forces - rest
+        zero = start[0]
+        drift = np.where(settled, rest[0, :, -1] - rest[0, :, 0], np.nan)
+        unsure = np.flatnonzero(~settled & ~touched)
+        drifting = np.zeros_like(touched)
+        drifting[unsure] = [drifts(channels[:2, k], smooth[0, k], rate) for k in unsure]
     normal, tangential = forces
     contact = normal > rules.threshold
     velocity, forwards, plateau = _motion(smooth[2:], rate, tangential, contact, rules)
@@ -159,34 +179,10 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         plateau=plateau,
         touched=touched,
         pulled=pulled & ~touched,
+        zero=zero,
+        drift=drift,
+        drifting=drifting,
     )
-
-
-def rest_of(forces: Array, smooth: Array, start: Array, back: Bools, window: int) -> Array:
-    """Forces (channel, stroke, sample) that the sensor shows without a finger.
-
-    They are those at the start; where the record ends at rest as well, a line from the one to the other, for
-    a sensor drifts while it warms up.
-
-    Parameters
-    ----------
-    smooth : (stroke, sample) normal force; start : (channel, stroke) means over the window at the start
-    back : (stroke,) whether the normal force comes back to where it started
-    """
-    samples = forces.shape[2]
-    rest = np.repeat(start[:, :, None], samples, axis=2)
-    noise = np.maximum(QUIET * smooth[:, :window].std(axis=1), QUIET_SHARE * np.ptp(smooth, axis=1))
-    unsettled = back.copy()
-    for part in (window, window // 2, window // 4):
-        if part < 2 or samples < 2 * window + part:
-            continue
-        still = unsettled & (smooth[:, -part:].std(axis=1) <= noise)
-        drift = forces[:, :, -part:].mean(axis=2) - start
-        middles = 0.5 * (window - 1), samples - 0.5 * (part + 1)
-        place = np.clip((np.arange(samples) - middles[0]) / (middles[1] - middles[0]), 0, 1)
-        rest += np.where(still[:, None], drift[:, :, None] * place, 0.0)
-        unsettled &= ~still
-    return rest
 
 
 def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np.generic]], RangeEnds]:
@@ -201,9 +197,11 @@ def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np
     if samples < FEWEST:
         excluded[whole] = "record too short"
     else:
-        limits = RangeEnds.of(channels[:2])
-        flagged = np.array([record.saturated for record in records])
-        excluded[whole & (flagged | limits.sure)] = "saturated channel"
+        limits = RangeEnds.of([record.channels for record in records])
+        for row in np.flatnonzero(whole):
+            if jumps(records[row].channels):
+                excluded[row] = JUMPS
+        excluded[whole & np.array([record.saturated for record in records])] = "saturated channel"
     usable = np.flatnonzero(excluded == "")
     found = {name: np.full(count, value) for name, value in asdict(Measured()).items() if name != "excluded"}
     if usable.size:
@@ -223,7 +221,8 @@ def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Ar
     excluded[duration < rules.steady] = "steady part too short"
     excluded[~contact.any(axis=1)] = "no contact"
     excluded[stroke.pulled] = OTHER_WAY
-    excluded[stroke.touched] = "contact before the stroke"
+    excluded[stroke.drifting & (excluded == "")] = DRIFTS
+    excluded[stroke.touched] = TOUCHED_EARLY
     enough, least = excluded == "", np.maximum(count, 1)
 
     def mean(values: Array) -> Array:
@@ -240,6 +239,8 @@ def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Ar
             "spread": np.sqrt((apart**2).sum(axis=1) / (count - 1)),
             "force": force,
             "speed": speed,
+            "rest_force": stroke.zero,
+            "sensor_drift": stroke.drift,
         }
     numbers = {name: np.where(enough, values, np.nan) for name, values in numbers.items()}
     seen = ~stroke.touched

@@ -73,6 +73,8 @@ class Record:
     position : (samples,) m along the stroke, or None
     saturated : whether a channel of the sensor was at its end, where the forces themselves do not show it
     across : (samples,) N, the other force in the plane, or None
+    raw : (channel, row) channels at the rows of the file, which show the ends of their ranges; None where the
+        forces are as in the file
     remarks : what was done to the samples, such as bridged gaps
     """
 
@@ -82,6 +84,7 @@ class Record:
     position: Array | None = None
     saturated: bool = False
     across: Array | None = None
+    raw: Array | None = None
     remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -114,6 +117,11 @@ class Record:
                     "the channel is in mN, gram-force, mm or counts of the converter",
                     f"convert it to {unit} first",
                 )
+
+    @property
+    def channels(self) -> Array:
+        """(channel, row) channels at the rows of the file, or the forces."""
+        return np.array([self.normal, self.tangential], dtype=float) if self.raw is None else self.raw
 
 
 def _unusable(name: str, given: str, allowed: str, cause: str, next_step: str = "") -> FrictionError:

@@ -16,14 +16,19 @@ Force = Annotated[float, Quantity("N", at_least=0.0, at_most=100.0)]
 Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 
 OTHER_WAY = "normal force in the other direction"
+DRIFTS = "drift of the sensor"
+JUMPS = "jump of a channel"
+TOUCHED_EARLY = "contact before the stroke"
 REASONS = (
     "missing numbers",
     "record too short",
     "saturated channel",
-    "contact before the stroke",
+    JUMPS,
+    TOUCHED_EARLY,
     OTHER_WAY,
     "no contact",
     "steady part too short",
+    DRIFTS,
     "normal force outside of the rule",
     "speed outside of the rule",
 )
@@ -41,13 +46,17 @@ REMEDIES = {
         "a force stays at one value, the end of the channel's range",
         "choose a larger range of the sensor; largest_force in [trials.sensor] gives its end",
     ),
-    "contact before the stroke": (
+    JUMPS: (
+        "a channel jumps for a sample or two: a loose contact, or lost data",
+        "look at the cables, and record these trials again",
+    ),
+    TOUCHED_EARLY: (
         "the finger lies on the plate within the bias window, at the start of the record",
         'shorten bias_window in [trials], or write bias_window = "0 s" if the sensor was set to zero before',
     ),
     OTHER_WAY: (
-        "the sensor was turned round, or the sign in [trials.sensor] is the other one",
-        'turn the sign of normal in [trials.sensor], as in normal = "-Fz"',
+        "the sensor was turned round, or a minus before normal in [trials.sensor] is wrong",
+        "leave the minus out before normal in [trials.sensor]: the records of each participant show the sign",
     ),
     "no contact": (
         "the normal force stays below the threshold: another channel, another unit or a light touch",
@@ -56,6 +65,10 @@ REMEDIES = {
     "steady part too short": (
         "too few samples have contact and a steady speed in one direction",
         "check position in [trials.sensor], or change plateau, middle or steady in [trials]",
+    ),
+    DRIFTS: (
+        "the forces drift before the finger comes, and no rest at the end shows how far",
+        "end each record without the finger on the plate, or let the sensor warm up before the trials",
     ),
     "normal force outside of the rule": (
         "the unit of the forces is another one, or people pressed harder or less than planned",
@@ -119,6 +132,9 @@ class Measured:
     spread : standard deviation of the ratio over the steady part
     force, speed : means over the steady part, N and m/s
     duration : of the steady part, s
+    rest_force : normal force that was taken as zero, at the start of the record, N
+    sensor_drift : of the normal force from the start of the record to its end, N; unknown where the record
+        does not end at rest
     below_threshold, reversing, off_plateau : shares of the samples left out for that reason
     excluded : one of `REASONS`, or nothing
     """
@@ -129,6 +145,8 @@ class Measured:
     force: float = np.nan
     speed: float = np.nan
     duration: float = 0.0
+    rest_force: float = np.nan
+    sensor_drift: float = np.nan
     below_threshold: float = np.nan
     reversing: float = np.nan
     off_plateau: float = np.nan

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from haptonic import hdf5
 from haptonic.channels import Notebook, delimited, hdf5 as stored
 from haptonic.errors import ChannelError, FrictionError, ResourceError, nearest
-from haptonic.friction.signals.clock import clock_of
+from haptonic.friction.signals.clock import clock_of, repeats_of
 from haptonic.friction.signals.columns import UNSURE, meanings, plain_word, renamed, whole_number
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
@@ -60,7 +60,8 @@ def read_records(path: Path) -> Iterator[tuple[Label, Record]]:
         normal, tangential = (
             numbers_of(path, columns, name)[start:stop] for name in ("normal", "tangential")
         )
-        clock = clock_of(time, f"{path.name}, {label}")
+        repeats = repeats_of(time, [normal, tangential, *([] if position is None else [position])])
+        clock = clock_of(time[~repeats], f"{path.name}, {label}").without(repeats)
         position = None if position is None else clock.regular(position)
         yield label, Record(
             clock.regular(normal), clock.regular(tangential), clock.rate, position,

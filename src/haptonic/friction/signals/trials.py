@@ -13,13 +13,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
-from haptonic.friction.signals.measuring import Columns, measure_all
+from haptonic.friction.signals.limits import RangeEnds
+from haptonic.friction.signals.measuring import Columns, marked, measure_part
 from haptonic.friction.signals.record import Label, Record
-from haptonic.friction.signals.rules import DEFAULT_RULES, OMISSIONS, REASONS, Rules
+from haptonic.friction.signals.rules import DEFAULT_RULES, OMISSIONS, REASONS, TOUCHED_EARLY, Rules
 from haptonic.later import xarray as xr
 
+AROUND = 5  # trials of a participant, the middle one among them, whose median shows the rest
 PORTION = 256  # records that are held at a time
-UNITS = {"force": "N", "speed": "m/s", "duration": "s", "friction": "1"}
+UNITS = {
+    "force": "N",
+    "speed": "m/s",
+    "duration": "s",
+    "rest_force": "N",
+    "sensor_drift": "N",
+    "friction": "1",
+}
 IDENTITY = ("participant", "block", "trial")
 
 
@@ -38,12 +47,35 @@ def measured(records: Iterable[tuple[Label, Record]], rules: Rules = DEFAULT_RUL
     """
     coming = iter(records)
     labels: list[Label] = []
-    found: list[Columns] = []
+    columns, limits = list[Columns](), list[RangeEnds]()
     while portion := list(islice(coming, PORTION)):
         labels += [label for label, _ in portion]
-        found.append(measure_all([record for _, record in portion], rules))
-    named = {field.name: np.array([getattr(one, field.name) for one in labels]) for field in fields(Label)}
-    return tabulated(named, joined(found), rules)
+        numbers, ends = measure_part([record for _, record in portion], rules)
+        columns.append(numbers)
+        limits.append(ends)
+    named = {
+        field.name: np.array([getattr(label, field.name) for label in labels]) for field in fields(Label)
+    }
+    every = marked(joined(columns), RangeEnds.joined(limits)) if columns else {}
+    return tabulated(named, every, rules)
+
+
+def begun_pressed(columns: Columns, people: NDArray[Any]) -> NDArray[np.object_]:
+    """Why a trial does not count, with those that took a finger on the plate for the rest.
+
+    Where the finger lies on the plate from the start to the end, its force at the start is taken as zero.
+    Then this zero departs from that of the trials around it by more than the force of the stroke.
+    """
+    excluded = columns["excluded"].astype(object)
+    rest, force = (np.asarray(columns[name], dtype=float) for name in ("rest_force", "force"))
+    for person in dict.fromkeys(people.tolist()):
+        rows = np.flatnonzero((people == person) & np.isfinite(rest))
+        if len(rows) <= AROUND // 2:
+            continue
+        padded = np.pad(rest[rows], AROUND // 2, "reflect")
+        usual = np.median(np.lib.stride_tricks.sliding_window_view(padded, AROUND), axis=1)
+        excluded[rows[(np.abs(rest[rows] - usual) > force[rows]) & (excluded[rows] == "")]] = TOUCHED_EARLY
+    return excluded
 
 
 def joined(found: list[Columns]) -> Columns:
@@ -79,7 +111,8 @@ def tabulated(
                 next_step="number the trials of a block consecutively",
             )
         once.add(key)
-    table = {**labels, **found, "friction": found["mean_of_ratios"]}
+    excluded = begun_pressed(found, labels["participant"])
+    table = {**labels, **found, "excluded": excluded, "friction": found["mean_of_ratios"]}
     table |= {name: column.astype(str) for name, column in table.items() if column.dtype == object}
     data = {
         name: ("stroke", values, {"units": UNITS[name]} if name in UNITS else {})

@@ -1,0 +1,21 @@
+"""Channels that jump for a sample or two: loose contacts, lost data, switches nearby."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from haptonic.arrays import Array
+
+AROUND = 5  # samples whose median no jump of two samples changes
+JUMP = 0.5  # of the largest range of the channels; a smaller jump of a sample changes a mean by less than 1 %
+LOUD = 10.0  # times the mean distance from that median: noise does not jump as far
+
+
+def jumps(channels: Array) -> bool:
+    """True if one of the (channel, sample) channels jumps and comes back at once."""
+    if channels.shape[1] < AROUND:
+        return False
+    smooth = np.median(np.lib.stride_tricks.sliding_window_view(channels, AROUND, axis=1), axis=2)
+    apart = np.abs(channels[:, AROUND // 2 : -(AROUND // 2)] - smooth)
+    largest = np.maximum(JUMP * np.ptp(smooth, axis=1).max(initial=0), LOUD * apart.mean(axis=1))
+    return bool((apart.max(axis=1) > largest).any())
