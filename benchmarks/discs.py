@@ -110,7 +110,7 @@ def survey(cell: UnitCell) -> tuple[str, float, float]:
     fine = [one for one in fine if one.seconds(cell) < LONGEST]
     if not fine:
         raise ResourceError.too_large(
-            argument="cell", given="a reference", allowed=f"{LONGEST:g} s", cause="the reference takes longer",
+            argument="cell", given="a finer mesh", allowed=f"{LONGEST:g} s", cause="it takes longer",
             next_step="none",
         )  # fmt: skip
     finer = BlochModel.of(cell, fine[0], settings.count, measured=False)
