@@ -25,7 +25,7 @@ from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 
 # finer meshes, of which the first that takes so many seconds at most is used
-FINE = tuple(Resolution(order, rings, 3, 24) for order, rings in ((6, 2), (5, 2), (6, 1), (5, 1)))
+FINE = tuple(Resolution(order, rings, 3, 24) for order, rings in ((8, 2), (6, 2), (5, 2), (6, 1), (5, 1)))
 LONGEST = 60.0
 SHARES = np.array([(0.35, 0.73), (1.0, 0.0), (0.13, -0.83), (1.0, 1.0)])  # of pi
 TUNGSTEN = IsotropicMaterial(411e9, 0.28, 19250.0, name="tungsten")

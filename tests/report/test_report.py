@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import re
-from dataclasses import fields, replace
+from dataclasses import asdict, fields, replace
 from datetime import UTC, datetime
 from html.parser import HTMLParser
 from pathlib import Path
@@ -15,9 +15,11 @@ import pytest
 from matplotlib.figure import Figure
 
 from five_parts import refusing
-from haptonic.cell import MeshPlan
+from haptonic.cell import Disc, MeshPlan, UnitCell
 from haptonic.errors import ResourceError
 from haptonic.fields import unchecked
+from haptonic.lattice import Lattice
+from haptonic.materials import material
 from haptonic.report import Absent, Chapter, Results, Table, write_report
 from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, sweeps
 from haptonic.report.page import MESH, _appendix, page
@@ -416,6 +418,17 @@ def test_every_number_of_a_mesh_has_words_and_every_tile_its_column():
     assert told.head == ("What", "Tile 1", "Tile 2")
     layers = str(plan["pillar_layers"])
     assert [row[1:] for row in told.texts if row[0] == MESH["pillar_layers"]] == [(layers, "17")]
+
+
+def test_a_mesh_of_discs_is_described_by_its_layers_and_rings():
+    discs = (Disc(4e-3, low=-0.7e-3, empty=True),)
+    cell = UnitCell(Lattice.square(7e-3), 1.5e-3, material("steel"), disc=discs)
+    plan = json.loads(json.dumps(asdict(MeshPlan.suited(cell, 3, 1))))
+    bands = reference_bands()
+    bands.attrs["mesh"] = json.dumps(plan)
+    (mesh,) = (table for table in _appendix(results(bands=bands)).tables if table.title.startswith("Mesh"))
+    (text,) = (row[1] for row in mesh.texts if row[0] == MESH["stack"])
+    assert text == "4 layers, 4 rings"
 
 
 def test_an_accuracy_that_was_not_reached_is_a_finding():

@@ -139,5 +139,7 @@ def _described(key: Key) -> str:
 
 def _default(key: Key) -> Any:
     """As a file would give it."""
-    plain = {"integer": int, "number": float, "boolean": lambda text: text == "true"}
+    if key.kind == "boolean":
+        return key.default_text == "true"
+    plain = {"integer": int, "number": float}
     return plain.get(key.kind, str)(key.default_text)
