@@ -23,10 +23,12 @@ from haptonic.friction.signals.rules import (
     DRIFTS,
     JUMPS,
     OTHER_WAY,
+    STOPS,
     TOUCHED_EARLY,
     Measured,
     Rules,
 )
+from haptonic.friction.signals.stops import stops
 
 Columns = dict[str, NDArray[np.generic]]
 
@@ -201,6 +203,8 @@ def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np
         for row in np.flatnonzero(whole):
             if jumps(records[row].channels):
                 excluded[row] = JUMPS
+            elif stops(records[row].channels):
+                excluded[row] = STOPS
         excluded[whole & np.array([record.saturated for record in records])] = "saturated channel"
     usable = np.flatnonzero(excluded == "")
     found = {name: np.full(count, value) for name, value in asdict(Measured()).items() if name != "excluded"}

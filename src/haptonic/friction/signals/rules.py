@@ -17,13 +17,14 @@ Speed = Annotated[float, Quantity("m/s", at_least=0.0, at_most=10.0)]
 
 OTHER_WAY = "normal force in the other direction"
 DRIFTS = "drift of the sensor"
-JUMPS = "jump of a channel"
+JUMPS, STOPS = "jump of a channel", "stop of a channel"
 TOUCHED_EARLY = "contact before the stroke"
 REASONS = (
     "missing numbers",
     "record too short",
     "saturated channel",
     JUMPS,
+    STOPS,
     TOUCHED_EARLY,
     OTHER_WAY,
     "no contact",
@@ -48,6 +49,10 @@ REMEDIES = {
     ),
     JUMPS: (
         "a channel jumps for a sample or two: a loose contact, or lost data",
+        "look at the cables, and record these trials again",
+    ),
+    STOPS: (
+        "a channel stays at one value, or at zero, while the finger presses: a loose contact, or lost data",
         "look at the cables, and record these trials again",
     ),
     TOUCHED_EARLY: (
