@@ -161,6 +161,9 @@ def spoiled(what):
         made["normal"] = np.minimum(made["normal"] + noise, 0.5)
     elif what == "jump of a channel":
         made["tangential"][700] += 5
+    elif what == "stop of a channel":
+        made["normal"] += 1e-3 * np.random.default_rng(0).standard_normal(1500)
+        made["normal"][600:700] = made["normal"][600]
     elif what == "contact before the stroke":
         made = {name: array[310:] if name != "rate" else array for name, array in made.items()}
     elif what == "normal force in the other direction":

@@ -60,6 +60,7 @@ def test_modes_are_those_of_the_whole_plate(of_lattice):
     assert modes == pytest.approx(exact, rel=1e-4)
 
 
+@pytest.mark.nightly
 def test_a_disc_on_the_plate_is_a_pillar():
     pillar, disc = cell(pillar=Pillar(3 * MM, 4 * MM)), cell(Disc(3 * MM, low=0.0, high=4 * MM))
     one, other = (full.frequencies(full.full(small_plate(each), 3, 1, 4), 6, 10e3) for each in (pillar, disc))
