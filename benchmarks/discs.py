@@ -25,7 +25,9 @@ from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 
 # finer meshes, of which the first that takes so many seconds at most is used
-FINE = tuple(Resolution(order, rings, 3, 24) for order, rings in ((8, 2), (6, 2), (5, 2), (6, 1), (5, 1)))
+FINE = tuple(
+    Resolution(order, rings, 3, 24) for order, rings in ((9, 2), (8, 2), (6, 2), (5, 2), (6, 1), (5, 1))
+)
 LONGEST = 60.0
 SHARES = np.array([(0.35, 0.73), (1.0, 0.0), (0.13, -0.83), (1.0, 1.0)])  # of pi
 TUNGSTEN = IsotropicMaterial(411e9, 0.28, 19250.0, name="tungsten")
@@ -71,7 +73,9 @@ def _discs(rng: np.random.Generator, feature: str, room: float, thickness: float
     shape: dict[str, Any] = {"section": section}
     if section == "ellipse":
         shape["length"] = wide * rng.uniform(0.6, 1.0)
-    inner = shape | ({"length": share * shape["length"]} if section == "ellipse" else {})
+    if section in ("square", "hexagon"):  # sharp corners are upright edges, towards which no mesh is graded
+        shape["corner_radius"] = wide * rng.uniform(0.05, 0.25)
+    inner = shape | {name: share * shape[name] for name in ("length", "corner_radius") if name in shape}
     solid, other = (SOLIDS[k] for k in rng.choice(len(SOLIDS), 2, replace=False))
     height, glue = room * 10 ** rng.uniform(-0.8, 0.2), thickness * rng.uniform(0.1, 0.5)
     made = {
@@ -106,7 +110,7 @@ def survey(cell: UnitCell) -> tuple[str, float, float]:
     solved = [model.solve(np.pi * share) for share in SHARES]
     seconds = time.process_time() - start
     used = model.resolution
-    fine = [one for one in FINE if (one.foot_rings, one.order) > (used.foot_rings, used.order)]
+    fine = [one for one in FINE if one.order > used.order or one.foot_rings > used.foot_rings]
     fine = [one for one in fine if one.seconds(cell) < LONGEST]
     if not fine:
         raise ResourceError.too_large(

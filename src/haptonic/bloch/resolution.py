@@ -36,6 +36,7 @@ CROSSING, CROSSED = 0.11, 1.4
 # Of discs without an edge that the mesh is graded towards, see `benchmarks/discs.py`: of the plate's material
 # alone, and with interfaces, at whose ends on a surface stress is weakly singular.
 WITHOUT_EDGE, AT_INTERFACES = 0.3, 1.0
+WITHIN_PLATE = {3: 0.35, 4: 0.35, 5: 0.5}  # and with edges within the plate only, as of a blind hole
 PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
 # Of the memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
 # and the square of a pencil's size; bytes of the program at rest. See benchmarks/answered_in_budget.py.
@@ -154,6 +155,8 @@ class Resolution:
         if not stack.singular.any():
             return AT_INTERFACES if len(stack.solids) else WITHOUT_EDGE
         rings = min(self.foot_rings, 2)
+        if rings == 1 and self.order in WITHIN_PLATE and not stack.singular[:, stack.in_plate :].any():
+            return WITHIN_PLATE[self.order]
         return MEASURED.get((self.order, rings), MEASURED[6, 2] if rings == 2 else self._of_edge_alone)
 
     @property
