@@ -1,5 +1,8 @@
 """Settings that all tests share."""
 
+from collections.abc import Iterator
+
+import pytest
 from hypothesis import settings
 
 # Machines differ, and the first example of a physics test pays for what is cached afterwards, so no deadline.
@@ -8,3 +11,13 @@ from hypothesis import settings
 settings.register_profile("same", deadline=None, print_blob=True, derandomize=True, max_examples=25)
 settings.register_profile("anew", deadline=None, print_blob=True)
 settings.load_profile("same")
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _forget_what_tests_shared(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Drop what the functions of a module have cached once its tests are over: models take gigabytes."""
+    yield
+    for value in vars(request.module).values():
+        own = getattr(value, "__module__", "") == request.module.__name__
+        if own and callable(clear := getattr(value, "cache_clear", None)):
+            clear()
