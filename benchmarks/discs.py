@@ -110,8 +110,8 @@ def survey(cell: UnitCell) -> tuple[str, float, float]:
     solved = [model.solve(np.pi * share) for share in SHARES]
     seconds = time.process_time() - start
     used = model.resolution
-    fine = [one for one in FINE if one.order > used.order or one.foot_rings > used.foot_rings]
-    fine = [one for one in fine if one.seconds(cell) < LONGEST]
+    fine = [mesh for mesh in FINE if mesh.order > used.order or mesh.foot_rings > used.foot_rings]
+    fine = [mesh for mesh in fine if mesh.seconds(cell) < LONGEST]
     if not fine:
         raise ResourceError.too_large(
             argument="cell", given="a finer mesh", allowed=f"{LONGEST:g} s", cause="it takes longer",

@@ -15,11 +15,11 @@ from haptonic.bloch.pencil import bloch_pencil, eigenpairs
 from haptonic.cell import Disc, MeshPlan, Pillar, Site, Step, UnitCell, mesh_cell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
-from haptonic.materials import OrthotropicMaterial, material
+from haptonic.materials import OrthotropicMaterial
 from haptonic.superelement import FoldedMesh, Tiling, condense_by_parts, through_levels
+from stacks import EPOXY, STACKS, STEEL, above
 
 MM = 1e-3
-EPOXY, STEEL = material("epoxy"), material("steel")
 SAME = replace(ALUMINIUM, name="the same metal")
 KAPPA = np.array([1.1, 2.3])
 COARSE = Resolution(3, 1)
@@ -30,19 +30,9 @@ def cell(*discs, lattice=None, **more):
     return UnitCell(lattice or Lattice.square(PITCH), THICKNESS, ALUMINIUM, disc=discs, **more)
 
 
-def above(diameter, low, high, **more):
-    return Disc(diameter * MM, low=low * MM, high=high * MM, **more)
-
-
 CELLS = {
-    "hole": cell(Disc(4 * MM, empty=True)),
-    "blind hole": cell(Disc(4 * MM, low=-0.7 * MM, empty=True)),
-    "inclusion": cell(Disc(4 * MM, material=STEEL)),
-    "coated inclusion": cell(Disc(5 * MM, material=EPOXY), Disc(4 * MM, material=STEEL)),
+    **{name: cell(*discs) for name, discs in STACKS.items()},
     "pillar": cell(above(3.5, 0, 6)),
-    "pillar on glue": cell(above(3, 0, 0.5, material=EPOXY), above(3, 0.5, 4, material=STEEL)),
-    "cap": cell(above(2.5, 0, 3), above(4.5, 3, 4)),
-    "hollow pillar": cell(above(4, 0, 4), above(2.5, 0, 4, empty=True)),
     "square hole in a round inclusion": cell(
         Disc(5 * MM, material=STEEL), Disc(2.5 * MM, section="square", empty=True)
     ),

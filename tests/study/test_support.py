@@ -9,12 +9,13 @@ import pytest
 from five_parts import assert_told, refusing
 from haptonic.analyses import NAMES
 from haptonic.analyses.export import ExportOptions
-from haptonic.cell import Disc, Pillar, Site, UnitCell
+from haptonic.cell import Pillar, Site, UnitCell
 from haptonic.cell.outlines import SECTIONS, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
+from stacks import STACKS
 
 MM = 1e-3
 NUMBERS = {
@@ -45,23 +46,6 @@ def features():
     yield "pillars on both faces", cell(Pillar(3 * MM, 6 * MM), faces="both")
 
 
-STEEL, EPOXY = material("steel"), material("epoxy")
-HOLE = Disc(4 * MM, empty=True)
-DISCS = {
-    "hole": (HOLE,),
-    "blind hole": (replace(HOLE, low=-1 * MM),),
-    "inclusion": (Disc(4 * MM, material=STEEL),),
-    "coated inclusion": (Disc(5 * MM, material=EPOXY), Disc(4 * MM, material=STEEL)),
-    "pillar on glue": (
-        Disc(3 * MM, low=0.0, high=0.2 * MM, material=EPOXY),
-        Disc(3 * MM, low=0.2 * MM, high=4 * MM, material=STEEL),
-    ),
-    "cap": (Disc(2 * MM, low=0.0, high=3 * MM), Disc(4 * MM, low=3 * MM, high=4 * MM)),
-    "hollow pillar": (
-        Disc(4 * MM, low=0.0, high=4 * MM),
-        replace(HOLE, diameter=2 * MM, low=0.0, high=4 * MM),
-    ),
-}
 FEATURES = dict(features())
 ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS for name in NAMES}
 # what is refused, and why; everything else is answered, and checked by the tests of each analysis and of
@@ -80,12 +64,12 @@ def test_each_analysis_answers_for_a_feature_or_refuses_it(feature):
 
 
 @pytest.mark.parametrize("faces", ["one", "both"])
-@pytest.mark.parametrize("feature", DISCS)
+@pytest.mark.parametrize("feature", STACKS)
 def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
     """Designs, tolerances and files are for pillars; finite plates for what leaves their lower face whole."""
-    of_sites = Site(disc=DISCS[feature]), Site()
+    of_sites = Site(disc=STACKS[feature]), Site()
     for each in (
-        UnitCell(SQUARE, 1.5 * MM, material("aluminium-2017a"), disc=DISCS[feature], faces=faces),
+        UnitCell(SQUARE, 1.5 * MM, material("aluminium-2017a"), disc=STACKS[feature], faces=faces),
         UnitCell(
             Lattice(lattice="honeycomb", pitch=12 * MM), 1.5 * MM, material("aluminium-2017a"), site=of_sites
         ),

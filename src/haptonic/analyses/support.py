@@ -58,12 +58,12 @@ def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 def whole_lower_face(cell: UnitCell, options: Any) -> HaptonicError | None:
     """The error for a hole in the face that a finger touches and a laser scans."""
-    for table, number in cell.holes_below():
-        return StudyError.unsupported(
-            argument=f"cell.{table}disc[{number}]",
-            given="a hole through the plate",
-            allowed="discs that leave the lower face of a finite plate whole, such as blind holes",
-            cause="a finger touches the lower face everywhere, and the scan's points lie on it",
-            next_step="give the hole a low above the lower face, or compute bands, a sweep or layers",
-        )
-    return None
+    if (path := cell.hole_below) is None:
+        return None
+    return StudyError.unsupported(
+        argument=f"cell.{path}",
+        given="a hole through the plate",
+        allowed="discs that leave the lower face of a finite plate whole, such as blind holes",
+        cause="a finger touches the lower face everywhere, and the scan's points lie on it",
+        next_step="give the hole a low above the lower face, or compute bands, a sweep or layers",
+    )

@@ -246,7 +246,7 @@ def _hertz(table: TextTable, unit: str, frequency_unit: str | None) -> float:
 
 
 def _no_frequency(unit: str) -> str:
-    """Why a unit is none of frequencies."""
+    """Why a unit does not measure frequencies."""
     kind = kind_of(unit)
     return "a period is no frequency" if kind == "time" else f"the unit is one of {kind}, not of frequency"
 
@@ -288,7 +288,7 @@ def _numbering(column: TextColumn) -> tuple[str, str]:
 
 
 def _without(columns: Sequence[TextColumn], others: Sequence[TextColumn]) -> list[TextColumn]:
-    """The columns that are none of others."""
+    """Columns without some of them."""
     numbers = {column.number for column in others}
     return [column for column in columns if column.number not in numbers]
 

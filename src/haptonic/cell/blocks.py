@@ -49,6 +49,11 @@ class StackBlocks:
     storeys: tuple[Division, ...]
     annuli: tuple[Division, ...]
 
+    @property
+    def thin(self) -> int:
+        """Thin elements on either side of a singular edge."""
+        return max(max(part.low, part.high) for part in (*self.storeys, *self.annuli))
+
     def divided(self) -> Grid:
         """The same with every storey and every annulus in its elements, and the core."""
         rows = [

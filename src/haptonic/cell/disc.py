@@ -26,7 +26,7 @@ from haptonic.cell.sectioned import (
 )
 from haptonic.errors import GeometryError
 from haptonic.fields import Aliases, Quantity, absent, described, meant, needed, problem, setting, size
-from haptonic.materials import GIVEN, Material, is_symmetry
+from haptonic.materials import GIVEN, Material
 from haptonic.units import format_quantity
 
 FARTHEST = 100e-3  # m, from the plate's top
@@ -128,10 +128,6 @@ class Disc(Sectioned):
         """Lower and upper end above the plate's lower face, m."""
         low = -thickness if self.low is None else self.low
         return thickness + low, thickness + (self.high or 0.0)
-
-    def keeps_material(self, turn: NDArray[np.float64]) -> bool:
-        """True if a map leaves the disc's own material as it is."""
-        return self.material is None or is_symmetry(self.material.stiffness, turn)
 
     def is_image(self, other: Disc, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) that keeps the normal takes the disc to another one."""

@@ -16,6 +16,7 @@ import numpy as np
 from haptonic.arrays import Array, Bools
 from haptonic.cell.blocks import Division, StackBlocks
 from haptonic.cell.edges import BRIDGED, CORE_RADIUS, EDGE_GRADING, EDGE_WIDTH, MOST_APART
+from haptonic.cell.orders import ROUNDING
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape
 
@@ -23,7 +24,6 @@ RING_GROWTH = 2.0  # of rings: outer over inner half-width
 # length of an element in the plate, and above it, in diameters of the narrowest disc, as of a pillar
 IN_PLATE, ABOVE_PLATE = 1.0, 1.4
 SAMPLES = 400  # of an interval, at which the density of elements is summed up
-ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class Interval:
         inner = np.interp(below[-1] * np.arange(division.between + 1) / division.between, below, place)
         thin_low = [self.low, *(self.low + self.near_low[::-1])] if division.low else [self.low]
         thin_high = [*(self.high - self.near_high), self.high] if division.high else [self.high]
-        return [*thin_low, *(float(one) for one in inner[1:-1]), *thin_high]
+        return [*thin_low, *inner[1:-1].tolist(), *thin_high]
 
 
 def annuli_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
@@ -115,15 +115,15 @@ def blocks_of(tile: TileShape, stack: Stack, rings: int) -> StackBlocks:
     return StackBlocks(
         grid=stack.grid,
         in_plate=stack.in_plate,
-        storeys=tuple(one.division for one in storeys_of(tile, stack, rings)),
-        annuli=tuple(one.division for one in annuli_of(tile, stack, rings)),
+        storeys=tuple(storey.division for storey in storeys_of(tile, stack, rings)),
+        annuli=tuple(annulus.division for annulus in annuli_of(tile, stack, rings)),
     )
 
 
 def borders(intervals: Sequence[Interval], divisions: Sequence[Division]) -> Array:
     """Places of all borders of intervals that follow each other, each once, m."""
     places = [interval.borders(division) for interval, division in zip(intervals, divisions, strict=True)]
-    return np.array([places[0][0], *(place for one in places for place in one[1:])])
+    return np.array([places[0][0], *(place for within in places for place in within[1:])])
 
 
 def edges_between(divisions: Sequence[Division]) -> tuple[int, ...]:

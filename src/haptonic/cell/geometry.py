@@ -149,9 +149,8 @@ class UnitCell(TileShape):
             assert pillar is not None
             sizes[f"{below}.diameter"] = (pillar.diameter, USUAL_DIAMETER)
             sizes[f"{below}.height"] = (pillar.height, USUAL_HEIGHT)
-        for table, discs in self.disc_tables.items():
-            for number, disc in enumerate(discs, start=1):
-                sizes[f"{table}disc[{number}].diameter"] = (disc.diameter, USUAL_DIAMETER)
+        for path, disc in self.discs.items():
+            sizes[f"{path}.diameter"] = (disc.diameter, USUAL_DIAMETER)
         return {path: unusual_beside(value, "m", shares, pitch, words)
                 for path, (value, shares) in sizes.items()}  # fmt: skip
 
@@ -170,7 +169,7 @@ class UnitCell(TileShape):
     @cached_property
     def pillars(self) -> tuple[Pillar | None, ...]:
         """The pillar of each site, None for an empty one or one with discs."""
-        return tuple(one if isinstance(one, Pillar) else None for one in self.features)
+        return tuple(feature if isinstance(feature, Pillar) else None for feature in self.features)
 
     @cached_property
     def stack(self) -> Stack | None:  # type: ignore[override]
@@ -196,11 +195,19 @@ class UnitCell(TileShape):
             pillar = self.pillars[number]
             if pillar is not None and pillar.material is not None:
                 solids[f"{table.removeprefix('cell.')}.material"] = pillar.material
-        for table, discs in self.disc_tables.items():
-            for number, disc in enumerate(discs, start=1):
-                if disc.material is not None:
-                    solids[f"{table}disc[{number}].material"] = disc.material
-        return solids
+        discs = self.discs.items()
+        return solids | {
+            f"{path}.material": disc.material for path, disc in discs if disc.material is not None
+        }
+
+    @property
+    def discs(self) -> dict[str, Disc]:
+        """All discs of the study by the path of their table below [cell]."""
+        return {
+            f"{table}disc[{number}]": disc
+            for table, discs in self.disc_tables.items()
+            for number, disc in enumerate(discs, start=1)
+        }
 
     @property
     def disc_tables(self) -> dict[str, tuple[Disc, ...]]:
@@ -222,13 +229,15 @@ class UnitCell(TileShape):
                 found.setdefault(self.pillar_path(number), []).append(number)
         return found
 
-    def holes_below(self) -> Iterator[tuple[str, int]]:
-        """Path of the list and number of the first disc of each that leaves a hole in the lower face."""
+    @property
+    def hole_below(self) -> str | None:
+        """Path below [cell] of a disc that leaves a hole in the lower face; None where that is whole."""
         for table, discs in self.disc_tables.items():
             stack = Stack(discs, self.thickness, self.is_mirrored)
-            lowest = stack.grid[stack.in_plate - 1 if self.is_mirrored else 0]
-            if VOID in lowest:
-                yield table, next(n for n, disc in enumerate(discs, start=1) if disc.empty)
+            if VOID in stack.grid[stack.in_plate - 1 if self.is_mirrored else 0]:
+                number = next(n for n, disc in enumerate(discs, start=1) if disc.empty)
+                return f"{table}disc[{number}]"
+        return None
 
     def ways(self, numbers: Iterable[int]) -> Iterator[float]:
         """Widths of the ways between the pillars of some sites and their neighbours, m."""

@@ -41,7 +41,7 @@ from haptonic.fields import (
     setting,
     size,
 )
-from haptonic.materials import GIVEN, Material, is_symmetry
+from haptonic.materials import GIVEN, Material
 from haptonic.units import format_quantity
 
 Faces = Literal["one", "both"]
@@ -218,10 +218,6 @@ class Pillar(Sectioned):
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) of space that keeps the normal leaves the pillar as it is."""
         return self.keeps_material(turn) and self.outline.has_symmetry(turn[:2, :2])
-
-    def keeps_material(self, turn: NDArray[np.float64]) -> bool:
-        """True if a map leaves the pillar's own material as it is; the tile checks that of the plate."""
-        return self.material is None or is_symmetry(self.material.stiffness, turn)
 
     def is_image(self, other: object, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) that keeps the normal takes the pillar to another one."""

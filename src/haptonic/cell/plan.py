@@ -304,7 +304,9 @@ class MeshPlan:
     def rings(self) -> tuple[int, ...]:
         """Order across each ring from the core to the sides of the cell."""
         if self.stack:
-            return tuple(order for one in self.stack.annuli for order in one.orders(self.outward, self.thin))
+            return tuple(
+                order for annulus in self.stack.annuli for order in annulus.orders(self.outward, self.thin)
+            )
         return (*self.disc_rings, *(self.thin,) * (self.foot_rings + self.bridges[1]), self.outward)
 
     @property
@@ -312,7 +314,7 @@ class MeshPlan:
         """Order through each layer of the plate, from the flat face up."""
         if self.stack:
             storeys = self.stack.storeys[: self.stack.in_plate]
-            return tuple(order for one in storeys for order in one.orders(self.upward, self.thin))
+            return tuple(order for storey in storeys for order in storey.orders(self.upward, self.thin))
         return (*(self.upward,) * self.plate_layers, *(self.thin,) * (self.bridges[3] + self.foot_rings))
 
     @property
@@ -320,7 +322,7 @@ class MeshPlan:
         """Order through each layer from the plate's top to the pillar's step, or to its top."""
         if self.stack:
             storeys = self.stack.storeys[self.stack.in_plate :]
-            return tuple(order for one in storeys for order in one.orders(self.along, self.thin))
+            return tuple(order for storey in storeys for order in storey.orders(self.along, self.thin))
         if not self.pillar_layers:
             return ()
         thin = self.foot_rings + self.bridges[2]

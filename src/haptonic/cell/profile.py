@@ -90,10 +90,10 @@ class Profile:
     def _of_stack(cls, cell: TileShape, stack: Stack, plan: MeshPlan) -> Profile:
         blocks = plan.stack
         assert blocks is not None, "a plan for something else"
-        rings = max((one.low for one in (*blocks.annuli, *blocks.storeys)), default=0)
-        rings = max(rings, max(one.high for one in (*blocks.annuli, *blocks.storeys)))
-        heights = borders(storeys_of(cell, stack, rings), blocks.storeys)
-        widths = borders(annuli_of(cell, stack, rings), blocks.annuli)[:-1]  # the last one is the tile's side
+        heights = borders(storeys_of(cell, stack, blocks.thin), blocks.storeys)
+        widths = borders(annuli_of(cell, stack, blocks.thin), blocks.annuli)[
+            :-1
+        ]  # the last one is the tile's side
         return cls(
             plan, None,
             np.repeat(widths[:, None], len(heights), axis=1), np.repeat(heights[None], len(widths), axis=0),

@@ -15,6 +15,7 @@ from haptonic.arrays import Array
 from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.fields import LARGEST, Quantity, problem, setting, size
+from haptonic.materials import Material, is_symmetry
 
 MOST_CORNERS = 24  # of a section
 LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
@@ -49,6 +50,7 @@ class Sectioned:
     corner_radius: float | None
     turn: float | None
     point: tuple[Corner, ...]
+    material: Material | None
 
     def check_section(self) -> None:
         """Refuse numbers that do not fit the section, or make no outline."""
@@ -121,12 +123,16 @@ class Sectioned:
 
         Their axes are ``away`` (n, 2) from its own. Fillets are not counted. Negative where two overlap.
         """
-        mine, beside = (Scaled(one.outline, one.broadest) for one in (self, other))
+        mine, beside = (Scaled(prism.outline, prism.broadest) for prism in (self, other))
         return float(mine.gap_to(beside, away).min())
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) of space that keeps the normal leaves it as it is."""
         return self.outline.has_symmetry(turn[:2, :2])
+
+    def keeps_material(self, turn: NDArray[np.float64]) -> bool:
+        """True if a map leaves the material of its own as it is; the tile checks that of the plate."""
+        return self.material is None or is_symmetry(self.material.stiffness, turn)
 
     def scaled_numbers(self, factor: float) -> dict[str, Any]:
         """Lengths of the section beside the diameter, multiplied."""

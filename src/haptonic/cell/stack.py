@@ -51,21 +51,16 @@ class Stack:
     @cached_property
     def borders(self) -> tuple[Scaled, ...]:
         """Borders of the annuli, from the innermost one on."""
-        scale = max(disc.radius for disc in self.discs)
-        found: list[Scaled] = []
-        for disc in sorted(self.discs, key=lambda one: one.radius * one.outline.reach):
-            same = (one.outline.is_same(disc.outline) and abs(one.half_width - disc.radius) < SAME * scale
-                    for one in found)  # fmt: skip
-            if not any(same):
-                found.append(Scaled(disc.outline, disc.radius))
-        return tuple(found)
+        scale = self._widest_disc.radius
+        borders: list[Scaled] = []
+        for disc in sorted(self.discs, key=lambda disc: disc.radius * disc.outline.reach):
+            if not any(_is_border_of(border, disc, scale) for border in borders):
+                borders.append(Scaled(disc.outline, disc.radius))
+        return tuple(borders)
 
     def _border_of(self, disc: Disc) -> int:
-        return next(
-            number for number, border in enumerate(self.borders)
-            if border.outline.is_same(disc.outline)
-            and abs(border.half_width - disc.radius) < SAME * self.borders[-1].half_width
-        )  # fmt: skip
+        scale = self._widest_disc.radius
+        return next(n for n, border in enumerate(self.borders) if _is_border_of(border, disc, scale))
 
     @cached_property
     def in_plate(self) -> int:
@@ -170,7 +165,7 @@ class Stack:
         way = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
         least = LEAST_APART * self.borders[-1].half_width
         for inner, outer in pairwise(self.borders):
-            reach = [one.half_width * radii(one.outline, way) for one in (inner, outer)]
+            reach = [border.half_width * radii(border.outline, way) for border in (inner, outer)]
             if (reach[1] - reach[0]).min() < least:
                 raise problem(
                     "out-of-range",
@@ -296,10 +291,15 @@ class Stack:
 Feature = Pillar | Stack
 
 
+def _is_border_of(border: Scaled, disc: Disc, scale: float) -> bool:
+    """True if a border is that of a disc but for rounding; ``scale`` is a length of the stack, m."""
+    return border.outline.is_same(disc.outline) and abs(border.half_width - disc.radius) < SAME * scale
+
+
 def radii(outline: Outline, way: Array) -> Array:
     """(n,) distance of an outline from its axis in directions (n, 2), in its half-widths.
 
-    The outline is convex and encloses the origin: of all lines along its sides the nearest one counts.
+    The outline encloses the axis; between points of a fine polygon on it the distance is interpolated.
     """
     curve = outline.polygon(4 * TURNS, 8)
     angle = np.unwrap(np.arctan2(curve[:, 1], curve[:, 0]))

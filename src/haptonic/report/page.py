@@ -90,7 +90,7 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
         sizes.append(
             f"{pillar.section} pillar {_length(pillar.diameter)} wide{long}, {_length(pillar.height)} high"
         )
-    sizes += [disc.text(cell.thickness) for discs in cell.disc_tables.values() for disc in discs]
+    sizes += [disc.text(cell.thickness) for disc in cell.discs.values()]
     complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
