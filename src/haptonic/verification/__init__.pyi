@@ -1,4 +1,14 @@
-from .cases import Case as Case, OmittedCase as OmittedCase, Quantity as Quantity, cases as cases, omitted_cases as omitted_cases
-from .comparison import Comparison as Comparison, compare_case as compare_case, load_case_study as load_case_study
+from .cases import (
+    Case as Case,
+    OmittedCase as OmittedCase,
+    Quantity as Quantity,
+    cases as cases,
+    omitted_cases as omitted_cases,
+)
+from .comparison import (
+    Comparison as Comparison,
+    compare_case as compare_case,
+    load_case_study as load_case_study,
+)
 from .page import page_text as page_text, write_page as write_page
 from .tables import comparison_table as comparison_table, plain_comparison as plain_comparison

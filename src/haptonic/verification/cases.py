@@ -84,7 +84,6 @@ class Case(_FileTable):
     """A study and what it is compared with.
 
     id : also of its study file, unless ``study`` names another one; kind : what the reference values are
-    doi : of the source, if it has one
     vary : changes of the study, by key, where the source does not print a value; the answer is a range then
     remark : what the source does not print, and why values differ
     picture : True if the page shows its band diagram
@@ -95,7 +94,6 @@ class Case(_FileTable):
     title: str
     kind: Kind
     source: str
-    doi: str = ""
     quantity: tuple[Quantity, ...]
     vary: tuple[dict[str, Any], ...] = ()
     remark: str = ""
@@ -137,7 +135,11 @@ def cases(names: Sequence[str] = ()) -> tuple[Case, ...]:
     for name in names:
         if name not in by_name:
             raise StudyError.unknown(
-                "CASE", name, by_name, "there is no such case", next_step="`haptonic verify --list` lists them"
+                "CASE",
+                name,
+                by_name,
+                "there is no such case",
+                next_step="`haptonic verify --list` lists them",
             )
     return tuple(by_name[name] for name in names or by_name)
 

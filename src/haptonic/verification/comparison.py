@@ -9,7 +9,6 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.errors import HaptonicWarning, StudyError
-from haptonic.progress import Progress, silent
 from haptonic.results.bands import Bands
 from haptonic.store import Store
 from haptonic.study import Study, case_templates, loads
@@ -71,7 +70,7 @@ class Comparison:
         return np.asarray(errors + self.quantity.tolerance * self._scale)
 
 
-def compare_case(case: Case, store: Store | None = None, progress: Progress = silent) -> list[Comparison]:
+def compare_case(case: Case, store: Store | None = None) -> list[Comparison]:
     """Compute a case, with results from the store if they were computed before.
 
     Raises
@@ -81,8 +80,7 @@ def compare_case(case: Case, store: Store | None = None, progress: Progress = si
     study = load_case_study(case.study)
     variants = [study.with_keys(change) for change in case.vary] or [study]
     comparisons = []
-    for number, quantity in enumerate(case.quantity):
-        progress(number, len(case.quantity), case.id)
+    for quantity in case.quantity:
         computed = [_measured(variant, quantity, store) for variant in variants]
         if quantity.other is None:
             reference = np.array(quantity.published_values)

@@ -19,18 +19,17 @@ from haptonic.verification.tables import comparison_table
 PAGE, IMAGES = "verification.md", "images"
 BEGINNING = """# Published and exact cases
 
-Written by `haptonic verify --page docs`. Each case is a study: `haptonic new CASE FILE` copies it, and `haptonic verify
-CASE` computes it again. All frequencies come from `haptonic bands`, as a user asks for them.
+Written by `haptonic verify --page docs`. Each case is a study: `haptonic new CASE FILE` copies it, and
+`haptonic verify CASE` computes it again. All frequencies come from `haptonic bands`, as a user asks for them.
 
-The difference is that of the value that differs most, relative to the source. Allowed is what haptonic's error, the
-uncertainty of the source and the tolerance of the case add up to. *Published* values were printed by others, *exact* ones
-follow from a formula or from two ways to describe one cell, *independent* ones come from another program.
+The difference is that of the value that differs most, relative to the source. The allowed difference is the
+sum of haptonic's error, the uncertainty of the source and the tolerance of the case. *Published* values were
+printed by others, *exact* ones follow from a formula or from two ways to describe one cell, and *independent*
+ones come from another program.
 """
 
 
-def write_page(
-    folder: Path, comparisons: Sequence[Comparison], omitted: Sequence[OmittedCase]
-) -> list[Path]:
+def write_page(folder: Path, comparisons: Sequence[Comparison], omitted: Sequence[OmittedCase]) -> list[Path]:
     """Write the page and its pictures into a folder, in place of those that are there.
 
     Raises
@@ -51,10 +50,7 @@ def page_text(comparisons: Sequence[Comparison], omitted: Sequence[OmittedCase])
     """The page in Markdown."""
     parts = [BEGINNING, comparison_table(comparisons).written("markdown"), "## Sources and remarks\n"]
     named = [case for case, _ in groupby(comparisons, key=lambda one: one.case)]
-    sources = [(case.id, case.title, case.kind, _source(case), case.remark) for case in named]
-    parts.append(
-        Table("cases", ("case", "what it is", "kind", "source", "why values differ"), sources).written("markdown")
-    )
+    parts.append(source_table(named).written("markdown"))
     parts.append("## Diagrams\n\nComputed bands; crosses and dashed lines are the source's values.\n")
     parts += [
         f"### {case.title}\n\n![Band diagram of the case {case.id}]({IMAGES}/verify-{case.id}.svg)\n"
@@ -67,12 +63,20 @@ def page_text(comparisons: Sequence[Comparison], omitted: Sequence[OmittedCase])
     return "\n".join(parts)
 
 
+def source_table(chosen: Sequence[Case]) -> Table:
+    """A row for each case: what it is, where its values come from, and why they differ."""
+    rows = [(case.id, case.title, case.kind, case.source, case.remark) for case in chosen]
+    return Table("cases", ("case", "what it is", "kind", "source", "why values differ"), rows)
+
+
 def diagram(comparisons: Sequence[Comparison]) -> Figure:
     """Band diagram of a case with the published edges, and frequencies at corners of the zone."""
     bands = load_case_study(comparisons[0].case.study).run("bands")
     assert isinstance(bands, Bands)
     data, drawn = bands.dataset, bands.plot()
-    corners = dict(zip(*(json.loads(data.attrs[f"path_{name}"]) for name in ("labels", "corners")), strict=True))
+    corners = dict(
+        zip(*(json.loads(data.attrs[f"path_{name}"]) for name in ("labels", "corners")), strict=True)
+    )
     for one in comparisons:
         for value in one.reference:
             if one.quantity.measure.endswith("edge"):
@@ -81,7 +85,3 @@ def diagram(comparisons: Sequence[Comparison]) -> Figure:
                 place = float(data["distance"][corner])
                 drawn.axes[0].plot(place, value / 1e3, "x", color=style.RED, clip_on=False, zorder=5)
     return drawn
-
-
-def _source(case: Case) -> str:
-    return f"{case.source}, doi {case.doi}" if case.doi else case.source

@@ -62,7 +62,6 @@ def plain_comparison(comparison: Comparison) -> dict[str, Any]:
         "title": comparison.case.title,
         "kind": comparison.case.kind,
         "source": comparison.case.source,
-        "doi": comparison.case.doi,
         "quantity": comparison.quantity.name,
         "unit": comparison.quantity.unit,
         "reference": comparison.reference.tolist(),

@@ -33,7 +33,9 @@ Names = Annotated[
 Listing = Annotated[bool, typer.Option("--list", help="List the cases, and compute nothing.")]
 Page = Annotated[
     Path | None,
-    typer.Option("--page", metavar="DIR", help="Folder for a page with the table and pictures; replaces both."),
+    typer.Option(
+        "--page", metavar="DIR", help="Folder for a page with the table and pictures; replaces both."
+    ),
 ]
 
 
