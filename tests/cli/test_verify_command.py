@@ -148,7 +148,7 @@ def test_the_values_of_the_mass_on_a_column_follow_from_rod_and_shaft():
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("name", ["plain-plate", "plain-plate-triangular"])
+@pytest.mark.parametrize("name", ["plain-plate", "triangular-plate"])
 def test_the_values_of_the_plain_plate_are_waves_of_rayleigh_and_lamb(name):
     """Each is a root of the frequency equations at a wavevector of the lattice, or an SH wave."""
     case = cases([name])[0]

@@ -124,7 +124,7 @@ def load_case_study(name: str) -> Study:
 
 def _measured(study: Study, quantity: Quantity, store: Store | None) -> tuple[Array, Array]:
     """(values,) of a quantity in SI units, and the bounds of their errors."""
-    bands = study.run("bands", store=store, **({"modes_at": quantity.at} if quantity.at else {}))
+    bands = study.run("bands", store=store, modes_at=quantity.at or None)
     assert isinstance(bands, Bands)
     if quantity.measure == "frequencies":
         chosen = [band - 1 for band in quantity.bands] or slice(None)

@@ -51,7 +51,7 @@ def page_text(comparisons: Sequence[Comparison], omitted: Sequence[OmittedCase])
     parts = [BEGINNING, comparison_table(comparisons).written("markdown"), "## Sources and remarks\n"]
     named = [case for case, _ in groupby(comparisons, key=lambda one: one.case)]
     parts.append(source_table(named).written("markdown"))
-    parts.append("## Diagrams\n\nComputed bands; crosses and dashed lines are the source's values.\n")
+    parts.append("## Diagrams\n\nComputed bands; crosses and dotted lines are the source's values.\n")
     parts += [
         f"### {case.title}\n\n![Band diagram of the case {case.id}]({IMAGES}/verify-{case.id}.svg)\n"
         for case in named
@@ -80,8 +80,8 @@ def diagram(comparisons: Sequence[Comparison]) -> Figure:
     for one in comparisons:
         for value in one.reference:
             if one.quantity.measure.endswith("edge"):
-                drawn.axes[0].axhline(value / 1e3, color=style.RED, ls=style.DASHED, lw=1.1, zorder=4)
+                drawn.axes[0].axhline(value / 1e3, color=style.INK, ls=style.DOTTED, lw=1.4, zorder=4)
             elif (corner := corners.get(one.quantity.at.replace("G", "Γ"))) is not None:
                 place = float(data["distance"][corner])
-                drawn.axes[0].plot(place, value / 1e3, "x", color=style.RED, clip_on=False, zorder=5)
+                drawn.axes[0].plot(place, value / 1e3, "x", color=style.INK, clip_on=False, zorder=5)
     return drawn

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from haptonic.arrays import Array
 from haptonic.results.table import Table
 from haptonic.units import hz_text
 from haptonic.verification.comparison import Comparison
@@ -31,10 +32,8 @@ def comparison_table(comparisons: Sequence[Comparison]) -> Table:
 
 
 def reference_text(comparison: Comparison) -> str:
-    """The published values; the number of values where there are several."""
-    if comparison.quantity.published:
-        return _range_of(comparison.quantity.published)
-    return _values_text(comparison.reference, comparison.quantity.unit)
+    """The source's value; the first, the last and the number of values where there are several."""
+    return _values_text(comparison.reference, comparison.quantity.unit, ".6g")
 
 
 def computed_text(comparison: Comparison) -> str:
@@ -75,15 +74,9 @@ def plain_comparison(comparison: Comparison) -> dict[str, Any]:
     }
 
 
-def _values_text(values: Sequence[float], unit: str) -> str:
-    return _range_of([_number(value, unit) for value in values])
-
-
-def _range_of(texts: Sequence[str]) -> str:
-    """One text, or the first and the last of several and how many they are."""
-    if len(texts) == 1:
-        return texts[0]
-    return f"{texts[0]} to {texts[-1]} ({len(texts)} values)"
+def _values_text(values: Array, unit: str, form: str = ".5g") -> str:
+    texts = [_number(value, unit, form) for value in values]
+    return texts[0] if len(texts) == 1 else f"{texts[0]} to {texts[-1]} ({len(texts)} values)"
 
 
 def _number(value: float, unit: str, form: str = ".5g") -> str:
