@@ -28,13 +28,13 @@ from haptonic.verification import (
 from haptonic.verification.page import BEGINNING, source_table
 
 PAGE = (Path(__file__).parents[2] / "docs" / "verification.md").read_text("utf-8")
-CHEAP = "short-pillar"
+CHEAP = "square-by-points"
 
 
 def spoiled(case: Case) -> Case:
-    """The case with a reference that is 2 % too high."""
+    """The case with a reference that is 20 % too high."""
     quantity = case.quantity[0]
-    other = quantity.other.model_copy(update={"factor": 1.02})
+    other = quantity.other.model_copy(update={"factor": 1.2})
     return case.model_copy(update={"quantity": (quantity.model_copy(update={"other": other}),)})
 
 
@@ -55,11 +55,11 @@ class TestCommand:
         ran = inside("verify", CHEAP, "--json")
         assert ran.code == 1
         assert ran.json["failed"] == [CHEAP]
-        assert ran.json["comparisons"][0]["difference"] == pytest.approx(1 / 1.02 - 1)
-        assert "outside their errors: short-pillar" in inside("verify", CHEAP).out
+        assert ran.json["comparisons"][0]["difference"] == pytest.approx(1 / 1.2 - 1)
+        assert "outside their errors: square-by-points" in inside("verify", CHEAP).out
 
     def test_an_unknown_case_is_refused_with_the_nearest_name(self, inside):
-        assert_five_parts(inside("verify", "short-piller"), CHEAP, code="unknown", argument="CASE")
+        assert_five_parts(inside("verify", "square-by-point"), CHEAP, code="unknown", argument="CASE")
 
     def test_the_list_names_every_case_and_computes_nothing(self, inside, tmp_path):
         ran = inside("verify", "--list", store=tmp_path / "empty")
