@@ -17,8 +17,8 @@ from haptonic.cli.console import Voice
 from haptonic.study import case_templates, load
 from haptonic.verification import (
     Case,
-    Comparison,
-    Quantity,
+    CaseComparison,
+    CaseQuantity,
     cases,
     compare_case,
     comparison_table,
@@ -85,7 +85,7 @@ class TestTableOfCases:
 
     def test_a_quantity_without_a_reference_is_refused(self):
         with pytest.raises(ValueError, match="published values or another study"):
-            Quantity(name="nothing", at="M")
+            CaseQuantity(name="nothing", at="M")
 
     def test_the_committed_page_has_the_cases_and_the_form_of_the_command(self):
         assert PAGE.startswith(BEGINNING)
@@ -102,11 +102,18 @@ class TestTableOfCases:
 class TestComparison:
     @staticmethod
     def of(reference, computed, error=0.0, **more):
-        quantity = Quantity(name="edge", measure="upper edge", published=("1 Hz",), **more)
+        quantity = CaseQuantity(name="edge", measure="upper edge", published=("1 Hz",), **more)
         computed = np.array(computed, dtype=float)
         case = cases()[0].model_copy(update={"quantity": (quantity,)})
         zeros = np.zeros(len(reference))
-        return Comparison(case, quantity, np.array(reference), zeros, computed, np.full_like(computed, error))
+        return CaseComparison(
+            case=case,
+            quantity=quantity,
+            reference=np.array(reference),
+            reference_error=zeros,
+            computed=computed,
+            computed_error=np.full_like(computed, error),
+        )
 
     def test_a_value_within_error_and_tolerance_agrees(self):
         assert not self.of([100.0], [[103.0]]).agrees

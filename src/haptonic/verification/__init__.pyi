@@ -1,12 +1,12 @@
-from .cases import (
+from .catalogue import (
     Case as Case,
+    CaseQuantity as CaseQuantity,
     OmittedCase as OmittedCase,
-    Quantity as Quantity,
     cases as cases,
     omitted_cases as omitted_cases,
 )
 from .comparison import (
-    Comparison as Comparison,
+    CaseComparison as CaseComparison,
     compare_case as compare_case,
     load_case_study as load_case_study,
 )

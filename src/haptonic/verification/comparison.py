@@ -12,11 +12,11 @@ from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.results.bands import Bands
 from haptonic.store import Store
 from haptonic.study import Study, case_templates, loads
-from haptonic.verification.cases import Case, Other, Quantity
+from haptonic.verification.catalogue import Case, CaseQuantity, OtherStudy
 
 
 @dataclass(frozen=True, eq=False)
-class Comparison:
+class CaseComparison:
     """A quantity of a case beside its reference.
 
     reference, reference_error : (values,) in the SI unit
@@ -24,7 +24,7 @@ class Comparison:
     """
 
     case: Case
-    quantity: Quantity
+    quantity: CaseQuantity
     reference: Array
     reference_error: Array
     computed: Array
@@ -70,7 +70,7 @@ class Comparison:
         return np.asarray(errors + self.quantity.tolerance * self._scale)
 
 
-def compare_case(case: Case, store: Store | None = None) -> list[Comparison]:
+def compare_case(case: Case, store: Store | None = None) -> list[CaseComparison]:
     """Compute a case, with results from the store if they were computed before.
 
     Raises
@@ -88,19 +88,21 @@ def compare_case(case: Case, store: Store | None = None) -> list[Comparison]:
         else:
             reference, error = _of_other(study, quantity, quantity.other, store)
         comparisons.append(
-            Comparison(
-                case,
-                quantity,
-                reference,
-                error + np.array(quantity.uncertainty) * np.abs(reference),
-                np.array([values for values, _ in computed]),
-                np.array([errors for _, errors in computed]),
+            CaseComparison(
+                case=case,
+                quantity=quantity,
+                reference=reference,
+                reference_error=error + np.array(quantity.uncertainty) * np.abs(reference),
+                computed=np.array([values for values, _ in computed]),
+                computed_error=np.array([errors for _, errors in computed]),
             )
         )
     return comparisons
 
 
-def _of_other(study: Study, quantity: Quantity, other: Other, store: Store | None) -> tuple[Array, Array]:
+def _of_other(
+    study: Study, quantity: CaseQuantity, other: OtherStudy, store: Store | None
+) -> tuple[Array, Array]:
     """Values and errors of the second study, sorted where they come from several wavevectors."""
     if other.study:
         study = load_case_study(other.study)
@@ -122,7 +124,7 @@ def load_case_study(name: str) -> Study:
         return loads(case_templates()[name], name)
 
 
-def _measured(study: Study, quantity: Quantity, store: Store | None) -> tuple[Array, Array]:
+def _measured(study: Study, quantity: CaseQuantity, store: Store | None) -> tuple[Array, Array]:
     """(values,) of a quantity in SI units, and the bounds of their errors."""
     bands = study.run("bands", store=store, modes_at=quantity.at or None)
     assert isinstance(bands, Bands)

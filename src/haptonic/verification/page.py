@@ -12,8 +12,8 @@ from haptonic.plots import style
 from haptonic.results.bands import Bands
 from haptonic.results.table import Table
 from haptonic.store import write_atomically
-from haptonic.verification.cases import Case, OmittedCase
-from haptonic.verification.comparison import Comparison, load_case_study
+from haptonic.verification.catalogue import Case, OmittedCase
+from haptonic.verification.comparison import CaseComparison, load_case_study
 from haptonic.verification.tables import comparison_table
 
 PAGE, IMAGES = "verification.md", "images"
@@ -29,7 +29,9 @@ ones come from another program.
 """
 
 
-def write_page(folder: Path, comparisons: Sequence[Comparison], omitted: Sequence[OmittedCase]) -> list[Path]:
+def write_page(
+    folder: Path, comparisons: Sequence[CaseComparison], omitted: Sequence[OmittedCase]
+) -> list[Path]:
     """Write the page and its pictures into a folder, in place of those that are there.
 
     Raises
@@ -46,7 +48,7 @@ def write_page(folder: Path, comparisons: Sequence[Comparison], omitted: Sequenc
     return [folder / PAGE, *files]
 
 
-def page_text(comparisons: Sequence[Comparison], omitted: Sequence[OmittedCase]) -> str:
+def page_text(comparisons: Sequence[CaseComparison], omitted: Sequence[OmittedCase]) -> str:
     """The page in Markdown."""
     parts = [BEGINNING, comparison_table(comparisons).written("markdown"), "## Sources and remarks\n"]
     named = [case for case, _ in groupby(comparisons, key=lambda one: one.case)]
@@ -69,7 +71,7 @@ def source_table(chosen: Sequence[Case]) -> Table:
     return Table("cases", ("case", "what it is", "kind", "source", "why values differ"), rows)
 
 
-def diagram(comparisons: Sequence[Comparison]) -> Figure:
+def diagram(comparisons: Sequence[CaseComparison]) -> Figure:
     """Band diagram of a case with the published edges, and frequencies at corners of the zone."""
     bands = load_case_study(comparisons[0].case.study).run("bands")
     assert isinstance(bands, Bands)

@@ -8,12 +8,12 @@ from typing import Any
 from haptonic.arrays import Array
 from haptonic.results.table import Table
 from haptonic.units import hz_text
-from haptonic.verification.comparison import Comparison
+from haptonic.verification.comparison import CaseComparison
 
 HEAD = ("case", "quantity", "source value", "haptonic", "difference", "allowed", "agrees")
 
 
-def comparison_table(comparisons: Sequence[Comparison]) -> Table:
+def comparison_table(comparisons: Sequence[CaseComparison]) -> Table:
     """A row for each quantity of each case; a row that does not agree is marked."""
     rows = [
         (
@@ -31,12 +31,12 @@ def comparison_table(comparisons: Sequence[Comparison]) -> Table:
     return Table("published and exact cases", HEAD, rows, marked)
 
 
-def reference_text(comparison: Comparison) -> str:
+def reference_text(comparison: CaseComparison) -> str:
     """The source's value; the first, the last and the number of values where there are several."""
     return _values_text(comparison.reference, comparison.quantity.unit, ".6g")
 
 
-def computed_text(comparison: Comparison) -> str:
+def computed_text(comparison: CaseComparison) -> str:
     """haptonic's values with the largest error; a range where the case varies something."""
     unit, values, errors = comparison.quantity.unit, comparison.computed, comparison.computed_error
     if len(values) > 1 and values.shape[1] == 1:
@@ -54,7 +54,7 @@ def percent_text(share: float, *, signed: bool = False) -> str:
     return f"{100 * share:{'+' if signed else ''}.2g} %"
 
 
-def plain_comparison(comparison: Comparison) -> dict[str, Any]:
+def plain_comparison(comparison: CaseComparison) -> dict[str, Any]:
     """Values in SI units."""
     return {
         "case": comparison.case.id,

@@ -1,4 +1,4 @@
-"""The table of cases: what is compared with which source. The data are in ``cases.toml`` and ``studies``."""
+"""What is compared with which source; the data are in ``catalogue.toml`` and ``studies``."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ Kind = Literal["published", "exact", "independent"]
 Positive = Annotated[float, Field(ge=0)]
 
 
-class _FileTable(BaseModel):
+class _CatalogueTable(BaseModel):
     """A table of the file: immutable, without unknown keys."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
-class Other(_FileTable):
+class OtherStudy(_CatalogueTable):
     """A second study whose answer has to be the same.
 
     study : of the cases' folder; the case's own by default
@@ -40,7 +40,7 @@ class Other(_FileTable):
     factor: float = 1.0
 
 
-class Quantity(_FileTable):
+class CaseQuantity(_CatalogueTable):
     """One number, or the frequencies at one wavevector, with the reference value.
 
     measure : an edge, the centre or the relative width of the widest complete gap, or frequencies
@@ -55,7 +55,7 @@ class Quantity(_FileTable):
     at: str = ""
     bands: tuple[int, ...] = ()
     published: tuple[str, ...] = ()
-    other: Other | None = None
+    other: OtherStudy | None = None
     uncertainty: tuple[Positive, ...] = (0.0,)
     tolerance: Positive = 0.0
 
@@ -80,7 +80,7 @@ class Quantity(_FileTable):
         return tuple(to_si(text, self.unit, self.name) for text in self.published)
 
 
-class Case(_FileTable):
+class Case(_CatalogueTable):
     """A study and what it is compared with.
 
     id : also of its study file, unless ``study`` names another one; kind : what the reference values are
@@ -94,7 +94,7 @@ class Case(_FileTable):
     title: str
     kind: Kind
     source: str
-    quantity: tuple[Quantity, ...]
+    quantity: tuple[CaseQuantity, ...]
     vary: tuple[dict[str, Any], ...] = ()
     remark: str = ""
     picture: bool = False
@@ -105,7 +105,7 @@ class Case(_FileTable):
         return {"study": data["id"], **data}
 
 
-class OmittedCase(_FileTable):
+class OmittedCase(_CatalogueTable):
     """A case that is not computed, and the reason."""
 
     title: str
@@ -113,14 +113,14 @@ class OmittedCase(_FileTable):
     reason: str
 
 
-class _CaseFile(_FileTable):
+class _CaseFile(_CatalogueTable):
     case: tuple[Case, ...]
     omitted: tuple[OmittedCase, ...]
 
 
 @cache
 def _case_file() -> _CaseFile:
-    text = files("haptonic").joinpath("verification", "cases.toml").read_text("utf-8")
+    text = files("haptonic").joinpath("verification", "catalogue.toml").read_text("utf-8")
     return _CaseFile.model_validate(tomllib.loads(text))
 
 
