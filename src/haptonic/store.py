@@ -35,8 +35,8 @@ from haptonic.gate import passed
 from haptonic.later import xarray as xr
 from haptonic.paths import target
 
-# Parts of the package that show results but do not make them.
-SHOWING = frozenset({"cli", "plots", "report", "workshop"})
+# Parts of the package that show or compare results but do not make them.
+SHOWING = frozenset({"cli", "plots", "report", "verification", "workshop"})
 
 DIGEST_BYTES = hashlib.sha256().digest_size
 STALE_SECONDS = 24 * 3600.0

@@ -81,7 +81,8 @@ ALLOWED: dict[str, set[str]] = {
     "report": LOWER | {"description", "pages", "plots", "results"},
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},
-    "cli": CORE | {"analyses", "results", "store", "study", "__init__"},
+    "verification": {"arrays", "errors", "plots", "results", "store", "study", "units"},
+    "cli": CORE | {"analyses", "results", "store", "study", "verification", "__init__"},
 }
 TOP = {"__init__", "__main__"}
 INSIDE_FUNCTIONS = {

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from peers.ngsolve_cell import FOOT_RATIO, _arpack, _shifted_inverse
 
-Solid = tuple[float, float, float]  # Young's modulus (Pa), Poisson ratio, density (kg/m^3)
+# Young's modulus (Pa), Poisson ratio, density (kg/m^3); or C11, C12, C44 (Pa) along x, y and z, density
+Solid = tuple[float, float, float] | tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ def frequencies(
     edge_size: float | None = None,
 ) -> NDArray[np.float64]:
     """(wavevectors, count) lowest frequencies, Hz, of a square lattice; later discs replace earlier ones."""
-    modulus, _, density = plate
+    modulus, density = plate[0], plate[-1]
     parts = [(Box((-0.5, -0.5, 0.0), (0.5, 0.5, thickness / pitch)), plate)]
     for disc in discs:
         tool = _solid(disc, pitch)
@@ -78,11 +79,10 @@ def frequencies(
     mesh.Curve(order)
 
     def of_part(number: int) -> Any:
-        return mesh.MaterialCF({f"part{k}": solid[number] for k, (_, solid) in enumerate(parts)})
+        return mesh.MaterialCF({f"part{k}": _constants(solid)[number] for k, (_, solid) in enumerate(parts)})
 
-    youngs, poisson, heavy = of_part(0) / modulus, of_part(1), of_part(2) / density
-    mu = youngs / (2 * (1 + poisson))
-    first = youngs * poisson / ((1 + poisson) * (1 - 2 * poisson))
+    first, mu, cubic = (of_part(number) / modulus for number in range(3))
+    heavy = of_part(3) / density
     found = []
     for kappa in kappas:
         space = ng.Periodic(
@@ -91,12 +91,27 @@ def frequencies(
         u, v = space.TnT()
         strain_u, strain_v = ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v))
         energy = 2 * mu * ng.InnerProduct(strain_u, strain_v) + first * ng.div(u) * ng.div(v)
+        energy += cubic * sum(strain_u[axis, axis] * strain_v[axis, axis] for axis in range(3))
         stiffness = ng.BilinearForm(energy * ng.dx).Assemble().mat
         mass = ng.BilinearForm(heavy * u * v * ng.dx).Assemble().mat
         squares = _arpack(stiffness, mass, _shifted_inverse(space, stiffness, mass), count)
         unit = np.sqrt(modulus / density) / (2 * np.pi * pitch)
         found.append(np.sqrt(np.maximum(np.sort(squares)[:count], 0.0)) * unit)
     return np.array(found)
+
+
+def _constants(solid: Solid) -> tuple[float, float, float, float]:
+    """Lamé's two constants, what a cubic crystal adds to them along its axes, and the density."""
+    if len(solid) == 4:
+        c11, c12, c44, density = solid
+        return c12, c44, c11 - c12 - 2 * c44, density
+    youngs, poisson, density = solid
+    return (
+        youngs * poisson / ((1 + poisson) * (1 - 2 * poisson)),
+        youngs / (2 * (1 + poisson)),
+        0.0,
+        density,
+    )
 
 
 def _solid(disc: PeerDisc, pitch: float) -> Any:

@@ -47,9 +47,17 @@ class Template(str):
 
 def templates() -> dict[str, Template]:
     """Every template by its name, the simplest first."""
-    folder = files("haptonic").joinpath("templates")
-    found = {
-        one.name.removesuffix(ENDING).replace("_", "-"): Template(one.read_text("utf-8"))
-        for one in folder.iterdir()
+    return _in_folder("templates")
+
+
+def case_templates() -> dict[str, Template]:
+    """The studies of the cases of `haptonic verify` by their names, the simplest first."""
+    return _in_folder("verification", "studies")
+
+
+def _in_folder(*folder: str) -> dict[str, Template]:
+    named = {
+        file.name.removesuffix(ENDING).replace("_", "-"): Template(file.read_text("utf-8"))
+        for file in files("haptonic").joinpath(*folder).iterdir()
     }
-    return dict(sorted(found.items(), key=lambda pair: pair[1].count("\n")))
+    return dict(sorted(named.items(), key=lambda pair: pair[1].count("\n")))

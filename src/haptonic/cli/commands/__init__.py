@@ -12,5 +12,6 @@ NAMES = {
     "keys": "The keys of the study file: what they mean, what is allowed, an example.",
     "materials": "The built-in materials, with their constants and sources.",
     "schema": "The JSON schema of the study file, for editors that complete and check it.",
+    "verify": "Compute published and exact cases; exit code 1 if one lies outside its errors.",
     "doctor": "Versions, threads, solver, memory, and a check of the physics that takes a second.",
 }

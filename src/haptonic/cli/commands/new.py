@@ -15,14 +15,14 @@ from haptonic.cli.listing import pairs
 from haptonic.errors import StudyError, nearest, shown
 from haptonic.paths import target
 from haptonic.store import write_atomically
-from haptonic.study import ENDING, Template, templates
+from haptonic.study import ENDING, Template, case_templates, templates
 
 USUAL = "bare-cell"
 
 
 def complete(incomplete: str) -> list[str]:
-    """For a shell: the templates whose names begin so."""
-    return [name for name in templates() if name.startswith(incomplete)]
+    """For a shell: the templates and cases whose names begin so."""
+    return [name for name in templates() | case_templates() if name.startswith(incomplete)]
 
 
 First = Annotated[
@@ -40,8 +40,15 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
         if template is None:
             pairs(voice, {name: text.about for name, text in known.items()})
             voice.tell(f"`haptonic new touchpad my{ENDING}` writes one of them.")
-            voice.answer({"templates": {name: text.about for name, text in known.items()}})
+            voice.tell("It also writes the study of a case; `haptonic verify --list` lists the cases.")
+            voice.answer(
+                {
+                    "templates": {name: text.about for name, text in known.items()},
+                    "cases": {name: text.about for name, text in case_templates().items()},
+                }
+            )
             return
+        known |= case_templates()
         name, path = resolved(template, file, known)
         refuse_taken(path, overwrite)
         text = known[name].adapted(path)

@@ -1,0 +1,69 @@
+"""``haptonic verify``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from haptonic.cli.commands import Json
+from haptonic.cli.console import speaking
+from haptonic.cli.listing import pairs
+from haptonic.paths import target
+from haptonic.verification import (
+    cases,
+    compare_case,
+    comparison_table,
+    omitted_cases,
+    plain_comparison,
+    write_page,
+)
+
+
+def complete(incomplete: str) -> list[str]:
+    """For a shell: the cases whose names begin so."""
+    return [case.id for case in cases() if case.id.startswith(incomplete)]
+
+
+Names = Annotated[
+    list[str] | None,
+    typer.Argument(metavar="CASE...", help="Else all.", autocompletion=complete, show_default=False),
+]
+Listing = Annotated[bool, typer.Option("--list", help="List the cases, and compute nothing.")]
+Page = Annotated[
+    Path | None,
+    typer.Option(
+        "--page", metavar="DIR", help="Folder for a page with the table and pictures; replaces both."
+    ),
+]
+
+
+def run(names: Names = None, listing: Listing = False, page: Page = None, json: Json = False) -> None:
+    """Compare the cases; exit code 1 if a value lies outside its tolerance and both errors."""
+    with speaking(json, kept="computed cases are stored; the same command goes on from there") as voice:
+        chosen = cases(names or ())
+        if listing:
+            pairs(voice, {case.id: f"{case.title} ({case.kind}; {case.source})" for case in chosen})
+            voice.tell("`haptonic new CASE FILE` copies the study of a case.")
+            voice.answer({"cases": [case.model_dump() for case in chosen]})
+            return
+        folder = None if page is None else target(page, "--page")
+        comparisons = []
+        with voice.counted("verifying") as progress:
+            for number, case in enumerate(chosen):
+                progress(number, len(chosen), case.id)
+                comparisons += compare_case(case)
+        voice.show(comparison_table(comparisons))
+        failed = sorted({comparison.case.id for comparison in comparisons if not comparison.agrees})
+        for case in chosen:
+            if case.remark and (case.id in failed or len(chosen) == 1):
+                voice.tell(f"{case.id}: {case.remark}")
+        verdict = f"outside their errors: {', '.join(failed)}" if failed else "all agree"
+        voice.tell(f"{len(chosen)} cases, {len(comparisons)} quantities: {verdict}.")
+        if folder is not None:
+            write_page(folder, comparisons, omitted_cases())
+            voice.tell(f"written: {folder}")
+        voice.answer({"comparisons": list(map(plain_comparison, comparisons)), "failed": failed})
+        if failed:
+            raise SystemExit(1)
