@@ -21,7 +21,7 @@ from haptonic.results.result import Result
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
-from haptonic.workshop.part import Part, hidden
+from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, dimensions_of
 
 KINDS = ("step", "dxf", "stl", "drawing")
@@ -169,9 +169,7 @@ class Workshop(Result):
 
 def check(study: Description, options: ExportOptions) -> None:
     """Refuse a part that cannot be made, and a solid that is asked for by name without the extra for it."""
-    part = options.part(study)
-    if {"dxf", "drawing"} & set(options.kinds):
-        part.need_shown(drawn="drawing" in options.kinds)
+    options.part(study)
     if options.step:
         workshop.need_opencascade()
 
@@ -188,7 +186,7 @@ def left_out(options: ExportOptions) -> dict[str, str]:
 
 
 def supports(cell: UnitCell, options: ExportOptions) -> HaptonicError | None:
-    """A part has one material; outlines and the drawing do not show what `workshop.part.hidden` names."""
+    """A part has one material."""
     if (refusal := pillars_only(cell, options)) is not None:
         return refusal
     others = {at: solid for at, solid in cell.materials.items() if solid != cell.material}
@@ -201,9 +199,7 @@ def supports(cell: UnitCell, options: ExportOptions) -> HaptonicError | None:
             cause="the solid, its mass and the drawing are those of a part that is milled from one block",
             next_step="leave the pillar's material out of the study that is exported",
         )
-    if not {"dxf", "drawing"} & set(options.kinds):
-        return None
-    return hidden(cell, cell.pillars, drawn="drawing" in options.kinds)
+    return None
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:

@@ -19,6 +19,7 @@ from haptonic.workshop.shape import PillarShape
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
+BELOW = " BELOW"  # ends the layers of pillars on the lower face
 
 # layer: colour of AutoCAD's table, and how wide its lines are plotted, hundredths of a millimetre
 LAYERS = {
@@ -31,7 +32,8 @@ def write_dxf(path: Path, part: Part, *, overwrite: bool = False) -> Path:
     """Write the outlines of a part; the same part is the same file.
 
     Layers: PLATE its edge and the edges of its holes, PILLAR the pillars at their foot without the fillet,
-    FILLET where fillets meet the plate, STEP the pillars above their step, CENTRE a cross on each axis. For
+    FILLET where fillets meet the plate, STEP the pillars above their step, CENTRE a cross on each axis; the
+    layers of pillars on the lower face end in BELOW. For
     reference: CELL the borders of cells, REGION those of plain plate, PATCH those of what is glued on, HELD
     the sides that are held. A layer without content is left out.
 
@@ -57,13 +59,7 @@ def reproducible() -> Iterator[None]:
 
 
 def outlines(part: Part) -> Drawing:
-    """A document with the outlines of a part in its model space.
-
-    Raises
-    ------
-    GeometryError : pillars stand on both faces
-    """
-    part.need_shown()
+    """A document with the outlines of a part in its model space."""
     document = ezdxf.new("R2010", units=MILLIMETRES)
     space = document.modelspace()
     for mark in part.marks:  # first: edges lie on top of them
@@ -74,14 +70,15 @@ def outlines(part: Part) -> Drawing:
     for pillar, places in part.standing:
         body, arm = PillarShape.of(pillar), MARK * pillar.diameter
         for x, y in places.tolist():
-            for layer, half_width in body.outlines.items():
-                add_outline(space, body.outline, (x, y), half_width, layer)
+            for face in ("", BELOW)[: part.cell.copies]:
+                for layer, half_width in body.outlines.items():
+                    add_outline(space, body.outline, (x, y), half_width, layer + face)
             space.add_line((x - arm, y), (x + arm, y), dxfattribs={"layer": "CENTRE"})
             space.add_line((x, y - arm), (x, y + arm), dxfattribs={"layer": "CENTRE"})
     used = {entity.dxf.layer for entity in space}
     for name, (colour, width) in LAYERS.items():
-        if name in used:
-            document.layers.add(name, color=colour, lineweight=width)
+        for layer in sorted(used & {name, name + BELOW}):
+            document.layers.add(layer, color=colour, lineweight=width)
     return document
 
 

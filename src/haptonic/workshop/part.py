@@ -6,7 +6,6 @@ Files are in millimetres, so lengths here are too.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -15,7 +14,6 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
-from haptonic.cell.outlines import NUMBERS
 from haptonic.cell.tile import enclosed
 from haptonic.errors import GeometryError
 from haptonic.plate.holding import WORDS, Support
@@ -173,47 +171,6 @@ class Part:
         area = sum(enclosed(loop) for loop in self.outline)  # holes run the other way
         pillars = sum(len(places) * one.volume for one, places in self.standing)
         return area * self.cell.thickness + self.cell.copies * pillars
-
-    def need_shown(self, *, drawn: bool = False) -> None:
-        """Refuse what outlines seen from above, or a drawing, would hide.
-
-        Raises
-        ------
-        GeometryError : see `hidden`
-        """
-        refusal = hidden(self.cell, [pillar for pillar, _ in self.standing], drawn=drawn)
-        if refusal is not None:
-            raise refusal
-
-
-def hidden(cell: UnitCell, pillars: Iterable[Pillar | None], *, drawn: bool = False) -> GeometryError | None:
-    """The error for what outlines seen from above would not show, or a drawing; None if they show all.
-
-    They show one face. The views of a drawing show the width along x of a section that has no other number.
-    """
-    if cell.is_mirrored:
-        return GeometryError.unsupported(
-            argument="cell.faces",
-            given="both",
-            allowed="one, for a drawing and for outlines seen from above",
-            cause="they show one face of the plate, and its pillars would be made on that alone",
-            next_step="write solids, which have both: haptonic export STUDY --step --stl",
-        )
-    for pillar in pillars if drawn else ():
-        if pillar is not None and not _is_shown(pillar):
-            return GeometryError.unsupported(
-                argument="cell.pillar.section",
-                given=f"{pillar.section}, with further numbers",
-                allowed="round, square or hexagon, not turned and with sharp corners, for a drawing",
-                cause="the views of a drawing show one width of a pillar",
-                next_step="write the other files: haptonic export STUDY --step --dxf --stl",
-            )
-    return None
-
-
-def _is_shown(pillar: Pillar) -> bool:
-    sides = pillar.outline.support(np.array([[1.0, 0.0], [-1.0, 0.0]]))
-    return not any(getattr(pillar, name) for name in NUMBERS) and bool(np.abs(sides - 1).max() < SHOWN)
 
 
 def _check_number(pillars: int) -> None:
