@@ -143,7 +143,7 @@ class Workshop(Result):
         aside = "; regions, patches and what is held are marked, and no part of the solid"
         if self.part.count is not None:
             what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
-        pillars = f"{self.part.pillars} pillar{'s' * (self.part.pillars != 1)}"
+        pillars = f"{self.part.number} pillar{'s' * (self.part.number != 1)}"
         sizes = " x ".join(format_quantity(side / MM, "m") for side in self.part.size)
         return [f"part: {what}, {sizes}, with {pillars}{aside}"]
 
@@ -156,7 +156,7 @@ class Workshop(Result):
 
     def facts(self) -> dict[str, Any]:
         made = {"whole_plate": self.part.count is None, "size_m": [side / MM for side in self.part.size],
-                "pillars": self.part.pillars}  # fmt: skip
+                "pillars": self.part.number}  # fmt: skip
         if self.left_out:
             made |= {"left_out": self.left_out}
         if "drawing" not in self.options.kinds:
@@ -250,7 +250,7 @@ def cost(study: Description, options: ExportOptions) -> Cost:
     if "step" in options.kinds:
         total += Cost(PER_FACE * part.faces + PER_PAIR * part.faces**2, BASE + BYTES_OF_FACE * part.faces)
     if "drawing" in options.kinds:
-        total += Cost(DRAWN * part.pillars)
+        total += Cost(DRAWN * part.number)
         if study.carrier and study.tolerance_settings.of:
             # without an answer the drawing has no tolerances
             total += replace(tolerance.cost(study, NoOptions()), refusal=None)

@@ -72,9 +72,9 @@ def part_drawing(
         cells = {} if part.count is None else {"CELLS": TIMES.join(map(str, part.count))}
         _title_block(sheet, title, {
             "MATERIAL": part.cell.material.name,
-            "MASS": f"{1e3 * part.volume / MM**3 * part.cell.material.density:.3g} g",
+            "MASS": f"{1e3 * part.mass:.3g} g",
             "PLATE": TIMES.join(number(side / MM) for side in (*part.size, part.cell.thickness)),
-            "PILLARS": str(part.pillars) + "".join(f" on {cells} cells" for cells in cells.values()),
+            "PILLARS": str(part.number) + "".join(f" on {cells} cells" for cells in cells.values()),
             "GENERAL TOLERANCES": GENERAL,
             "UNITS": "dimensions in mm",
             "SCALE": str(plan),
