@@ -60,7 +60,7 @@ def test_each_analysis_supports_every_feature_of_pillars(feature):
 @pytest.mark.parametrize("faces", ["one", "both"])
 @pytest.mark.parametrize("feature", STACKS)
 def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
-    """Designs, tolerances and files are for pillars; finite plates for what leaves their lower face whole."""
+    """Designs and tolerances are for pillars; finite plates for what leaves their lower face whole."""
     of_sites = Site(disc=STACKS[feature]), Site()
     for each in (
         UnitCell(SQUARE, 1.5 * MM, material("aluminium-2017a"), disc=STACKS[feature], faces=faces),
@@ -77,7 +77,7 @@ def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
                 refused.add(name)
         opens_below = feature == "hole" or (feature == "blind hole" and each.faces == "both")
         of_plates = {"plate", "simulate scan", "feel", "verdict"} if opens_below else set()
-        assert refused - {"layers"} == {"design", "tolerance", "export"} | of_plates
+        assert refused - {"layers"} == {"design", "tolerance"} | of_plates
 
 
 def test_the_report_asks_each_analysis_as_well():

@@ -3,14 +3,24 @@
 import math
 from dataclasses import replace
 
+import ezdxf
 import numpy as np
 import pytest
 from family import METAL, MM, SQUARE, cell, enclosed, is_watertight
 
 from haptonic.cell import Disc, Pillar, Site, UnitCell
+from haptonic.cell.tile import enclosed as area_of
 from haptonic.lattice import Lattice
-from haptonic.materials import material
-from haptonic.workshop import Part, surface, volume_of_step, write_step
+from haptonic.workshop import (
+    Part,
+    part_drawing,
+    surface,
+    volume_of_step,
+    write_drawing,
+    write_dxf,
+    write_step,
+)
+from haptonic.workshop.section import ANGLES
 from stacks import EPOXY, STACKS, STEEL
 
 pytest.importorskip("netgen.occ", reason="the extra cad is not installed")
@@ -48,7 +58,7 @@ def check_files(part, exact, tmp_path, polygon=1e-6):
     assert set(by_name) == set(exact)
     volumes = solids_of(write_step(tmp_path / "a.step", part))
     for name, volume in exact.items():
-        assert part.volume(by_name[name]) == pytest.approx(volume, rel=1e-9)
+        assert part.volume_of(by_name[name]) == pytest.approx(volume, rel=1e-9)
         assert volumes[name] == pytest.approx(volume, rel=1e-6)
         skin = surface(part, chord=1e-6, material=by_name[name])
         assert is_watertight(skin.cells_dict["triangle"])
@@ -97,4 +107,35 @@ def test_a_pillar_and_a_hole_stand_side_by_side_on_a_honeycomb(tmp_path):
     exact = 6 * (lattice.area / MM**2 * 1.5 + 9 * 5 - 16 * 1.5)
     check_files(Part.piece(body, 3, 2), {"metal": exact}, tmp_path)
     assert np.isfinite(volume_of_step(tmp_path / "a.step"))
-    assert material("steel") == STEEL
+
+
+CUT = {  # mm^2, of each material in a section 14 mm long through two stacks
+    "hole": {"metal": 14 * 1.5 - 2 * 4 * 1.5},
+    "blind hole": {"metal": 14 * 1.5 - 2 * 4 * 0.7},
+    "inclusion": {"metal": 14 * 1.5 - 2 * 4 * 1.5, "steel": 2 * 4 * 1.5},
+    "coated inclusion": {"metal": 14 * 1.5 - 2 * 5 * 1.5, "epoxy": 2 * 1.5, "steel": 2 * 4 * 1.5},
+    "pillar on glue": {"metal": 14 * 1.5, "epoxy": 2 * 3 * 0.5, "steel": 2 * 3 * 3.5},
+    "cap": {"metal": 14 * 1.5 + 2 * (2.5 * 3 + 4.5)},
+    "hollow pillar": {"metal": 14 * 1.5 + 2 * (4 - 2.5) * 4},
+}
+
+
+@pytest.mark.parametrize("name", STACKS)
+def test_the_section_shows_each_material_and_the_outlines_have_their_layers(name, tmp_path):
+    part = Part.piece(UnitCell(SQUARE, 1.5 * MM, METAL, disc=STACKS[name]), 3, 2)
+    path = write_drawing(tmp_path / "a.dxf", part_drawing(part, "Discs"))
+    space = ezdxf.readfile(path).modelspace()
+    areas = dict.fromkeys([solid.name for solid in part.materials], 0.0)
+    for hatch in space.query("HATCH"):
+        solid = part.materials[ANGLES.index(hatch.dxf.pattern_angle)]
+        areas[solid.name] += abs(area_of(np.array(list(hatch.paths[0].vertices))[:, :2]))
+    assert areas == pytest.approx(CUT[name])
+    outlines = ezdxf.readfile(write_dxf(tmp_path / "b.dxf", part)).modelspace()
+    circles = {
+        layer: sorted({2 * circle.dxf.radius for circle in outlines.query(f'CIRCLE[layer=="{layer}"]')})
+        for layer in ("HOLE", "DISC")
+    }
+    holes = [4.0] if "hole" in name else []
+    widths = sorted({1e3 * disc.diameter for disc in STACKS[name]})
+    assert circles == {"HOLE": pytest.approx(holes), "DISC": pytest.approx([] if holes else widths)}
+    assert len(outlines.query("CIRCLE")) == 6 * len(widths)

@@ -29,6 +29,7 @@ from haptonic.workshop.dimensions import dimensions_of
 from haptonic.workshop.dxf import outlines
 from haptonic.workshop.section import Row, nearest
 from haptonic.workshop.sheet import POINT, Sheet
+from stacks import STACKS
 
 ALL = FAMILY | EXTREME
 STEPPED = cell(Pillar(3.5 * MM, 9 * MM, "round", math.radians(2), 0.5 * MM, Step(2 * MM, 5 * MM)), RECTANGLE)
@@ -53,6 +54,9 @@ OTHERS = {
     "oblique": UnitCell(Lattice.oblique(7 * MM, 7.5 * MM, 1.3), 1.5 * MM, METAL, WIDE),
     "both faces": replace(STEPPED, faces="both"),
     "turned bars": cell(Pillar(2 * MM, 4 * MM, "rectangle", length=3 * MM, turn=0.4), RECTANGLE),
+    "blind holes": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["blind hole"]),
+    "coated inclusions": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["coated inclusion"]),
+    "hollow pillars": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["hollow pillar"], faces="both"),
     "hexagons of epoxy": cell(Pillar(3 * MM, 4 * MM, "hexagon", material=material("silver-epoxy"))),
 }
 
@@ -189,7 +193,7 @@ def test_the_words_beside_the_views():
     for text in (
         "⌀3.500 ±0.020", "⌀2", "(⌀1.721)", "R0.5", "draft 2°", "5", "9", "1.5", "7", "14", "27", "3.5",
         "10.5", "4.5", "22.5", "touch face, keep flat", "dimensions in mm", "metal", "5 : 1", "ISO 2768-m",
-        "6 on 2 \N{MULTIPLICATION SIGN} 3 cells", "2.42 g", "Section along x   5 : 1",
+        "6 pillars", "2.42 g", "Section along x   5 : 1",
         "14 \N{MULTIPLICATION SIGN} 27 \N{MULTIPLICATION SIGN} 1.5",
     ):  # fmt: skip
         assert text in shown, text
@@ -222,9 +226,11 @@ def test_the_views_are_to_scale_and_the_section_has_the_area_of_the_cut(name):
     row = Row.of(part)
     hatched = sheet.document.modelspace().query("HATCH")
     areas = [enclosed(np.array(list(hatch.paths[0].vertices))[:, :2]) for hatch in hatched]
-    assert areas[0] == pytest.approx((row.high - row.low) * part.cell.thickness)
-    assert len(areas) == 1 + len(row.pillars) * part.cell.copies
-    for (pillar, _), area in zip(row.pillars, areas[1:], strict=False):
+    if part.stacks:
+        return  # see test_disc_files.py
+    assert areas[-1] == pytest.approx((row.high - row.low) * part.cell.thickness)
+    assert len(areas) == 1 + len(row.features) * part.cell.copies
+    for (pillar, _), area in zip(row.features, areas[:: part.cell.copies], strict=False):
         if pillar.step is None and not pillar.fillet and pillar.section in ("round", "square", "hexagon"):
             trapezoid = pillar.height * (pillar.diameter - pillar.height * math.tan(pillar.draft))
             assert abs(area) == pytest.approx(trapezoid)
@@ -246,7 +252,7 @@ class TestWholePlate:
         numbers = (
             "36",
             "49",
-            "22",
+            "22 pillars",
             "A1",
             "A",
             "C",
@@ -300,7 +306,7 @@ class TestWholePlate:
     def test_tolerances_belong_to_the_studys_own_pillar(self):
         other = part_drawing(Part.whole(PLATES["plain"], cell(None, RECTANGLE)), "Plain")
         assert not any("±" in word for word in words(other))
-        assert "0" in words(other)  # pillars
+        assert "0 pillars" in words(other)
         assert "Section along x   10 : 1" in words(other)
         strange = part_drawing(
             Part.whole(PLATES["long"], LATTICES["slim"]), "Long", tolerances={"cell.pillar.height": 5e-5}
@@ -335,7 +341,7 @@ def test_a_piece_of_other_cells_has_a_plan_with_every_pillar_and_lists_of_their_
     for text in (
         "12 round, ⌀2.000 ±0.020", "12 round, ⌀1.800 ±0.020, height 5.000 ±0.020",
         "fillet 0.300 ±0.020", "next along x 7.000 ±0.020, next along y 12.1243",
-        "24 on 4 \N{MULTIPLICATION SIGN} 3 cells", "Section along x   5 : 1",
+        "24 pillars", "Section along x   5 : 1",
     ):  # fmt: skip
         assert any(text in word for word in found), text
     way = 7 / 3**0.5 - 1.9  # between axes of neighbours, less half the sum of their diameters

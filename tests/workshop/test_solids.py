@@ -101,7 +101,7 @@ def test_with_pillars_on_both_faces_the_solids_have_both(pillar, tmp_path):
     body = replace(ALL[pillar], faces="both")
     part = Part.piece(body, 2, 3)
     exact = 6 * (body.lattice.area * body.thickness + 2 * body.pillar.volume)
-    assert part.pillars == 12
+    assert part.number == 12
     assert part.volume * MM**3 == pytest.approx(exact)
     assert volume_of_step(write_step(tmp_path / "a.step", part)) == pytest.approx(exact, rel=1e-6)
     skin = surface(part, chord=1e-6)

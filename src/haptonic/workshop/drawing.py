@@ -17,10 +17,12 @@ import matplotlib as mpl
 import numpy as np
 from scipy.spatial import cKDTree
 
+from haptonic.cell import Disc, Pillar
 from haptonic.cell.outlines import Scaled
+from haptonic.cell.stack import Stack
 from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.dimensions import checked_tolerances, number, text_of
+from haptonic.workshop.dimensions import checked_tolerances, degrees, number, text_of
 from haptonic.workshop.dxf import outlines, reproducible
 from haptonic.workshop.part import Part
 from haptonic.workshop.plan import draw_plan, letter
@@ -69,12 +71,11 @@ def part_drawing(
         section = draw_section(sheet, SECTION, part, tolerances)
         for box, text in ((PLAN, f"Plan   {plan}"), (SECTION, f"Section along x   {section}")):
             sheet.text((0.5 * (box[0] + box[2]), box[3] - 4), text, 3.0, "CENTER")
-        cells = {} if part.count is None else {"CELLS": TIMES.join(map(str, part.count))}
         _title_block(sheet, title, {
-            "MATERIAL": part.cell.material.name,
+            "MATERIAL": ", ".join(material.name for material in part.materials),
             "MASS": f"{1e3 * part.mass:.3g} g",
             "PLATE": TIMES.join(number(side / MM) for side in (*part.size, part.cell.thickness)),
-            "PILLARS": str(part.number) + "".join(f" on {cells} cells" for cells in cells.values()),
+            "PILLARS AND DISCS": part.parts,
             "GENERAL TOLERANCES": GENERAL,
             "UNITS": "dimensions in mm",
             "SCALE": str(plan),
@@ -90,33 +91,26 @@ def part_drawing(
             right - BLOCK[0] - left - 8,
         )
         if lines := _kinds(part, tolerances):
-            sheet.notes(LISTS[:2], "PILLARS AND PATCHES", lines, LISTS[2])
+            sheet.notes(LISTS[:2], "PILLARS, DISCS AND PATCHES", lines, LISTS[2])
     return sheet
 
 
 def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
-    """Number, sizes and distances of each kind of pillar by its letter, and each patch by its name."""
+    """Number, sizes and distances of each kind of feature by its letter, and each patch by its name."""
     lines = {}
-    for kind, (pillar, places) in enumerate(part.standing):
-        table = part.table(pillar) or ""
-        half = tolerances if table else {}
-        sizes = [f"{len(places)} {pillar.section}{f' of {pillar.sides} sides' if pillar.sides else ''}"]
-        for one in heights(part.cell.thickness, pillar, table)[1:]:
-            if one.name:
-                word = re.sub(r"[._]", " ", one.name.removeprefix(f"{table}.")) + " "
-                word = word.replace("diameter ", pillar.form.sign or f"{pillar.form.width} ")
-                sizes.append(word + text_of(one, half.get(one.name)))
+    for kind, (feature, places) in enumerate(part.standing):
+        half: Mapping[str, float] = {}
+        if isinstance(feature, Stack):
+            texts = [f"{len(places)} stacks", *(_disc(disc, part) for disc in feature.discs)]
+        else:
+            table = part.table(feature) or ""
+            half = tolerances if table else {}
+            texts = [f"{len(places)} {_named(feature)}", *_sizes(part, feature, table, half)]
         for along, axis in enumerate("xy"):
             if step := nearest(places, along)[1]:
                 one = pitch_of(part, step, along)
-                sizes.append(f"next along {axis} {text_of(one, half.get(one.name or ''))}")
-        if pillar.point:
-            corners = pillar.radius / MM * pillar.outline.corners
-            places_of_corners = "; ".join(f"{number(x)}, {number(y)}" for x, y in corners)
-            sizes.append(f"corners x, y: {places_of_corners}")
-        if pillar.material:
-            sizes.append(pillar.material.name)
-        lines[letter(kind)] = ", ".join(sizes)
+                texts.append(f"next along {axis} {text_of(one, half.get(one.name or ''))}")
+        lines[letter(kind)] = ", ".join(texts)
     for mark in part.marks:
         if mark.layer == "PATCH":
             low, high = mark.line.min(axis=0), mark.line.max(axis=0)
@@ -126,6 +120,42 @@ def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
     if (more := len(lines) - MOST_LINES) > 0:
         return dict(list(lines.items())[:MOST_LINES]) | {"…": f"{more} more: see the DXF file"}
     return lines
+
+
+def _sizes(part: Part, pillar: Pillar, table: str, half: Mapping[str, float]) -> list[str]:
+    """Every number of a pillar, with its tolerance."""
+    texts = []
+    for one in heights(part.cell.thickness, pillar, table)[1:]:
+        if one.name:
+            word = re.sub(r"[._]", " ", one.name.removeprefix(f"{table}.")) + " "
+            word = word.replace("diameter ", pillar.form.sign or f"{pillar.form.width} ")
+            texts.append(word + text_of(one, half.get(one.name)))
+    if pillar.point:
+        texts.append(_corners(pillar.radius / MM, pillar))
+    return [*texts, pillar.material.name] if pillar.material else texts
+
+
+def _disc(disc: Disc, part: Part) -> str:
+    """A disc with its numbers, its ends above the plate's top, and its material."""
+    low, high = (number(end - part.cell.thickness / MM) for end in disc.ends(part.cell.thickness / MM))
+    solid = "empty" if disc.empty else (disc.material or part.cell.material).name
+    texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{number(disc.diameter)}"]
+    texts += [f"{name.replace('_', ' ')} {number(value)}" for name in ("length", "corner_radius")
+              if (value := getattr(disc, name))]  # fmt: skip
+    if disc.turn:
+        texts.append(f"turn {degrees(disc.turn)}")
+    if disc.point:
+        texts.append(_corners(disc.radius, disc))
+    return f"{' '.join(texts)} from {low} to {high} {solid}"
+
+
+def _named(section: Pillar | Disc) -> str:
+    return f"{section.section} of {section.sides} sides" if section.sides else section.section
+
+
+def _corners(half_width: float, section: Pillar | Disc) -> str:
+    corners = half_width * section.outline.corners
+    return "corners x, y: " + "; ".join(f"{number(x)}, {number(y)}" for x, y in corners)
 
 
 def write_drawing(path: Path, sheet: Sheet, *, overwrite: bool = False) -> Path:
@@ -191,7 +221,9 @@ def _advice(part: Part) -> list[str]:
         notes = ["The lower face has the same pillars at the same places (layers BELOW in the DXF)."]
     else:
         notes = ["The face at the bottom of the section is touched: keep it flat, no marks, no chamfer."]
-    bodies = [PillarShape.of(pillar) for pillar, _ in part.standing]
+    if len(part.materials) > 1:
+        notes.append("Each hatch of the section is a material; the list names them.")
+    bodies = [PillarShape.of(pillar) for pillar, _ in part.pillars]
     room = _room(part, bodies)
     if room is not None:
         notes.append(
@@ -230,8 +262,8 @@ def _room(part: Part, bodies: list[PillarShape]) -> float | None:
     if part.count is not None:
         return 0.5 * min(part.cell.ways(range(len(part.cell.pillars)))) if bodies else None
     gaps = []
-    for k, (_, places) in enumerate(part.standing):
-        for other, (_, others) in enumerate(part.standing[: k + 1]):
+    for k, (_, places) in enumerate(part.pillars):
+        for other, (_, others) in enumerate(part.pillars[: k + 1]):
             number = cKDTree(others).query(places, k=min(AROUND, len(others)))[1].reshape(len(places), -1)
             away = np.unique(np.round(others[number] - places[:, None], 9).reshape(-1, 2), axis=0)
             away = away[away.any(axis=1)]

@@ -161,9 +161,20 @@ class Part:
 
     @property
     def number(self) -> int:
-        """How many pillars and stacks of discs it has; of pillars those on both faces count."""
-        stacks = sum(len(places) for _, places in self.stacks)
-        return stacks + self.cell.copies * sum(len(places) for _, places in self.pillars)
+        """How many pillars stand on it, on both faces together."""
+        return self.cell.copies * sum(len(places) for _, places in self.pillars)
+
+    @property
+    def number_of_stacks(self) -> int:
+        """How many stacks of discs it has; an image below belongs to its stack."""
+        return sum(len(places) for _, places in self.stacks)
+
+    @property
+    def parts(self) -> str:
+        """How many pillars and stacks of discs it has, in words."""
+        numbers = {"pillar": self.number, "stack": self.number_of_stacks}
+        texts = [f"{number} {noun}{'s' * (number != 1)}" for noun, number in numbers.items() if number]
+        return " and ".join(texts) or "0 pillars"
 
     @property
     def faces(self) -> int:
@@ -194,7 +205,7 @@ class Part:
         """A pillar's own material, or the plate's."""
         return pillar.material or self.cell.material
 
-    def volume(self, material: Material) -> float:
+    def volume_of(self, material: Material) -> float:
         """Of what is of a material, mm^3."""
         pillars = (len(at) * one.volume for one, at in self.pillars if self.solid_of(one) == material)
         rings = (len(at) * ring.volume for stack, at in self.stacks for ring in stack.rings(material))
@@ -207,9 +218,14 @@ class Part:
         return total
 
     @property
+    def volume(self) -> float:
+        """Of all materials, mm^3."""
+        return sum(self.volume_of(material) for material in self.materials)
+
+    @property
     def mass(self) -> float:
         """Of all materials, kg."""
-        return sum(self.volume(material) * material.density for material in self.materials) / MM**3
+        return sum(self.volume_of(material) * material.density for material in self.materials) / MM**3
 
 
 def _in_mm(cell: UnitCell) -> UnitCell:

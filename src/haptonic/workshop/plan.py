@@ -9,8 +9,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.plots.style import spread
 from haptonic.workshop.part import Part
-from haptonic.workshop.section import LANE, pitch_of
-from haptonic.workshop.shape import PillarShape
+from haptonic.workshop.section import LANE, pitch_of, span
 from haptonic.workshop.sheet import APART, SHELF, SIZE, Box, Sheet, View, text_width
 
 ROOM: Box = (41.0, 45.0, 16.0, 8.0)  # mm around the plan, for its dimensions
@@ -111,9 +110,9 @@ def _name_kinds(sheet: Sheet, view: View, part: Part) -> None:
     """Point to the rightmost pillar of each kind, with its letter."""
     edge = view.place(*part.corners[1])[0]
     tips = []
-    for pillar, places in part.standing:
+    for feature, places in part.standing:
         x, y = places[np.lexsort((places[:, 1], places[:, 0]))[-1]]
-        tips.append(view.place(float(x) + PillarShape.of(pillar).foot, float(y)))
+        tips.append(view.place(float(x) + float(span(feature)[0]), float(y)))
     low, high = (view.place(*corner)[1] for corner in part.corners)
     lines = spread([tip[1] for tip in tips], APART, low, max(high, low + APART * len(tips)))
     for k, (tip, y) in enumerate(zip(tips, lines, strict=True)):

@@ -71,6 +71,16 @@ class Rings:
         ]
 
     @property
+    def are_holes(self) -> list[bool]:
+        """For each border, True if the plate or a disc within it ends there at a hole."""
+        in_plate = self.grid[self.grid[:, -1] != VOID]
+        return [bool(hole) for hole in ((in_plate[:, :-1] == VOID) & (in_plate[:, 1:] != VOID)).any(axis=0)]
+
+    def solids(self) -> list[list[Material | None]]:
+        """The material of each ring, None of an empty one, storey by storey."""
+        return [[None if n == VOID else self.materials[n] for n in row] for row in self.grid.tolist()]
+
+    @property
     def narrowest(self) -> float:
         """Twice the narrowest width between two borders, or the innermost one's."""
         widths = np.diff([0.0, *(border.half_width for border in self.borders)])
