@@ -172,7 +172,7 @@ class Part:
     @property
     def parts(self) -> str:
         """How many pillars and stacks of discs it has, in words."""
-        numbers = {"pillar": self.number, "stack": self.number_of_stacks}
+        numbers = {"pillar": self.number, "disc stack": self.number_of_stacks}
         texts = [f"{number} {noun}{'s' * (number != 1)}" for noun, number in numbers.items() if number]
         return " and ".join(texts) or "0 pillars"
 
