@@ -73,7 +73,7 @@ ALLOWED: dict[str, set[str]] = {
     "updating": BASE | {"materials", "plate", "response"},
     "vtu": {"store"},
     "plots": CORE | {"friction", "plate", "response", "store", "updating", "vibrometry"},
-    "workshop": BASE | {"cell", "plate", "plots", "store"},
+    "workshop": BASE | {"cell", "materials", "plate", "plots", "store"},
     "pages": {"plots"},
     # from here on down to the command line: what is told, what is asked, what is computed, what shows it
     "results": LOWER | {"pages", "plots", "vtu"},

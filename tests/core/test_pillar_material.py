@@ -165,9 +165,10 @@ class TestStudies:
         with refusing(StudyError, "unsupported", argument):
             getattr(loads(STUDY), analysis)()
 
-    def test_files_for_a_workshop_are_refused(self, tmp_path):
-        with refusing(GeometryError, "unsupported", "cell.pillar.material"):
-            loads(STUDY).export()
+    def test_files_for_a_workshop_have_a_surface_for_each_material(self, tmp_path):
+        files = loads(STUDY).export(stl=True)
+        files.put(tmp_path)
+        assert len(list(tmp_path.glob("*.stl"))) == len(files.facts()["materials"]) == 2
 
     def test_a_plate_asks_for_its_loss(self):
         tiles = '[plate.tiles]\nA = "lattice"\nP = "plain"\n[plate.widths]\nplain = "9 mm"\n'

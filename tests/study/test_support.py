@@ -48,25 +48,19 @@ def features():
 
 FEATURES = dict(features())
 ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS for name in NAMES}
-# what is refused, and why; everything else is answered, and checked by the tests of each analysis and of
-# outlines: see tests/core/test_sectors.py and tests/workshop/test_outline_files.py
-REFUSED = {"export"}
 
 
 @pytest.mark.parametrize("feature", FEATURES)
-def test_each_analysis_answers_for_a_feature_or_refuses_it(feature):
+def test_each_analysis_supports_every_feature_of_pillars(feature):
     for name, analysis in ANALYSES.items():
         options = ExportOptions() if name == "export" else None
-        refusal = analysis.supports(FEATURES[feature], options)
-        if refusal is not None:
-            assert name in REFUSED
-            assert_told(refusal, refusal.code, refusal.argument)
+        assert analysis.supports(FEATURES[feature], options) is None, name
 
 
 @pytest.mark.parametrize("faces", ["one", "both"])
 @pytest.mark.parametrize("feature", STACKS)
 def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
-    """Designs, tolerances and files are for pillars; finite plates for what leaves their lower face whole."""
+    """Designs and tolerances are for pillars; finite plates for what leaves their lower face whole."""
     of_sites = Site(disc=STACKS[feature]), Site()
     for each in (
         UnitCell(SQUARE, 1.5 * MM, material("aluminium-2017a"), disc=STACKS[feature], faces=faces),
@@ -83,20 +77,7 @@ def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
                 refused.add(name)
         opens_below = feature == "hole" or (feature == "blind hole" and each.faces == "both")
         of_plates = {"plate", "simulate scan", "feel", "verdict"} if opens_below else set()
-        assert refused - {"layers"} == {"design", "tolerance", "export"} | of_plates
-
-
-@pytest.mark.parametrize("feature", FEATURES)
-def test_solids_are_made_of_every_feature(feature):
-    options = ExportOptions(step=True, stl=True)
-    assert ANALYSES["export"].supports(FEATURES[feature], options) is None
-
-
-def test_a_drawing_is_refused_for_what_it_does_not_show():
-    refused = {name for name, each in FEATURES.items() if ANALYSES["export"].supports(each, ExportOptions())}
-    shown = {f"{section} on {lattice.name}" for section in ("round", "square", "hexagon")
-             for lattice in (SQUARE, TRIANGULAR)}  # fmt: skip
-    assert refused == set(FEATURES) - shown - {"plain plate"}
+        assert refused - {"layers"} == {"design", "tolerance"} | of_plates
 
 
 def test_the_report_asks_each_analysis_as_well():

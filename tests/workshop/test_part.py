@@ -23,7 +23,7 @@ class Shifted(Layout):
     """Pillars that stand across the sides of tiles, as those of other lattices may."""
 
     @property
-    def standing(self):
+    def features(self):
         pillar = LATTICES["slim"].pillar
         rows = [((3.5 + 3.5 * (k % 2), 4.0 + 6.0 * k), 7 - k % 2) for k in range(5)]
         return tuple(((x + 7 * i) * MM, y * MM, pillar) for (x, y), n in rows for i in range(n))
@@ -140,7 +140,7 @@ def test_holes_turn_the_other_way_and_corners_only_are_kept():
 
 
 def test_pillars_may_stand_across_the_sides_of_tiles(tmp_path):
-    """Only `Layout.standing` says where they are."""
+    """Only `Layout.features` says where they are."""
     mounted = plate("1111111 1111111 1111111 1111111", kind=Shifted)
     made = Part.whole(mounted, OWN)
     check_surface(made, mounted.layout)
@@ -166,7 +166,7 @@ def test_square_feet_that_nearly_touch_across_a_step_are_cut_until_they_fit():
 
     class Stepped(Layout):
         @property
-        def standing(self):
+        def features(self):
             return tuple(((3.5 + 7 * i) * MM, (3.6 + 7 * j + 3.4 * (i % 2)) * MM, close)
                          for i in range(4) for j in range(3))  # fmt: skip
 

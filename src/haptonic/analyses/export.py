@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
@@ -12,16 +14,17 @@ from haptonic.analyses import tolerance
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import pillars_only
+from haptonic.analyses.support import every_cell
 from haptonic.cell import UnitCell
-from haptonic.errors import GeometryError, HaptonicError, ResourceError
+from haptonic.errors import HaptonicError, ResourceError
 from haptonic.later import xarray as xr
+from haptonic.materials import Material
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
-from haptonic.workshop.part import Part, hidden
+from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, dimensions_of
 
 KINDS = ("step", "dxf", "stl", "drawing")
@@ -64,9 +67,14 @@ class ExportOptions:
         return Part.piece(study.cell, columns, rows)
 
     @staticmethod
-    def named(kind: str, stem: str) -> list[str]:
-        """The files of a kind."""
-        return [f"{stem}.pdf", f"{stem}-drawing.dxf"] if kind == "drawing" else [f"{stem}.{kind}"]
+    def named(kind: str, stem: str, materials: Sequence[Material] = ()) -> list[str]:
+        """The files of a kind; surfaces are one file for each material, the plate's first."""
+        if kind == "drawing":
+            return [f"{stem}.pdf", f"{stem}-drawing.dxf"]
+        others = materials[1:] if kind == "stl" else ()
+        words = [re.sub(r"[^A-Za-z0-9]+", "-", material.name) for material in others]
+        more = [f"{stem}-{number}-{word}.stl" for number, word in enumerate(words, start=2)]
+        return [f"{stem}.{kind}", *more]
 
     def names(self, stem: str) -> list[str]:
         """Of all files."""
@@ -120,12 +128,11 @@ class Workshop(Result):
 
     def _names_of(self, *kinds: str) -> list[str]:
         """Names of the files of these kinds."""
-        return [name for kind in kinds for name in self.options.named(kind, self.stem)]
+        return [name for kind in kinds for name in self.options.named(kind, self.stem, self.part.materials)]
 
     def put(self, draft: Path, *_: object) -> None:
-        solids = {"dxf": workshop.write_dxf, "stl": workshop.write_stl}
         for kind in self.kinds:
-            paths = [draft / name for name in self.options.named(kind, self.stem)]
+            paths = [draft / name for name in self._names_of(kind)]
             if kind == "drawing":
                 sheet = workshop.part_drawing(
                     self.part, self.study,
@@ -135,17 +142,19 @@ class Workshop(Result):
                     workshop.write_drawing(path, sheet)
             elif kind == "step":
                 workshop.write_step(paths[0], self.part, title=self.study)
+            elif kind == "stl":
+                for path, material in zip(paths, self.part.materials, strict=True):
+                    workshop.write_stl(path, self.part, material=material)
             else:
-                solids[kind](paths[0], self.part)
+                workshop.write_dxf(paths[0], self.part)
 
     def summary(self) -> list[str]:
         what = "the whole plate"
         aside = "; regions, patches and what is held are marked, and no part of the solid"
         if self.part.count is not None:
             what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
-        pillars = f"{self.part.pillars} pillar{'s' * (self.part.pillars != 1)}"
         sizes = " x ".join(format_quantity(side / MM, "m") for side in self.part.size)
-        return [f"part: {what}, {sizes}, with {pillars}{aside}"]
+        return [f"part: {what}, {sizes}, with {self.part.parts}{aside}"]
 
     def remarks(self) -> list[str]:
         missing = [f"{', '.join(self._names_of(kind))} is not written: {why}"
@@ -156,7 +165,8 @@ class Workshop(Result):
 
     def facts(self) -> dict[str, Any]:
         made = {"whole_plate": self.part.count is None, "size_m": [side / MM for side in self.part.size],
-                "pillars": self.part.pillars}  # fmt: skip
+                "pillars": self.part.number, "stacks": self.part.number_of_stacks,
+                "materials": [material.name for material in self.part.materials]}  # fmt: skip
         if self.left_out:
             made |= {"left_out": self.left_out}
         if "drawing" not in self.options.kinds:
@@ -169,9 +179,7 @@ class Workshop(Result):
 
 def check(study: Description, options: ExportOptions) -> None:
     """Refuse a part that cannot be made, and a solid that is asked for by name without the extra for it."""
-    part = options.part(study)
-    if {"dxf", "drawing"} & set(options.kinds):
-        part.need_shown(drawn="drawing" in options.kinds)
+    options.part(study)
     if options.step:
         workshop.need_opencascade()
 
@@ -185,25 +193,6 @@ def left_out(options: ExportOptions) -> dict[str, str]:
     except ResourceError as error:
         return {"step": f'{error.cause}; run: pip install "haptonic[cad]"'}
     return {}
-
-
-def supports(cell: UnitCell, options: ExportOptions) -> HaptonicError | None:
-    """A part has one material; outlines and the drawing do not show what `workshop.part.hidden` names."""
-    if (refusal := pillars_only(cell, options)) is not None:
-        return refusal
-    others = {at: solid for at, solid in cell.materials.items() if solid != cell.material}
-    if others:
-        at, solid = next(iter(others.items()))
-        return GeometryError.unsupported(
-            argument=f"cell.{at}",
-            given=solid.name,
-            allowed="one material for plate and pillars, for files for the workshop",
-            cause="the solid, its mass and the drawing are those of a part that is milled from one block",
-            next_step="leave the pillar's material out of the study that is exported",
-        )
-    if not {"dxf", "drawing"} & set(options.kinds):
-        return None
-    return hidden(cell, cell.pillars, drawn="drawing" in options.kinds)
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
@@ -254,7 +243,7 @@ def cost(study: Description, options: ExportOptions) -> Cost:
     if "step" in options.kinds:
         total += Cost(PER_FACE * part.faces + PER_PAIR * part.faces**2, BASE + BYTES_OF_FACE * part.faces)
     if "drawing" in options.kinds:
-        total += Cost(DRAWN * part.pillars)
+        total += Cost(DRAWN * (part.number + part.number_of_stacks))
         if study.carrier and study.tolerance_settings.of:
             # without an answer the drawing has no tolerances
             total += replace(tolerance.cost(study, NoOptions()), refusal=None)
@@ -265,7 +254,7 @@ ANALYSIS = Analysis(
     name="export",
     result=Workshop,
     compute=compute,
-    supports=supports,
+    supports=every_cell,
     cost=cost,
     options=ExportOptions,
     check=check,

@@ -56,7 +56,7 @@ def style_of(one: Dimension, half_width: float | None, sign: str = "") -> dict[s
 
 def text_of(one: Dimension, half_width: float | None, sign: str = "") -> str:
     """What `style_of` shows, of a length in mm; of an angle its degrees, such as 2.00° ±0.25°."""
-    if one.kind == "angle":
+    if one.kind in ("angle", "turn"):
         return sign + degrees(one.value, half_width)
     style = style_of(one, half_width, sign)
     form: str = style["dimpost"]

@@ -1,14 +1,15 @@
-"""A dimensioned drawing of a part: a piece of lattice on A4 by the views of one cell, a whole plate on A3 by
-its plan, a section and a list of its pillars; notes and a title block.
+"""A dimensioned drawing of a part on A3: its plan, a section through a row of pillars, a list of their kinds
+and of patches, notes and a title block.
 
-It is a DXF document: the part's outlines in model space, the sheet in paper space. PDF, SVG and PNG are
-pictures of that sheet.
+It is a DXF document: plan and section in model space, the sheet with its dimensions in paper space. PDF, SVG
+and PNG are pictures of that sheet.
 """
 
 from __future__ import annotations
 
 import datetime
 import io
+import re
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -16,35 +17,28 @@ import matplotlib as mpl
 import numpy as np
 from scipy.spatial import cKDTree
 
+from haptonic.cell import Disc, Pillar
 from haptonic.cell.outlines import Scaled
-from haptonic.plots.style import DOTS_PER_INCH, spread, styled
+from haptonic.cell.stack import Stack
+from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.store import refuse_overwrite, write_atomically
-from haptonic.workshop.dimensions import checked_tolerances, number
+from haptonic.workshop.dimensions import checked_tolerances, degrees, number, text_of
 from haptonic.workshop.dxf import outlines, reproducible
-from haptonic.workshop.lists import draw_lists, letter
 from haptonic.workshop.part import Part
-from haptonic.workshop.shape import MM, PillarShape
-from haptonic.workshop.sheet import A3, A4, APART, SIZE, SMALL, Sheet, View, shortened, text_width
-from haptonic.workshop.views import Box, draw_isometric, draw_plan, draw_plate, draw_section
+from haptonic.workshop.plan import draw_plan, letter
+from haptonic.workshop.section import draw_section, nearest, pitch_of
+from haptonic.workshop.shape import MM, PillarShape, heights
+from haptonic.workshop.sheet import SIZE, SMALL, Box, Sheet, shortened
 
-TIMES = "\N{MULTIPLICATION SIGN}"
+TIMES = " \N{MULTIPLICATION SIGN} "
 GENERAL = "ISO 2768-m"  # for dimensions without a tolerance of their own: medium, which a mill keeps unasked
 FRAME = 10.0  # mm
 AROUND = 9  # nearest pillars among which the narrowest gap is sought, the pillar itself among them
 BLOCK = (180.0, 36.0)  # size of the title block, mm
-BESIDE = 1.2  # mm between an edge and the line that says how it is held
-SAMPLE = 12.0  # mm of such a line in the legend
-# on A4, of a piece
-PLAN: Box = (12.0, 117.0, 110.0, 198.0)
-PLATE: Box = (12.0, 50.0, 110.0, 115.0)
-SECTION: Box = (110.0, 48.0, 226.0, 198.0)
-ISOMETRIC: Box = (226.0, 48.0, 285.0, 198.0)
-# on A3, of a whole plate
-WIDE_PLAN: Box = (12.0, 112.0, 250.0, 285.0)
-LEGEND = (14.0, 109.5)  # where it begins
-LISTS: Box = (14.0, 48.0, 272.0, 108.0)
-WIDE_SECTION: Box = (250.0, 136.0, 408.0, 285.0)
-WIDE_ISOMETRIC: Box = (275.0, 48.0, 408.0, 136.0)
+PLAN: Box = (12.0, 52.0, 250.0, 285.0)
+SECTION: Box = (250.0, 100.0, 408.0, 285.0)
+LISTS = (234.0, 97.0, 170.0)  # left, top and width
+MOST_LINES = 8  # of the list
 
 
 def part_drawing(
@@ -67,130 +61,101 @@ def part_drawing(
     Raises
     ------
     StudyError : a tolerance of what the cell does not have, or one that is not positive
-    GeometryError : pillars that the views do not show, see `workshop.part.hidden`
     """
-    part.need_shown(drawn=True)
     tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
     with reproducible():
-        by_cell = part.count is not None and part.cell.is_simple and part.cell.is_upright
-        sheet = Sheet.of(outlines(part), A4 if by_cell else A3, title, date)
+        sheet = Sheet.of(outlines(part), title, date)
         left, bottom, right, top = FRAME, FRAME, sheet.size[0] - FRAME, sheet.size[1] - FRAME
         sheet.line([(left, bottom), (right, bottom), (right, top), (left, top)], close=True)
-        view, numbers = (_piece if by_cell else _plate)(sheet, part, tolerances)
+        plan = draw_plan(sheet, PLAN, part, tolerances)
+        section = draw_section(sheet, SECTION, part, tolerances)
+        for box, text in ((PLAN, f"Plan   {plan}"), (SECTION, f"Section along x   {section}")):
+            sheet.text((0.5 * (box[0] + box[2]), box[3] - 4), text, 3.0, "CENTER")
         _title_block(sheet, title, {
-            "MATERIAL": part.cell.material.name,
-            "MASS": f"{1e3 * part.volume / MM**3 * part.cell.material.density:.3g} g",
-            "PLATE": f" {TIMES} ".join(number(side / MM) for side in part.size),
-            **numbers,
+            "MATERIAL": ", ".join(material.name for material in part.materials),
+            "MASS": f"{1e3 * part.mass:.3g} g",
+            "PLATE": TIMES.join(number(side / MM) for side in (*part.size, part.cell.thickness)),
+            "PILLARS AND DISCS": part.parts,
             "GENERAL TOLERANCES": GENERAL,
             "UNITS": "dimensions in mm",
-            "SCALE": str(view),
+            "SCALE": str(plan),
             "DATE": date.isoformat() if date else "",
         })  # fmt: skip
         notes = _advice(part)
         if not tolerances:
             notes.insert(0, f"No dimension has a tolerance of its own{why_none and ': '}{why_none}.")
-        width = sheet.size[0] - BLOCK[0] - 2 * FRAME - 8
-        sheet.notes((FRAME + 3, FRAME + BLOCK[1] - 1), notes, width)
+        sheet.notes(
+            (FRAME + 3, FRAME + BLOCK[1] + 1),
+            "NOTES",
+            {str(1 + k): note for k, note in enumerate(notes)},
+            right - BLOCK[0] - left - 8,
+        )
+        if lines := _kinds(part, tolerances):
+            sheet.notes(LISTS[:2], "PILLARS, DISCS AND PATCHES", lines, LISTS[2])
     return sheet
 
 
-def _piece(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[View, dict[str, str]]:
-    """Views of one cell, and where the cells lie; the view whose scale is that of the sheet, and numbers."""
-    assert part.count is not None
-    cell, (columns, rows) = part.cell, part.count
-    alone = columns * rows == 1
-    draw_plan(sheet, (*PLAN[:1], PLATE[1], *PLAN[2:]) if alone else PLAN, cell, tolerances, alone)
-    if not alone:
-        draw_plate(sheet, PLATE, part, f"Plate, {columns} {TIMES} {rows} cells")
-    size = (float(cell.lattice.a1[0]), cell.thickness)
-    section = draw_section(sheet, SECTION, size, cell.pillar, tolerances, alone)
-    draw_isometric(sheet, ISOMETRIC, Part.piece(cell.scaled(1 / MM)))
-    return section, _number_of_cells(part)
-
-
-def _number_of_cells(part: Part) -> dict[str, str]:
-    if part.count is None:
-        return {"NUMBER OF PILLARS": str(part.pillars)}
-    columns, rows = part.count
-    alone = columns * rows == 1
-    return {"NUMBER OF CELLS": "1" if alone else f"{columns} {TIMES} {rows} = {columns * rows}"}
-
-
-def _plate(sheet: Sheet, part: Part, tolerances: Mapping[str, float]) -> tuple[View, dict[str, str]]:
-    """The same of a whole plate, or of other cells: its plan, a section, how it looks, and its lists."""
-    plan = draw_plate(sheet, WIDE_PLAN, part, "Plate")
-    _name_marks(sheet, plan, part)
-    _draw_held(sheet, plan, part)
-    several = len(part.standing) > 1
-    if several:
-        _name_kinds(sheet, plan, part)
-    pillar = part.standing[0][0] if part.standing else None
-    width, name = min(part.cell.lattice.pitch, *part.size), "Section"
-    if pillar is not None:
-        width = max(width, 3 * PillarShape.of(pillar).widest)
-        name += f" of a pillar{several * ' A'}"
-    table = (pillar and part.table(pillar)) or "pillar"  # of another lattice: nothing there has tolerances
-    size = (width, part.cell.thickness)
-    draw_section(sheet, WIDE_SECTION, size, pillar, tolerances, False, name, table)
-    draw_isometric(sheet, WIDE_ISOMETRIC, part)
-    draw_lists(sheet, LISTS, part, tolerances)
-    return plan, _number_of_cells(part)
-
-
-def _name_marks(sheet: Sheet, view: View, part: Part) -> None:
-    """Write the names of regions and patches into them, where there is room."""
-    taken: list[Box] = []
-    named = [mark for mark in part.marks if mark.layer in ("REGION", "PATCH")]
-    for mark in sorted(named, key=lambda one: one.layer):  # patches come first: they lie on regions
-        low, high = (view.place(*end(mark.line, axis=0)) for end in (np.min, np.max))
-        if mark.layer == "PATCH":
-            taken.append((*low, *high))
-        width, x = text_width(mark.name) + 2, 0.5 * (low[0] + high[0])
-        for share in (0.5, 0.75, 0.25, 0.9, 0.1):
-            y = low[1] + share * (high[1] - low[1])
-            box = (x - 0.5 * width, y - SIZE, x + 0.5 * width, y + SIZE)
-            others = taken[:-1] if mark.layer == "PATCH" else taken
-            fits = low[0] < box[0] and box[2] < high[0] and low[1] < box[1] and box[3] < high[1]
-            if fits and not any(_meet(box, other) for other in others):
-                sheet.text((x, y - 0.5 * SIZE), mark.name, align="CENTER")
-                taken.append(box)
-                break
-
-
-def _draw_held(sheet: Sheet, view: View, part: Part) -> None:
-    """A thick line beside each side that is held, and below the plan what these lines mean."""
-    meaning = {}
+def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
+    """Number, sizes and distances of each kind of feature by its letter, and each patch by its name."""
+    lines = {}
+    for kind, (feature, places) in enumerate(part.standing):
+        half: Mapping[str, float] = {}
+        if isinstance(feature, Stack):
+            texts = [f"{len(places)} disc stacks", *(_disc(disc, part) for disc in feature.discs)]
+        else:
+            table = part.table(feature) or ""
+            half = tolerances if table else {}
+            texts = [f"{len(places)} {_named(feature)}", *_sizes(part, feature, table, half)]
+        for along, axis in enumerate("xy"):
+            if step := nearest(places, along)[1]:
+                one = pitch_of(part, step, along)
+                texts.append(f"next along {axis} {text_of(one, half.get(one.name or ''))}")
+        lines[letter(kind)] = ", ".join(texts)
     for mark in part.marks:
-        if mark.layer != "HELD":
-            continue
-        ends = np.array([view.place(*end) for end in mark.line.tolist()])
-        along = ends[1] - ends[0]
-        outward = np.array([along[1], -along[0]]) / np.hypot(*along)  # the plate lies to the left
-        sheet.line(ends + BESIDE * outward, mark.name.upper())
-        meaning[mark.name] = f"{mark.name}{mark.note}"
-    x, y = LEGEND
-    for name, text in meaning.items():
-        sheet.line([(x, y + 0.5 * SIZE), (x + SAMPLE, y + 0.5 * SIZE)], name.upper())
-        sheet.text((x + SAMPLE + 2, y), text)
-        x += SAMPLE + text_width(text) + 8
+        if mark.layer == "PATCH":
+            low, high = mark.line.min(axis=0), mark.line.max(axis=0)
+            pairs = (0.5 * (low + high), high - low)
+            at, size = (", ".join(number(side / MM) for side in pair) for pair in pairs)
+            lines[mark.name] = f"centre {at}, size {size}, {mark.note}"
+    if (more := len(lines) - MOST_LINES) > 0:
+        return dict(list(lines.items())[:MOST_LINES]) | {"…": f"{more} more: see the DXF file"}
+    return lines
 
 
-def _meet(one: Box, other: Box) -> bool:
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+def _sizes(part: Part, pillar: Pillar, table: str, half: Mapping[str, float]) -> list[str]:
+    """Every number of a pillar, with its tolerance."""
+    texts = []
+    for one in heights(part.cell.thickness, pillar, table)[1:]:
+        if one.name:
+            word = re.sub(r"[._]", " ", one.name.removeprefix(f"{table}.")) + " "
+            word = word.replace("diameter ", pillar.form.sign or f"{pillar.form.width} ")
+            texts.append(word + text_of(one, half.get(one.name)))
+    if pillar.point:
+        texts.append(_corners(pillar.radius / MM, pillar))
+    return [*texts, pillar.material.name] if pillar.material else texts
 
 
-def _name_kinds(sheet: Sheet, view: View, part: Part) -> None:
-    """Point to the rightmost pillar of each kind, with its letter."""
-    edge = view.place(*part.corners[1])[0]
-    tips = []
-    for pillar, places in part.standing:
-        x, y = places[np.lexsort((places[:, 1], places[:, 0]))[-1]]
-        tips.append(view.place(float(x) + PillarShape.of(pillar).foot, float(y)))
-    low, high = (view.place(*corner)[1] for corner in part.corners)
-    lines = spread([tip[1] for tip in tips], APART, low, max(high, low + APART * len(tips)))
-    for k, (tip, y) in enumerate(zip(tips, lines, strict=True)):
-        sheet.leader(tip, (edge + 5, y), letter(k), 1)
+def _disc(disc: Disc, part: Part) -> str:
+    """A disc with its numbers, its ends above the plate's top, and its material."""
+    low, high = (number(end - part.cell.thickness / MM) for end in disc.ends(part.cell.thickness / MM))
+    solid = "empty" if disc.empty else (disc.material or part.cell.material).name
+    texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{number(disc.diameter)}"]
+    texts += [f"{name.replace('_', ' ')} {number(value)}" for name in ("length", "corner_radius")
+              if (value := getattr(disc, name))]  # fmt: skip
+    if disc.turn:
+        texts.append(f"turn {degrees(disc.turn)}")
+    if disc.point:
+        texts.append(_corners(disc.radius, disc))
+    return f"{' '.join(texts)} from {low} to {high} {solid}"
+
+
+def _named(section: Pillar | Disc) -> str:
+    return f"{section.section} of {section.sides} sides" if section.sides else section.section
+
+
+def _corners(half_width: float, section: Pillar | Disc) -> str:
+    corners = half_width * section.outline.corners
+    return "corners x, y: " + "; ".join(f"{number(x)}, {number(y)}" for x, y in corners)
 
 
 def write_drawing(path: Path, sheet: Sheet, *, overwrite: bool = False) -> Path:
@@ -242,9 +207,9 @@ def _title_block(sheet: Sheet, title: str, fields: Mapping[str, str]) -> None:
 
 def _first_angle(sheet: Sheet, x: float, y: float) -> None:
     """Symbol of the method of projection (ISO 5456-2): a cone from its side, and from its left."""
-    sheet.line([(x - 9, y - 1.5), (x - 9, y + 1.5), (x - 2, y + 3), (x - 2, y - 3)], "SEEN", close=True)
+    sheet.line([(x - 9, y - 1.5), (x - 9, y + 1.5), (x - 2, y + 3), (x - 2, y - 3)], "THIN", close=True)
     for radius in (1.5, 3.0):
-        sheet.space.add_circle((x + 5, y), radius, dxfattribs={"layer": "SEEN"})
+        sheet.space.add_circle((x + 5, y), radius, dxfattribs={"layer": "THIN"})
     sheet.line([(x - 10.5, y), (x - 0.5, y)], "AXIS")
     sheet.line([(x + 1, y), (x + 9, y)], "AXIS")
     sheet.line([(x + 5, y - 4), (x + 5, y + 4)], "AXIS")
@@ -252,8 +217,13 @@ def _first_angle(sheet: Sheet, x: float, y: float) -> None:
 
 def _advice(part: Part) -> list[str]:
     """What somebody who makes the part has to know beside its dimensions."""
-    notes = ["The face at the bottom of the section is touched: keep it flat, no marks, no chamfer."]
-    bodies = [PillarShape.of(pillar) for pillar, _ in part.standing]
+    if part.cell.is_mirrored:
+        notes = ["The lower face has the same pillars at the same places (layers BELOW in the DXF)."]
+    else:
+        notes = ["The face at the bottom of the section is touched: keep it flat, no marks, no chamfer."]
+    if len(part.materials) > 1:
+        notes.append("Each hatch of the section is a material; the list names them.")
+    bodies = [PillarShape.of(pillar) for pillar, _ in part.pillars]
     room = _room(part, bodies)
     if room is not None:
         notes.append(
@@ -292,8 +262,8 @@ def _room(part: Part, bodies: list[PillarShape]) -> float | None:
     if part.count is not None:
         return 0.5 * min(part.cell.ways(range(len(part.cell.pillars)))) if bodies else None
     gaps = []
-    for k, (_, places) in enumerate(part.standing):
-        for other, (_, others) in enumerate(part.standing[: k + 1]):
+    for k, (_, places) in enumerate(part.pillars):
+        for other, (_, others) in enumerate(part.pillars[: k + 1]):
             number = cKDTree(others).query(places, k=min(AROUND, len(others)))[1].reshape(len(places), -1)
             away = np.unique(np.round(others[number] - places[:, None], 9).reshape(-1, 2), axis=0)
             away = away[away.any(axis=1)]

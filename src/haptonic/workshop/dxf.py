@@ -19,11 +19,12 @@ from haptonic.workshop.shape import PillarShape
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
+BELOW = " BELOW"  # ends the layers of pillars on the lower face
 
 # layer: colour of AutoCAD's table, and how wide its lines are plotted, hundredths of a millimetre
 LAYERS = {
     "PLATE": (7, 50), "CELL": (8, 9), "REGION": (8, 9), "PATCH": (6, 18), "HELD": (4, 70),
-    "PILLAR": (1, 18), "FILLET": (3, 9), "STEP": (5, 9), "CENTRE": (2, 9),
+    "PILLAR": (1, 18), "FILLET": (3, 9), "STEP": (5, 9), "HOLE": (1, 35), "DISC": (3, 18), "CENTRE": (2, 9),
 }  # fmt: skip
 
 
@@ -31,9 +32,10 @@ def write_dxf(path: Path, part: Part, *, overwrite: bool = False) -> Path:
     """Write the outlines of a part; the same part is the same file.
 
     Layers: PLATE its edge and the edges of its holes, PILLAR the pillars at their foot without the fillet,
-    FILLET where fillets meet the plate, STEP the pillars above their step, CENTRE a cross on each axis. For
-    reference: CELL the borders of cells, REGION those of plain plate, PATCH those of what is glued on, HELD
-    the sides that are held. A layer without content is left out.
+    FILLET where fillets meet the plate, STEP the pillars above their step, HOLE discs that are empty within
+    the plate, DISC all other discs, CENTRE a cross on each axis; the layers of pillars on the lower face end
+    in BELOW. For reference: CELL the borders of cells, REGION those of plain plate, PATCH those of what is
+    glued on, HELD the sides that are held. A layer without content is left out.
 
     Raises
     ------
@@ -57,13 +59,7 @@ def reproducible() -> Iterator[None]:
 
 
 def outlines(part: Part) -> Drawing:
-    """A document with the outlines of a part in its model space.
-
-    Raises
-    ------
-    GeometryError : pillars stand on both faces
-    """
-    part.need_shown()
+    """A document with the outlines of a part in its model space."""
     document = ezdxf.new("R2010", units=MILLIMETRES)
     space = document.modelspace()
     for mark in part.marks:  # first: edges lie on top of them
@@ -71,18 +67,29 @@ def outlines(part: Part) -> Drawing:
         space.add_lwpolyline(line[: len(line) - closed], close=closed, dxfattribs={"layer": mark.layer})
     for loop in part.outline:
         space.add_lwpolyline(loop.tolist(), close=True, dxfattribs={"layer": "PLATE"})
-    for pillar, places in part.standing:
+    for pillar, places in part.pillars:
         body, arm = PillarShape.of(pillar), MARK * pillar.diameter
         for x, y in places.tolist():
-            for layer, half_width in body.outlines.items():
-                add_outline(space, body.outline, (x, y), half_width, layer)
-            space.add_line((x - arm, y), (x + arm, y), dxfattribs={"layer": "CENTRE"})
-            space.add_line((x, y - arm), (x, y + arm), dxfattribs={"layer": "CENTRE"})
+            for face in ("", BELOW)[: part.cell.copies]:
+                for layer, half_width in body.outlines.items():
+                    add_outline(space, body.outline, (x, y), half_width, layer + face)
+            _add_cross(space, (x, y), arm)
+    for stack, places in part.stacks:
+        for x, y in places.tolist():
+            for border, is_hole in zip(stack.borders, stack.are_holes, strict=True):
+                add_outline(space, border.outline, (x, y), border.half_width, "HOLE" if is_hole else "DISC")
+            _add_cross(space, (x, y), 2 * MARK * stack.borders[-1].half_width)
     used = {entity.dxf.layer for entity in space}
     for name, (colour, width) in LAYERS.items():
-        if name in used:
-            document.layers.add(name, color=colour, lineweight=width)
+        for layer in sorted(used & {name, name + BELOW}):
+            document.layers.add(layer, color=colour, lineweight=width)
     return document
+
+
+def _add_cross(space: BaseLayout, place: tuple[float, float], arm: float) -> None:
+    x, y = place
+    space.add_line((x - arm, y), (x + arm, y), dxfattribs={"layer": "CENTRE"})
+    space.add_line((x, y - arm), (x, y + arm), dxfattribs={"layer": "CENTRE"})
 
 
 def add_outline(

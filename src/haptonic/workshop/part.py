@@ -6,8 +6,7 @@ Files are in millimetres, so lengths here are too.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
@@ -15,18 +14,19 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.cell import Pillar, UnitCell
-from haptonic.cell.outlines import NUMBERS
+from haptonic.cell.stack import Feature, Stack
 from haptonic.cell.tile import enclosed
 from haptonic.errors import GeometryError
+from haptonic.materials import Material
 from haptonic.plate.holding import WORDS, Support
 from haptonic.plate.layout import Layout
 from haptonic.plate.outline import held, outline
 from haptonic.plate.parts import Actuator, Plate
+from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, PillarShape
 
 # 900 square, stepped ones take 49 s and 0.9 GB as STEP, more than in proportion to their number
 MOST_PILLARS = 1500
-SHOWN = 1e-9  # of the width of a section, by which it may differ from what a view shows
 
 
 @dataclass(frozen=True)
@@ -50,13 +50,14 @@ class Part:
 
     outline : closed loops of (n, 2) corners with the plate to their left: its edge, which runs anticlockwise,
         then its holes
-    standing : each kind of pillar with the (n, 2) places of its axes, on each face that has some
+    standing : each kind of pillar, or of stack of discs, with the (n, 2) places of its axes; both faces of a
+        mirrored cell have it
     cell : the study's own, to whose dimensions names and tolerances belong
     count : columns and rows of cells of a piece of lattice; none of a plate that is made whole
     """
 
     outline: tuple[Array, ...]
-    standing: tuple[tuple[Pillar, Array], ...]
+    standing: tuple[tuple[Feature, Array], ...]
     cell: UnitCell
     marks: tuple[Mark, ...]
     count: tuple[int, int] | None = None
@@ -81,8 +82,8 @@ class Part:
                     cause="the plate's length was given in place of the number of its cells",
                     next_step="count the cells along that side, and give their number",
                 )
-        _check_number(columns * rows * sum(map(bool, cell.pillars)) * cell.copies)
-        cell = cell.scaled(MM)
+        _check_number(columns * rows * sum(map(bool, cell.features)) * cell.copies)
+        features, cell = _features(cell), _in_mm(cell)
         assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
         i, j = np.meshgrid(
             np.arange(columns + 1) - columns / 2, np.arange(rows + 1) - rows / 2, indexing="ij"
@@ -90,8 +91,8 @@ class Part:
         corners = np.asarray(np.stack([i, j], axis=-1) @ cell.lattice.vectors)  # (columns + 1, rows + 1, 2)
         # whole lines: two cells share their border
         borders = [line[[0, -1]] for line in [*corners, *corners.swapaxes(0, 1)]]
-        first, kinds = corners[:-1, :-1].reshape(-1, 2), dict[Pillar, list[Array]]()
-        for share, pillar in zip(_cut(cell), cell.pillars, strict=True):
+        first, kinds = corners[:-1, :-1].reshape(-1, 2), dict[Feature, list[Array]]()
+        for share, pillar in zip(_cut(cell, features), features, strict=True):
             if pillar is not None:
                 kinds.setdefault(pillar, []).append(first + share @ cell.lattice.vectors)
         standing = tuple((pillar, np.concatenate(places)) for pillar, places in kinds.items())
@@ -110,14 +111,14 @@ class Part:
         GeometryError : too many pillars, or tiles that touch at a corner and not beside it
         """
         layout = plate.layout
-        _check_number(layout.pillars)
-        kinds: dict[Pillar, list[tuple[float, float]]] = {}
-        for x, y, pillar in layout.standing:
+        _check_number(len(layout.features))
+        kinds: dict[Feature, list[tuple[float, float]]] = {}
+        for x, y, pillar in layout.features:
             kinds.setdefault(pillar, []).append((x, y))
         # the study's own come first: they are those with tolerances
         standing = tuple(
-            (pillar.scaled(MM), MM * np.array(kinds[pillar]))
-            for pillar in sorted(kinds, key=lambda one: (one not in cell.pillars, -len(kinds[one])))
+            (one.scaled(MM) if isinstance(one, Pillar) else one, MM * np.array(kinds[one]))
+            for one in sorted(kinds, key=lambda one: (one not in cell.features, -len(kinds[one])))
         )
         marks = [
             Mark("REGION", MM * np.concatenate([loop, loop[:1]]), name)
@@ -128,7 +129,7 @@ class Part:
         marks += [mark for support in plate.supports for mark in _held(layout, support)]
         edges = tuple(MM * loop for loop in outline(layout, set(layout.there.values())))
         _check_whole(edges)
-        return cls(edges, standing, cell.scaled(MM), tuple(marks))
+        return cls(edges, standing, _in_mm(cell), tuple(marks))
 
     @cached_property
     def corners(self) -> tuple[Array, Array]:
@@ -136,10 +137,10 @@ class Part:
         every = np.concatenate(self.outline)
         return every.min(axis=0), every.max(axis=0)
 
-    def table(self, pillar: Pillar) -> str | None:
+    def table(self, feature: Feature) -> str | None:
         """Of the study's cell, that gives a kind of pillar: ``cell.site[2].pillar``; None if none does."""
-        own = self.cell.pillars
-        return self.cell.pillar_path(own.index(pillar)) if pillar in own else None
+        own = self.cell.features
+        return self.cell.pillar_path(own.index(feature)) if feature in own else None
 
     @property
     def size(self) -> tuple[float, float]:
@@ -148,72 +149,94 @@ class Part:
         return float(high[0] - low[0]), float(high[1] - low[1])
 
     @property
-    def pillars(self) -> int:
-        """How many stand on it."""
-        return self.cell.copies * sum(len(places) for _, places in self.standing)
+    def pillars(self) -> tuple[tuple[Pillar, Array], ...]:
+        """The kinds of pillars among what stands on it."""
+        return tuple((one, places) for one, places in self.standing if isinstance(one, Pillar))
+
+    @property
+    def stacks(self) -> tuple[tuple[Rings, Array], ...]:
+        """The kinds of stacks of discs."""
+        plate = self.cell.material
+        return tuple((Rings.of(one, plate), at) for one, at in self.standing if isinstance(one, Stack))
+
+    @property
+    def number(self) -> int:
+        """How many pillars stand on it, on both faces together."""
+        return self.cell.copies * sum(len(places) for _, places in self.pillars)
+
+    @property
+    def number_of_stacks(self) -> int:
+        """How many stacks of discs it has; an image below belongs to its stack."""
+        return sum(len(places) for _, places in self.stacks)
+
+    @property
+    def parts(self) -> str:
+        """How many pillars and stacks of discs it has, in words."""
+        numbers = {"pillar": self.number, "disc stack": self.number_of_stacks}
+        texts = [f"{number} {noun}{'s' * (number != 1)}" for noun, number in numbers.items() if number]
+        return " and ".join(texts) or "0 pillars"
 
     @property
     def faces(self) -> int:
-        """How many smooth surfaces its pillars have, which decides what a solid costs."""
-        bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.standing]
+        """How many smooth surfaces its pillars and discs have, which decides what a solid costs."""
+        bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.pillars]
         around = [body.outline.joints or 1 for body, _ in bodies]
-        return self.cell.copies * sum(
+        stacks = sum(len(places) * 4 * stack.grid.size for stack, places in self.stacks)
+        return stacks + self.cell.copies * sum(
             number * (1 + sides * (len(body.side) - (body.arc is None)))
             for sides, (body, number) in zip(around, bodies, strict=True)
         )
 
     @property
     def narrowest(self) -> float:
-        """Of the lattice's pitch and the widths of its pillars, the smallest."""
-        return min([self.cell.lattice.pitch, *(2 * pillar.narrowest for pillar, _ in self.standing)])
+        """Of the lattice's pitch and the widths of its pillars and rings, the smallest."""
+        widths = [2 * pillar.narrowest for pillar, _ in self.pillars]
+        return min([self.cell.lattice.pitch, *widths, *(stack.narrowest for stack, _ in self.stacks)])
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """The plate's material first."""
+        solids = [self.cell.material, *(self.solid_of(pillar) for pillar, _ in self.pillars)]
+        return tuple(
+            dict.fromkeys([*solids, *(solid for stack, _ in self.stacks for solid in stack.materials)])
+        )
+
+    def solid_of(self, pillar: Pillar) -> Material:
+        """A pillar's own material, or the plate's."""
+        return pillar.material or self.cell.material
+
+    def volume_of(self, material: Material) -> float:
+        """Of what is of a material, mm^3."""
+        pillars = (len(at) * one.volume for one, at in self.pillars if self.solid_of(one) == material)
+        rings = (len(at) * ring.volume for stack, at in self.stacks for ring in stack.rings(material))
+        total = self.cell.copies * sum(pillars) + sum(rings)
+        if material == self.cell.material:
+            area = sum(enclosed(loop) for loop in self.outline)  # holes run the other way
+            for stack, places in self.stacks:
+                area -= len(places) * stack.borders[-1].outline.area * stack.borders[-1].half_width ** 2
+            total += area * self.cell.thickness
+        return total
 
     @property
     def volume(self) -> float:
-        """Of plate and pillars, mm^3."""
-        area = sum(enclosed(loop) for loop in self.outline)  # holes run the other way
-        pillars = sum(len(places) * one.volume for one, places in self.standing)
-        return area * self.cell.thickness + self.cell.copies * pillars
+        """Of all materials, mm^3."""
+        return sum(self.volume_of(material) for material in self.materials)
 
-    def need_shown(self, *, drawn: bool = False) -> None:
-        """Refuse what outlines seen from above, or a drawing, would hide.
-
-        Raises
-        ------
-        GeometryError : see `hidden`
-        """
-        refusal = hidden(self.cell, [pillar for pillar, _ in self.standing], drawn=drawn)
-        if refusal is not None:
-            raise refusal
+    @property
+    def mass(self) -> float:
+        """Of all materials, kg."""
+        return sum(self.volume_of(material) * material.density for material in self.materials) / MM**3
 
 
-def hidden(cell: UnitCell, pillars: Iterable[Pillar | None], *, drawn: bool = False) -> GeometryError | None:
-    """The error for what outlines seen from above would not show, or a drawing; None if they show all.
-
-    They show one face. The views of a drawing show the width along x of a section that has no other number.
-    """
-    if cell.is_mirrored:
-        return GeometryError.unsupported(
-            argument="cell.faces",
-            given="both",
-            allowed="one, for a drawing and for outlines seen from above",
-            cause="they show one face of the plate, and its pillars would be made on that alone",
-            next_step="write solids, which have both: haptonic export STUDY --step --stl",
-        )
-    for pillar in pillars if drawn else ():
-        if pillar is not None and not _is_shown(pillar):
-            return GeometryError.unsupported(
-                argument="cell.pillar.section",
-                given=f"{pillar.section}, with further numbers",
-                allowed="round, square or hexagon, not turned and with sharp corners, for a drawing",
-                cause="the views of a drawing show one width of a pillar",
-                next_step="write the other files: haptonic export STUDY --step --dxf --stl",
-            )
-    return None
+def _in_mm(cell: UnitCell) -> UnitCell:
+    """A cell in mm without its discs, whose heights above the plate are bounded in m."""
+    sites = tuple(replace(site, disc=()) for site in cell.site)
+    return replace(cell, disc=(), site=sites).scaled(MM)
 
 
-def _is_shown(pillar: Pillar) -> bool:
-    sides = pillar.outline.support(np.array([[1.0, 0.0], [-1.0, 0.0]]))
-    return not any(getattr(pillar, name) for name in NUMBERS) and bool(np.abs(sides - 1).max() < SHOWN)
+def _features(cell: UnitCell) -> tuple[Feature | None, ...]:
+    """What is on each site; pillars in mm."""
+    return tuple(one.scaled(MM) if isinstance(one, Pillar) else one for one in cell.features)
 
 
 def _check_number(pillars: int) -> None:
@@ -227,18 +250,19 @@ def _check_number(pillars: int) -> None:
         )
 
 
-def _cut(cell: UnitCell) -> Array:
+def _cut(cell: UnitCell, features: tuple[Feature | None, ...]) -> Array:
     """(n, 2) places of a cell's sites in shares of the translations, so that all stand in one piece."""
     if cell.is_simple:
         return np.array([[0.5, 0.5]])
     shares = (cell.shares - [_widest_gap(along) for along in cell.shares.T]) % 1.0
     across = np.linalg.inv(cell.lattice.vectors)  # its columns are normal to the sides
-    for share, pillar in zip(shares, cell.pillars, strict=True):
+    for share, feature in zip(shares, features, strict=True):
         room = (np.minimum(share, 1 - share) / np.linalg.norm(across, axis=0)).min()
-        if pillar is not None and room < pillar.widest:
+        widest = feature.widest * (MM if isinstance(feature, Stack) else 1) if feature else 0.0
+        if room < widest:
             raise GeometryError.conflict(
                 argument="cell.site",
-                given=f"a pillar {2 * pillar.widest:.4g} mm wide, {room:.4g} mm from the plate's edge",
+                given=f"a pillar or disc {2 * widest:.4g} mm wide, {room:.4g} mm from the plate's edge",
                 allowed="pillars that stand on the plate with their whole foot",
                 cause="the sites leave no room for a straight cut between them",
                 next_step="describe the same lattice by a larger cell, or draw the plate by hand",

@@ -91,14 +91,15 @@ class Dimension:
     name : its path in a study; none for one that follows from others and is shown for reference
     value : m or rad (mm for a cell in mm)
     kind : along the plan's sides, "across" and "deep"; in the section a height ("left" or "right" of it), the
-        "width" at a place, the "radius" of the fillet or the "angle" of a side; "seen" from above, in no view
+        "width" at a place, the "radius" of the fillet or the "angle" of a side; the "turn" and what else is
+        "seen" from above are in the list alone
     low, high : heights between which it lies, of a height
     place : where it is seen, of all others in the section
     """
 
     name: str | None
     value: float
-    kind: Literal["across", "deep", "left", "right", "width", "radius", "angle", "seen"]
+    kind: Literal["across", "deep", "left", "right", "width", "radius", "angle", "turn", "seen"]
     low: float = 0.0
     high: float = 0.0
     place: Place = (0.0, 0.0)
@@ -134,7 +135,7 @@ def heights(thickness: float, pillar: Pillar | None, at: str = "cell.pillar") ->
     found.append(Dimension(f"{at}.height", pillar.height, "left", high=pillar.height))
     for name in ("length", "corner_radius", "turn"):
         if (value := getattr(pillar, name)) is not None:
-            found.append(Dimension(f"{at}.{name}", value, "seen"))
+            found.append(Dimension(f"{at}.{name}", value, "turn" if name == "turn" else "seen"))
     if pillar.arc is not None:
         width, height = pillar.arc.at(0.75).tolist()
         found.append(Dimension(f"{at}.fillet", pillar.fillet, "radius", place=(width, height)))

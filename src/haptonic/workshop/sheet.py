@@ -1,24 +1,22 @@
-"""A sheet in the paper space of a DXF document: lines, dimensions, leaders and text; and its picture.
+"""A sheet in the paper space of a DXF document: dimensions, leaders and text, and views of its model space.
 
-ezdxf draws the dimensions (its DIMENSION entities keep what they measure and their tolerances) and the
-picture. Three things stay ours. ezdxf guesses the width of a dimension's text, so the shelf under it would be
-too long or too short: `_Measured` measures it. In its pictures text is filled outlines: `_Pipeline` writes it
-as text, which can be searched in a PDF. And nothing there keeps labels apart: `Sheet.beside` does. Dimensions
-are read from below (ISO 129-1, method 2), so that text needs no room along the line that it belongs to.
+ezdxf draws the dimensions, the views and the picture. Two things it does not do: it guesses how wide a text
+is, so texts beside a dimension are placed here by their true width; and its pictures fill the outlines of
+letters, where `_Pipeline` writes text, which can be searched in a PDF.
 """
 
 from __future__ import annotations
 
 import datetime
+import math
 import random
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 import matplotlib as mpl
-import numpy as np
 from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration
 from ezdxf.addons.drawing.frontend import UniversalFrontend
 from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
@@ -28,21 +26,18 @@ from ezdxf.document import Drawing
 from ezdxf.enums import TextEntityAlignment
 from ezdxf.fonts import fonts
 from ezdxf.layouts import Paperspace
-from ezdxf.math import Matrix44, Vec2
-from ezdxf.render.dim_base import BaseDimensionRenderer
-from ezdxf.render.dim_linear import LinearDimension
-from ezdxf.render.dim_radius import RadiusDimension
-from ezdxf.render.dimension import DimensionRenderer
+from ezdxf.math import Matrix44
 from ezdxf.tools.text import MTextEditor
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array
 from haptonic.names import visible
-from haptonic.plots.style import CENTIMETRE, drawn, spread
+from haptonic.plots.style import CENTIMETRE, drawn
+from haptonic.workshop.dimensions import DECIMALS, style_of, text_of
+from haptonic.workshop.shape import Dimension
 
-A4 = (297.0, 210.0)  # mm, landscape
-A3 = (420.0, 297.0)
+A3 = (420.0, 297.0)  # mm, landscape
 POINT = 25.4 / 72  # mm
 
 SIZE = 2.5  # mm, height of capitals (ISO 3098)
@@ -50,27 +45,30 @@ SMALL = 1.8
 CAPITAL = 0.729  # height of DejaVu Sans' capitals, in its size
 ARROW = 2.6  # mm
 GAP, BEYOND = 0.8, 1.5  # mm: extension lines begin and end so far from what they belong to
+LEG = 1.2  # mm, half the straight ends of the line to a number beside an edge
 SHORT = 3 * ARROW  # mm; shorter dimension lines end in oblique strokes
 SHELF = 2.0  # mm between a dimension line and its text
+LISTED = 3.0  # heights of letters between the margin of a list and its text
 APART = 6.0  # mm between labels
 DESCENT = 1.0  # mm between a shelf and a text that may have letters with tails
 
+SCALES = [step * 10.0**power for power in range(3, -4, -1) for step in (5, 2, 1)]  # ISO 5455
+
 Place = tuple[float, float]  # mm on the paper
+Box = tuple[float, float, float, float]  # left, bottom, right, top, mm
 FONT = "DejaVuSans.ttf"  # comes with matplotlib: the same picture on every machine
 BOLD = "DejaVuSans-Bold.ttf"
 
 # layer: hundredths of a millimetre that its lines are wide, and dashes and gaps (mm)
 LAYERS: dict[str, tuple[int, tuple[float, ...]]] = {
     "OUTLINE": (50, ()),
-    "SEEN": (25, ()),
     "THIN": (18, ()),
-    "HIDDEN": (25, (3.5, -1.5)),
     "AXIS": (18, (8.0, -1.2, 0.6, -1.2)),
     "TOUCH": (50, (3.5, -0.8, 0.5, -0.8)),
     "CLAMPED": (70, ()),
     "SIMPLE SUPPORT": (70, (3.0, -1.2)),
     "ELASTIC FOUNDATION": (70, (0.7, -1.0)),
-    "PERIOD": (25, (6.0, -1.0, 0.6, -1.0, 0.6, -1.0)),
+    "BREAK": (25, (6.0, -1.0, 0.6, -1.0, 0.6, -1.0)),
     "HATCH": (9, ()),
     "DIMENSION": (18, ()),
     "TEXT": (18, ()),
@@ -83,6 +81,13 @@ class View:
 
     origin: tuple[float, float]
     scale: float
+
+    @classmethod
+    def fitting(cls, width: float, height: float, box: Box, room: Box) -> View:
+        """Largest standard scale that fits into a box with room around it; the origin is the lower middle."""
+        across, up = box[2] - box[0] - room[0] - room[2], box[3] - box[1] - room[1] - room[3]
+        scale = next((s for s in SCALES if s <= min(across / width, up / height)), SCALES[-1])
+        return cls((box[0] + room[0] + 0.5 * across, box[1] + room[1] + 0.5 * (up - scale * height)), scale)
 
     def place(self, right: float, up: float) -> tuple[float, float]:
         """The point so far (mm of the body) to the right of the origin and above it."""
@@ -101,18 +106,15 @@ class Sheet:
 
     document: Drawing
     space: Paperspace
-    size: Place = A4
+    size: Place = A3
     title: str = ""
     date: datetime.date | None = None
 
     @classmethod
-    def of(
-        cls, document: Drawing, size: Place = A4, title: str = "", date: datetime.date | None = None
-    ) -> Sheet:
+    def of(cls, document: Drawing, title: str = "", date: datetime.date | None = None) -> Sheet:
         """An empty sheet for a document, with its layers and styles."""
         if not fonts.font_manager.has_font(FONT) or not fonts.font_manager.has_font(BOLD):
             fonts.font_manager.scan_folder(Path(mpl.get_data_path()) / "fonts" / "ttf")
-        document.dimension_renderer = _Renderers()
         document.styles.add("PLAIN", font=FONT)
         document.styles.add("BOLD", font=BOLD)
         for name, (width, dashes) in LAYERS.items():
@@ -126,8 +128,8 @@ class Sheet:
         })  # fmt: skip
         document.layouts.rename("Layout1", "Drawing")
         space = document.paperspace("Drawing")
-        space.page_setup(size=size, margins=(0, 0, 0, 0), units="mm")
-        return cls(document=document, space=space, size=size, title=title, date=date)
+        space.page_setup(size=A3, margins=(0, 0, 0, 0), units="mm")
+        return cls(document=document, space=space, title=title, date=date)
 
     def line(self, points: Sequence[Place] | Array, layer: str = "OUTLINE", *, close: bool = False) -> None:
         places = [(float(x), float(y)) for x, y in points]
@@ -149,31 +151,27 @@ class Sheet:
         entity = self.space.add_text(_literal(text), height=size, dxfattribs=style)
         entity.set_placement((float(place[0]), float(place[1])), align=TextEntityAlignment[align])
 
-    def notes(self, place: Place, notes: Sequence[str], width: float) -> None:
-        """A numbered list below and to the right of ``place``, its lines broken at ``width``."""
-        numbers = [str(1 + k) for k in range(len(notes))]
-        plain = [re.sub(r"([\\{}])", r"\\\1", _literal(note)) for note in notes]
-        text = MTextEditor("NOTES\\P").bullet_list(indent=3, bullets=numbers, content=plain)
+    def notes(self, place: Place, title: str, notes: Mapping[str, str], width: float) -> None:
+        """A title and a list below and to the right of ``place``, its lines broken at ``width``.
+
+        notes : each by its number or letter
+        """
+        plain = [re.sub(r"([\\{}])", r"\\\1", _literal(note)) for note in notes.values()]
+        text = MTextEditor(f"{title}\\P").bullet_list(
+            indent=LISTED * SMALL, bullets=list(notes), content=plain
+        )
         style = {"layer": "TEXT", "style": "PLAIN", "char_height": SMALL, "width": width, "insert": place}
         self.space.add_mtext(str(text), dxfattribs=style)
-
-    def arrow(self, tip: Place, angle: float) -> None:
-        """A head with its point at ``tip`` that flies in this direction, degrees."""
-        self.space.add_arrow("", (float(tip[0]), float(tip[1])), ARROW, angle, {"layer": "DIMENSION"})
-
-    def hatch(self, points: Array) -> None:
-        """Fill what a line encloses as a section."""
-        hatch = self.space.add_hatch(dxfattribs={"layer": "HATCH"})
-        hatch.set_pattern_fill("ANSI31", scale=0.6)
-        hatch.paths.add_polyline_path(points.tolist())
 
     def dimension(
         self,
         view: View,
         ends: tuple[Place, Place],
         line: float,
-        style: Mapping[str, Any],
+        one: Dimension,
+        half_width: float | None = None,
         *,
+        sign: str = "",
         upright: bool = False,
         shelf: Place | None = None,
     ) -> None:
@@ -181,52 +179,50 @@ class Sheet:
 
         Parameters
         ----------
-        style : what a DIMENSION entity sets apart from the sheet's own, such as its tolerance
+        half_width : of its tolerance, m or None; sign : in front of the number, such as that of a diameter
         shelf : where that below the text begins, if the text does not stand on the dimension line
         """
-        one, other = ((float(x), float(y)) for x, y in ends)
-        override = {"dimlfac": 1 / view.scale, **style}
-        if abs(other[upright] - one[upright]) < SHORT:
+        (x0, y0), (x1, y1) = ((float(x), float(y)) for x, y in ends)
+        override = {"dimlfac": 1 / view.scale, **style_of(one, half_width, sign)}
+        if abs(y1 - y0 if upright else x1 - x0) < SHORT:
             override["dimtsz"] = ARROW / 3
         dimension = self.space.add_linear_dim(
-            (line, line), one, other, angle=90 if upright else 0, dimstyle="SHEET", override=override,
-            dxfattribs={"layer": "DIMENSION"},
+            (line, line), (x0, y0), (x1, y1), angle=90 if upright else 0, dimstyle="SHEET",
+            override=override, dxfattribs={"layer": "DIMENSION"},
         )  # fmt: skip
         if shelf is not None:
-            dimension.set_location(shelf, leader=True)
+            middle = (line, 0.5 * (y0 + y1)) if upright else (0.5 * (x0 + x1), line)
+            width = text_width(text_of(one, half_width, sign)) + 1
+            width *= 1 if shelf[0] > middle[0] else -1
+            dimension.set_location((shelf[0] + 0.5 * width, shelf[1] + DESCENT + 0.5 * SIZE))
+            self.line([middle, shelf, (shelf[0] + width, shelf[1])], "DIMENSION")
         dimension.render()
 
-    def radius(self, view: View, centre: Place, tip: Place, style: Mapping[str, Any], shelf: Place) -> None:
-        """Radius of a hollow arc about ``centre``, shown at its point ``tip``, all on the paper."""
-        dimension = self.space.add_radius_dim(
-            centre, mpoint=tip, dimstyle="SHEET", dxfattribs={"layer": "DIMENSION"},
-            override={"dimlfac": 1 / view.scale, "dimtmove": 2, **style},
-        )  # fmt: skip
-        dimension.user_location_override(shelf)
-        dimension.render()
+    def ordinate(self, view: View, at: Place, end: Place, *, upright: bool = False) -> None:
+        """How far from the origin of a view a place on the paper lies along x (``upright``: y)."""
+        x, y = (a - b for a, b in zip(end, at, strict=True))
+        add = self.space.add_ordinate_y_dim if upright else self.space.add_ordinate_x_dim
+        override = {"dimlfac": 1 / view.scale, "dimdec": DECIMALS, "dimzin": 8, "dimtad": 0, "dimasz": LEG}
+        add(
+            at, (x, y), origin=view.origin, dimstyle="SHEET", override=override,
+            dxfattribs={"layer": "DIMENSION"},
+        ).render()  # fmt: skip
 
     def leader(self, tip: Place, label: Place, text: str, side: Literal[-1, 1]) -> None:
         """Text on a shelf that begins at ``label``, joined to ``tip`` by a line with an arrow there."""
         end = (label[0] + side * text_width(text), label[1])
-        self.line([tip, label, end], "DIMENSION")
-        away = np.asarray(tip, dtype=float) - label
-        self.arrow(tip, float(np.degrees(np.arctan2(away[1], away[0]))))
+        look = {"layer": "DIMENSION"}
+        self.space.add_leader([tip, label, end], dimstyle="SHEET", dxfattribs=look)
         self.text((min(label[0], end[0]), label[1] + DESCENT), text)
 
-    def window(
-        self, view: View, centre: Place, size: Place, about: Place, without: Sequence[str] = ()
-    ) -> None:
-        """What lies ``about`` a place in model space, at a view's scale, ``without`` some layers."""
-        window = self.space.add_viewport(centre, size, about, size[1] / view.scale)
+    def window(self, view: View, low: Place, high: Place) -> None:
+        """What lies between two corners in model space, at a view's scale."""
+        (left, bottom), (right, top) = view.place(*low), view.place(*high)
+        window = self.space.add_viewport(
+            (0.5 * (left + right), 0.5 * (bottom + top)), (right - left, top - bottom),
+            (0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])), high[1] - low[1],
+        )  # fmt: skip
         window.dxf.layer = "Defpoints"  # which is not plotted: no border
-        window.frozen_layers = list(without)
-
-    @staticmethod
-    def beside(labels: Sequence[tuple[float, Callable[[float], None]]], low: float, high: float) -> None:
-        """Draw labels at the heights that they would have best, moved apart where needed within bounds."""
-        heights = spread([height for height, _ in labels], APART, low, high)
-        for (_, draw), height in zip(labels, heights, strict=True):
-            draw(height)
 
     @drawn
     def figure(self) -> Figure:
@@ -269,38 +265,6 @@ def _literal(text: str) -> str:
     return line + "\N{NO-BREAK SPACE}" * line.endswith("^ ")  # readers take a caret at the end away
 
 
-class _Measured(BaseDimensionRenderer):
-    """A dimension whose text is as wide as its font makes it; ezdxf takes letters for as wide as high."""
-
-    def total_text_width(self) -> float:
-        return text_width(f"{self.measurement.text}{self.tol.text}")
-
-
-class _Linear(_Measured, LinearDimension):
-    def get_text_location(self) -> Vec2:
-        """The middle of the text; with a leader, the place asked for is where its shelf begins."""
-        place = super().get_text_location()
-        if not self.measurement.has_leader:
-            return place
-        side = 1 if place.x > self.dim_line_center.x else -1
-        rise = 0.5 * self.measurement.text_height + 0.75 * self.measurement.text_gap
-        return place + Vec2(0.5 * side * self._total_text_width, rise)
-
-
-class _Radius(_Measured, RadiusDimension):
-    pass
-
-
-class _Renderers(DimensionRenderer):
-    """Which of these classes draws a dimension; the arguments are ezdxf's."""
-
-    def linear(self, *args: Any, **options: Any) -> LinearDimension:
-        return _Linear(*args, **options)
-
-    def radius(self, *args: Any, **options: Any) -> RadiusDimension:
-        return _Radius(*args, **options)
-
-
 class _Pipeline(RenderPipeline2d):
     """Draws text as text."""
 
@@ -315,5 +279,9 @@ class _Pipeline(RenderPipeline2d):
             return
         place, face = transform.origin, properties.font
         weight = "bold" if face and face.is_bold else "normal"
-        size = cap_height / CAPITAL / POINT
-        self.axes.text(place.x, place.y, text, fontsize=size, fontweight=weight, parse_math=False, zorder=1e6)
+        along = transform.ux
+        self.axes.text(
+            place.x, place.y, text, fontsize=cap_height / CAPITAL / POINT, fontweight=weight,
+            rotation=math.degrees(math.atan2(along.y, along.x)), rotation_mode="anchor",
+            parse_math=False, zorder=1e6,
+        )  # fmt: skip

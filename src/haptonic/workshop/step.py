@@ -6,7 +6,9 @@ millimetres here, and the file says so.
 
 from __future__ import annotations
 
+import functools
 import math
+import operator
 import re
 from itertools import pairwise
 from pathlib import Path
@@ -18,8 +20,10 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.cell.outlines import Outline
 from haptonic.errors import ResourceError
+from haptonic.materials import Material
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.part import Part
+from haptonic.workshop.rings import Ring
 from haptonic.workshop.shape import MM, PillarShape
 
 # OpenCascade, as NETGEN calls it, puts its own name where the product's and the author's belong.
@@ -28,13 +32,30 @@ _PRODUCT = re.compile(r"PRODUCT\('[^']*',\s*'[^']*',")
 
 
 def solid(part: Part) -> Any:
-    """The plate with its pillars as one OpenCascade solid, in mm; its lower face lies at z = 0.
+    """The plate with all that stands on it in mm; its lower face lies at z = 0.
+
+    Of one material it is one OpenCascade solid, of several a compound of solids that have their names.
 
     Raises
     ------
     ResourceError : OpenCascade is missing
     """
-    occ, thickness = _occ(), part.cell.thickness
+    occ, shapes = _occ(), []
+    for material in part.materials:
+        pieces = _pieces(occ, part, material)
+        if material == part.cell.material:
+            plate = _plate(occ, part)
+            pieces = [plate + occ.Compound(pieces) if pieces else plate]
+        for shape in pieces:
+            for body in shape.solids:
+                body.name = material.name
+        shapes += pieces
+    return shapes[0] if len(shapes) == 1 else occ.Compound(shapes)
+
+
+def _plate(occ: ModuleType, part: Part) -> Any:
+    """The plate without what belongs to stacks of discs."""
+    thickness = part.cell.thickness
 
     def filled(loop: Array) -> Any:
         corners = [occ.Pnt(x, y, 0.0) for x, y in loop]
@@ -44,14 +65,37 @@ def solid(part: Part) -> Any:
     face = filled(edge)
     for hole in holes:
         face = face - filled(hole[::-1])
-    plate, pillars = occ.Prism(face, occ.Vec(0.0, 0.0, thickness)), []
-    for pillar, places in part.standing:
+    for stack, places in part.stacks:
+        widest = stack.borders[-1]
+        inside = _filled(occ, widest.outline, widest.half_width)
+        face = face - occ.Compound([inside.Move(occ.Vec(x, y, 0.0)) for x, y in places])
+    return occ.Prism(face, occ.Vec(0.0, 0.0, thickness))
+
+
+def _pieces(occ: ModuleType, part: Part, material: Material) -> list[Any]:
+    """Pillars and rings of a material."""
+    pieces = []
+    for pillar, places in part.pillars:
+        if part.solid_of(pillar) != material:
+            continue
         body = _pillar(occ, PillarShape.of(pillar))
-        pillars += [body.Move(occ.Vec(x, y, thickness)) for x, y in places]
+        pieces += [body.Move(occ.Vec(x, y, part.cell.thickness)) for x, y in places]
         if part.cell.is_mirrored:
             below = body.Mirror(occ.Axes((0, 0, 0), occ.Z))
-            pillars += [below.Move(occ.Vec(x, y, 0.0)) for x, y in places]
-    return plate + occ.Compound(pillars) if pillars else plate
+            pieces += [below.Move(occ.Vec(x, y, 0.0)) for x, y in places]
+    for stack, places in part.stacks:
+        rings = [_prism(occ, ring) for ring in stack.rings(material)]
+        if rings:
+            whole = functools.reduce(operator.add, rings)
+            pieces += [whole.Move(occ.Vec(x, y, 0.0)) for x, y in places]
+    return pieces
+
+
+def _prism(occ: ModuleType, ring: Ring) -> Any:
+    face = _filled(occ, ring.outer.outline, ring.outer.half_width)
+    if ring.inner:
+        face = face - _filled(occ, ring.inner.outline, ring.inner.half_width)
+    return occ.Prism(face.Move(occ.Vec(0, 0, ring.low)), occ.Vec(0, 0, ring.high - ring.low))
 
 
 def write_step(path: Path, part: Part, *, title: str = "Plate", overwrite: bool = False) -> Path:

@@ -1,4 +1,4 @@
-"""The plate's surface as a watertight triangulation in an STL file, in mm.
+"""The surface of each material as a watertight triangulation in an STL file, in mm.
 
 OpenCascade would need the extra ``cad``, and as NETGEN brings it has no writer of STL, so the surface is made
 here, and meshio writes the file. Every horizontal outline of a pillar is a multiple of one polygon, so its
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 
 import meshio
@@ -21,9 +22,13 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import Delaunay
 
 from haptonic.arrays import Array, Ints
+from haptonic.cell.blocks import VOID
+from haptonic.cell.outlines import Outline
 from haptonic.errors import GeometryError
+from haptonic.materials import Material
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.part import Part
+from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, PillarShape
 
 CHORD = 5e-6  # m, by default the largest distance between a curved surface and its triangles
@@ -33,11 +38,11 @@ ROUND = 3  # pieces of a fillet at least, so that they meet at 30 degrees and lo
 FLAT = 1e-13  # of the part's size squared: areas of triangles between corners on one line
 
 
-def surface(part: Part, *, chord: float | None = None) -> meshio.Mesh:
-    """Closed surface of a part as triangles, anticlockwise from outside, in m.
+def surface(part: Part, *, chord: float | None = None, material: Material | None = None) -> meshio.Mesh:
+    """Closed surface of what is of a material, by default the plate's, in m.
 
-    Their corners lie on the true surface; its curves are off by at most ``chord`` (m), by default 5 um, and
-    less for parts narrower than 1.25 mm.
+    Triangles run anticlockwise seen from outside. Their corners lie on the true surface; its curves are off
+    by at most ``chord`` (m), by default 5 um, and less for parts narrower than 1.25 mm.
 
     Raises
     ------
@@ -55,38 +60,115 @@ def surface(part: Part, *, chord: float | None = None) -> meshio.Mesh:
     edges, pieces = list(part.outline), 1  # how finely the sides of the plate and of square feet are cut
     for _ in range(HALVINGS):
         pillars = [
-            (*_pillar(PillarShape.of(pillar), chord * MM, pieces), places) for pillar, places in part.standing
+            (*_pillar(PillarShape.of(pillar), chord * MM, pieces), part.solid_of(pillar), places)
+            for pillar, places in part.pillars
         ]
-        feet = [body[:around, :2] + place for body, _, around, places in pillars for place in places]
-        bottom, missing_below = _inside(edges, [])
-        top, missing_above = _inside(edges, feet)
-        missing = missing_below | missing_above[: len(missing_below)]
-        if not missing.any() and not missing_above.any():
+        stacks = [(stack, _borders(stack, chord * MM, pieces), places) for stack, places in part.stacks]
+        rims = [loops[-1] + place for _, loops, places in stacks for place in places]
+        feet = [body[:around, :2] + place for body, _, around, _, places in pillars for place in places]
+        top, missing_above = _inside(edges, [*feet, *rims])
+        bottom, missing_below = (top, missing_above) if part.cell.is_mirrored else _inside(edges, rims)
+        corners = np.concatenate(edges)
+        up = len(corners)
+        missing = missing_below[:up] | missing_above[:up]
+        at_feet = missing_above[up:].any() or missing_below[up:].any()
+        if not missing.any() and not at_feet:
             break
         ends = np.cumsum([len(edge) for edge in edges])
         edges = [_with_middles(*each) for each in zip(edges, np.split(missing, ends[:-1]), strict=True)]
-        pieces *= 2 if missing_above[len(missing) :].any() else 1
+        pieces *= 2 if at_feet else 1
     else:
         raise AssertionError("feet or edges of the plate that cross")
-    corners = np.concatenate(edges)
-    up, loops = len(corners), _numbered(edges)  # the numbers of the upper corners are larger by their number
-    points = [np.insert(corners, 2, z, axis=1) for z in (0.0, part.cell.thickness)]
-    triangles, first = [_strips(np.stack([loop, loop + up])) for loop in loops], 2 * up
-    below = (top, pillars) if part.cell.is_mirrored else (bottom, [])
-    for way, (face, standing) in ((1, (top, pillars)), (-1, below)):
-        numbers, height = [np.arange(up) + up * (way > 0)], part.cell.thickness * (way > 0)
-        for body, side, around, places in standing:
+    plate = part.cell.material
+    skin = _Skin([np.insert(corners, 2, z, axis=1) for z in (0.0, part.cell.thickness)], 2 * up)
+    for loop in _numbered(edges):
+        skin.between(plate, None, _strips(np.stack([loop, loop + up])))
+    lower, upper = [np.arange(up)], [np.arange(up) + up]  # numbers of the corners on the plate's faces
+    for way, numbers in ((1, upper), (-1, lower))[: part.cell.copies]:
+        for body, side, around, solid, places in pillars:
+            under = _inside([body[:around, :2]], [])[0] if solid != plate else side[:0]
             for x, y in places:
-                points.append(body * [1, 1, way] + [x, y, height])
-                triangles.append(side[:, ::way] + first)
+                first = skin.add(body * [1, 1, way] + [x, y, part.cell.thickness * (way > 0)])
+                skin.between(solid, None, side[:, ::way] + first)
+                skin.between(plate, solid, under[:, ::way] + first)
                 numbers.append(np.arange(around) + first)
-                first += len(body)
-        triangles.append(np.concatenate(numbers)[face[:, ::way]])
-    return meshio.Mesh(np.concatenate(points) / MM, [("triangle", np.concatenate(triangles))])
+    for stack, loops, places in stacks:
+        floor, ceiling = (int(np.abs(stack.levels - z).argmin()) for z in (0.0, part.cell.thickness))
+        for place in places:
+            rim = _add_stack(skin, stack, loops, place)
+            lower.append(rim[floor])
+            upper.append(rim[ceiling])
+    skin.between(plate, None, np.concatenate(upper)[top])
+    skin.between(plate, None, np.concatenate(lower)[bottom[:, ::-1]])
+    return skin.mesh(material or plate)
 
 
-def write_stl(path: Path, part: Part, *, chord: float | None = None, overwrite: bool = False) -> Path:
-    """Write a part as a binary STL file in mm.
+class _Skin:
+    """Points in mm, and the triangles around each material, while they are collected."""
+
+    def __init__(self, points: list[Array], count: int) -> None:
+        self.points, self.count = points, count
+        self.triangles: dict[Material, list[Ints]] = {}
+
+    def add(self, points: Array) -> int:
+        """The number of the first of some further points."""
+        self.points.append(points)
+        self.count += len(points)
+        return self.count - len(points)
+
+    def between(self, inside: Material | None, outside: Material | None, triangles: Ints) -> None:
+        """Triangles anticlockwise seen from ``outside``; nothing where both are the same."""
+        if inside == outside:
+            return
+        for solid, way in ((inside, 1), (outside, -1)):
+            if solid is not None:
+                self.triangles.setdefault(solid, []).append(triangles[:, ::way])
+
+    def mesh(self, material: Material) -> meshio.Mesh:
+        triangles = np.concatenate(self.triangles[material])
+        used, number = np.unique(triangles, return_inverse=True)
+        points = np.concatenate(self.points)[used] / MM
+        return meshio.Mesh(points, [("triangle", number.reshape(triangles.shape))])
+
+
+def _borders(stack: Rings, chord: float, pieces: int) -> list[Array]:
+    """The borders of a stack at the origin as polygons."""
+    return [
+        border.half_width * _polygon(border.outline, border.half_width, chord, pieces)
+        for border in stack.borders
+    ]
+
+
+def _add_stack(skin: _Skin, stack: Rings, loops: list[Array], place: Array) -> list[Ints]:
+    """The faces of all rings about a place; the numbers of the widest border's corners at each level."""
+    around = np.concatenate([loop + place for loop in loops])
+    first = [skin.add(np.insert(around, 2, z, axis=1)) for z in stack.levels]
+    numbers = _numbered(loops)
+    solids = np.array([*stack.materials, None], dtype=object)[
+        np.pad(np.where(stack.grid == VOID, -1, stack.grid), ((1, 1), (0, 0)), constant_values=-1)
+    ]  # of each ring, and of nothing below and above
+    for row, (low, high) in zip(solids[1:-1], pairwise(first), strict=True):
+        for k, loop in enumerate(numbers):
+            skin.between(row[k], row[k + 1], _strips(np.stack([loop + low, loop + high])))
+    for k, loop in enumerate(numbers):
+        inner = slice(max(k - 1, 0), k)
+        ring, missing = _inside([loops[k]], loops[inner])
+        assert not missing.any(), "borders that cross"
+        corners = np.concatenate([loop, *numbers[inner]])
+        for start, below, above in zip(first, solids[:-1, k], solids[1:, k], strict=True):
+            skin.between(below, above, corners[ring] + start)
+    return [numbers[-1] + start for start in first]
+
+
+def write_stl(
+    path: Path,
+    part: Part,
+    *,
+    chord: float | None = None,
+    material: Material | None = None,
+    overwrite: bool = False,
+) -> Path:
+    """Write what is of a material, by default the plate's, as a binary STL file in mm.
 
     Raises
     ------
@@ -94,10 +176,16 @@ def write_stl(path: Path, part: Part, *, chord: float | None = None, overwrite: 
     ResourceError : the file exists and ``overwrite`` is False, or it cannot be written
     """
     refuse_overwrite(path, overwrite)
-    mesh = surface(part, chord=chord)
+    mesh = surface(part, chord=chord, material=material)
     mesh.points *= MM
     write_atomically(path, lambda temporary: mesh.write(temporary, file_format="stl", binary=True))
     return path
+
+
+def _polygon(outline: Outline, half_width: float, chord: float, pieces: int) -> Array:
+    """An outline of half-width 1 by so many corners that, at ``half_width``, it is off by a chord at most."""
+    half_turn = math.acos(1 - chord / (outline.reach * half_width))
+    return outline.polygon(4 * math.ceil(math.pi / half_turn / 4), pieces)
 
 
 def _pillar(body: PillarShape, chord: float, pieces: int) -> tuple[Array, Ints, int]:
@@ -109,8 +197,7 @@ def _pillar(body: PillarShape, chord: float, pieces: int) -> tuple[Array, Ints, 
     side : (m, 3) triangles of its side and top, as numbers of these points
     around : how many points each level has
     """
-    half_turn = math.acos(1 - chord / (body.outline.reach * max(body.widest, body.foot)))
-    polygon = body.outline.polygon(4 * math.ceil(math.pi / half_turn / 4), pieces)
+    polygon = _polygon(body.outline, max(body.widest, body.foot), chord, pieces)
     bend = math.acos(1 - chord / max(body.arc.radius, chord)) if body.arc else 1.0
     levels = body.flank(max(ROUND, math.ceil(body.arc.opening / (2 * bend))) if body.arc else 0)
     rings = np.empty((len(levels), len(polygon), 3))

@@ -1,0 +1,351 @@
+"""The section of a drawing: a row of pillars on their plate, cut along x through their axes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from ezdxf.layouts import Modelspace
+
+from haptonic.arrays import Array
+from haptonic.cell.disc import Disc
+from haptonic.cell.outlines import Outline
+from haptonic.cell.stack import Feature, Stack
+from haptonic.materials import Material
+from haptonic.plots.style import spread
+from haptonic.workshop.dimensions import FINEST, number, text_of
+from haptonic.workshop.part import Part
+from haptonic.workshop.rings import Rings
+from haptonic.workshop.shape import MM, Dimension, PillarShape, heights, sides
+from haptonic.workshop.sheet import APART, ARROW, SHELF, Box, Sheet, View, text_width
+
+Label = tuple[float, Callable[[float], None]]  # height that suits it best, and what draws it at a height
+
+TOUCH = "touch face, keep flat"
+ROUND = 720  # corners that stand for a whole turn
+ROOM: Box = (36.0, 32.0, 46.0, 33.0)  # mm around the section, for its dimensions
+LANE = 8.0  # mm between a view and its first dimension line
+NEXT = 7.0  # mm between two dimension lines
+HATCH = 0.6  # size of its pattern on the paper
+ANGLES = (0.0, 90.0, 45.0, 135.0)  # of the hatches of different materials, degrees
+
+
+@dataclass(frozen=True)
+class Row:
+    """What is cut: the plate from ``low`` to ``high`` along x.
+
+    features : pillars and stacks whose axes lie on the cut, with their x
+    axes : x of the first axis and of the next one of its kind; one of a single pillar, none of plain plate
+    """
+
+    y: float
+    low: float
+    high: float
+    axes: tuple[float, ...]
+    features: tuple[tuple[Feature, float], ...]
+
+    @classmethod
+    def of(cls, part: Part) -> Row:
+        """The row of the first kind whose pillars are nearest to each other."""
+        corner, end = part.corners
+        if not part.standing:
+            width = min(part.cell.lattice.pitch, part.size[0])
+            return cls(
+                y=float(corner[1]), low=float(corner[0]), high=float(corner[0] + width), axes=(), features=()
+            )
+        feature, places = part.standing[0]
+        first, step = nearest(places, 0)
+        axes = (float(first[0]), float(first[0] + step)) if step else (float(first[0]),)
+        margin = max(0.5 * (step or part.cell.lattice.pitch), 1.2 * span(feature).max())
+        low, high = max(axes[0] - margin, corner[0]), min(axes[-1] + margin, end[0])
+        y = float(first[1])
+        inside = [
+            (kind, float(x))
+            for kind, others in part.standing
+            for x in others[np.abs(others[:, 1] - y) < 10**-FINEST, 0]
+            if low <= x - span(kind)[1] and x + span(kind)[0] <= high
+        ]
+        features = tuple(sorted(inside, key=lambda each: each[1]))
+        return cls(y=y, low=float(low), high=float(high), axes=axes, features=features)
+
+
+def nearest(places: Array, along: int) -> tuple[Array, float | None]:
+    """The place and the distance of the next one on its line along x or y; None if no line has two."""
+    rounded = np.round(places, FINEST)  # axes in one line are so up to rounding
+    order = np.lexsort((rounded[:, along], rounded[:, 1 - along]))
+    steps = np.diff(rounded[order], axis=0)
+    apart = np.where(steps[:, 1 - along] == 0, steps[:, along], np.inf)
+    if not len(apart) or not np.isfinite(apart.min()):
+        return places[order[0]], None
+    return places[order[int(apart.argmin())]], float(apart.min())
+
+
+def pitch_of(part: Part, apart: float, along: int) -> Dimension:
+    """A distance along x or y; with the name of the lattice's own number where it is that."""
+    side = sides(part.cell)[along]
+    is_pitch = abs(apart - side.value) < 2 * 10**-FINEST
+    return Dimension(side.name if is_pitch else "distance", apart, side.kind)
+
+
+def span(feature: Feature) -> Array:
+    """How far a pillar or a stack reaches to the right and to the left of its axis, at most."""
+    if isinstance(feature, Stack):
+        return MM * feature.radius * chord(feature.outline)
+    body = PillarShape.of(feature)
+    return max(body.widest, body.foot) * chord(body.outline)
+
+
+def _height(feature: Feature) -> float:
+    return MM * feature.height if isinstance(feature, Stack) else feature.height
+
+
+def draw_section(sheet: Sheet, box: Box, part: Part, tolerances: Mapping[str, float]) -> View:
+    """Draw the row in model space, to the right of the plan, and show it in a box of the sheet."""
+    row, thickness = Row.of(part), part.cell.thickness
+    above = max((_height(feature) for feature, _ in row.features), default=0.0)
+    below = thickness + above * part.cell.is_mirrored
+    across, up = row.high - row.low, above + below
+    view = View.fitting(across, up, box, ROOM)
+    corner = part.corners[1] + [part.size[0], -part.size[1]]  # where it lies in model space
+    origin = corner + np.array([-row.low, below])
+    _draw_row(sheet.document.modelspace(), part, row, origin, view.scale)
+    view = View(view.place(-0.5 * across - row.low, below), view.scale)
+    end, rim = corner + np.array([across, up]), 1 / view.scale
+    sheet.window(View(view.place(*-origin), view.scale), tuple(corner - rim), tuple(end + rim))
+    labels = _Labels(sheet=sheet, view=view, part=part, row=row, below=below, tolerances=tolerances)
+    labels.draw(box[3])
+    return view
+
+
+def _draw_row(space: Modelspace, part: Part, row: Row, origin: Array, scale: float) -> None:
+    """Hatches and edges of the cut; ``origin`` is the place of x = 0 on the plate's top."""
+    plate, thickness = part.cell.material, part.cell.thickness
+
+    def hatch(points: Array, solid: Material) -> None:
+        entity = space.add_hatch(dxfattribs={"layer": "HATCH"})
+        angle = ANGLES[part.materials.index(solid) % len(ANGLES)]
+        entity.set_pattern_fill("ANSI31", scale=HATCH / scale, angle=angle)
+        entity.paths.add_polyline_path((origin + points).tolist(), is_closed=True)
+
+    def edge(points: Array, layer: str = "OUTLINE") -> None:
+        space.add_lwpolyline((origin + points).tolist(), dxfattribs={"layer": layer})
+
+    solid_ends, above, below = [row.low], [row.low], [row.low]  # ends of the plate, and of its free faces
+    for feature, x in row.features:
+        if isinstance(feature, Stack):
+            _draw_stack(Rings.of(feature, plate), np.array([x, -thickness]), hatch, edge)
+            right, left = span(feature)
+            for ends in (solid_ends, above, below):
+                ends += [x - left, x + right]
+            continue
+        body, solid = PillarShape.of(feature), part.solid_of(feature)
+        right, left = chord(body.outline)
+        flank = body.flank(60)
+        shape = np.concatenate([flank * [right, 1], flank[::-1] * [-left, 1]])
+        for way, level, ends in ((1, 0.0, above), (-1, -thickness, below))[: part.cell.copies]:
+            drawn = shape * [1, way] + [x, level]
+            hatch(drawn, solid)
+            edge(drawn if solid == plate else np.concatenate([drawn, drawn[:1]]))
+            ends += [drawn[-1, 0], drawn[0, 0]]
+    for ends in (solid_ends, above, below):
+        ends.append(row.high)
+    for start, end in _pairs(solid_ends):
+        hatch(np.array([[start, -thickness], [end, -thickness], [end, 0.0], [start, 0.0]]), plate)
+    for level, ends in ((0.0, above), (-thickness, below)):
+        for start, end in _pairs(ends):
+            edge(np.array([[start, level], [end, level]]))
+    for x in (row.low, row.high):
+        is_edge = np.isclose(x, [corner[0] for corner in part.corners]).any()
+        edge(np.array([[x, -thickness], [x, 0.0]]), "OUTLINE" if is_edge else "BREAK")
+
+
+def _pairs(ends: list[float]) -> Iterator[tuple[float, float]]:
+    return zip(ends[::2], ends[1::2], strict=True)
+
+
+def _draw_stack(
+    stack: Rings, foot: Array, hatch: Callable[[Array, Material], None], edge: Callable[[Array], None]
+) -> None:
+    """Rings to both sides of an axis; ``foot`` is its place on the plate's lower face."""
+    solids, levels = stack.solids(), stack.levels.tolist()
+    for way, side in ((0, 1), (1, -1)):
+        widths = [0.0, *(side * b.half_width * chord(b.outline)[way] for b in stack.borders)]
+        for row, (low, high) in zip(solids, pairwise(levels), strict=True):
+            for solid, beyond, (start, end) in zip(row, row[1:], pairwise(widths), strict=False):
+                if solid is not None:
+                    box = np.array([[start, low], [end, low], [end, high], [start, high]])
+                    hatch(foot + box, solid)
+                if solid != beyond:
+                    edge(foot + np.array([[end, low], [end, high]]))
+        nothing: list[Material | None] = [None] * len(widths)
+        for level, lower, upper in zip(levels, [nothing, *solids], [*solids, nothing], strict=True):
+            for below, above, (start, end) in zip(lower, upper, pairwise(widths), strict=False):
+                if below != above:
+                    edge(foot + np.array([[start, level], [end, level]]))
+
+
+@dataclass(frozen=True)
+class _Labels:
+    """Dimensions around the section; heights count from the plate's top."""
+
+    sheet: Sheet
+    view: View
+    part: Part
+    row: Row
+    below: float
+    tolerances: Mapping[str, float]
+
+    def draw(self, ceiling: float) -> None:
+        feature = self.part.standing[0][0] if self.part.standing else None
+        pillar = None if isinstance(feature, Stack) else feature
+        at = (pillar and self.part.table(pillar)) or ""
+        shown = heights(self.part.cell.thickness, pillar, at)
+        if isinstance(feature, Stack):
+            shown += self.storeys(feature)
+        left, face = self.view.place(self.row.low, -self.part.cell.thickness)
+        column = self.view.place(self.row.high, 0)[0] + LANE
+        self.beside([self.height(one, left - LANE, -1) for one in shown if one.kind == "left"],
+                    self.view.place(0, -self.below)[1] + 0.5, ceiling)  # fmt: skip
+        if not self.part.cell.is_mirrored:
+            right = self.view.place(self.row.high, 0)[0]
+            self.sheet.line([(left, face - 1), (right, face - 1)], "TOUCH")
+            self.sheet.leader((left + 2, face - 1.3), (left - 2, face - 7), TOUCH, -1)
+        low = self.view.place(0, -self.below)[1]
+        for _, x in self.row.features:
+            across, top = self.view.place(x, max(_height(each) for each, _ in self.row.features))
+            self.sheet.line([(across, low - 3.5), (across, top + 3.5)], "AXIS")
+        if len(self.row.axes) == 2:
+            pitch = pitch_of(self.part, self.row.axes[1] - self.row.axes[0], 0)
+            ends = [(self.view.place(x, 0)[0], low - 3.5) for x in self.row.axes]
+            half = self.tolerances.get(pitch.name or "")
+            self.across((ends[0], ends[1]), low - 3 * LANE, pitch, half, "", ends[1][0])
+        labels = [self.height(one, column, 1) for one in shown if one.kind == "right"]
+        lowest = face - 3
+        if isinstance(feature, Stack):
+            labels += [self.disc(one, column + SHELF) for one in feature.discs]
+        if pillar is not None:
+            body = PillarShape.of(pillar)
+            labels += [self.pointed(body, one, column + SHELF, sign) for one in shown
+                       if (sign := self.sign(body, one)) is not None]  # fmt: skip
+        height = _height(feature) if feature else 0.0
+        top = max(self.view.place(0, height)[1], lowest + APART * (len(labels) - 1)) + 2
+        self.beside(labels, lowest, top)
+        if pillar is not None:
+            self.widths(body, [one for one in shown if one.kind == "width"], top)
+
+    def storeys(self, stack: Stack) -> list[Dimension]:
+        """Heights of a stack, over all and storey by storey."""
+        ends = MM * (stack.heights - stack.thickness)
+        top = float(ends[-1])
+        whole = [Dimension("distance", top, "left", high=top)] if stack.height else []
+        within = [
+            Dimension("distance", high - low, "right", low=low, high=high)
+            for low, high in pairwise(ends.tolist())
+        ]
+        return whole + (within if len(within) > 1 else [])
+
+    def disc(self, disc: Disc, column: float) -> Label:
+        """A leader with the width and the material of a disc."""
+        low, high = disc.ends(self.part.cell.thickness / MM)
+        right = self.row.axes[-1] + MM * disc.radius * chord(disc.outline)[0]
+        tip = self.view.place(float(right), MM * 0.5 * (low + high) - self.part.cell.thickness)
+        solid = "empty" if disc.empty else (disc.material or self.part.cell.material).name
+        text = f"{disc.form.sign}{number(disc.diameter)} {solid}"
+        return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
+
+    def sign(self, body: PillarShape, one: Dimension) -> str | None:
+        """Before the text of what a leader points to; None of what has a dimension line."""
+        if one.kind == "width" and (not is_measured(body) or self.hidden_width(body, one)):
+            return body.form.sign
+        return {"radius": "R", "angle": "draft "}.get(one.kind)
+
+    @staticmethod
+    def hidden_width(body: PillarShape, one: Dimension) -> bool:
+        return one.place[1] > 0 and not body.is_free_above(*one.place)
+
+    @staticmethod
+    def beside(labels: list[Label], low: float, high: float) -> None:
+        """Draw labels at the heights that suit them best, moved apart where needed within bounds."""
+        for (_, draw), height in zip(labels, spread([y for y, _ in labels], APART, low, high), strict=True):
+            draw(height)
+
+    def height(self, one: Dimension, lane: float, side: Literal[-1, 1]) -> Label:
+        """A dimension line beside the view, and the height that suits its text best."""
+        feature = self.part.standing[0][0] if self.part.standing else None
+
+        def start(up: float) -> float:
+            if up <= 0 or feature is None:
+                return self.row.low if side < 0 else self.row.high
+            reach, x = span(feature)[0 if side > 0 else 1], self.row.axes[-1 if side > 0 else 0]
+            if isinstance(feature, Stack):
+                return x + side * float(reach)
+            body = PillarShape.of(feature)
+            width = body.side[np.isclose(body.side[:, 1], up), 0].max() / max(body.widest, body.foot)
+            return x + side * float(reach * width)
+
+        low, high = (self.view.place(start(up), up) for up in (one.low, one.high))
+        half = self.tolerances.get(one.name or "")
+
+        def draw(y: float) -> None:
+            shelf = (lane + side * SHELF, y)
+            self.sheet.dimension(self.view, (low, high), lane, one, half, upright=True, shelf=shelf)
+
+        return 0.5 * (low[1] + high[1]), draw
+
+    def pointed(self, body: PillarShape, one: Dimension, column: float, sign: str) -> Label:
+        """A leader, where extension lines show nothing: those of a small angle lie on each other."""
+        right = chord(body.outline)[0]
+        tip = self.view.place(self.row.axes[-1] + right * one.place[0], one.place[1])
+        text = text_of(one, self.tolerances.get(one.name or ""), sign)
+        return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
+
+    def widths(self, body: PillarShape, shown: list[Dimension], ceiling: float) -> None:
+        """Above ``ceiling``, the narrowest lowest; below the foot if it is narrower than what is above."""
+        if not is_measured(body):
+            return
+        axis = self.row.axes[-1]
+        free = sorted((one for one in shown if body.is_free_above(*one.place)), key=lambda one: one.place[0])
+        beyond = self.view.place(axis + max([one.place[0] for one in free], default=0.0), 0)[0]
+        lines = [(one, ceiling + 5 + NEXT * k, beyond) for k, one in enumerate(free)]
+        face = self.view.place(0, -self.below)[1]
+        for one in shown:
+            if one.place[1] <= 0 and one not in free:
+                lines.append((one, face - LANE - 2, self.view.place(axis + one.place[0], 0)[0]))
+        for one, line, right in lines:
+            upright = body.side[np.isclose(body.side[:, 0], one.place[0]), 1]
+            start = max(upright, default=body.side[0, 1]) if one in free else 0.0
+            ends = [self.view.place(axis + side * one.place[0], start) for side in (-1, 1)]
+            half = self.tolerances.get(one.name or "")
+            self.across((ends[0], ends[1]), line, one, half, body.form.sign, right)
+
+    def across(
+        self,
+        ends: tuple[tuple[float, float], tuple[float, float]],
+        line: float,
+        one: Dimension,
+        half_width: float | None,
+        sign: str,
+        beyond: float,
+    ) -> None:
+        """A level dimension; its text lies to the right of ``beyond`` where it is wider than the length."""
+        fits = text_width(text_of(one, half_width, sign)) + 2 * ARROW < ends[1][0] - ends[0][0]
+        shelf = None if fits else (beyond + 2 * SHELF, line)
+        self.sheet.dimension(self.view, ends, line, one, half_width, sign=sign, shelf=shelf)
+
+
+def chord(outline: Outline) -> Array:
+    """How far an outline reaches along x to the right and to the left of its axis, in half-widths."""
+    corners = outline.polygon(ROUND, 1)
+    after = np.roll(corners, -1, axis=0)
+    crossing = (corners[:, 1] <= 0) != (after[:, 1] <= 0)
+    (x, y), (x_after, y_after) = corners[crossing].T, after[crossing].T
+    crossed = x - y * (x_after - x) / (y_after - y)
+    return np.array([crossed.max(), -crossed.min()])
+
+
+def is_measured(body: PillarShape) -> bool:
+    """True if the cut along x is as wide as the numbers of the section say."""
+    return bool(np.allclose(chord(body.outline), 1, rtol=1e-6))
