@@ -1,4 +1,4 @@
-from .cell import Disc, Pillar, UnitCell
+from .cell import Disc, Pillar, Solid, SolidPart, UnitCell
 from .errors import HaptonicError, HaptonicWarning
 from .lattice import Lattice
 from .study import Study, load
@@ -12,6 +12,8 @@ __all__ = [
     "HaptonicWarning",
     "Lattice",
     "Pillar",
+    "Solid",
+    "SolidPart",
     "Study",
     "UnitCell",
     "__version__",

@@ -87,7 +87,14 @@ ALLOWED: dict[str, set[str]] = {
 TOP = {"__init__", "__main__"}
 INSIDE_FUNCTIONS = {
     "solvers": {"pypardiso", "sksparse"},
-    "foreign": {"fcntl", "nptdms", "psutil", "scipy"},  # a child process loads what a file needs and no more
+    "foreign": {
+        "fcntl",
+        "netgen",
+        "ngsolve",
+        "nptdms",
+        "psutil",
+        "scipy",
+    },  # a child process loads what a file needs and no more
     "jobs": {"dask", "distributed"},
     "workshop": {"netgen"},
     "vibrometry": {"nptdms", "sdypy"},

@@ -72,9 +72,9 @@ REFUSED = {
     "no such material": (lambda: UnitCell(CELL.lattice, 1e-3, "stel"), "unknown", "material", '"steel"'),
     "two periods": (lambda: Lattice(pitch=1e-3, pitch_y=1e-3), "conflict", "cell.pitch_y", "pitch_y"),
     "too many": (
-        lambda: UnitCell(CELL.lattice, 1e-3, "steel", None, (), "one", (), 8),
+        lambda: UnitCell(CELL.lattice, 1e-3, "steel", None, (), "one", (), None, 9),
         "malformed",
-        "cell.argument_8",
+        "cell.argument_9",
         "",
     ),
     "no number": (lambda: Lattice.square("wide"), "malformed", "cell.pitch", ""),

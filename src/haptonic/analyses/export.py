@@ -14,7 +14,7 @@ from haptonic.analyses import tolerance
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import made_of_parts
 from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicError, ResourceError
 from haptonic.later import xarray as xr
@@ -254,7 +254,7 @@ ANALYSIS = Analysis(
     name="export",
     result=Workshop,
     compute=compute,
-    supports=every_cell,
+    supports=made_of_parts,
     cost=cost,
     options=ExportOptions,
     check=check,

@@ -22,7 +22,7 @@ from haptonic.analyses.needs import has_plate
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_scan import rescanned
-from haptonic.analyses.support import every_cell
+from haptonic.analyses.support import made_of_parts
 from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.simulation import Experiment
@@ -262,7 +262,7 @@ ANALYSIS = Analysis(
     name="reproduce",
     result=Reproduction,
     compute=compute,
-    supports=every_cell,
+    supports=made_of_parts,
     cost=cost,
     planned=lambda study: True,
     options=ReproduceOptions,

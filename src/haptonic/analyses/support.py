@@ -27,7 +27,9 @@ def no_cell(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for a pillar's material with another loss factor than the plate's."""
+    """The error for two loss factors, and for solids of a CAD file."""
+    if (refused := made_of_parts(cell, options)) is not None:
+        return refused
     of_plate = cell.material.loss_factor
     others = {at: solid.loss_factor for at, solid in cell.materials.items() if solid.loss_factor != of_plate}
     if not others:
@@ -42,8 +44,23 @@ def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
     )
 
 
+def made_of_parts(cell: UnitCell, options: Any) -> HaptonicError | None:
+    """The error for solids of a CAD file, of which an analysis knows nothing but their bands."""
+    if cell.solid is None:
+        return None
+    return StudyError.unsupported(
+        argument="cell.solid",
+        given="a cell from a CAD file",
+        allowed="a cell of pillars or discs, or plain plate",
+        cause="this analysis needs a cell that is meshed in blocks, or whose sizes have names",
+        next_step="compute its bands or a sweep of its materials, or write [cell.pillar] or [[cell.disc]]",
+    )
+
+
 def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for discs, of which an analysis knows nothing."""
+    """The error for discs and solids, of which an analysis knows nothing."""
+    if (refused := made_of_parts(cell, options)) is not None:
+        return refused
     if not cell.disc_tables:
         return None
     table = next(iter(cell.disc_tables))
@@ -57,7 +74,9 @@ def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def whole_lower_face(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for a hole in the face that a finger touches and a laser scans."""
+    """The error for a hole in the face that a finger touches, and for solids of a CAD file."""
+    if (refused := made_of_parts(cell, options)) is not None:
+        return refused
     if (path := cell.hole_below) is None:
         return None
     return StudyError.unsupported(

@@ -24,7 +24,7 @@ from haptonic.cell import UnitCell
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
-from haptonic.superelement import TiledMesh
+from haptonic.superelement import whole_mesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 DENSITY_BINS = 200  # from zero to the highest frequency
@@ -174,7 +174,7 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     checked, missed : comparisons made, and bands that they found missing or too many
     """
     cell = model.cell
-    mesh = TiledMesh.of(cell, model.resolution.plans(cell))
+    mesh = whole_mesh(cell, model.resolution.plans(cell))
     periodic = Periodic.of_joint(mesh.joint)
     wavevectors, _ = cell.zone.triangles(2)
     checked = missed = 0

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array, Complex, Fields
 from haptonic.bloch.pencil import Pencil, Periodic, SplitPencil, bloch_pencil
 from haptonic.later import linalg as la, sparse as sp
-from haptonic.lattice import HALF_TURN
 from haptonic.superelement import Tiling
 
 STEP = 1e-3  # rad, of the differences that stand for derivatives at Gamma
@@ -242,7 +241,7 @@ def _long_waves(
 
 def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
     """The pencil of a tiling, real if half a turn leaves the cell as it is."""
-    if HALF_TURN in tiling.cell.point_group:
+    if tiling.half_turn() is not None:
         return CentredPencil.of(tiling)
     return PhasedPencil.of(tiling)
 

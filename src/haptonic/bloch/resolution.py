@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from haptonic.arrays import Array, Bools
-from haptonic.cell import MeshPlan, Period, Pillar, Stack, TileShape
+from haptonic.cell import MeshPlan, Period, Pillar, Stack, TileShape, UnitCell
 from haptonic.cell.edges import between_edges, is_unbridged
 from haptonic.cell.orders import USUAL_BANDS, orders_for_bands
 from haptonic.cell.pieces import Meshed, pieces_of
@@ -37,6 +37,10 @@ CROSSING, CROSSED = 0.11, 1.4
 # alone, and with interfaces, at whose ends on a surface stress is weakly singular.
 WITHOUT_EDGE, AT_INTERFACES = 0.3, 1.0
 WITHIN_PLATE = {3: 0.35, 4: 0.35, 5: 0.5}  # and with edges within the plate only, as of a blind hole
+OF_SOLIDS = 0.2  # of curved tetrahedra of a CAD file, refined towards edges; see `benchmarks/solids.py`
+# Of solids of a CAD file: unknowns for each element and cube of the order, 0.7 to 1.1 were seen; s and bytes
+# for powers of their number: 13,700 took 2 s, 140,000 took 90 s and 8.5 GB, the lower order a third more.
+SOLID_UNKNOWNS, SOLID_SECONDS, SOLID_COST, SOLID_BYTES, SOLID_GROWTH = 1.0, 6.5e-7, 1.6, 20.0, 1.7
 PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
 # Of the memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
 # and the square of a pencil's size; bytes of the program at rest. See benchmarks/answered_in_budget.py.
@@ -135,6 +139,8 @@ class Resolution:
 
     def _remaining(self, tile: TileShape, share: float) -> float:
         pillar = tile.pillar
+        if tile.solid is not None:
+            return OF_SOLIDS
         if tile.stack is not None:
             return self._of_stack(tile.stack)
         if pillar is None:
@@ -202,6 +208,8 @@ class Resolution:
         The largest piece has its element matrices and its factors while others wait condensed; the rest is
         for dense matrices of all tiles together.
         """
+        if isinstance(cell, UnitCell) and cell.solid is not None:
+            return float(RESIDENT + SOLID_BYTES * self._solid_unknowns(cell) ** SOLID_GROWTH)
         waiting = working = 0.0
         for piece in self._meshed(cell):
             plan, classes = piece.plan, 2 ** len(folds_of(piece.tile))
@@ -214,6 +222,10 @@ class Resolution:
             factors = min(threads(), classes) * of_class ** (4 / 3)
             working = max(working, PER_PAIR * pairs + PER_FACTOR * factors)
         return RESIDENT + 8.0 * (PER_KEPT * waiting + working + PER_PENCIL * self._pencil(cell) ** 2)
+
+    def _solid_unknowns(self, cell: UnitCell) -> float:
+        """Unknowns of the elements of a CAD file."""
+        return SOLID_UNKNOWNS * cell.solid_period.elements * (1 + self.foot_rings) * self.order**3
 
     def _pencil(self, cell: Period) -> int:
         """Size of the condensed pencil of all tiles."""
@@ -231,6 +243,8 @@ class Resolution:
         1.4 to 1.7 times as long. With many bands it is the condensed pencil, whose modes at two dozen
         wavevectors make the small basis: 6 to 18 ns for the cube of its size, of 600 to 1,600.
         """
+        if isinstance(cell, UnitCell) and cell.solid is not None:
+            return float(SOLID_SECONDS * self._solid_unknowns(cell) ** SOLID_COST)
         needed, directions = 0.0, 4 * self.steps * self.block
         for piece in self._meshed(cell):
             answers = piece.boundary(piece.plan.plate_levels) + directions

@@ -38,6 +38,8 @@ def check_cell(cell: UnitCell) -> None:
                 at=at,
             )
     _check_discs(cell)
+    if cell.solid is not None:
+        _check_alone(cell)
     if not cell.is_simple:
         _check_sites(cell)
         return
@@ -47,6 +49,26 @@ def check_cell(cell: UnitCell) -> None:
         raise _too_wide(feature, cell.room - LEAST_CLEARANCE * cell.lattice.pitch)
     if (parts := unmeshed(cell)) is not None:
         raise problem("unsupported", **parts, at=f"{feature.table}.section")
+
+
+def _check_alone(cell: UnitCell) -> None:
+    """Refuse anything beside the solids of a CAD file."""
+    beside = {
+        "a pillar": cell.pillar is not None,
+        "discs": bool(cell.disc),
+        "sites": not cell.is_simple,
+        "pillars on both faces": cell.is_mirrored,
+    }
+    for what, there in beside.items():
+        if there:
+            raise problem(
+                "conflict",
+                f"solids of a CAD file and {what}",
+                "the solids alone, on a lattice of one site",
+                "the file has everything that is on the plate, on both faces",
+                "leave one of the two out; draw several sites as one period of a triangular lattice",
+                at="solid",
+            )
 
 
 def _check_discs(cell: UnitCell) -> None:

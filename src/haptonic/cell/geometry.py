@@ -29,6 +29,7 @@ from haptonic.cell.sites import (
     site_map,
     site_tile,
 )
+from haptonic.cell.solid import Solid, SolidPeriod
 from haptonic.cell.stack import Feature, Stack
 from haptonic.cell.tile import FreeEdge, PlacedTile, TileShape
 from haptonic.errors import GeometryError
@@ -135,6 +136,9 @@ class UnitCell(TileShape):
         title="Discs",
         max_length=MOST_DISCS,
     )
+    solid: Solid | None = setting(
+        None, "In place of pillars and discs: one period of the plate as a CAD program drew it."
+    )
 
     def __post_init__(self) -> None:
         check_cell(self)
@@ -149,8 +153,8 @@ class UnitCell(TileShape):
             assert pillar is not None
             sizes[f"{below}.diameter"] = (pillar.diameter, USUAL_DIAMETER)
             sizes[f"{below}.height"] = (pillar.height, USUAL_HEIGHT)
-        for path, disc in self.discs.items():
-            sizes[f"{path}.diameter"] = (disc.diameter, USUAL_DIAMETER)
+        discs = self.discs.items()
+        sizes |= {f"{path}.diameter": (disc.diameter, USUAL_DIAMETER) for path, disc in discs}
         return {path: unusual_beside(value, "m", shares, pitch, words)
                 for path, (value, shares) in sizes.items()}  # fmt: skip
 
@@ -196,6 +200,8 @@ class UnitCell(TileShape):
             if pillar is not None and pillar.material is not None:
                 solids[f"{table.removeprefix('cell.')}.material"] = pillar.material
         discs = self.discs.items()
+        if self.solid is not None:
+            return solids | self.solid.materials
         return solids | {
             f"{path}.material": disc.material for path, disc in discs if disc.material is not None
         }
@@ -259,14 +265,22 @@ class UnitCell(TileShape):
 
     @property
     def parts(self) -> str:
-        """What is on the sites, in a word: pillars, discs or both."""
+        """What is on the sites, in a word: pillars, discs or both; or solids."""
         kinds = dict.fromkeys(feature.noun for feature in self.features if feature is not None)
-        return " and ".join(f"{kind}s" for kind in kinds)
+        return "solids" if self.solid else " and ".join(f"{kind}s" for kind in kinds)
 
     @property
     def has_features(self) -> bool:
         """True if the cell is no plain plate."""
-        return any(self.features)
+        return any(self.features) or self.solid is not None
+
+    @cached_property
+    def solid_period(self) -> SolidPeriod:
+        """The solids of the CAD file as one period of the plate; errors as of `Solid.period`."""
+        assert self.solid is not None
+        group = self.lattice.point_group
+        turns = [group.turn(operation)[:2, :2] for operation in group.operations]
+        return self.solid.period(self.corners, self.vectors, self.thickness, np.array(turns))
 
     @cached_property
     def tiles(self) -> tuple[PlacedTile, ...]:
@@ -341,8 +355,10 @@ class UnitCell(TileShape):
         """
         group = self.lattice.point_group
         kept = [op for op in group.operations if self.site_map(op) is not None]
+        if self.solid is not None:
+            kept = [op for op, keeps in zip(kept, self.solid_period.kept, strict=True) if keeps]
         return PointGroup(group.vectors, tuple(kept)).kept(
-            lambda turn: is_symmetry(self.material.stiffness, turn)
+            lambda turn: all(is_symmetry(solid.stiffness, turn) for solid in self.materials.values())
         )
 
     def site_map(self, operation: Operation) -> SiteMap | None:
@@ -381,4 +397,4 @@ class UnitCell(TileShape):
     def without_pillar(self) -> UnitCell:
         """The plain plate of the same period and sites."""
         site = tuple(replace(one, pillar=None, disc=()) for one in self.site)
-        return replace(self, pillar=None, disc=(), site=site)
+        return replace(self, pillar=None, disc=(), solid=None, site=site)

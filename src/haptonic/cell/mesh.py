@@ -30,6 +30,11 @@ class HexMesh:
     points: Array
 
     @property
+    def rim_points(self) -> Array:
+        """(around, 3) of the lateral faces' lowest nodes, anticlockwise from the first corner, m."""
+        return np.asarray(self.points[self.topology.rim[0]])
+
+    @property
     def unknowns(self) -> int:
         """Number of displacement components."""
         return 3 * len(self.points)
@@ -49,6 +54,30 @@ class HexMesh:
             np.stack([e.nodes[:, a, b, c] for c in (low, high) for a, b in turn], axis=-1).reshape(-1, 8)
             for e in self.topology.families
         ])  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceMesh:
+    """The surface of a tile of which the inside is not shown.
+
+    points : (nodes, 3) m; cells : (m, 4) quadrilaterals, anticlockwise as seen from outside
+    rim_points : (around, 3) see `HexMesh`; unknowns : of the elements inside
+    topology : of a plate in blocks with the same lateral faces
+    """
+
+    points: Array
+    cells: Ints
+    rim_points: Array
+    unknowns: int
+    topology: Topology
+
+    def grids(self) -> list[tuple[int, ...]]:
+        """(cells,): they belong to no element."""
+        return [(len(self.cells),)]
+
+    def linear_subcells(self) -> Ints:
+        """(cells, 8) flat hexahedra, of which the lower face is seen and the upper one has no extent."""
+        return np.hstack([self.cells[:, ::-1], np.repeat(self.cells[:, -1:], 4, axis=1)])
 
 
 def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:

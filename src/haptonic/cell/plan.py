@@ -95,6 +95,8 @@ class MeshPlan:
         of sides. They span less than a quarter turn, and a polynomial of one order more than their share of
         a quarter's is as good along them.
         """
+        if cell.solid is not None:  # what the lateral faces have; the inside is meshed elsewhere
+            return cls(order, foot_rings, 0, blocks=2, sides=len(cell.corners), levels=order + 1)
         plan = cls._of_quarters(cell, order, foot_rings, bands)
         sides = len(cell.corners)
         if sides != 4:
@@ -248,6 +250,15 @@ class MeshPlan:
         lead from a narrow neck to a thick plate, what the plate's own leave shows at a lower order only:
         0.3 % were told 0.2 %.
         """
+        if cell.solid is not None:
+            return replace(
+                self,
+                order=self.order - 1,
+                upward=self.order - 1,
+                thin=self.order - 1,
+                along=self.order - 1,
+                levels=self.order,
+            )
         pillar = cell.pillar
         ungraded = pillar is not None and pillar.step is not None and not self.step_rings
         ungraded = ungraded and between_edges(cell) is None

@@ -14,6 +14,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.cell.outlines import Outline
 from haptonic.cell.pillar import Faces, Pillar
+from haptonic.cell.solid import Solid
 from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
@@ -68,6 +69,7 @@ class TileShape:
     material: Material
     pillar: Pillar | None
     stack: Stack | None = None
+    solid: Solid | None = None
     faces: Faces
     free_width: float | None = None
 

@@ -18,6 +18,7 @@ UNITS = ByPattern({
     if key.quantity and key.kind != "quantities" and not path.endswith("material.loss_factor")
     and ".pillar.point[]" not in path and not path.endswith(".pillar.turn")
     and ".disc[]" not in path  # their borders and ends must not pass each other
+    and not path.startswith("cell.solid.")
 })  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
 

@@ -49,13 +49,14 @@ class Limits:
         return cls(seconds, WAITING * seconds, MEMORY + MEMORY_A_BYTE * size)
 
 
-def ask(parser: str, path: Path, **arguments: object) -> Any:
+def ask(parser: str, path: Path, /, *, limits: Limits | None = None, **arguments: object) -> Any:
     """What a parser says of a file.
 
     Parameters
     ----------
     parser : such as "hdf5.tree": module and function of `haptonic.foreign`
-    arguments : of that function; texts, numbers, lists
+    limits : of this question; by default what a file of its size may take
+    arguments : of that function; texts, numbers, lists, arrays
 
     Raises
     ------
@@ -64,7 +65,7 @@ def ask(parser: str, path: Path, **arguments: object) -> Any:
     ResourceError : no process can be started, or it took more memory than this file may
     """
     with path.open("rb") as file:
-        limits = Limits.of(os.fstat(file.fileno()).st_size)
+        limits = limits or Limits.of(os.fstat(file.fileno()).st_size)
     question = {
         "parser": parser, "path": str(path.absolute()), "arguments": arguments,
         "seconds": limits.seconds, "memory": limits.memory,

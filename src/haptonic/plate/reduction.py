@@ -8,7 +8,7 @@ from types import MappingProxyType
 import numpy as np
 
 from haptonic.arrays import Array, Ints
-from haptonic.cell import MeshPlan, TileShape
+from haptonic.cell import HexMesh, MeshPlan, TileShape
 from haptonic.cell.brickwork import Steps
 from haptonic.cell.quadrature import lobatto
 from haptonic.later import linalg as la, sparse as sp
@@ -81,6 +81,8 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
     steps : between the lines that it lies on, m; elements of the plan end at each of them
     """
     whole = condense(shape, plan, STEPS, block=BLOCK, measured=False)
+    mesh = whole.mesh
+    assert isinstance(mesh, HexMesh)
     onto = _onto_rim(plan, steps, whole.levels, orders)
     trace = onto.shape[1]
     basis = la.block_diag(onto, np.eye(whole.size - whole.trace_size))
@@ -92,9 +94,9 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
     corner = np.append(-shape.corners[0], 0.0)
     inside = OnMesh(
         size=len(mass),
-        points=whole.mesh.points + corner,
-        subcells=_corners(family.nodes for family in whole.mesh.topology.families),
-        faces=tuple(flat_faces(whole.mesh)),
+        points=mesh.points + corner,
+        subcells=_corners(family.nodes for family in mesh.topology.families),
+        faces=tuple(flat_faces(mesh)),
         lift=lambda unknowns: whole.lifted(to_cell @ unknowns),
     )
     return Tile.plain(stiffness, mass, trace, inside)

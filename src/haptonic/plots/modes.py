@@ -159,7 +159,9 @@ def _painted(seen: Array, amount: Array, faces: Ints, borders: Ints, window: Win
     shades[len(patches) :, :3] *= INKED
     colours = list(map(tuple, np.rint(255 * shades).astype(int).tolist()))
     fine = replace(window, scale=SMOOTH * window.scale)
-    shapes = [fine.pixels(one[..., :2]).reshape(len(one), -1).tolist() for one in (patches, lines)]
+    shapes = [
+        fine.pixels(part[..., :2]).reshape(len(part), 2 * part.shape[1]).tolist() for part in (patches, lines)
+    ]
     picture = Image.new("RGBA", fine.size, (255, 255, 255, 0))
     pen = ImageDraw.Draw(picture)
     for number in np.argsort(nearness, kind="stable").tolist():
@@ -222,6 +224,10 @@ def drawing_cells(subcells: Ints, grids: list[list[int]]) -> tuple[Ints, Ints]:
     cells, on_edge = [], []
     start = 0
     for elements, *orders in grids:
+        if not orders:  # cells that belong to no element
+            cells.append(subcells[start : start + elements])
+            start += elements
+            continue
         stop = start + elements * int(np.prod(orders))
         small = subcells[start:stop].reshape(elements, *orders, 8)
         start = stop
@@ -239,12 +245,15 @@ def drawing_cells(subcells: Ints, grids: list[list[int]]) -> tuple[Ints, Ints]:
                 if sum(mark in (0, order) for mark, order in zip(place, orders, strict=True)) >= 2:
                     on_edge.append(nodes)
             cells.append(np.stack(block, axis=-1))
-    return np.concatenate(cells), np.unique(np.concatenate(on_edge))
+    edges = np.concatenate(on_edge) if on_edge else np.empty(0, dtype=np.int64)
+    return np.concatenate(cells), np.unique(edges)
 
 
 def outer_faces(cells: Ints) -> Ints:
     """(m, 4) corners of the faces that belong to one cell only."""
     faces = cells[:, FACES].reshape(-1, 4)
+    ordered = np.sort(faces, axis=1)
+    faces = faces[(np.diff(ordered, axis=1) > 0).all(axis=1)]  # flat cells of a surface have one face only
     _, first, times = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
     return np.asarray(faces[first[times == 1]])
 

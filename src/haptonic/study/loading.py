@@ -42,15 +42,27 @@ def load_as(path: str | Path, kind: type[S]) -> S:
     HaptonicWarning : a value outside its typical range
     """
     checked = source(path, "study", StudyError)
-    return loads_as(_read(checked), kind, str(path))
+    return loads_as(_read(checked), kind, str(path), checked.parent)
 
 
-def loads_as(text: str, kind: type[S], origin: str = "study") -> S:
-    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load_as`."""
-    study = read(kind, _parsed(text, origin), origin)
+def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | None = None) -> S:
+    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load_as`.
+
+    ``folder`` is where paths in the study are counted from, by default the working directory.
+    """
+    study = read(kind, _placed(_parsed(text, origin), folder), origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
+
+
+def _placed(data: dict[str, Any], folder: Path | None) -> dict[str, Any]:
+    """The study with the path of its CAD file counted from the working directory."""
+    cell = data.get("cell")
+    solid = cell.get("solid") if isinstance(cell, dict) else None
+    if folder is not None and isinstance(solid, dict) and isinstance(solid.get("file"), str):
+        solid["file"] = str(folder / solid["file"])
+    return data
 
 
 def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | None]:

@@ -6,7 +6,7 @@ from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
 from haptonic.superelement.joint import Joint, JointImage, repeated, steps_between
 from haptonic.superelement.substructured import condense_by_parts
-from haptonic.superelement.tiling import TiledMesh, Tiling
+from haptonic.superelement.tiling import TiledMesh, Tiling, whole_mesh
 from haptonic.superelement.trace import TraceOperation
 
 __all__ = [
@@ -27,4 +27,5 @@ __all__ = [
     "repeated",
     "steps_between",
     "through_levels",
+    "whole_mesh",
 ]

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array, Fields
-from haptonic.cell import HexMesh, MeshPlan, TileShape
+from haptonic.cell import HexMesh, MeshPlan, SurfaceMesh, TileShape
 from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.solvers import definite
@@ -46,7 +46,7 @@ class Superelement:
     """
 
     cell: TileShape
-    meshes: tuple[HexMesh, ...]
+    meshes: tuple[HexMesh, ...] | tuple[SurfaceMesh]
     levels: int
     stiffness: Array
     mass: Array
@@ -55,7 +55,7 @@ class Superelement:
     measures: Measures | None
 
     @property
-    def mesh(self) -> HexMesh:
+    def mesh(self) -> HexMesh | SurfaceMesh:
         """That of the plate."""
         return self.meshes[0]
 

@@ -9,6 +9,7 @@ import scipy
 
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.cell.tile import MEET
+from haptonic.errors import GeometryError
 from haptonic.lattice import Operation
 from haptonic.superelement.tiling import Tiling
 
@@ -29,6 +30,14 @@ class FieldImage:
     def of(cls, tiling: Tiling, operation: Operation) -> FieldImage:
         """Find the image of every node; each mesh of a tile has its counterpart in the tile's image."""
         cell = tiling.cell
+        if cell.solid is not None:
+            raise GeometryError.unsupported(
+                argument="kappa",
+                given="a wavevector outside the irreducible zone",
+                allowed="for modes of a CAD file's solids, a wavevector of the zone that the diagram shows",
+                cause="their mesh has not the symmetry of the solids, so that modes cannot be turned",
+                next_step="ask for the equivalent wavevector in the zone; it has the same frequencies",
+            )
         mapped = cell.site_map(operation)
         assert mapped is not None, "no symmetry of this cell"
         turn = cell.lattice.point_group.turn(operation)

@@ -35,14 +35,19 @@ class Bounded:
     """Forms of a body with n interior unknowns and b on its boundary.
 
     coupling : (n, b) stiffness between the two; outer_stiffness, outer_mass : (b, b)
-    mass : (n,) diagonal; mass_coupling : (n, b), or None where mass is lumped
+    mass : (n,) diagonal, or (n, n) sparse; mass_coupling : (n, b), or None where mass is lumped
     """
 
     coupling: Array
     outer_stiffness: Array
     outer_mass: Array
-    mass: Array
+    mass: Array | sp.csr_array
     mass_coupling: Array | None = None
+
+    def inertia(self, fields: Array) -> Array:
+        """(n, k) mass times fields (n, k)."""
+        lumped = isinstance(self.mass, np.ndarray)
+        return np.asarray(self.mass[:, None] * fields if lumped else self.mass @ fields)
 
 
 @dataclass(frozen=True)
@@ -113,7 +118,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     with ``F = M_ii [T, Phi]``. Of the static answers T only the softest motions of the boundary enter Omega.
     """
     static = solver.solve(-body.coupling)
-    inertia = body.mass[:, None] * static
+    inertia = body.inertia(static)
     mass = body.outer_mass + static.T @ inertia
     if body.mass_coupling is not None:
         crossed = body.mass_coupling.T @ static
@@ -122,12 +127,15 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     stiffness = body.outer_stiffness + body.coupling.T @ static
     soft, dual = _softest(stiffness, mass, SOFT_TRACES + steps * block)
     force = inertia @ soft
-    values, modes, dynamic, moved = interior_modes(solver, body.mass, force, steps, block)
+    if isinstance(body.mass, np.ndarray):
+        values, modes, dynamic, moved = interior_modes(solver, body.mass, force, steps, block)
+    else:
+        values, modes, dynamic, moved = consistent_modes(solver, body.mass, force, steps, block)
     to_modes = inertia.T @ modes
     # inertia of the soft motions and of the modes, what of it the modes do not carry answered by the inverse
     # stiffness
     to_all = np.vstack([soft.T @ to_modes, np.eye(len(values))])
-    forces = np.hstack([force, body.mass[:, None] * modes])
+    forces = np.hstack([force, body.inertia(modes)])
     missing = forces.T @ np.hstack([dynamic, moved]) - (to_all / values) @ to_all.T
     spread = la.block_diag(dual, np.eye(len(values)))
     truncation = spread @ missing @ spread.T
@@ -150,6 +158,38 @@ def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
     """
     _, soft = la.eigh(stiffness, mass, subset_by_index=(0, min(count, len(mass)) - 1))
     return soft, mass @ soft
+
+
+def consistent_modes(
+    solver: Factorised, mass: sp.csr_array, inertia: Array, steps: int, block: int
+) -> tuple[Array, Array, Array, Array]:
+    """The same as `interior_modes` for a mass (n, n) that is not diagonal."""
+    random = mass @ np.random.default_rng(0).standard_normal((mass.shape[0], EXTRA))
+    dynamic, extra = np.split(solver.solve(np.hstack([inertia, random])), [inertia.shape[1]], axis=1)
+    starts = dynamic[:, : SOFT_TRACES + STARTS_PER_DIRECTION * block]
+    _, turn = la.eigh(starts.T @ (mass @ starts))
+    new = np.hstack([starts @ turn[:, -block:], extra])
+    basis = np.empty((len(new), 0))
+    for _ in range(steps):
+        for _ in range(2):  # one pass of Gram and Schmidt is not enough
+            new = _unit_mass(new - basis @ (basis.T @ (mass @ new)), mass)
+        basis = np.hstack([basis, new])
+        new = solver.solve(mass @ new)
+    forces = mass @ basis
+    fields = solver.solve(forces)
+    weights, turn = la.eigh(fields.T @ (mass @ fields))
+    kept = weights > DEPENDENT * weights[-1]
+    turn = turn[:, kept] / np.sqrt(weights[kept])
+    values, mixed = la.eigh(turn.T @ (fields.T @ forces) @ turn)
+    modes = fields @ (turn @ mixed)
+    return values, modes, dynamic, solver.solve(mass @ modes)
+
+
+def _unit_mass(fields: Array, mass: sp.csr_array) -> Array:
+    """(n, k) combinations of fields that are orthonormal in a mass, without what is hardly there."""
+    weights, turn = la.eigh(fields.T @ (mass @ fields))
+    kept = weights > DEPENDENT * weights[-1]
+    return np.asarray(fields @ (turn[:, kept] / np.sqrt(weights[kept])))
 
 
 def interior_modes(

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.arrays import Array, Fields, Ints
-from haptonic.cell import HexMesh, MeshPlan, Period, PlacedTile, TileShape, UnitCell
+from haptonic.cell import HexMesh, MeshPlan, Period, PlacedTile, SurfaceMesh, TileShape, UnitCell
 from haptonic.later import linalg as la
 from haptonic.lattice import HALF_TURN
 from haptonic.superelement.condense import Superelement, condensed
@@ -24,8 +24,11 @@ from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.joint import Joint
 from haptonic.superelement.measures import ENERGIES, Measures
 from haptonic.superelement.sections import PillarSections
+from haptonic.superelement.solid import SolidBody, condense_solid, solid_body
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.symmetry import THROUGH, folds_of
+
+CLASSES = 4  # of most tiles: one without classes gets as many directions in all
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +49,7 @@ class Tiling:
         ------
         GeometryError : edges that do not meet
         """
-        rims = [one.mesh.points[one.mesh.topology.rim[0]] for one in tiles]
+        rims = [one.mesh.rim_points for one in tiles]
         levels = {one.levels for one in tiles}
         assert len(levels) == 1, "traces of several numbers of levels"
         return cls(Joint.of(period, placed, rims, levels.pop()), tuple(tiles))
@@ -67,6 +70,8 @@ class Tiling:
         """
 
         def condense(tile: TileShape, plan: MeshPlan) -> Superelement:
+            if tile.solid is not None:
+                return condense_solid(tile, plan, steps, block=CLASSES * block, measured=measured)
             return condense_by_parts(tile, plan, steps, block=directions(tile, block), measured=measured)
 
         return cls.of(period, period.tiles, _each(period.tiles, plans, condense))
@@ -84,7 +89,7 @@ class Tiling:
         return self.trace_size + sum(self._modes)
 
     @property
-    def meshes(self) -> tuple[HexMesh, ...]:
+    def meshes(self) -> tuple[HexMesh | SurfaceMesh, ...]:
         """Of all tiles, one after the other."""
         return tuple(mesh for one in self.tiles for mesh in one.meshes)
 
@@ -197,8 +202,8 @@ class Tiling:
     def half_turn(self) -> tuple[Ints, Array, Array] | None:
         """What half a turn about the normal takes each unknown from, see `JointImage.half_turned`."""
         image = self.joint.half_turn()
-        if image is None:
-            return None
+        if image is None or any(one.cell.solid is not None for one in self.tiles):
+            return None  # modes of a mesh without symmetry are neither even nor odd
         mapped = self.cell.site_map(HALF_TURN)
         assert mapped is not None
         source, sign, shift = ([one] for one in image.half_turned())
@@ -237,7 +242,7 @@ class TiledMesh:
     def of(cls, cell: UnitCell, plans: Sequence[MeshPlan]) -> TiledMesh:
         """Mesh the tiles of a cell, each by its plan."""
         meshes: list[FoldedMesh] = _each(cell.tiles, plans, FoldedMesh.of)
-        rims = [one.mesh.points[one.mesh.topology.rim[0]] for one in meshes]
+        rims = [one.mesh.rim_points for one in meshes]
         return cls(Joint.of(cell, cell.tiles, rims, meshes[0].levels), tuple(meshes))
 
     @property
@@ -279,6 +284,26 @@ class TiledMesh:
                 )
             pieces.append(dynamic_stiffness(mesh, omega, own))
         return JoinedStiffness(self.joint, tuple(pieces))
+
+
+@dataclass(frozen=True, eq=False)
+class SolidMesh:
+    """The elements of a cell of a CAD file: nothing of them is condensed yet; see `TiledMesh`."""
+
+    joint: Joint
+    body: SolidBody
+
+    def dynamic(self, omega: float) -> JoinedStiffness:
+        """What the trace feels at an angular frequency, rad/s."""
+        return JoinedStiffness(self.joint, (self.body.dynamic(omega),))
+
+
+def whole_mesh(cell: UnitCell, plans: Sequence[MeshPlan]) -> TiledMesh | SolidMesh:
+    """The meshes of a cell before condensation."""
+    if cell.solid is None:
+        return TiledMesh.of(cell, plans)
+    body = solid_body(cell, plans[0])
+    return SolidMesh(Joint.of(cell, cell.tiles, [body.mesh.rim_points], plans[0].levels), body)
 
 
 @dataclass(frozen=True, eq=False)

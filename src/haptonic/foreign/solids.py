@@ -1,0 +1,224 @@
+"""Cells drawn in a CAD program: solids of a STEP file, meshed and assembled by Netgen and NGSolve.
+
+Both libraries run in the process that reads, so that a crash in one is an error like any other. Lengths are
+in units of a tenth of the pitch here; the plate's lower face is at z = 0, the tile's middle at x = y = 0.
+"""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from haptonic.foreign.periods import SAME, DrawnPeriod, period_of
+
+LAYERS = 0.2  # ratio of neighbouring layers of elements towards an edge
+
+
+def inspected(
+    path: str, digest: str, tile: NDArray[Any], vectors: NDArray[Any], thickness: float, turns: NDArray[Any]
+) -> dict[str, Any]:
+    """What a file has for one period of a plate.
+
+    Parameters
+    ----------
+    digest : of the file, so that another file of this name is read again
+    tile : (sides, 2) corners of the polygon that repeats, anticlockwise; vectors : (2, 2) translations;
+        thickness : of the plate, all in m
+    turns : (n, 2, 2) orthogonal maps of the plane
+
+    Returns
+    -------
+    ``names`` of the solids and their ``volumes``, m^3; ``problem``, empty where they make a period, else what
+    is wrong, with its ``number``; ``kept`` (n,) whether each map leaves the
+    solids as they are; ``elements`` of the mesh before it is refined
+    """
+    found = period_of(path, digest, *_frozen(tile, vectors), float(thickness))
+    scale = found.metres
+    kept = [found.is_kept(turn) for turn in turns] if not found.problem else []
+    return {
+        "names": found.names,
+        "volumes": [volume * scale**3 for volume in found.volumes],
+        "problem": found.problem,
+        "number": found.number,
+        "kept": np.array(kept, dtype=np.uint8),
+        "elements": 0 if found.problem else len(found.mesh.Elements3D()),
+    }
+
+
+def assembled(
+    path: str,
+    digest: str,
+    tile: NDArray[Any],
+    vectors: NDArray[Any],
+    thickness: float,
+    order: int,
+    rings: int,
+    stiffness: NDArray[Any],
+    density: NDArray[Any],
+    along: int,
+    levels: int,
+) -> dict[str, Any]:
+    """Matrices of a period on elements of an order, refined towards edges where stress is singular.
+
+    Parameters
+    ----------
+    path ... thickness : as for `inspected`
+    rings : how often elements at such edges are parted
+    stiffness, density : (solids, 6, 6) Pa and (solids,) kg/m^3
+    along, levels : order of the trace along each half of a side, and its nodes through the thickness
+
+    Returns
+    -------
+    In SI units: ``stiffness`` of (component, scalar unknown) and ``mass`` of scalar unknowns, each as rows,
+    columns and values; ``lateral`` scalar unknowns on the lateral faces and ``trace`` (lateral, levels x
+    places), their values from those of the trace; ``above`` like the mass, of what is beyond the plate's
+    faces; ``points`` (n, 3) of the surface, ``cells`` (m, 4) quadrilaterals of it, seen from outside
+    anticlockwise, and ``shown``, values at the points from unknowns; ``volume``; ``elements``.
+    """
+    import ngsolve as ng
+
+    period = period_of(path, digest, *_frozen(tile, vectors), float(thickness))
+    mesh = ng.Mesh(period.mesh.Copy())
+    mesh.RefineHP(rings, factor=LAYERS)
+    mesh.Curve(order)
+    metres = period.metres
+    scalar = ng.H1(mesh, order=order)
+    names = [f"part{number}" for number in range(len(period.parts))]
+    heavy = mesh.MaterialCF(dict(zip(names, density.tolist(), strict=True)))
+    tensors = [ng.CF(tuple(matrix.ravel().tolist()), dims=(6, 6)) for matrix in stiffness]
+    hooke = mesh.MaterialCF(dict(zip(names, tensors, strict=True)))
+    vector = ng.VectorH1(mesh, order=order)
+    u, v = vector.TnT()
+    form = ng.BilinearForm(ng.InnerProduct(hooke * _strain(ng.Grad(u)), _strain(ng.Grad(v))) * ng.dx)
+    form.Assemble()
+    a, b = scalar.TnT()
+    mass = ng.BilinearForm(heavy * a * b * ng.dx).Assemble()
+    beyond = ng.IfPos(ng.z - period.thickness, 1.0, ng.IfPos(ng.z, 0.0, 1.0))
+    above = ng.BilinearForm(beyond * heavy * a * b * ng.dx).Assemble()
+    lateral, trace = _trace(mesh, scalar, period, along, levels)
+    points, cells, shown = _surface(mesh, scalar)
+    return {
+        "stiffness": _triplets(form, metres),
+        "mass": _triplets(mass, metres**3),
+        "above": _triplets(above, metres**3),
+        "unknowns": scalar.ndof,
+        "lateral": lateral,
+        "trace": trace,
+        "points": points * metres,
+        "cells": cells,
+        "shown": shown,
+        "volume": float(ng.Integrate(1.0, mesh)) * metres**3,
+        "elements": int(mesh.ne),
+    }
+
+
+def _frozen(tile: NDArray[Any], vectors: NDArray[Any]) -> tuple[tuple[tuple[float, ...], ...], ...]:
+    return tuple(tuple(map(tuple, np.asarray(rows).tolist())) for rows in (tile, vectors))
+
+
+def _strain(gradient: Any) -> Any:
+    """Strain in Voigt's order 11, 22, 33, 23, 13, 12, shear as angles."""
+    import ngsolve as ng
+
+    pairs = ((1, 2), (0, 2), (0, 1))
+    return ng.CF((
+        *(gradient[k, k] for k in range(3)), *(gradient[i, j] + gradient[j, i] for i, j in pairs)
+    ))  # fmt: skip
+
+
+def _triplets(form: Any, factor: float) -> dict[str, Any]:
+    values, columns, starts = form.mat.CSR()
+    return {
+        "values": factor * np.array(values),
+        "columns": np.array(columns, dtype=np.int32),
+        "starts": np.array(starts, dtype=np.int64),
+    }
+
+
+def _trace(
+    mesh: Any, scalar: Any, period: DrawnPeriod, along: int, levels: int
+) -> tuple[NDArray[np.int64], NDArray[Any]]:
+    """Unknowns on the lateral faces, and their values (unknowns, levels x places) for each of the trace's.
+
+    A trace is a polynomial along each half of a side and through the thickness, given by its values at
+    Gauss-Lobatto-Legendre places; the unknowns are its projection in the mean square.
+    """
+    import ngsolve as ng
+    import scipy.sparse as sp
+    import scipy.sparse.linalg as sparse_linalg
+
+    marked = scalar.GetDofs(mesh.Boundaries("side.*"))
+    lateral = np.flatnonzero([marked[number] for number in range(scalar.ndof)])
+    a, b = scalar.TnT()
+    form = ng.BilinearForm(a * b * ng.ds("side.*")).Assemble()  # its matrix lives as long as it does
+    values, columns, starts = form.mat.CSR()
+    gram = sp.csr_matrix((np.array(values), np.array(columns), np.array(starts)))[lateral][:, lateral]
+    of_power = [np.linalg.inv(np.vander(_places(order), increasing=True)) for order in (along, levels - 1)]
+    count = len(period.half_sides)
+    moments = np.zeros((len(lateral), levels, count * along))
+    for number, (start, end) in enumerate(period.half_sides):
+        step = (end - start) / np.sum((end - start) ** 2)
+        s = (ng.x - start[0]) * step[0] + (ng.y - start[1]) * step[1]
+        powers = np.empty((len(lateral), along + 1, levels))
+        for i, j in product(range(along + 1), range(levels)):
+            work = ng.LinearForm(
+                s**i * (ng.z / period.thickness) ** j * b * ng.ds(f"side{number}", bonus_intorder=along)
+            )
+            powers[:, i, j] = work.Assemble().vec.FV().NumPy()[lateral]
+        own = np.einsum("nij,ia,jl->nla", powers, *of_power)
+        places = (number * along + np.arange(along + 1)) % (count * along)
+        for place, values_there in zip(places.tolist(), np.moveaxis(own, 2, 0), strict=True):
+            moments[:, :, place] += values_there
+    solved = sparse_linalg.splu(gram.tocsc()).solve(moments.reshape(len(lateral), -1))
+    return lateral, np.asarray(solved)
+
+
+def _places(order: int) -> NDArray[Any]:
+    """(order + 1,) Gauss-Lobatto-Legendre places between 0 and 1."""
+    slope = np.polynomial.legendre.Legendre.basis(order).deriv()
+    return np.asarray(0.5 * (1.0 + np.concatenate([[-1.0], np.sort(slope.roots().real), [1.0]])))
+
+
+def _surface(mesh: Any, scalar: Any) -> tuple[NDArray[Any], NDArray[np.int64], dict[str, Any]]:
+    """Points of the surface, quadrilaterals between them, and values there from those of the unknowns."""
+    import ngsolve as ng
+
+    local = {3: ((1, 0), (0, 1), (0, 0), (0.5, 0.5), (0, 0.5), (0.5, 0), (1 / 3, 1 / 3)),
+             4: ((0, 0), (1, 0), (1, 1), (0, 1), (0.5, 0), (1, 0.5), (0.5, 1), (0, 0.5), (0.5, 0.5)),
+    }  # fmt: skip
+    pieces = {3: ((0, 3, 6, 5), (1, 4, 6, 3), (2, 5, 6, 4)),
+              4: ((0, 4, 8, 7), (1, 5, 8, 4), (2, 6, 8, 5), (3, 7, 8, 6))}  # fmt: skip
+    number: dict[tuple[int, ...], int] = {}
+    points: list[NDArray[Any]] = []
+    rows: list[tuple[int, list[int], NDArray[Any]]] = []
+    cells: list[list[int]] = []
+    place, normal = ng.CF((ng.x, ng.y, ng.z)), ng.specialcf.normal(3)
+    of_face = mesh.ngmesh.FaceDescriptors()
+    for element in mesh.Elements(ng.BND):
+        face = of_face[element.index]
+        if face.domin and face.domout:
+            continue  # between two solids
+        sides = len(element.vertices)
+        rule = ng.IntegrationRule([(*at, 0.0) for at in local[sides]], [1.0] * len(local[sides]))
+        mapped = mesh.GetTrafo(element)(rule)
+        here, outward = np.array(place(mapped)), np.array(normal(mapped))[-1]
+        own = []
+        for at, spot in zip(local[sides], here, strict=True):
+            key = tuple(np.round(spot / SAME).astype(int).tolist())
+            if key not in number:
+                number[key] = len(points)
+                points.append(spot)
+                shape = np.array(scalar.GetFE(element).CalcShape(*at))
+                rows.append((number[key], list(scalar.GetDofNrs(element)), shape))
+            own.append(number[key])
+        (a, b, c), flipped = here[:3], face.domin == 0
+        turn = np.cross(b - a, c - a) @ outward * (-1.0 if flipped else 1.0)
+        cells += [[own[k] for k in (piece if turn > 0 else piece[::-1])] for piece in pieces[sides]]
+    return np.array(points), np.array(cells), {
+        "rows": np.concatenate([np.full(len(shape), row) for row, _, shape in rows]),
+        "columns": np.concatenate([np.array(dofs) for _, dofs, _ in rows]),
+        "values": np.concatenate([shape for _, _, shape in rows]),
+    }  # fmt: skip

@@ -1,0 +1,250 @@
+"""Solids of a CAD file, condensed like any other tile.
+
+The matrices come from `haptonic.foreign.solids`: curved tetrahedra, prisms and hexahedra of one order, with a
+mass that is not lumped. Their lateral faces follow polynomials, as those of a tile that is meshed in blocks
+do, so that neighbours need not have equal meshes there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from haptonic.arrays import Array, Fields, Ints
+from haptonic.cell import MeshPlan, SurfaceMesh, TileShape, UnitCell
+from haptonic.cell.quadrature import lobatto
+from haptonic.cell.sectors import along_sides
+from haptonic.cell.topology import topology_of
+from haptonic.later import sparse as sp
+from haptonic.solvers import Pattern, Solver, chosen, definite
+from haptonic.superelement.condense import Superelement
+from haptonic.superelement.dynamic import DynamicStiffness
+from haptonic.superelement.interior import Bounded, CraigBampton, reduced
+from haptonic.superelement.measures import Measures
+from haptonic.superelement.symmetry import fold
+from haptonic.superelement.trace import FoldedTrace
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceLifting:
+    """How a tile without symmetry is lifted to its surface.
+
+    of_trace : (3 points, t); of_modes : (3 points, m)
+    """
+
+    trace: FoldedTrace
+    of_trace: Array
+    of_modes: Array
+
+    @property
+    def count(self) -> int:
+        """Number of modes."""
+        return int(self.of_modes.shape[1])
+
+    def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
+        """(points, 3, k) displacement from a trace (t, k) and modal amplitudes (m, k)."""
+        moved = self.of_trace @ trace + self.of_modes @ amplitudes
+        return np.asarray(moved.reshape(-1, 3, moved.shape[1]))
+
+
+@dataclass(frozen=True, eq=False)
+class SolidBody:
+    """Matrices of the elements of a tile; unknowns are (component, scalar unknown).
+
+    stiffness, mass : sparse, N/m and kg; above : the share of the mass beyond the plate's faces
+    inner, outer : numbers of the unknowns inside and on the lateral faces
+    on_sides : (outer, t) motion of the lateral faces from the trace (level, place, component)
+    shown : (3 points, 3 n) displacement at the points of the surface
+    """
+
+    tile: TileShape
+    plan: MeshPlan
+    stiffness: sp.csr_array
+    mass: sp.csr_array
+    above: sp.csr_array
+    inner: Ints
+    outer: Ints
+    on_sides: Array
+    shown: sp.csr_array
+    mesh: SurfaceMesh
+
+    @classmethod
+    def of(cls, tile: TileShape, plan: MeshPlan) -> SolidBody:
+        """Assemble the solids of a tile.
+
+        Raises
+        ------
+        GeometryError, ChannelError, ResourceError : as for `haptonic.cell.UnitCell.solid_period`
+        """
+        assert isinstance(tile, UnitCell)
+        assert tile.solid is not None
+        solids = [tile.solid.material_of(name, tile.material) for name in tile.solid_period.names]
+        made = tile.solid.ask(
+            "assembled",
+            tile=tile.corners,
+            vectors=tile.vectors,
+            thickness=tile.thickness,
+            order=plan.order,
+            rings=plan.foot_rings + 1,
+            stiffness=np.array([solid.stiffness for solid in solids]),
+            density=np.array([solid.density for solid in solids]),
+            along=plan.order,
+            levels=plan.levels,
+        )
+        count = int(made["unknowns"])
+        outer = (np.arange(3)[:, None] * count + made["lateral"]).ravel()
+        inner = np.setdiff1d(np.arange(3 * count), outer)
+        trace = made["trace"]
+        shown = made["shown"]
+        of_points = sp.csr_array(
+            (shown["values"], (shown["rows"], shown["columns"])), shape=(len(made["points"]), count)
+        )
+        topology = topology_of(plan)
+        share = (
+            np.arange(plan.blocks)[:, None] + 0.5 * (1 + lobatto(plan.order)[0][:-1])
+        ).ravel() / plan.blocks
+        rim = along_sides(tile.corners, share)
+        mesh = SurfaceMesh(
+            points=made["points"],
+            cells=made["cells"],
+            rim_points=np.column_stack([rim, np.zeros(len(rim))]),
+            unknowns=3 * count,
+            topology=topology,
+        )
+        return cls(
+            tile=tile,
+            plan=plan,
+            stiffness=_sparse(made["stiffness"]),
+            mass=sp.csr_array(sp.kron(sp.eye_array(3), _sparse(made["mass"]), format="csr")),
+            above=_sparse(made["above"]),
+            inner=inner,
+            outer=outer,
+            on_sides=np.einsum("nt,ij->intj", trace, np.eye(3)).reshape(3 * len(trace), -1),
+            shown=_by_point(of_points),
+            mesh=mesh,
+        )
+
+    @cached_property
+    def trace(self) -> FoldedTrace:
+        """That of a tile without symmetry."""
+        return FoldedTrace(self.mesh.topology, fold(self.mesh.topology, ()), 0, self.plan.levels)
+
+    @cached_property
+    def _inside(self) -> tuple[Pattern, Array, Array]:
+        """Pattern of the inner unknowns, and the numbers of stiffness and mass on it."""
+        stiffness, mass = (
+            sp.csr_array(sp.triu(form[self.inner][:, self.inner])) for form in (self.stiffness, self.mass)
+        )
+        places = []
+        for form in (stiffness, mass):
+            form.sort_indices()
+            rows = np.repeat(np.arange(form.shape[0]), np.diff(form.indptr))
+            places.append(rows * form.shape[0] + form.indices)
+        where = np.searchsorted(*places)
+        assert (places[0][where] == places[1]).all(), "a mass between unknowns without stiffness"
+        inertia = np.zeros_like(stiffness.data)
+        inertia[where] = mass.data
+        pattern = Pattern(stiffness.indptr.astype(np.int32), stiffness.indices.astype(np.int32))
+        return pattern, stiffness.data, inertia
+
+    @cached_property
+    def bounded(self) -> Bounded:
+        """The forms of the inside and of the lateral faces, without the stiffness of the inside."""
+        sides = self.on_sides
+        coupling = self.stiffness[self.inner][:, self.outer] @ sides
+        crossed = self.mass[self.inner][:, self.outer] @ sides
+        return Bounded(
+            coupling=coupling,
+            outer_stiffness=sides.T @ (self.stiffness[self.outer][:, self.outer] @ sides),
+            outer_mass=sides.T @ (self.mass[self.outer][:, self.outer] @ sides),
+            mass=sp.csr_array(self.mass[self.inner][:, self.inner]),
+            mass_coupling=crossed,
+        )
+
+    def factorised(self, shift: float = 0.0) -> tuple[Solver, int]:
+        """A solver of K - shift M inside, and the number of eigenvalues below the shift, (rad/s)^2."""
+        pattern, stiffness, mass = self._inside
+        solver: Solver = chosen()(pattern)
+        below = solver.factorise(stiffness - shift * mass, definite=shift == 0.0)
+        return solver, below
+
+    def whole(self, inside: Array, sides: Array) -> Array:
+        """(3 n, k) field from inner unknowns (inner, k) and the trace (t, k)."""
+        fields = np.empty((len(self.inner) + len(self.outer), inside.shape[1]))
+        fields[self.inner], fields[self.outer] = inside, self.on_sides @ sides
+        return fields
+
+    def dynamic(self, omega: float) -> DynamicStiffness:
+        """What the trace feels at an angular frequency (rad/s); nothing of a reduced model enters."""
+        solver, below = self.factorised(omega**2)
+        body = self.bounded
+        assert body.mass_coupling is not None
+        shifted = body.coupling - omega**2 * body.mass_coupling
+        inside = solver.solve(-shifted)
+        crossed = body.mass_coupling.T @ inside
+        return DynamicStiffness(
+            omega=omega,
+            below=below,
+            matrix=body.outer_stiffness - omega**2 * body.outer_mass + shifted.T @ inside,
+            mass=body.outer_mass + crossed + crossed.T + inside.T @ body.inertia(inside),
+            parts=(),
+            held=np.zeros((0, 3, 0)),
+            force=np.zeros((self.on_sides.shape[1], 0)),
+        )
+
+
+@lru_cache(maxsize=2)
+def solid_body(tile: TileShape, plan: MeshPlan) -> SolidBody:
+    """The matrices of a tile on a plan; the last ones are kept, which condensation and counts share."""
+    return SolidBody.of(tile, plan)
+
+
+@definite()
+def condense_solid(
+    tile: TileShape, plan: MeshPlan, steps: int, *, block: int, measured: bool
+) -> Superelement:
+    """Condense the solids of a CAD file onto their lateral faces; parameters as for `condense`."""
+    body = solid_body(tile, plan)
+    solver, _ = body.factorised()
+    own = reduced(solver, body.bounded, steps, block)
+    of_trace = body.whole(own.static, np.eye(body.on_sides.shape[1]))
+    of_modes = body.whole(own.modes, np.zeros((body.on_sides.shape[1], own.modes.shape[1])))
+    lifting = SurfaceLifting(body.trace, body.shown @ of_trace, body.shown @ of_modes)
+    return Superelement(
+        cell=tile,
+        meshes=(body.mesh,),
+        levels=plan.levels,
+        stiffness=_blocks(own.stiffness, np.zeros_like(own.to_modes), np.diag(own.values)),
+        mass=_blocks(own.mass, own.to_modes, np.eye(len(own.values))),
+        truncation=own.truncation,
+        parts=(lifting,),
+        measures=_measures(body, own, np.hstack([of_trace, of_modes])) if measured else None,
+    )
+
+
+def _measures(body: SolidBody, own: CraigBampton, fields: Array) -> Measures:
+    """Shares of kinetic energy beyond the plate's faces and along z; that of strain energy is not known."""
+    moved = fields.reshape(3, -1, fields.shape[1])
+    above = sum(component.T @ (body.above @ component) for component in moved)
+    scalar = body.mass[: moved.shape[1]][:, : moved.shape[1]]
+    vertical = moved[2].T @ (scalar @ moved[2])
+    none = np.zeros_like(vertical)
+    return Measures(pillar_stiffness=none, pillar_mass=above, vertical_mass=vertical, sections=())
+
+
+def _blocks(corner: Array, side: Array, modal: Array) -> Array:
+    return np.block([[corner, side], [side.T, modal]])
+
+
+def _sparse(parts: dict[str, Any]) -> sp.csr_array:
+    return sp.csr_array((parts["values"], parts["columns"], parts["starts"]))
+
+
+def _by_point(of_points: sp.csr_array) -> sp.csr_array:
+    """(3 points, 3 n) all components at each point, one after the other, from (component, unknown)."""
+    points = of_points.shape[0]
+    blocks = sp.kron(sp.eye_array(3), of_points, format="csr")
+    return sp.csr_array(blocks[np.arange(3 * points).reshape(3, points).T.ravel()])

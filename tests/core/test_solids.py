@@ -1,0 +1,195 @@
+"""Cells of a CAD program: what is read, what is refused, and frequencies against the mesh of blocks."""
+
+import numpy as np
+import pytest
+from strategies import ALUMINIUM
+
+from haptonic.bloch import BlochModel, Resolution
+from haptonic.bloch.bands import count_check
+from haptonic.cell import Disc, Pillar, Solid, SolidPart, UnitCell
+from haptonic.errors import HaptonicError
+from haptonic.lattice import HALF_TURN, Lattice
+from haptonic.materials import material
+
+pytest.importorskip("ngsolve")
+
+from cad_cells import TO_MM, occ, prism, step_of
+
+MM = 1e-3
+THICKNESS = 1.5 * MM
+SQUARE, TRIANGULAR = Lattice.square(7 * MM), Lattice.triangular(7 * MM)
+RHOMBUS = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]) @ TRIANGULAR.vectors
+PILLAR = Disc(3 * MM, low=0.0, high=4 * MM)
+INCLUSION = Disc(4 * MM, material=material("steel"))
+KAPPAS = np.pi * np.array([(0.2, 0.1), (1.0, 0.0)])
+
+
+def drawn(folder, lattice, *discs, corners=None):
+    """A cell of discs, and the same as a STEP file."""
+    blocks = UnitCell(lattice, THICKNESS, ALUMINIUM, disc=discs)
+    path, names = step_of(blocks, folder / "cell.step", corners)
+    parts = tuple(SolidPart(name=name, material=solid) for name, solid in names.items())
+    return blocks, UnitCell(lattice, THICKNESS, ALUMINIUM, solid=Solid(file=str(path), part=parts))
+
+
+def agree(blocks, solids, order, apart=1e-2):
+    """Compare frequencies: within their errors, and within a share."""
+    models = [BlochModel.of(blocks, Resolution(3, 1), 6), BlochModel.of(solids, Resolution(order, 1), 6)]
+    for kappa in KAPPAS:
+        exact, own = (model.solve(kappa) for model in models)
+        assert (np.abs(own.frequency - exact.frequency) <= own.error + exact.error).all()
+        assert own.frequency == pytest.approx(exact.frequency, rel=apart)
+    return models[1]
+
+
+class TestFrequencies:
+    def test_a_pillar_has_those_of_its_block_mesh(self, tmp_path):
+        model = agree(*drawn(tmp_path, SQUARE, PILLAR), order=2, apart=3e-2)
+        checked, missed = count_check(model, [20e3, 45e3])
+        assert checked > 1
+        assert missed == 0
+
+    @pytest.mark.nightly
+    @pytest.mark.parametrize("discs", [(PILLAR,), (INCLUSION,)], ids=["pillar", "inclusion"])
+    def test_a_rhombus_has_those_of_the_hexagon(self, tmp_path, discs):
+        agree(*drawn(tmp_path, TRIANGULAR, *discs, corners=RHOMBUS), order=3)
+
+    @pytest.mark.nightly
+    def test_a_solid_of_the_plates_material_changes_nothing(self, tmp_path):
+        _, solids = drawn(tmp_path, SQUARE, Disc(4 * MM, material=material("aluminium-2017a")))
+        plain = UnitCell(SQUARE, THICKNESS, material("aluminium-2017a"))
+        file = solids.solid.file
+        same = UnitCell(SQUARE, THICKNESS, plain.material, solid=Solid(file=file))
+        agree(plain, same, order=3)
+
+
+class TestPeriods:
+    def test_volumes_are_those_of_the_discs(self, tmp_path):
+        _, solids = drawn(tmp_path, SQUARE, INCLUSION)
+        inside = np.pi * (2 * MM) ** 2 * THICKNESS
+        period = solids.solid_period
+        assert period.volumes == pytest.approx([(7 * MM) ** 2 * THICKNESS - inside, inside], rel=1e-6)
+        assert period.names == ("part 0", "part 1")
+
+    @pytest.mark.nightly
+    def test_a_pillar_at_the_corners_is_one_in_the_middle(self, tmp_path):
+        corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * 3.5 * MM
+        plate = prism(corners, 0.0, THICKNESS)
+        column = prism(corners, THICKNESS, THICKNESS + 4 * MM)
+        for x, y in (corners * TO_MM).tolist():
+            pillar = occ.Cylinder(occ.Pnt(x, y, 1.5), occ.Z, r=1.5, h=4.0)
+            plate = plate + column * pillar
+        plate.WriteStep(str(tmp_path / "corners.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "corners.step")))
+        assert len(cell.point_group) == 8
+
+    @pytest.mark.nightly
+    def test_an_ellipse_has_not_the_symmetry_of_the_lattice(self, tmp_path):
+        plate = prism(SQUARE.corners, 0.0, THICKNESS)
+        face = occ.WorkPlane(occ.Axes((0, 0, 1.5), occ.Z)).Ellipse(2.0, 1.0).Face()
+        (plate + occ.Prism(face, occ.Vec(0, 0, 3.0))).WriteStep(str(tmp_path / "ellipse.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "ellipse.step")))
+        assert len(cell.point_group) == 4
+        assert HALF_TURN in cell.point_group
+
+
+@pytest.fixture(scope="module")
+def pillar(tmp_path_factory):
+    return drawn(tmp_path_factory.mktemp("solids"), SQUARE, PILLAR)[1].solid
+
+
+@pytest.fixture(scope="module")
+def inclusion(tmp_path_factory):
+    return drawn(tmp_path_factory.mktemp("solids"), SQUARE, INCLUSION)[1].solid
+
+
+class TestRefusals:
+    def refused(self, cell):
+        with pytest.raises(HaptonicError) as caught:
+            _ = cell.solid_period
+        return caught.value
+
+    def test_another_thickness(self, pillar):
+        error = self.refused(UnitCell(SQUARE, 1 * MM, ALUMINIUM, solid=pillar))
+        assert error.argument == "cell.thickness"
+        assert "1.5 mm" in error.next_step
+
+    @pytest.mark.parametrize("lattice", [TRIANGULAR, Lattice.square(6 * MM), Lattice.square(14 * MM)])
+    def test_another_lattice(self, pillar, lattice):
+        assert self.refused(UnitCell(lattice, THICKNESS, ALUMINIUM, solid=pillar)).code == "mismatch"
+
+    def test_a_name_that_no_solid_has(self, inclusion):
+        part = SolidPart(name="[red]core", material=ALUMINIUM)
+        named = Solid(file=inclusion.file, part=(part,))
+        error = self.refused(UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=named))
+        assert error.code == "unknown"
+        assert "part 1" in error.allowed
+
+    def test_layers_through_the_sides(self, tmp_path):
+        low, high = prism(SQUARE.corners, 0.0, 1 * MM), prism(SQUARE.corners, 1 * MM, THICKNESS)
+        occ.Glue([low, high]).WriteStep(str(tmp_path / "layers.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "layers.step")))
+        assert "several solids" in self.refused(cell).given
+
+    def test_a_hole_that_meets_its_neighbour(self, tmp_path):
+        plate = prism(SQUARE.corners, 0.0, THICKNESS)
+        slot = prism(np.array([(-4, -1), (4, -1), (4, 1), (-4, 1)]) * MM, -1 * MM, 3 * MM)
+        (plate - slot).WriteStep(str(tmp_path / "slot.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "slot.step")))
+        assert "not whole" in self.refused(cell).given
+
+    def test_solids_that_overlap(self, tmp_path):
+        plate = prism(SQUARE.corners, 0.0, THICKNESS)
+        inside = occ.Cylinder(occ.Pnt(0, 0, 0), occ.Z, r=2.0, h=3.0)
+        occ.Compound([plate, inside]).WriteStep(str(tmp_path / "overlap.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "overlap.step")))
+        assert "overlap" in self.refused(cell).given
+
+    def test_surfaces_only(self, tmp_path):
+        prism(SQUARE.corners, 0.0, THICKNESS).faces[0].WriteStep(str(tmp_path / "faces.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "faces.step")))
+        assert "without a solid" in self.refused(cell).given
+
+    @pytest.mark.parametrize("content", [b"", b"ISO-10303-21;\nHEADER;", b"\0" * 1000, b"solid x"])
+    def test_a_file_that_is_none(self, tmp_path, content):
+        (tmp_path / "bad.step").write_bytes(content)
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "bad.step")))
+        assert self.refused(cell).code in ("unreadable", "mismatch")
+
+    def test_no_file(self, tmp_path):
+        with pytest.raises(HaptonicError) as caught:
+            Solid(file=str(tmp_path / "none.step"))
+        assert caught.value.argument == "cell.solid.file"
+
+    def test_another_format(self):
+        with pytest.raises(HaptonicError) as caught:
+            Solid(file="cell.sldprt")
+        assert caught.value.code == "unsupported"
+
+    def test_a_file_that_was_changed(self, pillar):
+        with pytest.raises(HaptonicError) as caught:
+            Solid(file=pillar.file, sha256="0" * 64)
+        assert caught.value.argument == "cell.solid.sha256"
+
+    @pytest.mark.parametrize(
+        "beside", [{"pillar": Pillar(2 * MM, 3 * MM)}, {"disc": (PILLAR,)}, {"faces": "both"}]
+    )
+    def test_something_beside_the_solids(self, pillar, beside):
+        with pytest.raises(HaptonicError) as caught:
+            UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=pillar, **beside)
+        assert caught.value.code == "conflict"
+
+
+def test_a_study_finds_the_file_beside_it(tmp_path):
+    from haptonic.study import load
+
+    _, solids = drawn(tmp_path, SQUARE, PILLAR)
+    (tmp_path / "study.toml").write_text(
+        'material = "aluminium-2017a"\n[cell]\nlattice = "square"\npitch = "7 mm"\nthickness = "1.5 mm"\n'
+        '[cell.solid]\nfile = "cell.step"\n'
+    )
+    study = load(tmp_path / "study.toml")
+    assert study.cell.solid.sha256 == solids.solid.sha256
+    with pytest.raises(HaptonicError) as caught:
+        study.layers()
+    assert caught.value.argument == "cell.solid"
