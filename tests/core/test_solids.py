@@ -14,6 +14,7 @@ from haptonic.materials import material
 pytest.importorskip("ngsolve")
 
 from cad_cells import TO_MM, occ, prism, step_of
+from stacks import STACKS
 
 MM = 1e-3
 THICKNESS = 1.5 * MM
@@ -48,6 +49,11 @@ class TestFrequencies:
         checked, missed = count_check(model, [20e3, 45e3])
         assert checked > 1
         assert missed == 0
+
+    @pytest.mark.nightly
+    @pytest.mark.parametrize("name", STACKS)
+    def test_every_stack_of_discs_has_those_of_its_block_mesh(self, tmp_path, name):
+        agree(*drawn(tmp_path, SQUARE, *STACKS[name]), order=2, apart=6e-2)
 
     @pytest.mark.nightly
     @pytest.mark.parametrize("discs", [(PILLAR,), (INCLUSION,)], ids=["pillar", "inclusion"])

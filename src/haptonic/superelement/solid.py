@@ -96,7 +96,9 @@ class SolidBody:
         )
         count = int(made["unknowns"])
         outer = (np.arange(3)[:, None] * count + made["lateral"]).ravel()
-        inner = np.setdiff1d(np.arange(3 * count), outer)
+        mass = _sparse(made["mass"])
+        used = mass.diagonal() > 0.0  # a mesh may have points that no element has
+        inner = np.setdiff1d(np.flatnonzero(np.tile(used, 3)), outer)
         trace = made["trace"]
         shown = made["shown"]
         of_points = sp.csr_array(
@@ -118,7 +120,7 @@ class SolidBody:
             tile=tile,
             plan=plan,
             stiffness=_sparse(made["stiffness"]),
-            mass=sp.csr_array(sp.kron(sp.eye_array(3), _sparse(made["mass"]), format="csr")),
+            mass=sp.csr_array(sp.kron(sp.eye_array(3), mass, format="csr")),
             above=_sparse(made["above"]),
             inner=inner,
             outer=outer,
@@ -173,7 +175,7 @@ class SolidBody:
 
     def whole(self, inside: Array, sides: Array) -> Array:
         """(3 n, k) field from inner unknowns (inner, k) and the trace (t, k)."""
-        fields = np.empty((len(self.inner) + len(self.outer), inside.shape[1]))
+        fields = np.zeros((self.mass.shape[0], inside.shape[1]))
         fields[self.inner], fields[self.outer] = inside, self.on_sides @ sides
         return fields
 
