@@ -53,7 +53,6 @@ spread = "10 um"
 ).replace('thickness = "1.5 mm"', 'thickness = "1.5 mm"\nfaces = "both"')
 REFUSED = {  # code and argument
     "waveguide": ("no-answer", "waveguide.mode"),  # a wave so short is diffracted by the rows
-    "export": ("unsupported", "cell.faces"),
     **dict.fromkeys(("plate", "feel", "simulate scan"), ("missing", "plate")),
     "verdict": ("conflict", "response"),  # a study in place of what a scan has given
 }

@@ -28,7 +28,7 @@ OF_MATERIALS = {
     for path, key in KEYS.items()
     if path.startswith("cell.pillar.material") and key.kind not in {"table", "tables"}
 }
-# in place of a pillar; test_stack and test_solids read and write them
+# in place of a pillar; test_stack and test_cad_files read and write them
 OF_DISCS = {
     path
     for path, key in KEYS.items()

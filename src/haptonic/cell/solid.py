@@ -27,7 +27,10 @@ MOST_PARTS = 64
 class SolidPart:
     """What a solid of the file consists of."""
 
-    name: str = needed("Of the solid in the file; one without a name is called solid1, solid2, ... in order.")
+    name: str = needed(
+        "Of the solid in the file; one without a name is called solid1, solid2, ... in order.",
+        examples=["core"],
+    )
     material: Annotated[Material, GIVEN] = needed(
         "A built-in name or its constants.", title="Material of the solid"
     )
@@ -57,10 +60,16 @@ class Solid:
     }  # fmt: skip
 
     file: str = needed(
-        "A STEP file, its path counted from the study's folder.", title="CAD file", min_length=1
+        "A STEP file, its path counted from the study's folder.",
+        title="CAD file",
+        min_length=1,
+        examples=["cell.step"],
     )
     sha256: str = setting(
-        "", "Of the file; filled in, and one that is given has to agree.", title="Hash of the file"
+        "",
+        "Of the file; filled in, and one that is given has to agree.",
+        title="Hash of the file",
+        examples=["9f86d081884c7d65"],
     )
     part: tuple[SolidPart, ...] = setting(
         (),
