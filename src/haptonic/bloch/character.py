@@ -20,11 +20,8 @@ NAMES = (
     "plate flexural",
     "plate in-plane",
     "rigid body",
-    "out of plane",
-    "in plane",
 )
 BENDING, TORSION, TRACTION, FLEXURAL, IN_PLANE, RIGID = 0, 4, 5, 6, 7, 8
-OF_SOLIDS = 9, 10  # of a CAD file, in which no pillar is known
 PILLAR_LEADS = 0.5  # share of the kinetic energy from which a mode belongs to the pillar
 # Mean square of the pillar's velocity over that of the plate, up to which the plate carries it along: 1 for a
 # travelling wave, 2 on the antinode of a standing one.
@@ -65,8 +62,7 @@ def characters(tiling: Tiling, fields: Complex) -> Character:
     pillar_strain = np.divide(
         on_each(measures.pillar_stiffness, fields), strain, out=np.zeros_like(strain), where=moving
     )
-    upright, level = (FLEXURAL, IN_PLANE) if tiling.cell.solid is None else OF_SOLIDS
-    name = np.where(vertical > 0.5, upright, level)
+    name = np.where(vertical > 0.5, FLEXURAL, IN_PLANE)
     if measures.sections:
         motions = np.array([one.energies(fields) for one in measures.sections])
         total = motions.sum(axis=0)
