@@ -51,7 +51,7 @@ def judged(name: str, lattice: str, order: int, folder: Path) -> dict[str, objec
     )
     seconds = time.process_time() - start
     exact = BlochModel.of(cell, Resolution(5, 1), COUNT, measured=False)
-    solutions, truths = ([one.solve(kappa) for kappa in KAPPAS] for one in (model, exact))
+    solutions, truths = ([each.solve(kappa) for kappa in KAPPAS] for each in (model, exact))
     frequency, error = (np.array([getattr(s, part) for s in solutions]) for part in ("frequency", "error"))
     true, unsure = (np.array([getattr(s, part) for s in truths]) for part in ("frequency", "error"))
     away = np.abs(frequency - true)

@@ -56,7 +56,7 @@ REFUSED = {  # code and argument
     **dict.fromkeys(("plate", "feel", "simulate scan"), ("missing", "plate")),
     "verdict": ("conflict", "response"),  # a study in place of what a scan has given
 }
-LONG = {"design", "tolerance", "reproduce"}  # asked what they cost, which looks through the study as well
+LONG = {"design", "tolerance", "export", "reproduce"}  # asked what they cost, which looks through the study
 ASKED = [name for name in NAMES if named(name).study == "needed"]
 PLATE = """
 [plate]

@@ -241,7 +241,7 @@ def _long_waves(
 
 def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
     """The pencil of a tiling, real if half a turn leaves the cell as it is."""
-    if tiling.half_turn() is not None:
+    if tiling.is_centred:
         return CentredPencil.of(tiling)
     return PhasedPencil.of(tiling)
 

@@ -80,6 +80,12 @@ class SurfaceMesh:
         return np.hstack([self.cells[:, ::-1], np.repeat(self.cells[:, -1:], 4, axis=1)])
 
 
+def side_shares(plan: MeshPlan) -> Array:
+    """(side,) where the nodes lie along a side of a tile, from 0 on; the last corner belongs to the next."""
+    along = 0.5 * (1 + lobatto(plan.order)[0])
+    return np.asarray((np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks)
+
+
 def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
     """Mesh of a unit cell: its topology from the plan, its points from the sizes.
 
@@ -119,7 +125,7 @@ class _Outlines:
     @classmethod
     def of(cls, cell: TileShape, plan: MeshPlan) -> _Outlines:
         along = 0.5 * (1 + lobatto(plan.order)[0])
-        share = (np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks
+        share = side_shares(plan)
         corners, borders = cell.corners, sectors(cell, plan.blocks)
         rings = tuple(around.points(along[:-1]) for around in borders)
         core = borders[0].core(along[:-1])

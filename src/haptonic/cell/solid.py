@@ -69,7 +69,7 @@ class Solid:
         "",
         "Of the file; filled in, and one that is given has to agree.",
         title="Hash of the file",
-        examples=["9f86d081884c7d65"],
+        examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"],
     )
     part: tuple[SolidPart, ...] = setting(
         (),

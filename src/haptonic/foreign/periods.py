@@ -114,27 +114,34 @@ class DrawnPeriod:
         box = np.array([[low.x, low.y], [high.x, high.y]]) + move
         return bool((box[1] > self.corners.min(axis=0)).all() and (box[0] < self.corners.max(axis=0)).all())
 
+    def in_planes(self, places: NDArray[Any]) -> NDArray[Any]:
+        """Numbers of the half sides in whose planes all of some places (n, 2) lie."""
+        start, end = self.half_sides.swapaxes(0, 1)
+        along = (end - start) / np.linalg.norm(end - start, axis=1)[:, None]
+        normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
+        away = np.einsum("snc,sc->sn", places - start[:, None], normal)
+        return np.flatnonzero(np.abs(away).max(axis=1) < SAME)
+
     def half_side_of(self, face: Any) -> int | None:
-        """Number of the half side in whose plane a face lies; None for one inside the tile."""
-        places = np.array(
-            [[vertex.p.x, vertex.p.y] for vertex in face.vertices] + [[face.center.x, face.center.y]]
-        )
-        for number, (start, end) in enumerate(self.half_sides):
-            along = (end - start) / np.linalg.norm(end - start)
-            away = (places - start) @ np.array([along[1], -along[0]])
-            share = (places[-1] - start) @ along / np.linalg.norm(end - start)
-            if np.abs(away).max() < SAME and 0.0 <= share <= 1.0:
-                return number
+        """Number of the half side that a face lies on; None for one inside the tile."""
+        centre = np.array([face.center.x, face.center.y])
+        vertices = [[vertex.p.x, vertex.p.y] for vertex in face.vertices]
+        for number in self.in_planes(np.array([*vertices, centre])).tolist():
+            start, end = self.half_sides[number]
+            if 0.0 <= (centre - start) @ (end - start) <= (end - start) @ (end - start):
+                return int(number)
         return None
 
     def _floor(self, parts: Sequence[Any]) -> float | None:
         """Height of the plate's lower face, from its lateral faces; None where these are not whole."""
         count = len(self.half_sides)
         area, low, high = np.zeros(count), np.full(count, np.inf), np.full(count, -np.inf)
-        for part in parts:
+        beside = set()  # numbers of the parts that reach the sides
+        for position, part in enumerate(parts):
             for face in part.faces:
                 number = self.half_side_of(face)
                 if number is not None:
+                    beside.add(position)
                     heights = [vertex.p.z for vertex in face.vertices]
                     area[number] += face.mass
                     low[number], high[number] = min(low[number], *heights), max(high[number], *heights)
@@ -148,7 +155,7 @@ class DrawnPeriod:
         if abs(depth.mean() - self.thickness) > SAME * UNITS:
             self.problem, self.number = "thickness", float(depth.mean() * self.metres)
             return None
-        if len({id(part) for part in parts if any(self.half_side_of(f) is not None for f in part.faces)}) > 1:
+        if len(beside) > 1:
             self.problem = "materials"
             return None
         return float(low.mean())
@@ -235,21 +242,12 @@ def _singular(mesh: Any, period: DrawnPeriod) -> list[int]:
     for segment in mesh.Elements1D():
         edge = int(str(mesh.EdgeDescriptor(segment.index).name).removeprefix("edge"))
         first, second = (vertex.nr - 1 for vertex in segment.vertices)
-        if edge in seen or _on_sides(points[[first, second]], period):
+        if edge in seen or len(period.in_planes(points[[first, second], :2])):
             continue
         around = sorted(of_point[first] & of_point[second])
         angle = sum(_dihedral(points, corners[number], first, second) for number in around)
         seen[edge] = (angle, len(set(domain[around].tolist())) > 1)
     return [edge for edge, (angle, shared) in seen.items() if angle > STRAIGHT or shared]
-
-
-def _on_sides(places: NDArray[Any], period: DrawnPeriod) -> bool:
-    """Whether both ends of a segment lie in the plane of one side."""
-    for start, end in period.half_sides:
-        normal = np.array([end[1] - start[1], start[0] - end[0]]) / np.linalg.norm(end - start)
-        if np.abs((places[:, :2] - start) @ normal).max() < SAME:
-            return True
-    return False
 
 
 def _dihedral(points: NDArray[Any], element: NDArray[Any], first: int, second: int) -> float:

@@ -58,8 +58,8 @@ def assembled(
     rings: int,
     stiffness: NDArray[Any],
     density: NDArray[Any],
-    along: int,
-    levels: int,
+    along: NDArray[Any],
+    upward: NDArray[Any],
 ) -> dict[str, Any]:
     """Matrices of a period on elements of an order, refined towards edges where stress is singular.
 
@@ -68,7 +68,7 @@ def assembled(
     path ... thickness : as for `inspected`
     rings : how often elements at such edges are parted
     stiffness, density : (solids, 6, 6) Pa and (solids,) kg/m^3
-    along, levels : order of the trace along each half of a side, and its nodes through the thickness
+    along, upward : places of the trace's nodes on each half of a side and through the thickness, from 0 to 1
 
     Returns
     -------
@@ -76,7 +76,7 @@ def assembled(
     columns and values; ``lateral`` scalar unknowns on the lateral faces and ``trace`` (lateral, levels x
     places), their values from those of the trace; ``above`` like the mass, of what is beyond the plate's
     faces; ``points`` (n, 3) of the surface, ``cells`` (m, 4) quadrilaterals of it, seen from outside
-    anticlockwise, and ``shown``, values at the points from unknowns; ``volume``; ``elements``.
+    anticlockwise, and ``shown``, values at the points from unknowns.
     """
     import ngsolve as ng
 
@@ -98,7 +98,7 @@ def assembled(
     mass = ng.BilinearForm(heavy * a * b * ng.dx).Assemble()
     beyond = ng.IfPos(ng.z - period.thickness, 1.0, ng.IfPos(ng.z, 0.0, 1.0))
     above = ng.BilinearForm(beyond * heavy * a * b * ng.dx).Assemble()
-    lateral, trace = _trace(mesh, scalar, period, along, levels)
+    lateral, trace = _trace(mesh, scalar, period, along, upward)
     points, cells, shown = _surface(mesh, scalar)
     return {
         "stiffness": _triplets(form, metres),
@@ -110,8 +110,6 @@ def assembled(
         "points": points * metres,
         "cells": cells,
         "shown": shown,
-        "volume": float(ng.Integrate(1.0, mesh)) * metres**3,
-        "elements": int(mesh.ne),
     }
 
 
@@ -139,12 +137,12 @@ def _triplets(form: Any, factor: float) -> dict[str, Any]:
 
 
 def _trace(
-    mesh: Any, scalar: Any, period: DrawnPeriod, along: int, levels: int
+    mesh: Any, scalar: Any, period: DrawnPeriod, along: NDArray[Any], upward: NDArray[Any]
 ) -> tuple[NDArray[np.int64], NDArray[Any]]:
     """Unknowns on the lateral faces, and their values (unknowns, levels x places) for each of the trace's.
 
-    A trace is a polynomial along each half of a side and through the thickness, given by its values at
-    Gauss-Lobatto-Legendre places; the unknowns are its projection in the mean square.
+    A trace is a polynomial along each half of a side and through the thickness, given by its values at the
+    nodes; the unknowns are its projection in the mean square.
     """
     import ngsolve as ng
     import scipy.sparse as sp
@@ -156,30 +154,24 @@ def _trace(
     form = ng.BilinearForm(a * b * ng.ds("side.*")).Assemble()  # its matrix lives as long as it does
     values, columns, starts = form.mat.CSR()
     gram = sp.csr_matrix((np.array(values), np.array(columns), np.array(starts)))[lateral][:, lateral]
-    of_power = [np.linalg.inv(np.vander(_places(order), increasing=True)) for order in (along, levels - 1)]
-    count = len(period.half_sides)
-    moments = np.zeros((len(lateral), levels, count * along))
+    of_power = [np.linalg.inv(np.vander(nodes, increasing=True)) for nodes in (along, upward)]
+    order, levels, count = len(along) - 1, len(upward), len(period.half_sides)
+    moments = np.zeros((len(lateral), levels, count * order))
     for number, (start, end) in enumerate(period.half_sides):
         step = (end - start) / np.sum((end - start) ** 2)
         s = (ng.x - start[0]) * step[0] + (ng.y - start[1]) * step[1]
-        powers = np.empty((len(lateral), along + 1, levels))
-        for i, j in product(range(along + 1), range(levels)):
+        powers = np.empty((len(lateral), order + 1, levels))
+        for i, j in product(range(order + 1), range(levels)):
             work = ng.LinearForm(
-                s**i * (ng.z / period.thickness) ** j * b * ng.ds(f"side{number}", bonus_intorder=along)
+                s**i * (ng.z / period.thickness) ** j * b * ng.ds(f"side{number}", bonus_intorder=order)
             )
             powers[:, i, j] = work.Assemble().vec.FV().NumPy()[lateral]
         own = np.einsum("nij,ia,jl->nla", powers, *of_power)
-        places = (number * along + np.arange(along + 1)) % (count * along)
+        places = (number * order + np.arange(order + 1)) % (count * order)
         for place, values_there in zip(places.tolist(), np.moveaxis(own, 2, 0), strict=True):
             moments[:, :, place] += values_there
     solved = sparse_linalg.splu(gram.tocsc()).solve(moments.reshape(len(lateral), -1))
     return lateral, np.asarray(solved)
-
-
-def _places(order: int) -> NDArray[Any]:
-    """(order + 1,) Gauss-Lobatto-Legendre places between 0 and 1."""
-    slope = np.polynomial.legendre.Legendre.basis(order).deriv()
-    return np.asarray(0.5 * (1.0 + np.concatenate([[-1.0], np.sort(slope.roots().real), [1.0]])))
 
 
 def _surface(mesh: Any, scalar: Any) -> tuple[NDArray[Any], NDArray[np.int64], dict[str, Any]]:

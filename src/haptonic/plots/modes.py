@@ -253,8 +253,9 @@ def outer_faces(cells: Ints) -> Ints:
     """(m, 4) corners of the faces that belong to one cell only."""
     faces = cells[:, FACES].reshape(-1, 4)
     ordered = np.sort(faces, axis=1)
-    faces = faces[(np.diff(ordered, axis=1) > 0).all(axis=1)]  # flat cells of a surface have one face only
-    _, first, times = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    extended = (np.diff(ordered, axis=1) > 0).all(axis=1)  # flat cells of a surface have one such face only
+    faces, ordered = faces[extended], ordered[extended]
+    _, first, times = np.unique(ordered, axis=0, return_index=True, return_counts=True)
     return np.asarray(faces[first[times == 1]])
 
 

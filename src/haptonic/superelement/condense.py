@@ -131,7 +131,7 @@ def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> 
 
 def assembled(
     cell: TileShape,
-    meshes: tuple[HexMesh, ...],
+    meshes: tuple[HexMesh, ...] | tuple[SurfaceMesh],
     levels: int,
     pieces: Sequence[CondensedClass],
     sizes: Array | None,

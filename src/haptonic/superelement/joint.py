@@ -13,7 +13,7 @@ from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import Period, PlacedTile, UnitCell
 from haptonic.cell.tile import HALF_TURNED, MEET
 from haptonic.errors import GeometryError
-from haptonic.lattice import HALF_TURN, Operation
+from haptonic.lattice import Operation
 
 
 def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
@@ -162,10 +162,6 @@ class Joint:
         return JointImage(
             joint=self, turn=turn, source=source, shift=whole[np.arange(len(source)), source], twice=twice
         )
-
-    def half_turn(self) -> JointImage | None:
-        """How half a turn about the normal acts, if the cell has it."""
-        return self.image(HALF_TURN) if HALF_TURN in self.cell.point_group else None
 
 
 @dataclass(frozen=True, eq=False)

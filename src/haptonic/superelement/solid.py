@@ -15,17 +15,20 @@ import numpy as np
 
 from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import MeshPlan, SurfaceMesh, TileShape, UnitCell
+from haptonic.cell.mesh import side_shares
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.sectors import along_sides
 from haptonic.cell.topology import topology_of
 from haptonic.later import sparse as sp
 from haptonic.solvers import Pattern, Solver, chosen, definite
-from haptonic.superelement.condense import Superelement
+from haptonic.superelement.condense import CondensedClass, Superelement, assembled
 from haptonic.superelement.dynamic import DynamicStiffness
-from haptonic.superelement.interior import Bounded, CraigBampton, reduced
-from haptonic.superelement.measures import Measures
+from haptonic.superelement.interior import Bounded, reduced
+from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.symmetry import fold
 from haptonic.superelement.trace import FoldedTrace
+
+NO_SECTIONS = np.zeros((3, 0))  # height, mass and inertia of a pillar's sections, of which none are known
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,8 +94,8 @@ class SolidBody:
             rings=plan.foot_rings + 1,
             stiffness=np.array([solid.stiffness for solid in solids]),
             density=np.array([solid.density for solid in solids]),
-            along=plan.order,
-            levels=plan.levels,
+            along=0.5 * (1 + lobatto(plan.order)[0]),
+            upward=0.5 * (1 + lobatto(plan.levels - 1)[0]),
         )
         count = int(made["unknowns"])
         outer = (np.arange(3)[:, None] * count + made["lateral"]).ravel()
@@ -105,10 +108,7 @@ class SolidBody:
             (shown["values"], (shown["rows"], shown["columns"])), shape=(len(made["points"]), count)
         )
         topology = topology_of(plan)
-        share = (
-            np.arange(plan.blocks)[:, None] + 0.5 * (1 + lobatto(plan.order)[0][:-1])
-        ).ravel() / plan.blocks
-        rim = along_sides(tile.corners, share)
+        rim = along_sides(tile.corners, side_shares(plan))
         mesh = SurfaceMesh(
             points=made["points"],
             cells=made["cells"],
@@ -215,30 +215,19 @@ def condense_solid(
     of_trace = body.whole(own.static, np.eye(body.on_sides.shape[1]))
     of_modes = body.whole(own.modes, np.zeros((body.on_sides.shape[1], own.modes.shape[1])))
     lifting = SurfaceLifting(body.trace, body.shown @ of_trace, body.shown @ of_modes)
-    return Superelement(
-        cell=tile,
-        meshes=(body.mesh,),
-        levels=plan.levels,
-        stiffness=_blocks(own.stiffness, np.zeros_like(own.to_modes), np.diag(own.values)),
-        mass=_blocks(own.mass, own.to_modes, np.eye(len(own.values))),
-        truncation=own.truncation,
-        parts=(lifting,),
-        measures=_measures(body, own, np.hstack([of_trace, of_modes])) if measured else None,
-    )
+    measured_class = _measures(body, np.hstack([of_trace, of_modes])) if measured else None
+    piece = CondensedClass.of(lifting, own, measured_class)
+    return assembled(tile, (body.mesh,), plan.levels, [piece], NO_SECTIONS if measured else None)
 
 
-def _measures(body: SolidBody, own: CraigBampton, fields: Array) -> Measures:
+def _measures(body: SolidBody, fields: Array) -> ClassMeasures:
     """Shares of kinetic energy beyond the plate's faces and along z; that of strain energy is not known."""
     moved = fields.reshape(3, -1, fields.shape[1])
     above = sum(component.T @ (body.above @ component) for component in moved)
     scalar = body.mass[: moved.shape[1]][:, : moved.shape[1]]
     vertical = moved[2].T @ (scalar @ moved[2])
-    none = np.zeros_like(vertical)
-    return Measures(pillar_stiffness=none, pillar_mass=above, vertical_mass=vertical, sections=())
-
-
-def _blocks(corner: Array, side: Array, modal: Array) -> Array:
-    return np.block([[corner, side], [side.T, modal]])
+    energies = dict(zip(ENERGIES, (np.zeros_like(vertical), above, vertical), strict=True))
+    return ClassMeasures(energies, momenta=np.zeros((0, fields.shape[1])))
 
 
 def _sparse(parts: dict[str, Any]) -> sp.csr_array:

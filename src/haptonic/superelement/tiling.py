@@ -49,7 +49,7 @@ class Tiling:
         ------
         GeometryError : edges that do not meet
         """
-        rims = [one.mesh.rim_points for one in tiles]
+        rims = [tile.mesh.rim_points for tile in tiles]
         levels = {one.levels for one in tiles}
         assert len(levels) == 1, "traces of several numbers of levels"
         return cls(Joint.of(period, placed, rims, levels.pop()), tuple(tiles))
@@ -199,11 +199,17 @@ class Tiling:
         traces[unknowns] = THROUGH
         return source, np.concatenate([traces, *(one.middle_parity for one in self.tiles)])
 
+    @property
+    def is_centred(self) -> bool:
+        """Whether half a turn about the normal leaves the cell and its meshes as they are."""
+        meshed_in_blocks = all(tile.cell.solid is None for tile in self.tiles)
+        return meshed_in_blocks and HALF_TURN in self.cell.point_group
+
     def half_turn(self) -> tuple[Ints, Array, Array] | None:
         """What half a turn about the normal takes each unknown from, see `JointImage.half_turned`."""
-        image = self.joint.half_turn()
-        if image is None or any(one.cell.solid is not None for one in self.tiles):
-            return None  # modes of a mesh without symmetry are neither even nor odd
+        if not self.is_centred:
+            return None
+        image = self.joint.image(HALF_TURN)
         mapped = self.cell.site_map(HALF_TURN)
         assert mapped is not None
         source, sign, shift = ([one] for one in image.half_turned())
@@ -242,7 +248,7 @@ class TiledMesh:
     def of(cls, cell: UnitCell, plans: Sequence[MeshPlan]) -> TiledMesh:
         """Mesh the tiles of a cell, each by its plan."""
         meshes: list[FoldedMesh] = _each(cell.tiles, plans, FoldedMesh.of)
-        rims = [one.mesh.rim_points for one in meshes]
+        rims = [folded.mesh.rim_points for folded in meshes]
         return cls(Joint.of(cell, cell.tiles, rims, meshes[0].levels), tuple(meshes))
 
     @property

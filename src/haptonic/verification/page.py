@@ -40,18 +40,24 @@ def write_page(
     """
     folder.mkdir(parents=True, exist_ok=True)
     files = []
-    for case in [case for case, _ in groupby(comparisons, key=lambda one: one.case) if case.picture]:
-        drawn = diagram([one for one in comparisons if one.case is case])
+    for case, own in groupby(comparisons, key=_case_of):
+        if not case.picture:
+            continue
+        drawn = diagram(list(own))
         files += style.save(drawn, folder / IMAGES, f"verify-{case.id}", overwrite=True)
     text = page_text(comparisons, omitted)
     write_atomically(folder / PAGE, lambda draft: draft.write_text(text, "utf-8"))
     return [folder / PAGE, *files]
 
 
+def _case_of(comparison: CaseComparison) -> Case:
+    return comparison.case
+
+
 def page_text(comparisons: Sequence[CaseComparison], omitted: Sequence[OmittedCase]) -> str:
     """The page in Markdown."""
     parts = [BEGINNING, comparison_table(comparisons).written("markdown"), "## Sources and remarks\n"]
-    named = [case for case, _ in groupby(comparisons, key=lambda one: one.case)]
+    named = [case for case, _ in groupby(comparisons, key=_case_of)]
     parts.append(source_table(named).written("markdown"))
     parts.append("## Diagrams\n\nComputed bands; crosses and dotted lines are the source's values.\n")
     parts += [
@@ -79,11 +85,11 @@ def diagram(comparisons: Sequence[CaseComparison]) -> Figure:
     corners = dict(
         zip(*(json.loads(data.attrs[f"path_{name}"]) for name in ("labels", "corners")), strict=True)
     )
-    for one in comparisons:
-        for value in one.reference:
-            if one.quantity.measure.endswith("edge"):
+    for comparison in comparisons:
+        for value in comparison.reference:
+            if comparison.quantity.measure.endswith("edge"):
                 drawn.axes[0].axhline(value / 1e3, color=style.INK, ls=style.DOTTED, lw=1.4, zorder=4)
-            elif (corner := corners.get(one.quantity.at.replace("G", "Γ"))) is not None:
+            elif (corner := corners.get(comparison.quantity.at.replace("G", "Γ"))) is not None:
                 place = float(data["distance"][corner])
                 drawn.axes[0].plot(place, value / 1e3, "x", color=style.INK, clip_on=False, zorder=5)
     return drawn

@@ -56,12 +56,12 @@ def _draw_sizes(sheet: Sheet, view: View, part: Part, along: int, tolerances: Ma
         pair = [(place, low[1 - along]), (end, other)]
         sheet.ordinate(zero, *((b, a) if along else (a, b) for a, b in pair), upright=bool(along))
     size = part.size[along]
-    one = pitch_of(part, size, along)
+    overall = pitch_of(part, size, along)
     line = other - NUMBERS
     corners = [(low[0], low[1]), (low[0], high[1]) if along else (high[0], low[1])]
     shelf = (line - SHELF, 0.5 * (low[1] + high[1])) if along else None
-    half = tolerances.get(one.name or "")
-    sheet.dimension(view, (corners[0], corners[1]), line, one, half, upright=bool(along), shelf=shelf)
+    half = tolerances.get(overall.name or "")
+    sheet.dimension(view, (corners[0], corners[1]), line, overall, half, upright=bool(along), shelf=shelf)
 
 
 def _name_marks(sheet: Sheet, view: View, part: Part) -> None:

@@ -207,8 +207,8 @@ class _Labels:
             shown += self.storeys(feature)
         left, face = self.view.place(self.row.low, -self.part.cell.thickness)
         column = self.view.place(self.row.high, 0)[0] + LANE
-        self.beside([self.height(one, left - LANE, -1) for one in shown if one.kind == "left"],
-                    self.view.place(0, -self.below)[1] + 0.5, ceiling)  # fmt: skip
+        at_left = [self.height(dimension, left - LANE, -1) for dimension in shown if dimension.kind == "left"]
+        self.beside(at_left, self.view.place(0, -self.below)[1] + 0.5, ceiling)
         if not self.part.cell.is_mirrored:
             right = self.view.place(self.row.high, 0)[0]
             self.sheet.line([(left, face - 1), (right, face - 1)], "TOUCH")
@@ -222,19 +222,19 @@ class _Labels:
             ends = [(self.view.place(x, 0)[0], low - 3.5) for x in self.row.axes]
             half = self.tolerances.get(pitch.name or "")
             self.across((ends[0], ends[1]), low - 3 * LANE, pitch, half, "", ends[1][0])
-        labels = [self.height(one, column, 1) for one in shown if one.kind == "right"]
+        labels = [self.height(dimension, column, 1) for dimension in shown if dimension.kind == "right"]
         lowest = face - 3
         if isinstance(feature, Stack):
-            labels += [self.disc(one, column + SHELF) for one in feature.discs]
+            labels += [self.disc(disc, column + SHELF) for disc in feature.discs]
         if pillar is not None:
             body = PillarShape.of(pillar)
-            labels += [self.pointed(body, one, column + SHELF, sign) for one in shown
-                       if (sign := self.sign(body, one)) is not None]  # fmt: skip
+            labels += [self.pointed(body, dimension, column + SHELF, sign) for dimension in shown
+                       if (sign := self.sign(body, dimension)) is not None]  # fmt: skip
         height = _height(feature) if feature else 0.0
         top = max(self.view.place(0, height)[1], lowest + APART * (len(labels) - 1)) + 2
         self.beside(labels, lowest, top)
         if pillar is not None:
-            self.widths(body, [one for one in shown if one.kind == "width"], top)
+            self.widths(body, [dimension for dimension in shown if dimension.kind == "width"], top)
 
     def storeys(self, stack: Stack) -> list[Dimension]:
         """Heights of a stack, over all and storey by storey."""
@@ -256,15 +256,15 @@ class _Labels:
         text = f"{disc.form.sign}{number(disc.diameter)} {solid}"
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
-    def sign(self, body: PillarShape, one: Dimension) -> str | None:
+    def sign(self, body: PillarShape, dimension: Dimension) -> str | None:
         """Before the text of what a leader points to; None of what has a dimension line."""
-        if one.kind == "width" and (not is_measured(body) or self.hidden_width(body, one)):
+        if dimension.kind == "width" and (not is_measured(body) or self.hidden_width(body, dimension)):
             return body.form.sign
-        return {"radius": "R", "angle": "draft "}.get(one.kind)
+        return {"radius": "R", "angle": "draft "}.get(dimension.kind)
 
     @staticmethod
-    def hidden_width(body: PillarShape, one: Dimension) -> bool:
-        return one.place[1] > 0 and not body.is_free_above(*one.place)
+    def hidden_width(body: PillarShape, dimension: Dimension) -> bool:
+        return dimension.place[1] > 0 and not body.is_free_above(*dimension.place)
 
     @staticmethod
     def beside(labels: list[Label], low: float, high: float) -> None:
@@ -272,7 +272,7 @@ class _Labels:
         for (_, draw), height in zip(labels, spread([y for y, _ in labels], APART, low, high), strict=True):
             draw(height)
 
-    def height(self, one: Dimension, lane: float, side: Literal[-1, 1]) -> Label:
+    def height(self, dimension: Dimension, lane: float, side: Literal[-1, 1]) -> Label:
         """A dimension line beside the view, and the height that suits its text best."""
         feature = self.part.standing[0][0] if self.part.standing else None
 
@@ -286,20 +286,20 @@ class _Labels:
             width = body.side[np.isclose(body.side[:, 1], up), 0].max() / max(body.widest, body.foot)
             return x + side * float(reach * width)
 
-        low, high = (self.view.place(start(up), up) for up in (one.low, one.high))
-        half = self.tolerances.get(one.name or "")
+        low, high = (self.view.place(start(up), up) for up in (dimension.low, dimension.high))
+        half = self.tolerances.get(dimension.name or "")
 
         def draw(y: float) -> None:
             shelf = (lane + side * SHELF, y)
-            self.sheet.dimension(self.view, (low, high), lane, one, half, upright=True, shelf=shelf)
+            self.sheet.dimension(self.view, (low, high), lane, dimension, half, upright=True, shelf=shelf)
 
         return 0.5 * (low[1] + high[1]), draw
 
-    def pointed(self, body: PillarShape, one: Dimension, column: float, sign: str) -> Label:
+    def pointed(self, body: PillarShape, dimension: Dimension, column: float, sign: str) -> Label:
         """A leader, where extension lines show nothing: those of a small angle lie on each other."""
         right = chord(body.outline)[0]
-        tip = self.view.place(self.row.axes[-1] + right * one.place[0], one.place[1])
-        text = text_of(one, self.tolerances.get(one.name or ""), sign)
+        tip = self.view.place(self.row.axes[-1] + right * dimension.place[0], dimension.place[1])
+        text = text_of(dimension, self.tolerances.get(dimension.name or ""), sign)
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
     def widths(self, body: PillarShape, shown: list[Dimension], ceiling: float) -> None:
@@ -307,33 +307,36 @@ class _Labels:
         if not is_measured(body):
             return
         axis = self.row.axes[-1]
-        free = sorted((one for one in shown if body.is_free_above(*one.place)), key=lambda one: one.place[0])
-        beyond = self.view.place(axis + max([one.place[0] for one in free], default=0.0), 0)[0]
-        lines = [(one, ceiling + 5 + NEXT * k, beyond) for k, one in enumerate(free)]
+        free = sorted(
+            (dimension for dimension in shown if body.is_free_above(*dimension.place)),
+            key=lambda dimension: dimension.place[0],
+        )
+        beyond = self.view.place(axis + max([dimension.place[0] for dimension in free], default=0.0), 0)[0]
+        lines = [(dimension, ceiling + 5 + NEXT * k, beyond) for k, dimension in enumerate(free)]
         face = self.view.place(0, -self.below)[1]
-        for one in shown:
-            if one.place[1] <= 0 and one not in free:
-                lines.append((one, face - LANE - 2, self.view.place(axis + one.place[0], 0)[0]))
-        for one, line, right in lines:
-            upright = body.side[np.isclose(body.side[:, 0], one.place[0]), 1]
-            start = max(upright, default=body.side[0, 1]) if one in free else 0.0
-            ends = [self.view.place(axis + side * one.place[0], start) for side in (-1, 1)]
-            half = self.tolerances.get(one.name or "")
-            self.across((ends[0], ends[1]), line, one, half, body.form.sign, right)
+        for dimension in shown:
+            if dimension.place[1] <= 0 and dimension not in free:
+                lines.append((dimension, face - LANE - 2, self.view.place(axis + dimension.place[0], 0)[0]))
+        for dimension, line, right in lines:
+            upright = body.side[np.isclose(body.side[:, 0], dimension.place[0]), 1]
+            start = max(upright, default=body.side[0, 1]) if dimension in free else 0.0
+            ends = [self.view.place(axis + side * dimension.place[0], start) for side in (-1, 1)]
+            half = self.tolerances.get(dimension.name or "")
+            self.across((ends[0], ends[1]), line, dimension, half, body.form.sign, right)
 
     def across(
         self,
         ends: tuple[tuple[float, float], tuple[float, float]],
         line: float,
-        one: Dimension,
+        dimension: Dimension,
         half_width: float | None,
         sign: str,
         beyond: float,
     ) -> None:
         """A level dimension; its text lies to the right of ``beyond`` where it is wider than the length."""
-        fits = text_width(text_of(one, half_width, sign)) + 2 * ARROW < ends[1][0] - ends[0][0]
+        fits = text_width(text_of(dimension, half_width, sign)) + 2 * ARROW < ends[1][0] - ends[0][0]
         shelf = None if fits else (beyond + 2 * SHELF, line)
-        self.sheet.dimension(self.view, ends, line, one, half_width, sign=sign, shelf=shelf)
+        self.sheet.dimension(self.view, ends, line, dimension, half_width, sign=sign, shelf=shelf)
 
 
 def chord(outline: Outline) -> Array:
