@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import random
-import time
 
 import numpy as np
 import pytest
@@ -18,6 +17,7 @@ from haptonic.channels.labels import factor_of
 from haptonic.channels.text_table import read_table
 from haptonic.errors import ChannelError
 from haptonic.units import to_si
+from pace import within
 
 
 @pytest.mark.parametrize(
@@ -169,10 +169,8 @@ def test_comments_among_rows_and_short_rows_are_named(tmp_path):
 def test_a_long_line_takes_no_longer_than_its_length(tmp_path, text):
     """Patterns that try every part of a line took minutes for such lines."""
     (tmp_path / "a.csv").write_text(f"{text}\n1 2\n3 4\n")
-    begun = time.process_time()
-    with contextlib.suppress(ChannelError):
+    with within(5.0), contextlib.suppress(ChannelError):
         read_table(tmp_path / "a.csv")
-    assert time.process_time() - begun < 5
 
 
 @pytest.mark.parametrize(
@@ -225,9 +223,8 @@ def test_names_above_columns_in_blanks_are_theirs_or_none(tmp_path, seed):
 def test_a_table_of_too_many_columns_is_refused(tmp_path, text):
     """Two megabytes of them took minutes, and a long cell in quotation marks ended in a traceback."""
     (tmp_path / "a.csv").write_text(f"{text}\n{text}\n")
-    before = time.process_time()
-    error = refused(lambda: read_table(tmp_path / "a.csv"), kind=ChannelError, code="unreadable")
-    assert time.process_time() - before < 3.0
+    with within(3.0):
+        error = refused(lambda: read_table(tmp_path / "a.csv"), kind=ChannelError, code="unreadable")
     assert len(str(error)) < 1000
 
 

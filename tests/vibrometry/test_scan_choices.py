@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 import warnings
 
 import h5py
@@ -16,6 +15,7 @@ from haptonic.errors import HaptonicError
 from haptonic.response import read, write
 from haptonic.vibrometry import read_scan
 from haptonic.vibrometry.exports import write_mat
+from pace import within
 
 
 def folder(path, head, rows, lines=3, below=""):
@@ -139,10 +139,9 @@ def test_a_response_that_unfolds_to_gigabytes(tmp_path, part):
     with h5py.File(tmp_path / "a.nc", "r+") as file:
         del file[part]
         file.create_dataset(part, (10**8,), "u1", compression="gzip", fillvalue=7, chunks=(10**6,))
-    before = time.process_time()
-    refused(lambda: read_scan(tmp_path / "a.nc"), code="unreadable")
-    refused(lambda: read(tmp_path / "a.nc"), code="unreadable")
-    assert time.process_time() - before < 1.0
+    with within(1.0):
+        refused(lambda: read_scan(tmp_path / "a.nc"), code="unreadable")
+        refused(lambda: read(tmp_path / "a.nc"), code="unreadable")
 
 
 @pytest.mark.parametrize("part", ["frf", "frequency", "x", "y", "points", "coherence"])
@@ -157,9 +156,8 @@ def test_arrays_of_anybody_that_unfold_to_gigabytes(tmp_path, part):
                 file[name] = values
         axes, chunks = ((10**7, 3), (10**6, 3)) if part == "points" else ((3 * 10**7,), (10**6,))
         file.create_dataset(part, axes, "f8", compression="gzip", fillvalue=7, chunks=chunks)
-    before = time.process_time()
-    refused(lambda: read_scan(tmp_path / "a.h5"), kind=HaptonicError)
-    assert time.process_time() - before < 0.3
+    with within(0.3):
+        refused(lambda: read_scan(tmp_path / "a.h5"), kind=HaptonicError)
 
 
 @pytest.mark.parametrize("side", ["rows", "columns"])
