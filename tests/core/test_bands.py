@@ -246,7 +246,7 @@ EMPTY_POINTS = {"Gamma": (0.0, 0.0), "G-X mid": (0.5, 0.0)}
 
 @cache
 def plate_model() -> BlochModel:
-    return BlochModel.of(reference_cell().without_pillar(), Resolution(6, 0, 6), 13, measured=False)
+    return BlochModel.of(reference_cell().without_pillar(), Resolution(5, 0, 5), 13, measured=False)
 
 
 def folded_waves(point):

@@ -1,6 +1,7 @@
 """What a cell takes is estimated before it is computed: what fits is answered, a refusal says what works."""
 
 import json
+import math
 import re
 import subprocess
 import sys
@@ -241,7 +242,8 @@ def test_a_dry_run_and_a_run_say_the_same(memory, monkeypatch):
 
 def test_what_falls_short_of_an_accuracy_is_answered_and_says_so(monkeypatch):
     """A minute of work ended in a refusal; now its errors are reported."""
-    monkeypatch.setattr(model, "LADDER", (Resolution(3, 0),))
+    for module in (model, reach):
+        monkeypatch.setattr(module, "LADDER", (Resolution(3, 0),))
     monkeypatch.setattr(model, "first_level", lambda *_: 0)
     cell = cell_of(0.3, 0.7, 2.0)
     answer = Bands(bands_dataset(cell, BandSettings(2, points=8, accuracy=1e-3)))
@@ -254,6 +256,33 @@ def test_what_falls_short_of_an_accuracy_is_answered_and_says_so(monkeypatch):
     assert "range of validity" in said
     assert data.attrs["stopped_by"] == "range"
     assert Bands(data.assign_attrs(accuracy=1.0)).remarks() == []
+
+
+@pytest.mark.parametrize(("excess", "level"), [(0.9, 2), (1.9, 2), (2.1, 3), (3.9, 3), (9.0, 4), (1e9, 2)])
+def test_levels_that_are_not_expected_to_reach_the_accuracy_are_left_out(excess, level):
+    """Four meshes of a pillar of 6 x 8 mm on a plate of 2 mm were computed where two suffice."""
+    cell, mesh = cell_of(0.2, 0.6, 0.8), reach.LADDER[1].grown()
+    number, finer = reach.finer_level(cell, mesh, 1, excess, reach.MeshLimits(math.inf, math.inf), 0.0)
+    assert number == level
+    assert (finer.order, finer.foot_rings) == (reach.LADDER[level].order, reach.LADDER[level].foot_rings)
+    assert finer.steps == 3
+    assert finer.block >= 15
+
+
+def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
+    cell, mesh = cell_of(0.2, 0.6, 0.8), reach.LADDER[1]
+    seconds = [rung.seconds(cell) for rung in reach.LADDER]
+    assert seconds[2] < seconds[3]
+    limits = reach.MeshLimits(seconds[2] + 1.0, math.inf)
+    assert reach.finer_level(cell, mesh, 1, 3.0, limits, 1.0)[0] == 2
+    lack = reach.finer_level(cell, mesh, 1, 3.0, limits, 1.1)
+    assert (lack.of, lack.mesh) == ("time", reach.LADDER[2])
+    assert reach.finer_level(cell, reach.LADDER[-1], len(reach.LADDER) - 1, 3.0, limits, 0.0).of == "range"
+
+
+def test_an_interior_grows_as_often_as_it_has_to():
+    assert [reach.growth_for(lost, 1e-4) for lost in (1.1e-4, 9e-4, 1.1e-3, 9e-3, 0.2)] == [1, 1, 2, 2, 4]
+    assert Resolution(4, 1).grown(2) == Resolution(4, 1).grown().grown()
 
 
 @pytest.mark.parametrize("count", [1, 3])

@@ -132,6 +132,38 @@ def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits)
     raise refusal(cell, count, accuracy, lack)
 
 
+def growth_for(truncation: float, goal: float) -> int:
+    """How often an interior that leaves out too much has to grow; see `Resolution.grown`."""
+    return max(math.ceil(math.log10(truncation / goal)), 1)
+
+
+def finer_level(
+    cell: UnitCell, mesh: Resolution, level: int, excess: float, limits: MeshLimits, spent: float
+) -> tuple[int, Resolution] | Lack:
+    """The level and mesh that follow a mesh of a level, with at least its interior, or why there is none.
+
+    It is the first level that is expected to reach the accuracy, or the highest below it that fits.
+
+    excess : error of the mesh as a multiple of the accuracy; spent : s of the meshes before
+    """
+    tried = mesh.plans(cell)
+    rungs = {n: LADDER[n].for_bands(cell, mesh.bands) for n in range(level + 1, len(LADDER))}
+    # without a pillar rings make no difference
+    levels = [n for n, rung in rungs.items() if rung.plans(cell) != tried]
+    reaching = (n for n in levels if excess * EXPECTED[n] <= EXPECTED[level])
+    first = next(reaching, min(levels, default=level))
+    lack = Lack("range", mesh, limits, spent)
+    for n in reversed([n for n in levels if n <= first]):
+        finer = replace(
+            rungs[n], steps=max(rungs[n].steps, mesh.steps), block=max(rungs[n].block, mesh.block)
+        )
+        missing = limits.lack(cell, finer, spent)
+        if missing is None:
+            return n, finer
+        lack = missing
+    return lack
+
+
 def started(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[Resolution]:
     """The mesh that is computed first, and the next if it fits as well; errors as of `first_level`."""
     level = first_level(cell, count, accuracy, limits)

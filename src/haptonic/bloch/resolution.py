@@ -82,9 +82,12 @@ class Resolution:
         block = max(self.block, min(round(own), WIDEST))
         return replace(self, steps=self.steps + deeper, block=block, bands=count)
 
-    def grown(self) -> Resolution:
-        """The same with more of the interior: what is left out falls by about ten."""
-        return replace(self, steps=self.steps + 1, block=self.block * 3 // 2)
+    def grown(self, times: int = 1) -> Resolution:
+        """The same with more of the interior: what is left out falls by about ten each time."""
+        block = self.block
+        for _ in range(times):
+            block = block * 3 // 2
+        return replace(self, steps=self.steps + times, block=block)
 
     def plan(self, tile: TileShape, share: float = 1.0) -> MeshPlan:
         """Plan of a tile whose area is a share of the cell's."""
