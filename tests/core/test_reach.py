@@ -20,9 +20,10 @@ from haptonic.bloch.reach import MeshLimits, first_level, first_rung, started
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import BandSettings, MeshSettings
-from haptonic.cell import Pillar, UnitCell
+from haptonic.cell import Disc, Pillar, UnitCell
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.lattice import Lattice
+from haptonic.materials import material
 from haptonic.results.bands import Bands
 from haptonic.results.common import accuracy_remarks
 from haptonic.study import loads
@@ -261,23 +262,32 @@ def test_what_falls_short_of_an_accuracy_is_answered_and_says_so(monkeypatch):
 @pytest.mark.parametrize(("excess", "level"), [(0.9, 2), (1.9, 2), (2.1, 3), (3.9, 3), (9.0, 4), (1e9, 2)])
 def test_levels_that_are_not_expected_to_reach_the_accuracy_are_left_out(excess, level):
     """Four meshes of a pillar of 6 x 8 mm on a plate of 2 mm were computed where two suffice."""
-    cell, mesh = cell_of(0.2, 0.6, 0.8), reach.LADDER[1].grown()
-    number, finer = reach.finer_level(cell, mesh, 1, excess, reach.MeshLimits(math.inf, math.inf), 0.0)
+    cell, mesh = cell_of(0.2, 0.6, 0.8), LADDER[1].grown()
+    number, finer = reach.finer_level(cell, mesh, 1, excess, MeshLimits(math.inf, math.inf), 0.0)
     assert number == level
-    assert (finer.order, finer.foot_rings) == (reach.LADDER[level].order, reach.LADDER[level].foot_rings)
+    assert (finer.order, finer.foot_rings) == (LADDER[level].order, LADDER[level].foot_rings)
     assert finer.steps == 3
     assert finer.block >= 15
 
 
+@pytest.mark.parametrize("excess", [2.1, 3.9])
+def test_without_a_singular_edge_the_next_level_is_expected_to_reach_more(excess):
+    limits, lattice, steel = MeshLimits(math.inf, math.inf), Lattice.square(10e-3), material("steel")
+    hole = UnitCell(lattice, 2e-3, steel, disc=(Disc(6e-3, empty=True),))
+    blind = UnitCell(lattice, 2e-3, steel, disc=(Disc(6e-3, low=-1e-3, empty=True),))
+    levels = [reach.finer_level(cell, LADDER[1], 1, excess, limits, 0.0)[0] for cell in (hole, blind)]
+    assert levels == [2, 3]
+
+
 def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
-    cell, mesh = cell_of(0.2, 0.6, 0.8), reach.LADDER[1]
-    seconds = [rung.seconds(cell) for rung in reach.LADDER]
+    cell, mesh = cell_of(0.2, 0.6, 0.8), LADDER[1]
+    seconds = [rung.seconds(cell) for rung in LADDER]
     assert seconds[2] < seconds[3]
-    limits = reach.MeshLimits(seconds[2] + 1.0, math.inf)
+    limits = MeshLimits(seconds[2] + 1.0, math.inf)
     assert reach.finer_level(cell, mesh, 1, 3.0, limits, 1.0)[0] == 2
     lack = reach.finer_level(cell, mesh, 1, 3.0, limits, 1.1)
-    assert (lack.of, lack.mesh) == ("time", reach.LADDER[2])
-    assert reach.finer_level(cell, reach.LADDER[-1], len(reach.LADDER) - 1, 3.0, limits, 0.0).of == "range"
+    assert (lack.of, lack.mesh) == ("time", LADDER[2])
+    assert reach.finer_level(cell, LADDER[-1], len(LADDER) - 1, 3.0, limits, 0.0).of == "range"
 
 
 def test_an_interior_grows_as_often_as_it_has_to():

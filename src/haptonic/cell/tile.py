@@ -147,6 +147,13 @@ class TileShape:
         return self.room - (self.feature.widest if self.feature else 0.0)
 
     @property
+    def is_smooth(self) -> bool:
+        """Whether no edge or interface makes stress singular."""
+        if self.stack is not None:
+            return not (self.stack.has_corners or self.stack.singular.any() or self.stack.solids)
+        return self.pillar is None and self.solid is None
+
+    @property
     def is_thin(self) -> bool:
         """Whether the plate is so thin for its pitch that many of its waves lie below those of its pillar."""
         return self.thickness < THIN * self.inradius
