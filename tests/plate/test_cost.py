@@ -69,7 +69,7 @@ def imported() -> None:
 
 
 @pytest.mark.parametrize("asked", ASKS)
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(grid=st.sampled_from([1e-9, 1e-7, 1e-5, 2e-3]), rows=st.integers(3, 220), columns=st.integers(3, 220))
 def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, columns: int) -> None:
     with warnings.catch_warnings():
