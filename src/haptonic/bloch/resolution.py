@@ -140,7 +140,7 @@ class Resolution:
     def _remaining(self, tile: TileShape, share: float) -> float:
         pillar = tile.pillar
         if tile.solid is not None:
-            return OF_SOLIDS
+            return self._of_edge_alone if tile.solid.is_mesh else OF_SOLIDS
         if tile.stack is not None:
             return self._of_stack(tile.stack)
         if pillar is None:
@@ -224,8 +224,8 @@ class Resolution:
         return RESIDENT + 8.0 * (PER_KEPT * waiting + working + PER_PENCIL * self._pencil(cell) ** 2)
 
     def _solid_unknowns(self, cell: UnitCell) -> float:
-        """Unknowns of the elements of a CAD file."""
-        return SOLID_UNKNOWNS * cell.solid_period.elements * (1 + self.foot_rings) * self.order**3
+        """Unknowns of the elements of a CAD file or mesh."""
+        return SOLID_UNKNOWNS * cell.solid_period.elements * (1 + self.plan(cell).foot_rings) * self.order**3
 
     def _pencil(self, cell: Period) -> int:
         """Size of the condensed pencil of all tiles."""

@@ -87,10 +87,10 @@ class SolidBody:
         solids = [tile.solid.material_of(name, tile.material) for name in tile.solid_period.names]
         made = tile.solid.ask(
             "assembled",
-            tile=tile.corners,
-            vectors=tile.vectors,
-            thickness=tile.thickness,
-            order=plan.order,
+            tile.corners,
+            tile.vectors,
+            tile.thickness,
+            order=plan.upward,
             rings=plan.foot_rings + 1,
             stiffness=np.array([solid.stiffness for solid in solids]),
             density=np.array([solid.density for solid in solids]),
