@@ -58,7 +58,9 @@ def write(path: Path, places: np.ndarray, nodes: np.ndarray, sets: Named, kind: 
     elif ending == ".bdf":
         meshio.nastran.write(path, meshio.Mesh(places, blocks, cell_data={"nastran:ref": tags}))
     elif ending == ".inp":
-        each = [[np.arange(len(b[1])) if a == c else [] for c, b in enumerate(blocks)] for a in range(len(sets))]
+        each = [
+            [np.arange(len(b[1])) if a == c else [] for c, b in enumerate(blocks)] for a in range(len(sets))
+        ]
         meshio.abaqus.write(path, meshio.Mesh(places, blocks, cell_sets=dict(zip(sets, each, strict=True))))
     else:
         meshio.Mesh(places, blocks, cell_data={"material": tags}).write(path)

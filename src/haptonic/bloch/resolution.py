@@ -140,7 +140,7 @@ class Resolution:
     def _remaining(self, tile: TileShape, share: float) -> float:
         pillar = tile.pillar
         if tile.solid is not None:
-            return self._of_edge_alone if tile.solid.is_mesh else OF_SOLIDS
+            return self._of_singular if tile.solid.is_mesh else OF_SOLIDS
         if tile.stack is not None:
             return self._of_stack(tile.stack)
         if pillar is None:
@@ -168,7 +168,16 @@ class Resolution:
     @property
     def _of_edge_alone(self) -> float:
         """The factor once a re-entrant edge is all that is left of the error."""
-        return max(1.0 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0), 1.3)
+        return max(self._of_singular, 1.3)
+
+    @property
+    def _of_singular(self) -> float:
+        """The factor where orders grow on one mesh and the error falls as order^(-4 * 0.5445).
+
+        Meshes of others with a pillar of 3 mm at a pitch of 7 mm, of elements of 1 mm to 3 mm, needed 0.08
+        with order 2, 0.41 with order 3 and 0.71 with order 4.
+        """
+        return 1.0 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0)
 
     def _of_edge(self, tile: TileShape, pillar: Pillar) -> float:
         if pillar.step is not None and pillar.fillet and between_edges(tile) is None:  # it is not graded

@@ -194,7 +194,7 @@ class SolidPeriod:
     """What a file has for one period.
 
     names, volumes : of its solids or the parts of a mesh, m^3; kept : which maps leave them as they are
-    elements : of their mesh, as many hexahedra have as many unknowns
+    elements : of their mesh, as many tetrahedra have its unknowns
     """
 
     names: tuple[str, ...]

@@ -18,9 +18,9 @@ from haptonic.foreign.elements import EDGES, SHAPES, Elements, RefusedMesh, of_e
 from haptonic.foreign.joined import on_faces, outer_faces, padded, parts_of, turned
 from haptonic.foreign.periods import SAME, Period
 
-# The edges whose middles Netgen's quadratic tetrahedra and triangles have, in its order.
-OF_TETRA, OF_TRIANGLE = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)), ((1, 2), (0, 2), (0, 1))
-SHARE = {"tetra": 1 / 6, "pyramid": 1 / 3, "wedge": 1 / 2, "hexahedron": 1.0}  # of a hexahedron's unknowns
+# Nodes of a quadratic tetrahedron in Netgen's order, and the edges that its triangles have nodes on.
+NETGENS_TETRA, OF_TRIANGLE = [0, 1, 2, 3, 4, 6, 7, 5, 8, 9], ((1, 2), (0, 2), (0, 1))
+UNKNOWNS = {"tetra": 1.0, "pyramid": 2.0, "wedge": 3.0, "hexahedron": 6.0}  # times those of a tetrahedron
 NEAR = 1e-3  # units: how far a node may be from the side that it lies on, for files of few digits
 LEAST_ALONG = 2  # elements along each side, for the polynomials there to be those of the elements
 
@@ -63,7 +63,7 @@ class MeshPeriod(Period):
         self._refuse_groups(side, element, with_material)
         self.mesh = self._netgen(faces, side, self._part[element])
         mesh = self.elements_of(1, 0)
-        self.elements = sum(SHARE[SHAPES[kind]] * len(nodes) for kind, nodes in self._blocks)
+        self.elements = sum(UNKNOWNS[SHAPES[kind]] * len(nodes) for kind, nodes in self._blocks)
         self.volumes = [
             float(ng.Integrate(ng.CF(1.0), mesh, definedon=mesh.Materials(f"part{number}")))
             for number in range(len(self.parts))
@@ -219,16 +219,11 @@ class MeshPeriod(Period):
             _add(mesh, 2, number, triangles[~curved])
             _add(mesh, 2, number, np.hstack([triangles, middles])[curved])
             _add(mesh, 2, number, mine[mine[:, 3] >= 0])
-        first = 0
-        for kind, nodes in self._blocks:
-            own = self._part[first : first + len(nodes)]
-            first += len(nodes)
-            if kind == "tetra10":
-                order = [EDGES["tetra"].index((a, b) if (a, b) != (0, 2) else (2, 0)) for a, b in OF_TETRA]
-                nodes = nodes[:, [0, 1, 2, 3, *(4 + n for n in order)]]
-            for number in np.unique(own).tolist():
-                _add(mesh, 3, number + 1, nodes[own == number])
+        ends = np.cumsum([len(nodes) for _, nodes in self._blocks])
         for number in range(len(self.parts)):
+            for (kind, nodes), own in zip(self._blocks, np.split(self._part, ends[:-1]), strict=True):
+                columns = NETGENS_TETRA if kind == "tetra10" else slice(None)
+                _add(mesh, 3, number + 1, nodes[own == number][:, columns])
             mesh.SetMaterial(number + 1, f"part{number}")
         return mesh
 

@@ -30,7 +30,7 @@ def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
     ``names`` of the solids, or of the groups of a mesh, for materials; ``problem``, empty where they make a
     period, else what is wrong, with its ``number``, ``place`` and ``text``. If they do, ``parts``, names of
     what may have a material of its own, with ``volumes``, m^3; ``kept`` (n,) whether each map leaves them
-    as they are; ``elements`` of the mesh before it is refined, by unknowns of a mesh in hexahedra
+    as they are; ``elements`` of the mesh before it is refined, as many tetrahedra have their unknowns
     """
     found = period_of(path, **drawn)
     whole = not found.problem
