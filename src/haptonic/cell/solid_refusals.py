@@ -98,10 +98,8 @@ def _of_mesh(found: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str,
     """What each kind of problem of a mesh was given, allows, is caused by, and what to do."""
     number, text, place = found["number"], found["text"], np.asarray(found["place"])
     count, at = f"{number:.0f}", _places(place)
-    extents = [
-        " x ".join(format_quantity(each, "m") for each in row) for row in place.reshape(-1, 2).tolist()
-    ]
-    of_mesh, of_cell = extents if len(extents) == 2 else ("", "")
+    sizes = place if found["problem"] == "extent" else np.zeros((2, 2))
+    of_mesh, of_cell = (" x ".join(format_quantity(each, "m") for each in row) for row in sizes.tolist())
     again = "mesh the cell again as one body, or join the nodes in the program that made the mesh"
     return {
         "empty": (
@@ -153,7 +151,7 @@ def _of_mesh(found: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str,
             f"a mesh of {of_mesh} in x and y", f"{of_cell}, the size of the cell",
             "the mesh is of another lattice or pitch, has more than one period, or is in another unit than "
             f'unit = "{unit}"',
-            _fitting(place, unit),
+            _fitting(sizes, unit),
         ),
         "outside": (
             f"a mesh that reaches {format_quantity(number, 'm')} beyond a side of the cell, at {at}",
@@ -205,8 +203,7 @@ def _places(places: Array) -> str:
 
 def _fitting(extents: Array, unit: str) -> str:
     """What to do about a mesh of another extent than the cell: (2, 2) m, in a unit."""
-    if extents.shape == (2, 2):
-        for other in get_args(Unit):
-            if np.allclose(extents[0] / metres_of(unit) * metres_of(other), extents[1], rtol=1e-3):
-                return f'write unit = "{other}" in [cell.solid]: the sizes agree then'
+    for other in get_args(Unit):
+        if np.allclose(extents[0] / metres_of(unit) * metres_of(other), extents[1], rtol=1e-3):
+            return f'write unit = "{other}" in [cell.solid]: the sizes agree then'
     return "check lattice, pitch and pitch_y in [cell] and unit in [cell.solid] against the mesh"

@@ -65,18 +65,15 @@ def turned(
     return kind, nodes[:, MIRRORED[kind]] if left else nodes
 
 
-def outer_faces(
+def faces_of(
     blocks: Sequence[tuple[str, NDArray[np.int64]]], refused_at: Any
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """(faces, 4) faces that one element has, -1 in the place of a fourth corner, and their elements.
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Outer faces (n, 4), -1 in the place of a fourth corner, their elements, and (m, 2) joined elements.
 
     Raises
     ------
-    RefusedMesh : faces of more than two elements, or elements that no faces join
+    RefusedMesh : faces of more than two elements
     """
-    import scipy.sparse as sp
-    from scipy.sparse.csgraph import connected_components
-
     faces, owner = (np.concatenate(each) for each in zip(*_faces(blocks), strict=True))
     _, of_face, count = np.unique(np.sort(faces, axis=1), axis=0, return_inverse=True, return_counts=True)
     of_face = of_face.ravel()
@@ -84,13 +81,20 @@ def outer_faces(
         raise refused_at("overlap", owner[(count[of_face] > 2).argmax()], np.count_nonzero(count > 2))
     order = np.argsort(of_face, kind="stable")
     shared = order[count[of_face[order]] == 2].reshape(-1, 2)
-    joined = sp.coo_matrix((np.ones(len(shared)), tuple(owner[shared].T)), shape=(owner.max() + 1,) * 2)
-    pieces, of_element = connected_components(joined, directed=False)
+    outer = count[of_face] == 1
+    return faces[outer], owner[outer], owner[shared]
+
+
+def refuse_pieces(joined: NDArray[np.int64], count: int, refused_at: Any) -> None:
+    """Refuse elements that no faces join: loose ones, and those that share an edge or a node only."""
+    import scipy.sparse as sp
+    from scipy.sparse.csgraph import connected_components
+
+    pairs = sp.coo_matrix((np.ones(len(joined)), tuple(joined.T)), shape=(count, count))
+    pieces, of_element = connected_components(pairs, directed=False)
     if pieces > 1:
         smallest = np.bincount(of_element).argmin()
         raise refused_at("pieces", (of_element == smallest).argmax(), pieces)
-    outer = count[of_face] == 1
-    return faces[outer], owner[outer]
 
 
 def padded(blocks: Sequence[tuple[str, NDArray[np.int64]]]) -> NDArray[np.int64]:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.foreign.elements import EDGES, SHAPES, Elements, RefusedMesh, of_elements, read_elements
-from haptonic.foreign.joined import on_faces, outer_faces, padded, parts_of, turned
+from haptonic.foreign.joined import faces_of, on_faces, padded, parts_of, refuse_pieces, turned
 from haptonic.foreign.periods import SAME, Period
 
 # Nodes of a quadratic tetrahedron in Netgen's order, and the edges that its triangles have nodes on.
@@ -56,8 +56,9 @@ class MeshPeriod(Period):
         self._refuse_doubled()
         self._origin = self._middle()
         self._points = self._points - self._origin
-        faces, element = outer_faces(self._blocks, self._refused_at)
+        faces, element, joined = faces_of(self._blocks, self._refused_at)
         self._refuse_open(faces)
+        refuse_pieces(joined, len(self._corners), self._refused_at)
         side = self._sides_of(faces)
         self._part, self.parts = parts_of(whole.groups, with_material, len(self._corners))
         self._refuse_groups(side, element, with_material)
@@ -122,7 +123,7 @@ class MeshPeriod(Period):
         return np.array([*(0.5 * (low + high)[:2]), low[2]])
 
     def _refuse_open(self, faces: NDArray[np.int64]) -> None:
-        """Refuse faces that lie on one another without being joined, and pieces that nothing holds."""
+        """Refuse faces that lie on one another without being joined."""
         from scipy.spatial import cKDTree
 
         corners = np.concatenate([faces[:, [0, 1, 2]], faces[faces[:, 3] >= 0][:, [0, 2, 3]]])
