@@ -17,7 +17,7 @@ pytest.importorskip("ngsolve")
 
 from cad_cells import occ, prism
 from haptonic.foreign import meshes, solids
-from haptonic.foreign.elements import Elements, read_elements
+from haptonic.foreign.elements import NamedElements, read_elements
 from mesh_cells import hexahedra, tetrahedra, write
 
 MM = 1e-3
@@ -153,7 +153,7 @@ class TestPeriods:
                 "upward": np.array([0, 0.5, 1.0])}  # fmt: skip
         read = solids.assembled(str(path), digest="file", **drawn, **rest)
         places, nodes, sets = PILLAR
-        directly = Elements(
+        directly = NamedElements(
             places[np.unique(nodes)],
             [("hexahedron", np.unique(nodes, return_inverse=True)[1].reshape(nodes.shape))],
             sets,

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any, Literal, get_args
 
 import numpy as np
-from pydantic_core import PydanticCustomError
 
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError, shown
@@ -27,7 +26,7 @@ def metres_of(unit: str) -> float:
     return to_si(f"1 {unit}", "m", "cell.solid.unit")
 
 
-def other_format(file: str, ending: str, endings: Sequence[str]) -> PydanticCustomError:
+def other_format(file: str, ending: str, endings: Sequence[str]) -> Exception:
     """The error for a file of a format that is not read."""
     return problem(
         "unsupported",

@@ -43,7 +43,7 @@ class RefusedMesh(Exception):  # noqa: N818  it ends no program: the answer name
 
 
 @dataclass
-class Elements:
+class NamedElements:
     """Points (n, 3) in the file's unit; nodes of elements by meshio's names; numbers of elements in groups.
 
     Elements are counted over all blocks, in order.
@@ -54,7 +54,7 @@ class Elements:
     groups: dict[str, NDArray[np.int64]] = field(default_factory=dict)
 
 
-def read_elements(path: str) -> Elements:
+def read_elements(path: str) -> NamedElements:
     """Volume elements of a file and the groups that have any.
 
     Raises
@@ -71,7 +71,7 @@ def read_elements(path: str) -> Elements:
     return _of_volume(whole)
 
 
-def _of_volume(whole: Elements) -> Elements:
+def _of_volume(whole: NamedElements) -> NamedElements:
     """The volume elements of a file, their groups, and the points that they have."""
     starts = np.cumsum([0, *(len(nodes) for _, nodes in whole.blocks)])
     kinds = [kind for kind, _ in whole.blocks]
@@ -84,7 +84,7 @@ def _of_volume(whole: Elements) -> Elements:
     number = np.cumsum(is_solid) - 1
     groups = {name: number[members[is_solid[members]]] for name, members in whole.groups.items()}
     groups = {name: np.unique(members) for name, members in groups.items() if len(members)}
-    return Elements(*of_elements(whole.points, blocks), groups)
+    return NamedElements(*of_elements(whole.points, blocks), groups)
 
 
 def of_elements(
@@ -97,10 +97,10 @@ def of_elements(
     return points[used], [(kind, np.searchsorted(used, nodes)) for kind, nodes in blocks]
 
 
-def _of_meshio(mesh: Any, labels: dict[str, str]) -> Elements:
+def _of_meshio(mesh: Any, labels: dict[str, str]) -> NamedElements:
     """What meshio read; numbers of groups get the label of their array, ``material 3``."""
     blocks = [(block.type, np.asarray(block.data, dtype=np.int64)) for block in mesh.cells]
-    whole = Elements(np.asarray(mesh.points, dtype=float), blocks)
+    whole = NamedElements(np.asarray(mesh.points, dtype=float), blocks)
     for array, values in mesh.cell_data.items():
         numbers = np.concatenate([np.asarray(each) for each in values])
         values = np.unique(numbers)
@@ -110,14 +110,14 @@ def _of_meshio(mesh: Any, labels: dict[str, str]) -> Elements:
     return whole
 
 
-def _vtk(path: str) -> Elements:
+def _vtk(path: str) -> NamedElements:
     import meshio
 
     read = meshio.vtu.read if path.lower().endswith(".vtu") else meshio.vtk.read
     return _of_meshio(read(path), {})
 
 
-def _gmsh(path: str) -> Elements:
+def _gmsh(path: str) -> NamedElements:
     """Physical groups of volumes by their names, such as ``core``, those without one as ``group 3``.
 
     Geometrical entities make no groups, unless there are no physical ones: ``volume 1``.
@@ -143,7 +143,7 @@ def _gmsh(path: str) -> Elements:
     return whole
 
 
-def _nastran(path: str) -> Elements:
+def _nastran(path: str) -> NamedElements:
     """Properties are groups, ``property 3``; a file may be the bulk data alone."""
     import meshio
 
@@ -164,7 +164,7 @@ KINDS_OF_ABAQUS = {"4": "tetra", "10": "tetra10", "5": "pyramid", "13": "pyramid
                    "15": "wedge15", "8": "hexahedron", "20": "hexahedron20"}  # fmt: skip
 
 
-def _abaqus(path: str) -> Elements:
+def _abaqus(path: str) -> NamedElements:
     """Element sets are groups; a file with one part at most, without instances that are moved."""
     place: dict[int, int] = {}
     points: list[list[float]] = []
@@ -208,7 +208,7 @@ def _abaqus(path: str) -> Elements:
                 members = [int(entry) if entry.isdecimal() else entry for entry in entries]
             sets.setdefault(options["ELSET"], []).extend(members)
     groups = {name: np.array(sorted(_members(name, sets, number)), dtype=np.int64) for name in sets}
-    return Elements(np.array(points), blocks, groups)
+    return NamedElements(np.array(points), blocks, groups)
 
 
 def _members(name: str, sets: dict[str, list[int | str]], number: dict[int, int], depth: int = 0) -> set[int]:

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.foreign.elements import EDGES, SHAPES, Elements, RefusedMesh, of_elements, read_elements
+from haptonic.foreign.elements import EDGES, SHAPES, NamedElements, RefusedMesh, of_elements, read_elements
 from haptonic.foreign.joined import faces_of, on_faces, padded, parts_of, refuse_pieces, turned
-from haptonic.foreign.periods import SAME, Period
+from haptonic.foreign.periods import SAME, FilledTile
 
 # Nodes of a quadratic tetrahedron in Netgen's order, and the edges that its triangles have nodes on.
 NETGENS_TETRA, OF_TRIANGLE = [0, 1, 2, 3, 4, 6, 7, 5, 8, 9], ((1, 2), (0, 2), (0, 1))
@@ -25,7 +25,7 @@ NEAR = 1e-3  # units: how far a node may be from the side that it lies on, for f
 LEAST_ALONG = 2  # elements along each side, for the polynomials there to be those of the elements
 
 
-class MeshPeriod(Period):
+class MeshPeriod(FilledTile):
     """A mesh that fills the tile."""
 
     blocks = 1
@@ -46,7 +46,7 @@ class MeshPeriod(Period):
             self.problem, self.number, self.text = refused.kind, refused.number, refused.text
             self.place = refused.place
 
-    def _read(self, whole: Elements, with_material: Sequence[str]) -> None:
+    def _read(self, whole: NamedElements, with_material: Sequence[str]) -> None:
         import ngsolve as ng
 
         self._points = whole.points * self._scale

@@ -24,7 +24,7 @@ LAYERS = 0.2  # ratio of neighbouring layers of elements towards an edge
 STRAIGHT = np.radians(185.0)  # angles of solid about an edge from which it is re-entrant
 
 
-class Period:
+class FilledTile:
     """The tile that bodies of others have to fill, in units; and what prevents that, see `inspected`.
 
     blocks : polynomials of a trace along each side of the tile
@@ -62,7 +62,7 @@ class Period:
         return np.asarray(np.einsum("nsc,sc->ns", places[:, None] - start, normal))
 
 
-class DrawnPeriod(Period):
+class DrawnPeriod(FilledTile):
     """Solids of one period, cut along the sides of the tile."""
 
     def __init__(self, path: str, tile: NDArray[Any], vectors: NDArray[Any], thickness: float) -> None:
