@@ -133,7 +133,8 @@ class Solid:
         """
         found = self.ask("inspected", tile, vectors, thickness, turns=turns)
         names = list(found["names"])
-        if found["problem"] != "empty" and (unknown := {part.name for part in self.part}.difference(names)):
+        unknown = {part.name for part in self.part}.difference(names)
+        if unknown and (names or not found["problem"]):
             what = "group" if self.is_mesh else "solid"
             raise GeometryError.unknown(
                 known=names,
