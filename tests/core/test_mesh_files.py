@@ -189,6 +189,24 @@ class TestGroups:
         assert (middles[groups["TOP"], 2] == 3.5).all()
         assert (middles[groups["PLATE"], 2] == 0.75).all()
 
+    def test_volumes_of_gmsh_may_be_in_several_physical_groups(self, tmp_path):
+        """A file of version 4.1, as Gmsh writes it: two entities, of which the upper is in two groups."""
+        places, nodes, _ = hexahedra(np.array([0.0, 1.0]), np.arange(3.0), lambda x, y, z: "a")
+        lines = [
+            "$MeshFormat", "4.1 0 8", "$EndMeshFormat", "$PhysicalNames", "3", '3 1 "plate"', '3 2 "pillar"',
+            '3 7 "all"', "$EndPhysicalNames", "$Entities", "0 0 0 2", "1 0 0 0 1 1 1 1 1 0",
+            "2 0 0 1 1 1 2 2 7 2 0", "$EndEntities", "$Nodes", f"1 {len(places)} 1 {len(places)}",
+            f"3 1 0 {len(places)}", *(str(n + 1) for n in range(len(places))),
+            *(f"{x} {y} {z}" for x, y, z in places.tolist()), "$EndNodes", "$Elements", "2 2 1 2",
+            *(line for n, row in enumerate((nodes + 1).tolist(), start=1)
+              for line in (f"3 {n} 5 1", " ".join(map(str, [n, *row])))), "$EndElements",
+        ]  # fmt: skip
+        (tmp_path / "cell.msh").write_text("\n".join(lines) + "\n")
+        groups = read_elements(str(tmp_path / "cell.msh")).groups
+        assert {name: members.tolist() for name, members in groups.items()} == {
+            "plate": [0], "pillar": [1], "all": [1],
+        }  # fmt: skip
+
     def test_nastran_files_may_be_the_bulk_data_alone(self, tmp_path):
         whole = write(tmp_path / "cell.bdf", *PILLAR)
         bulk = whole.read_text().split("BEGIN BULK\n")[1].replace("ENDDATA", "")

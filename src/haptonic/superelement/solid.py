@@ -198,9 +198,9 @@ class SolidBody:
         )
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=1)
 def solid_body(tile: TileShape, plan: MeshPlan) -> SolidBody:
-    """The matrices of a tile on a plan; the last ones are kept, which condensation and counts share."""
+    """The matrices of a tile on a plan, for counts; one is kept, which may have gigabytes."""
     return SolidBody.of(tile, plan)
 
 
@@ -209,7 +209,7 @@ def condense_solid(
     tile: TileShape, plan: MeshPlan, steps: int, *, block: int, measured: bool
 ) -> Superelement:
     """Condense the solids of a CAD file onto their lateral faces; parameters as for `condense`."""
-    body = solid_body(tile, plan)
+    body = SolidBody.of(tile, plan)
     solver, _ = body.factorised()
     own = reduced(solver, body.bounded, steps, block)
     of_trace = body.whole(own.static, np.eye(body.on_sides.shape[1]))
