@@ -60,6 +60,7 @@ def agree(cell, blocks, order, apart):
 
 
 class TestFrequencies:
+    @pytest.mark.nightly
     def test_a_plain_plate_has_those_of_its_block_mesh(self, tmp_path):
         cell = cell_of(write(tmp_path / "plate.vtu", *PLATE))
         exact = frequencies(UnitCell(SQUARE, THICKNESS, ALUMINIUM), Resolution(3, 1))
@@ -77,6 +78,7 @@ class TestFrequencies:
         for others in found[1:]:
             assert others == pytest.approx(found[0], rel=1e-9)
 
+    @pytest.mark.nightly
     def test_groups_of_one_material_change_nothing(self, tmp_path):
         places, nodes, _ = PILLAR
         one = cell_of(write(tmp_path / "one.msh", places, nodes, {"all": np.arange(len(nodes))}))
