@@ -89,6 +89,7 @@ INSIDE_FUNCTIONS = {
     "solvers": {"pypardiso", "sksparse"},
     "foreign": {
         "fcntl",
+        "meshio",
         "netgen",
         "ngsolve",
         "nptdms",

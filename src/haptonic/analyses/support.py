@@ -45,12 +45,12 @@ def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def made_of_parts(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for solids of a CAD file, of which an analysis knows nothing but their bands."""
+    """The error for solids of a CAD file or a mesh, of which an analysis knows nothing but their bands."""
     if cell.solid is None:
         return None
     return StudyError.unsupported(
         argument="cell.solid",
-        given="a cell from a CAD file",
+        given="a cell from a CAD file or mesh",
         allowed="a cell of pillars or discs, or plain plate",
         cause="this analysis needs a cell that is meshed in blocks, or whose sizes have names",
         next_step="compute its bands or a sweep of its materials, or write [cell.pillar] or [[cell.disc]]",

@@ -137,7 +137,7 @@ class UnitCell(TileShape):
         max_length=MOST_DISCS,
     )
     solid: Solid | None = setting(
-        None, "In place of pillars and discs: one period of the plate as a CAD program drew it."
+        None, "In place of pillars and discs: one period of the plate as a CAD program or a mesh has it."
     )
 
     def __post_init__(self) -> None:

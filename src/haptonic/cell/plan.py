@@ -96,7 +96,10 @@ class MeshPlan:
         a quarter's is as good along them.
         """
         if cell.solid is not None:  # what the lateral faces have; the inside is meshed elsewhere
-            return cls(order, foot_rings, 0, blocks=2, sides=len(cell.corners), levels=order + 1)
+            sides = len(cell.corners)
+            if cell.solid.is_mesh:  # nothing is refined; elements may cross the middles of sides
+                return cls(2 * order, 0, 0, upward=order, sides=sides, levels=order + 1)
+            return cls(order, foot_rings, 0, blocks=2, sides=sides, levels=order + 1)
         plan = cls._of_quarters(cell, order, foot_rings, bands)
         sides = len(cell.corners)
         if sides != 4:
@@ -251,14 +254,7 @@ class MeshPlan:
         0.3 % were told 0.2 %.
         """
         if cell.solid is not None:
-            return replace(
-                self,
-                order=self.order - 1,
-                upward=self.order - 1,
-                thin=self.order - 1,
-                along=self.order - 1,
-                levels=self.order,
-            )
+            return MeshPlan.suited(cell, self.upward - 1, self.foot_rings)
         pillar = cell.pillar
         ungraded = pillar is not None and pillar.step is not None and not self.step_rings
         ungraded = ungraded and between_edges(cell) is None

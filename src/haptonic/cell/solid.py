@@ -1,4 +1,4 @@
-"""Solids of a CAD program in place of pillars and discs: the file, and what its solids consist of."""
+"""Solids of a CAD program, or a mesh, in place of pillars and discs: the file, and materials of its parts."""
 
 from __future__ import annotations
 
@@ -11,24 +11,27 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 
 from haptonic.arrays import Array, Bools
+from haptonic.cell.solid_refusals import Unit, metres_of, no_period, other_format
 from haptonic.errors import GeometryError, ResourceError, shown
-from haptonic.fields import Aliases, absent, described, meant, needed, problem, setting
+from haptonic.fields import Aliases, described, meant, needed, problem, setting
 from haptonic.foreign.process import Limits, ask
 from haptonic.materials import GIVEN, Material
-from haptonic.units import format_quantity
 
 LARGEST_FILE = 200_000_000  # bytes
-ENDINGS = (".step", ".stp")
+DRAWN = (".step", ".stp")
+MESHES = (".msh", ".bdf", ".nas", ".inp", ".vtu", ".vtk")  # see `haptonic.foreign.elements`
 SECONDS, MEMORY = 600.0, 12 * 2**30  # of the processor, and bytes, that a file may take
 MOST_PARTS = 64
 
 
 @described("cell.solid.part", GeometryError)
 class SolidPart:
-    """What a solid of the file consists of."""
+    """What a solid, or a group of a mesh, consists of."""
 
     name: str = needed(
-        "Of the solid in the file; one without a name is called solid1, solid2, ... in order.",
+        "Of the solid in the file; one without a name is called solid1, solid2, ... in order. In a mesh, of "
+        "the physical group or element set; those with a number only are property 3 (Nastran) and group 3 "
+        "(Gmsh), or have the name of their array (VTK).",
         examples=["core"],
     )
     material: Annotated[Material, GIVEN] = needed(
@@ -38,11 +41,12 @@ class SolidPart:
 
 @described("cell.solid", GeometryError)
 class Solid:
-    """One period of a plate as a CAD program drew it, in a STEP file.
+    """One period of a plate as a CAD program drew it, in a STEP file, or as a mesh of another program.
 
-    The file may have any part of the lattice that fills the plane when it is repeated: a hexagon or a
-    rhombus, with a pillar in its middle or at its corners. Around some place the plate has to be whole along
-    the sides of the cell, of one material, and as thick as ``[cell]`` says.
+    A STEP file may have any part of the lattice that fills the plane when it is repeated: a hexagon or a
+    rhombus, with a pillar in its middle or at its corners. A mesh is taken as it is and has to fill the cell
+    itself: a rectangle, or on a triangular lattice a hexagon. The plate has to be whole along the sides of
+    the cell, of one material, and as thick as ``[cell]`` says.
 
     Raises
     ------
@@ -52,16 +56,13 @@ class Solid:
     aliases: ClassVar[Aliases] = {
         **meant("file", "path", "step", "cad", "name"),
         **meant("part", "parts", "material", "materials", "solid"),
-        **absent(
-            "unit", "scale",
-            cause="a STEP file gives the unit of its lengths itself",
-            next_step="leave it out, or export the file again in the right unit",
-        ),
-    }  # fmt: skip
+        **meant("unit", "units", "scale", "length_unit"),
+    }
 
     file: str = needed(
-        "A STEP file, its path counted from the study's folder.",
-        title="CAD file",
+        "A STEP file or a mesh (Gmsh .msh, Nastran .bdf and .nas, Abaqus .inp, .vtu, .vtk), its path counted "
+        "from the study's folder.",
+        title="CAD file or mesh",
         min_length=1,
         examples=["cell.step"],
     )
@@ -73,22 +74,23 @@ class Solid:
     )
     part: tuple[SolidPart, ...] = setting(
         (),
-        "Materials of the file's solids; those without a table are of the material of the plate.",
+        "Materials of the file's solids, of which those without a table are of the material of the plate; or "
+        "of all groups of a mesh but that along the sides of the cell.",
         title="Materials of solids",
         max_length=MOST_PARTS,
     )
+    unit: Unit = setting("mm", "Of lengths in a mesh. A STEP file gives its own.", title="Unit of a mesh")
 
     def __post_init__(self) -> None:
         path = Path(self.file)
-        if path.suffix.lower() not in ENDINGS:
+        if path.suffix.lower() not in DRAWN + MESHES:
+            raise other_format(self.file, path.suffix.lower(), DRAWN + MESHES)
+        if not self.is_mesh and self.unit != "mm":
             raise problem(
-                "unsupported",
-                shown(self.file, 100),
-                f"a file whose name ends in {' or '.join(ENDINGS)}",
-                "solids are read from STEP files (ISO 10303-21)",
-                "export the cell as STEP from the program that drew it",
-                at="file",
-            )
+                "conflict", f'unit = "{self.unit}"', "a unit for a mesh",
+                "a STEP file gives the unit of its lengths itself",
+                "leave unit out, or export the file again in the right unit", at="unit",
+            )  # fmt: skip
         try:
             size = path.stat().st_size if path.is_file() else -1
             content = path.read_bytes() if 0 <= size <= LARGEST_FILE else b""
@@ -129,21 +131,28 @@ class Solid:
         GeometryError : solids that make no period of such a plate
         ChannelError, ResourceError : the file cannot be read, or the libraries for it are not installed
         """
-        found = self.ask("inspected", tile=tile, vectors=vectors, thickness=thickness, turns=turns)
-        if found["problem"]:
-            raise _no_period(found["problem"], found, thickness)
+        found = self.ask("inspected", tile, vectors, thickness, turns=turns)
         names = list(found["names"])
-        if unknown := [part.name for part in self.part if part.name not in names]:
+        unknown = {part.name for part in self.part}.difference(names)
+        if unknown and (names or not found["problem"]):
+            what = "group" if self.is_mesh else "solid"
             raise GeometryError.unknown(
                 known=names,
                 argument="cell.solid.part.name",
-                given=shown(unknown[0]),
-                allowed=f"a solid of the file: {', '.join(map(shown, names))}",
-                cause="no solid has this name",
-                next_step="write one of these names; the program that drew them may show others",
+                given=min(unknown),
+                allowed=f"a {what} of the file: {', '.join(map(shown, names)) or 'it has none'}",
+                cause=f"no {what} has this name",
+                next_step="write one of these names; the program that made the file may show others",
             )
+        if found["problem"]:
+            raise no_period(found, thickness, self.unit if self.is_mesh else "")
         kept = np.asarray(found["kept"], dtype=bool)
-        return SolidPeriod(tuple(names), np.array(found["volumes"]), kept, int(found["elements"]))
+        return SolidPeriod(tuple(found["parts"]), np.array(found["volumes"]), kept, float(found["elements"]))
+
+    @property
+    def is_mesh(self) -> bool:
+        """Whether the file is a mesh, which is taken as it is."""
+        return Path(self.file).suffix.lower() in MESHES
 
     @property
     def materials(self) -> dict[str, Material]:
@@ -154,13 +163,15 @@ class Solid:
         """What the solid of a name consists of."""
         return next((part.material for part in self.part if part.name == name), plate)
 
-    def ask(self, question: str, **arguments: object) -> dict[str, Any]:
-        """The answer of `haptonic.foreign.solids` about the file."""
+    def ask(
+        self, question: str, tile: Array, vectors: Array, thickness: float, **arguments: object
+    ) -> dict[str, Any]:
+        """The answer of `haptonic.foreign.solids` about the file in a tile; see `period`."""
         if importlib.util.find_spec("ngsolve") is None:
             raise ResourceError.not_installed(
                 argument="cell.solid",
                 given="a Python without ngsolve",
-                allowed="a Python with the package ngsolve, which meshes solids of CAD files",
+                allowed="a Python with the package ngsolve, which computes CAD files and meshes",
                 cause="the extra for CAD files is not installed",
                 next_step='run: pip install "haptonic[cad]"',
             )
@@ -169,6 +180,11 @@ class Solid:
             Path(self.file),
             limits=Limits(SECONDS, 4 * SECONDS, MEMORY),
             digest=self.sha256,
+            tile=tile,
+            vectors=vectors,
+            thickness=thickness,
+            unit=metres_of(self.unit) if self.is_mesh else 0.0,
+            with_material=[part.name for part in self.part],
             **arguments,
         )
         return answer
@@ -178,62 +194,19 @@ class Solid:
 class SolidPeriod:
     """What a file has for one period.
 
-    names, volumes : of its solids, m^3; kept : which maps leave them as they are; elements : of their mesh
+    names, volumes : of its solids or the parts of a mesh, m^3; kept : which maps leave them as they are
+    elements : of their mesh, as many tetrahedra have its unknowns
     """
 
     names: tuple[str, ...]
     volumes: Array
     kept: Bools
-    elements: int
+    elements: float
 
 
 def _unread(file: str, cause: str) -> Exception:
     return problem(
-        "not-found", shown(file, 100), "a STEP file that can be read", cause,
+        "not-found", shown(file, 100), "a file that can be read", cause,
         "check the path; it is counted from the folder of the study, in Python from the working directory",
         at="file",
     )  # fmt: skip
-
-
-def _no_period(kind: str, found: dict[str, Any], thickness: float) -> GeometryError:
-    """The error for solids that make no period of a plate."""
-    share, length = found["number"], format_quantity(found["number"], "m")
-    if kind == "thickness":
-        return GeometryError.mismatch(
-            argument="cell.thickness",
-            given=format_quantity(thickness, "m"),
-            allowed=f"{length}, as in the file",
-            cause="the plate of the file has another thickness along the sides of the cell",
-            next_step=f'write thickness = "{length}" in [cell], or check the unit of the file',
-        )
-    words = {
-        "empty": (
-            "a file without a solid", "at least one solid",
-            "it has surfaces or curves only", "export the cell as solids",
-        ),
-        "period": (
-            f"solids whose copies fill {share:.4g} times their volume", "solids that fill one period",
-            "the lattice of [cell] is not that of the file, so that copies overlap or leave gaps, or the "
-            "file has more than one period",
-            "check lattice, pitch and pitch_y against the drawing, and the unit of the file",
-        ),
-        "sides": (
-            "a plate that is not whole along the sides of the cell", "a flat plate of one thickness there",
-            "around every place tried, holes or pillars reach a side of the cell: they touch their "
-            "neighbours, or the file is not drawn about one of them",
-            "draw one period with its pillar or hole in the middle or at the corners",
-        ),
-        "materials": (
-            "several solids along the sides of the cell", "one solid along all sides",
-            "the plate consists of layers, or solids meet where cells do",
-            "join the solids along the sides into one, or draw the period about another place",
-        ),
-        "overlap": (
-            "solids that overlap", "solids that touch at most",
-            "the same space belongs to two solids", "cut one out of the other in the program that drew them",
-        ),
-    }  # fmt: skip
-    given, allowed, cause, next_step = words[kind]
-    return GeometryError.mismatch(
-        argument="cell.solid.file", given=given, allowed=allowed, cause=cause, next_step=next_step
-    )

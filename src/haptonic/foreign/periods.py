@@ -6,7 +6,6 @@ Lengths are in units of a tenth of the pitch; see `haptonic.foreign.solids`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from itertools import product
 from typing import Any
 
@@ -21,22 +20,55 @@ SAME_VOLUME = 1e-5  # relative
 # thicknesses lost 0.8 % at order 3, of one 0.2 %.
 ELEMENTS, WIDEST_ELEMENT, ALONG_EDGE, OF_EDGE = 1.0, 0.25, 1.0, 0.15
 GRADING, CURVATURE = 0.5, 1.0  # of Netgen: how fast elements grow, and how many there are around a curve
+LAYERS = 0.2  # ratio of neighbouring layers of elements towards an edge
 STRAIGHT = np.radians(185.0)  # angles of solid about an edge from which it is re-entrant
 
 
-class DrawnPeriod:
-    """Solids of one period, cut along the sides of the tile, in units; see `inspected`."""
+class FilledTile:
+    """The tile that bodies of others have to fill, in units; and what prevents that, see `inspected`.
 
+    blocks : polynomials of a trace along each side of the tile
+    """
+
+    blocks = 2
     problem = ""
     number = 0.0
+    text = ""
+    place: NDArray[Any] = np.zeros(0)
 
-    def __init__(self, path: str, tile: NDArray[Any], vectors: NDArray[Any], thickness: float) -> None:
-        from netgen import occ
-
+    def __init__(self, tile: NDArray[Any], vectors: NDArray[Any], thickness: float) -> None:
         pitch = float(np.linalg.norm(vectors, axis=1).max())
         self.metres = pitch / UNITS
         self.corners, self.vectors = tile / self.metres, vectors / self.metres
         self.thickness = thickness / self.metres
+
+    @property
+    def pieces(self) -> NDArray[Any]:
+        """(blocks sides, 2, 2) ends of parts of the tile's sides, anticlockwise from the first corner."""
+        following = np.roll(self.corners, -1, axis=0)
+        shares = np.arange(self.blocks)[:, None] / self.blocks
+        starts = (self.corners[:, None] + shares * (following - self.corners)[:, None]).reshape(-1, 2)
+        return np.stack([starts, np.roll(starts, -1, axis=0)], axis=1)
+
+    def in_planes(self, places: NDArray[Any]) -> NDArray[Any]:
+        """Numbers of the pieces of sides in whose planes all of some places (n, 2) lie."""
+        return np.flatnonzero(np.abs(self.beyond(places)).max(axis=0) < SAME)
+
+    def beyond(self, places: NDArray[Any]) -> NDArray[Any]:
+        """(n, pieces) distances of places (n, 2) from the planes of the pieces, above zero outside."""
+        start, end = self.pieces.swapaxes(0, 1)
+        along = (end - start) / np.linalg.norm(end - start, axis=1)[:, None]
+        normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
+        return np.asarray(np.einsum("nsc,sc->ns", places[:, None] - start, normal))
+
+
+class DrawnPeriod(FilledTile):
+    """Solids of one period, cut along the sides of the tile."""
+
+    def __init__(self, path: str, tile: NDArray[Any], vectors: NDArray[Any], thickness: float) -> None:
+        from netgen import occ
+
+        super().__init__(tile, vectors, thickness)
         whole = occ.OCCGeometry(path).shape.Scale(occ.Pnt(0, 0, 0), 1e-3 / self.metres)
         solids = list(whole.solids)
         self.names = [str(solid.name or f"solid{number}") for number, solid in enumerate(solids, start=1)]
@@ -64,19 +96,29 @@ class DrawnPeriod:
         return self._mesh
 
     @property
-    def half_sides(self) -> NDArray[Any]:
-        """(2 sides, 2, 2) ends of the halves of the tile's sides, anticlockwise from the first corner."""
-        following = np.roll(self.corners, -1, axis=0)
-        middles = 0.5 * (self.corners + following)
-        starts = np.stack([self.corners, middles], axis=1).reshape(-1, 2)
-        return np.stack([starts, np.roll(starts, -1, axis=0)], axis=1)
+    def part_names(self) -> list[str]:
+        return self.names
+
+    @property
+    def elements(self) -> float:
+        """Of the mesh before it is refined."""
+        return float(len(self.mesh.Elements3D()))
+
+    def elements_of(self, order: int, rings: int) -> Any:
+        """NGSolve's mesh, refined towards edges where stress is singular."""
+        import ngsolve as ng
+
+        mesh = ng.Mesh(self.mesh.Copy())
+        mesh.RefineHP(rings, factor=LAYERS)
+        mesh.Curve(order)
+        return mesh
 
     def _cut(self, solids: Sequence[Any]) -> None:
         """Cut the solids, repeated, along the tile's sides; `problem` says what prevents that."""
         from netgen import occ
 
         low, high = (min(s.bounding_box[0].z for s in solids), max(s.bounding_box[1].z for s in solids))
-        outline = [occ.Pnt(x, y, low - 1.0) for x, y in self.half_sides[:, 0].tolist()]
+        outline = [occ.Pnt(x, y, low - 1.0) for x, y in self.pieces[:, 0].tolist()]
         edges = [occ.Segment(*ends) for ends in zip(outline, [*outline[1:], outline[0]], strict=True)]
         prism = occ.Prism(occ.Face(occ.Wire(edges)), occ.Vec(0, 0, high - low + 2.0))
         self.problem = ""
@@ -114,27 +156,19 @@ class DrawnPeriod:
         box = np.array([[low.x, low.y], [high.x, high.y]]) + move
         return bool((box[1] > self.corners.min(axis=0)).all() and (box[0] < self.corners.max(axis=0)).all())
 
-    def in_planes(self, places: NDArray[Any]) -> NDArray[Any]:
-        """Numbers of the half sides in whose planes all of some places (n, 2) lie."""
-        start, end = self.half_sides.swapaxes(0, 1)
-        along = (end - start) / np.linalg.norm(end - start, axis=1)[:, None]
-        normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
-        away = np.einsum("snc,sc->sn", places - start[:, None], normal)
-        return np.flatnonzero(np.abs(away).max(axis=1) < SAME)
-
     def half_side_of(self, face: Any) -> int | None:
         """Number of the half side that a face lies on; None for one inside the tile."""
         centre = np.array([face.center.x, face.center.y])
         vertices = [[vertex.p.x, vertex.p.y] for vertex in face.vertices]
         for number in self.in_planes(np.array([*vertices, centre])).tolist():
-            start, end = self.half_sides[number]
+            start, end = self.pieces[number]
             if 0.0 <= (centre - start) @ (end - start) <= (end - start) @ (end - start):
                 return int(number)
         return None
 
     def _floor(self, parts: Sequence[Any]) -> float | None:
         """Height of the plate's lower face, from its lateral faces; None where these are not whole."""
-        count = len(self.half_sides)
+        count = len(self.pieces)
         area, low, high = np.zeros(count), np.full(count, np.inf), np.full(count, -np.inf)
         beside = set()  # numbers of the parts that reach the sides
         for position, part in enumerate(parts):
@@ -145,7 +179,7 @@ class DrawnPeriod:
                     heights = [vertex.p.z for vertex in face.vertices]
                     area[number] += face.mass
                     low[number], high[number] = min(low[number], *heights), max(high[number], *heights)
-        length = np.linalg.norm(self.half_sides[:, 1] - self.half_sides[:, 0], axis=1)
+        length = np.linalg.norm(self.pieces[:, 1] - self.pieces[:, 0], axis=1)
         depth = high - low
         whole = np.abs(area - length * depth) < SAME * UNITS * length
         level = np.ptp(low) < SAME * UNITS and np.ptp(high) < SAME * UNITS
@@ -176,17 +210,6 @@ class DrawnPeriod:
             if abs(common.mass - part.mass) > SAME_VOLUME * part.mass:
                 return False
         return True
-
-
-@lru_cache(maxsize=2)
-def period_of(
-    path: str,
-    digest: str,
-    tile: tuple[tuple[float, ...], ...],
-    vectors: tuple[tuple[float, ...], ...],
-    thickness: float,
-) -> DrawnPeriod:
-    return DrawnPeriod(path, np.array(tile), np.array(vectors), thickness)
 
 
 def _origins(whole: Any, solids: Sequence[Any]) -> Iterator[NDArray[Any]]:

@@ -1,4 +1,4 @@
-"""Cells drawn in a CAD program: solids of a STEP file, meshed and assembled by Netgen and NGSolve.
+"""Cells of others: solids of a STEP file, meshed by Netgen, or a mesh, assembled by NGSolve.
 
 Both libraries run in the process that reads, so that a crash in one is an error like any other. Lengths are
 in units of a tenth of the pitch here; the plate's lower face is at z = 0, the tile's middle at x = y = 0.
@@ -6,69 +6,65 @@ in units of a tenth of the pitch here; the plate's lower face is at z = 0, the t
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.foreign.periods import SAME, DrawnPeriod, period_of
+from haptonic.foreign.meshes import MeshPeriod
+from haptonic.foreign.periods import SAME, DrawnPeriod
 
-LAYERS = 0.2  # ratio of neighbouring layers of elements towards an edge
 
-
-def inspected(
-    path: str, digest: str, tile: NDArray[Any], vectors: NDArray[Any], thickness: float, turns: NDArray[Any]
-) -> dict[str, Any]:
+def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
     """What a file has for one period of a plate.
 
     Parameters
     ----------
-    digest : of the file, so that another file of this name is read again
-    tile : (sides, 2) corners of the polygon that repeats, anticlockwise; vectors : (2, 2) translations;
-        thickness : of the plate, all in m
     turns : (n, 2, 2) orthogonal maps of the plane
+    drawn : see `period_of`
 
     Returns
     -------
-    ``names`` of the solids and their ``volumes``, m^3; ``problem``, empty where they make a period, else what
-    is wrong, with its ``number``; ``kept`` (n,) whether each map leaves the
-    solids as they are; ``elements`` of the mesh before it is refined
+    ``names`` of the solids, or of the groups of a mesh, for materials; ``problem``, empty where they make a
+    period, else what is wrong, with its ``number``, ``place`` and ``text``. If they do, ``parts``, names of
+    what may have a material of its own, with ``volumes``, m^3; ``kept`` (n,) whether each map leaves them
+    as they are; ``elements`` of the mesh before it is refined, as many tetrahedra have their unknowns
     """
-    found = period_of(path, digest, *_frozen(tile, vectors), float(thickness))
-    scale = found.metres
-    kept = [found.is_kept(turn) for turn in turns] if not found.problem else []
+    found = period_of(path, **drawn)
+    whole = not found.problem
     return {
         "names": found.names,
-        "volumes": [volume * scale**3 for volume in found.volumes],
         "problem": found.problem,
-        "number": found.number,
-        "kept": np.array(kept, dtype=np.uint8),
-        "elements": 0 if found.problem else len(found.mesh.Elements3D()),
+        "number": float(found.number),
+        "place": found.place,
+        "text": found.text,
+        "parts": found.part_names if whole else [],
+        "volumes": [volume * found.metres**3 for volume in found.volumes] if whole else [],
+        "kept": np.array([found.is_kept(turn) for turn in turns] if whole else [], dtype=np.uint8),
+        "elements": found.elements if whole else 0.0,
     }
 
 
 def assembled(
     path: str,
-    digest: str,
-    tile: NDArray[Any],
-    vectors: NDArray[Any],
-    thickness: float,
     order: int,
     rings: int,
     stiffness: NDArray[Any],
     density: NDArray[Any],
     along: NDArray[Any],
     upward: NDArray[Any],
+    **drawn: Any,
 ) -> dict[str, Any]:
-    """Matrices of a period on elements of an order, refined towards edges where stress is singular.
+    """Matrices of a period on elements of an order; those of solids are refined towards singular edges.
 
     Parameters
     ----------
-    path ... thickness : as for `inspected`
+    drawn : see `period_of`
     rings : how often elements at such edges are parted
     stiffness, density : (solids, 6, 6) Pa and (solids,) kg/m^3
-    along, upward : places of the trace's nodes on each half of a side and through the thickness, from 0 to 1
+    along, upward : places of the trace's nodes on each piece of a side and through the thickness, from 0 to 1
 
     Returns
     -------
@@ -80,13 +76,11 @@ def assembled(
     """
     import ngsolve as ng
 
-    period = period_of(path, digest, *_frozen(tile, vectors), float(thickness))
-    mesh = ng.Mesh(period.mesh.Copy())
-    mesh.RefineHP(rings, factor=LAYERS)
-    mesh.Curve(order)
+    period = period_of(path, **drawn)
+    mesh = period.elements_of(order, rings)
     metres = period.metres
     scalar = ng.H1(mesh, order=order)
-    names = [f"part{number}" for number in range(len(period.parts))]
+    names = [f"part{number}" for number in range(len(period.part_names))]
     heavy = mesh.MaterialCF(dict(zip(names, density.tolist(), strict=True)))
     tensors = [ng.CF(tuple(matrix.ravel().tolist()), dims=(6, 6)) for matrix in stiffness]
     hooke = mesh.MaterialCF(dict(zip(names, tensors, strict=True)))
@@ -113,8 +107,42 @@ def assembled(
     }
 
 
-def _frozen(tile: NDArray[Any], vectors: NDArray[Any]) -> tuple[tuple[tuple[float, ...], ...], ...]:
-    return tuple(tuple(map(tuple, np.asarray(rows).tolist())) for rows in (tile, vectors))
+def period_of(
+    path: str,
+    *,
+    digest: str,
+    tile: NDArray[Any],
+    vectors: NDArray[Any],
+    thickness: float,
+    unit: float,
+    with_material: list[str],
+) -> DrawnPeriod | MeshPeriod:
+    """The solids of a STEP file or a mesh as one period of a plate.
+
+    Parameters
+    ----------
+    digest : of the file, so that another file of this name is read again
+    tile : (sides, 2) corners of the polygon that repeats, anticlockwise; vectors : (2, 2) translations;
+        thickness : of the plate, all in m
+    unit : of the lengths of a mesh, m; zero for a STEP file, which gives its own
+    with_material : groups of a mesh with a material of their own
+    """
+    polygon, steps = (tuple(map(tuple, np.asarray(rows).tolist())) for rows in (tile, vectors))
+    return _period(path, digest, polygon, steps, float(thickness), float(unit), tuple(with_material))
+
+
+@lru_cache(maxsize=2)
+def _period(
+    path: str,
+    digest: str,
+    tile: tuple[tuple[float, ...], ...],
+    vectors: tuple[tuple[float, ...], ...],
+    thickness: float,
+    unit: float,
+    with_material: tuple[str, ...],
+) -> DrawnPeriod | MeshPeriod:
+    shape = np.array(tile), np.array(vectors), thickness
+    return MeshPeriod(path, *shape, unit, with_material) if unit else DrawnPeriod(path, *shape)
 
 
 def _strain(gradient: Any) -> Any:
@@ -137,11 +165,11 @@ def _triplets(form: Any, factor: float) -> dict[str, Any]:
 
 
 def _trace(
-    mesh: Any, scalar: Any, period: DrawnPeriod, along: NDArray[Any], upward: NDArray[Any]
+    mesh: Any, scalar: Any, period: DrawnPeriod | MeshPeriod, along: NDArray[Any], upward: NDArray[Any]
 ) -> tuple[NDArray[np.int64], NDArray[Any]]:
     """Unknowns on the lateral faces, and their values (unknowns, levels x places) for each of the trace's.
 
-    A trace is a polynomial along each half of a side and through the thickness, given by its values at the
+    A trace is a polynomial along each piece of a side and through the thickness, given by its values at the
     nodes; the unknowns are its projection in the mean square.
     """
     import ngsolve as ng
@@ -155,9 +183,9 @@ def _trace(
     values, columns, starts = form.mat.CSR()
     gram = sp.csr_matrix((np.array(values), np.array(columns), np.array(starts)))[lateral][:, lateral]
     of_power = [np.linalg.inv(np.vander(nodes, increasing=True)) for nodes in (along, upward)]
-    order, levels, count = len(along) - 1, len(upward), len(period.half_sides)
+    order, levels, count = len(along) - 1, len(upward), len(period.pieces)
     moments = np.zeros((len(lateral), levels, count * order))
-    for number, (start, end) in enumerate(period.half_sides):
+    for number, (start, end) in enumerate(period.pieces):
         step = (end - start) / np.sum((end - start) ** 2)
         s = (ng.x - start[0]) * step[0] + (ng.y - start[1]) * step[1]
         powers = np.empty((len(lateral), order + 1, levels))

@@ -91,6 +91,9 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
             f"{pillar.section} pillar {_length(pillar.diameter)} wide{long}, {_length(pillar.height)} high"
         )
     sizes += [disc.text(cell.thickness) for disc in cell.discs.values()]
+    if cell.solid is not None:
+        source = "mesh taken as it is from" if cell.solid.is_mesh else "solids of"
+        sizes.append(f"{source} {Path(cell.solid.file).name}")
     complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),

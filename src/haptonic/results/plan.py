@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from haptonic import plots
@@ -85,6 +86,7 @@ class StudyPlan(Result):
                 costs,
             ),
             Table("sizes of the cell", ("size", "value"), sizes),
+            *([_of_the_file(self.cell)] if self.cell.solid else []),
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]
 
@@ -131,6 +133,19 @@ class StudyPlan(Result):
     def _plan(self, *, ax: Axes | None = None) -> Figure:
         assert self.plate is not None
         return plots.plate_plan(self.plate, ax=ax)
+
+
+def _of_the_file(cell: UnitCell) -> Table:
+    """Solids of a CAD file, or parts of a mesh, by which a wrong unit or material shows."""
+    assert cell.solid is not None
+    period = cell.solid_period
+    solids = [cell.solid.material_of(name, cell.material) for name in period.names]
+    rows: list[tuple[Cell, ...]] = [
+        (name, solid.name, volume, volume * solid.density)
+        for name, solid, volume in zip(period.names, solids, period.volumes.tolist(), strict=True)
+    ]
+    columns = "part", "material", Column("volume", "m^3", "mm^3", ".5g"), Column("mass", "kg", "g", ".5g")
+    return Table(f"parts of {Path(cell.solid.file).name}, as it has them", columns, rows)
 
 
 def sentence_of(title: str, cell: UnitCell, carrier: float | None) -> str:

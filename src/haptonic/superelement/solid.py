@@ -87,10 +87,10 @@ class SolidBody:
         solids = [tile.solid.material_of(name, tile.material) for name in tile.solid_period.names]
         made = tile.solid.ask(
             "assembled",
-            tile=tile.corners,
-            vectors=tile.vectors,
-            thickness=tile.thickness,
-            order=plan.order,
+            tile.corners,
+            tile.vectors,
+            tile.thickness,
+            order=plan.upward,
             rings=plan.foot_rings + 1,
             stiffness=np.array([solid.stiffness for solid in solids]),
             density=np.array([solid.density for solid in solids]),
@@ -198,9 +198,9 @@ class SolidBody:
         )
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=1)
 def solid_body(tile: TileShape, plan: MeshPlan) -> SolidBody:
-    """The matrices of a tile on a plan; the last ones are kept, which condensation and counts share."""
+    """The matrices of a tile on a plan, for counts; one is kept, which may have gigabytes."""
     return SolidBody.of(tile, plan)
 
 
@@ -209,7 +209,7 @@ def condense_solid(
     tile: TileShape, plan: MeshPlan, steps: int, *, block: int, measured: bool
 ) -> Superelement:
     """Condense the solids of a CAD file onto their lateral faces; parameters as for `condense`."""
-    body = solid_body(tile, plan)
+    body = SolidBody.of(tile, plan)
     solver, _ = body.factorised()
     own = reduced(solver, body.bounded, steps, block)
     of_trace = body.whole(own.static, np.eye(body.on_sides.shape[1]))
