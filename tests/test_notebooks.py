@@ -60,7 +60,7 @@ def test_the_first_steps_of_the_afternoon(capsys):
     assert space["bands"].gaps[0].holds(46e3)
     apart = re.search(r"([\d.]+) % apart on average", space["beside"].summary()[0])
     assert float(apart[1]) == pytest.approx(1.0, abs=0.05)  # both are within 0.5 % of the truth
-    assert "12 mm: 42.2 to 49.5 kHz, holds the carrier: True" in capsys.readouterr().out
+    assert "12 mm: 42.2 to 49.5 kHz, carrier inside: True" in capsys.readouterr().out
 
 
 def test_the_tables_of_the_afternoon_are_the_study_of_its_cells():
@@ -89,7 +89,7 @@ def test_every_layer_by_itself(capsys):
     run("library", [code for _, code in cells("library")])
     said = capsys.readouterr().out
     assert "complete gap from 52.5 to 60.2 kHz" in said
-    assert "280 points, 61 lines, simulated" in said
+    assert "280 points, 61 frequencies, simulated" in said
     assert "friction differs" in said
 
 
