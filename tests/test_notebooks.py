@@ -54,21 +54,21 @@ def _elsewhere(tmp_path, monkeypatch):
 
 
 @pytest.mark.nightly
-def test_the_first_steps_of_the_afternoon(capsys):
-    text = NOTEBOOKS["afternoon"].split("## 3.")[0]
-    space = run("afternoon", [match[2] for match in CELL.finditer(text)])
+def test_the_first_steps_of_the_tutorial(capsys):
+    text = NOTEBOOKS["tutorial"].split("## 3.")[0]
+    space = run("tutorial", [match[2] for match in CELL.finditer(text)])
     assert space["bands"].gaps[0].holds(46e3)
     apart = re.search(r"([\d.]+) % apart on average", space["beside"].summary()[0])
     assert float(apart[1]) == pytest.approx(1.0, abs=0.05)  # both are within 0.5 % of the truth
     assert "12 mm: 42.2 to 49.5 kHz, carrier inside: True" in capsys.readouterr().out
 
 
-def test_the_tables_of_the_afternoon_are_the_study_of_its_cells():
+def test_the_tables_of_the_tutorial_are_the_study_of_its_cells():
     """Commands that ended a step had failed, for nothing had written what they need."""
-    (tables,) = re.findall(r"^```toml\n(.*?)^```", NOTEBOOKS["afternoon"], re.DOTALL | re.MULTILINE)
+    (tables,) = re.findall(r"^```toml\n(.*?)^```", NOTEBOOKS["tutorial"], re.DOTALL | re.MULTILINE)
     written = loads(f"{templates()['bare-cell']}\n{tables}")
     space: dict[str, object] = {"hp": haptonic}
-    for _, code in cells("afternoon"):
+    for _, code in cells("tutorial"):
         for line in ast.parse(code).body:
             if isinstance(line, ast.Assign) and ast.unparse(line.value).startswith("hp.Study("):
                 exec(ast.unparse(line), space)
@@ -94,17 +94,17 @@ def test_every_layer_by_itself(capsys):
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("name", ["afternoon", "gallery"])
+@pytest.mark.parametrize("name", ["gallery", "tutorial"])
 @pytest.mark.filterwarnings("ignore::haptonic.HaptonicWarning")
 def test_every_cell(name):
     assert run(name, [code for _, code in cells(name)])
 
 
-def test_differences_on_the_page_of_validation_are_within_what_is_told():
+def test_differences_on_the_page_of_validation_are_within_the_error_estimates():
     space = run("validation", [code for _, code in cells("validation")])
     assert len(space["rows"]) == 6
-    for what, where, _, away, told in space["rows"]:
-        assert float(away) < (float(told) if told else 4e-4), (what, where)
+    for solid, where, _, difference, estimate in space["rows"]:
+        assert float(difference) < (float(estimate) if estimate else 4e-4), (solid, where)
 
 
 def test_reference_values_on_the_page_of_validation_are_those_of_the_tests():
