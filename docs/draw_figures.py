@@ -1,7 +1,7 @@
 """Draw the pictures of these pages that no page computes itself: `python docs/draw_figures.py [NAME ...]`.
 
-Names are `badges`, `mesh`, `convergence` and `maps`; without one all are drawn. `maps` computes the prototype's plate, in
-about a minute; the others take seconds.
+Names are `badges`, `mesh`, `convergence` and `maps`; without one all are drawn. `maps` computes the plate of
+the prototype, which takes about two minutes. The others take seconds.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ def draw_basis(axes: Axes, order: int = 4) -> None:
 
 
 def measure(cell: UnitCell, order: int, rings: int) -> tuple[int, float, float]:
-    """Unknowns of the mesh, largest true error and largest estimate at the corners of the zone, both relative."""
+    """Unknowns of the mesh, and its largest relative error and estimate at the corners of the zone."""
     model = bloch_model(cell, BandSettings(mesh=MeshSettings(order=order, foot_rings=rings)))
     reference = json.loads((ROOT / "tests/data/reference_cell.json").read_text("utf-8"))
     errors, estimates = [], []
@@ -148,7 +148,8 @@ def draw_badges() -> None:
             f'aria-label="{key}: {value}"><rect width="{left}" height="20" fill="#444"/>'
             f'<rect x="{left}" width="{right}" height="20" fill="#1a6b8f"/>'
             '<g fill="#fff" font-family="Verdana,sans-serif" font-size="11" text-anchor="middle">'
-            f'<text x="{left / 2}" y="14">{key}</text><text x="{left + right / 2}" y="14">{value}</text></g></svg>\n',
+            f'<text x="{left / 2}" y="14">{key}</text><text x="{left + right / 2}" y="14">{value}</text>'
+            "</g></svg>\n",
             encoding="utf-8",
         )
 
