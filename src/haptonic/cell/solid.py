@@ -28,7 +28,7 @@ class SolidPart:
     """What a solid of the file consists of."""
 
     name: str = needed(
-        "Of the solid in the file; one without a name is called solid1, solid2, ... in order.",
+        "Name of the solid in the file; unnamed ones are called solid1, solid2, ... in order.",
         examples=["core"],
     )
     material: Annotated[Material, GIVEN] = needed(
@@ -67,7 +67,7 @@ class Solid:
     )
     sha256: str = setting(
         "",
-        "Of the file; filled in, and one that is given has to agree.",
+        "Hash of the file; filled in, and one that is given has to agree.",
         title="Hash of the file",
         examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"],
     )
