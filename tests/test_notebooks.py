@@ -19,6 +19,7 @@ from haptonic.plots.style import Drawing
 from haptonic.study import loads
 from haptonic.study.template import templates
 from quick import QUICK_CELL
+from test_docs import PRINTED
 
 DOCS = Path(__file__).parents[1] / "docs"
 NOTEBOOKS = {
@@ -77,12 +78,15 @@ def test_the_tables_of_the_tutorial_are_the_study_of_its_cells():
         assert same[table] == other[table]
 
 
-def test_the_first_page_says_what_its_code_gives():
-    text = (DOCS / "index.md").read_text("utf-8")
-    (code,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-    said = re.search(r"^\*(.*)\*$", text, re.MULTILINE)[1]
-    space = run("index", [code.replace("study.bands()", "bands = study.bands()")])
-    assert space["bands"].summary()[0] == said
+def test_the_first_page_has_the_code_and_the_answer_of_the_readme():
+    """`test_docs.py` executes that of the README and compares its answer."""
+    answers, codes = [], []
+    for page in (DOCS / "index.md", DOCS.parent / "README.md"):
+        text = page.read_text("utf-8")
+        answers += re.findall(r"^\*(Complete gap.*)\*$", text, re.MULTILINE)
+        codes += re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    assert codes[1] == codes[0].replace("study.bands()", "print(study.bands().summary()[0])")
+    assert answers == [PRINTED["README.md"].strip()] * 2
 
 
 def test_every_layer_by_itself(capsys):

@@ -55,7 +55,7 @@ def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
     monkeypatch.setattr(FrictionResult, "blocks", lambda self: ([], 0))
     for line in lines:
         words = shlex.split(line)[1:]
-        done = CliRunner().invoke(app, [*words, "--overwrite"], catch_exceptions=False)
+        done = CliRunner().invoke(app, [*words, "--workers", "0", "--overwrite"], catch_exceptions=False)
         assert done.exit_code == 0, done.stderr
     table = pd.read_csv(tmp_path / "results" / "friction" / "trials.csv")
     counts = table["excluded"].isna().to_numpy()

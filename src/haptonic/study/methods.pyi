@@ -101,8 +101,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.layers.Layers:
-        """Insertion loss of rows of cells between two plain plates, and the number of rows for the
-        carrier."""
+        """Insertion loss of rows of cells between plain plates, and the number of rows for the carrier."""
 
     def waveguide(
         self,
@@ -293,7 +292,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.simulated_trials.SimulatedFriction:
-        """Simulated strokes of simulated participants, as a folder that `haptonic friction` reads."""
+        """Strokes of simulated participants, as a folder that `haptonic friction` reads."""
 
     def simulate_scan(
         self,
