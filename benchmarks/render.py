@@ -126,8 +126,9 @@ def peer(record: dict[str, Any]) -> str:
 The same diagram, {record["points"]} wavevectors and 10 bands, with NGSolve {record["ngsolve_version"]}:
 OpenCascade geometry, curved tetrahedra refined towards the foot, periodic phases, all cores. Its mesh is made
 once; {record["ngsolve"][0]["timed_points"]} of its wavevectors are timed and scaled to {record["points"]}. The error of both is
-the largest of bands 1 to 10 at the zone's corners, against converged values of a third code. On the lines
-between the runs, {ratios} (the aim is 1000); the second accuracy is the best of NGSolve's runs.
+the largest of bands 1 to 10 at the zone's corners, against converged values of a third code.
+
+Interpolated between the runs, {ratios}. The second accuracy is the best of NGSolve's runs. The goal is 1000.
 
 ![Error against time of both](images/bench_peer.svg)
 
@@ -171,7 +172,7 @@ def estimates(record: dict[str, Any]) -> str:
         for row in record["rows"]
     ]  # fmt: skip
     heads = ["class", "designs", "answered", "refused", "too long", "no reference", "frequencies",
-             "estimate below true", "designs that told less accuracy than asked for", "designs beyond what they told",
+             "estimate below true", "designs below the accuracy asked for", "designs beyond their estimate",
              "ratio: least", "median of designs", "unsure, median", "seconds, median", "of the reference"]  # fmt: skip
     answered = record["rows"][-1]["answered"]
     few = (
@@ -190,16 +191,23 @@ def estimates(record: dict[str, Any]) -> str:
         few += " Not answered, by number:"
     return f"""## Estimates hold
 
-Cells drawn over all that a study can say (seed {record["seed"]}; `python benchmarks/estimates_hold.py --seed 7` draws
-others): round and square sections, fillets, drafts, steps, rectangular lattices, plain plates; six materials and
-Poisson ratios of -0.3 to 0.49; thickness 0.02 to 0.6, diameter 0.05 to 0.97, height 0.05 to 6 pitches; 10 to 30 bands
-at accuracies of 2.5e-2 to 5e-4, up to seven wavevectors; "stout" are wide, low pillars on thin plates at 1e-2 and
-2.5e-2. Compared with two meshes or more, of orders 4 to 7, the last of which is the reference; its uncertainty is what
-it differs by from the one before, times 0.6 to 2 by what falls between them (`tests/core/truth.py`). Both keep an
-interior of several hundred fields. Plain plates are compared with Rayleigh and Lamb's waves. "Ratio" is the estimate
-over the true error, or over the uncertainty where that is more; "unsure" the largest uncertainty over the estimate;
-below the truth is an estimate that is less than the difference by more than the uncertainty. Each design had
-{record["limit_s"]:g} s of the processor. {record["remark"]}{few}
+Random cells over the range of a study (seed {record["seed"]}; `python benchmarks/estimates_hold.py --seed 7` draws others):
+
+- round and square sections, fillets, drafts, steps, rectangular lattices, plain plates; six materials and Poisson ratios of -0.3 to 0.49;
+- thickness 0.02 to 0.6, diameter 0.05 to 0.97, height 0.05 to 6 pitches;
+- 10 to 30 bands at accuracies of 2.5e-2 to 5e-4, up to seven wavevectors;
+- "stout": wide, low pillars on thin plates at 1e-2 and 2.5e-2.
+
+Each is compared with two finer meshes or more, of orders 4 to 7. The last one is the reference. Its uncertainty is the difference
+to the one before, times 0.6 to 2. Plain plates are compared with Rayleigh and Lamb's waves. Each design had {record["limit_s"]:g} s of
+processor time.
+
+"Ratio" is the estimate over the true error, or over the uncertainty if that is larger. "Unsure" is the largest uncertainty over the
+estimate. An estimate is below the truth if it is smaller than the difference by more than the uncertainty.
+
+{record["remark"]}
+
+{few.strip()}
 
 {reasons}
 {table(heads, rows)}
@@ -220,11 +228,12 @@ def everywhere(record: dict[str, Any]) -> str:
     return f"""## Wavevectors everywhere
 
 {record["wavevectors"]:,} wavevectors (seed {record["seed"]}), drawn evenly over {record["zones"]} by {record["zones"]} zones of twelve
-cells; {record["outside"]:,} of them lie outside the irreducible zone. The model carries each into it; its frequencies are compared
-with those of the unreduced pencil of a mesh of one order more, at the wavevector itself. **{record["beyond"]:,} of
-{record["frequencies"]:,} frequencies are beyond their errors.** "Basis" is the size of the small pencil, of the unreduced one
-that it is compared with; "ratio" is the error that is reported over the true one. The last column is the share of wavevectors
-at which a band would be beyond its error if the small basis answered where it was asked.
+cells; {record["outside"]:,} of them lie outside the irreducible zone. The model moves each into it. Its frequencies are compared
+with the unreduced pencil of a mesh of one order more, at the wavevector itself. **{record["beyond"]:,} of
+{record["frequencies"]:,} frequencies are beyond their errors.**
+
+"Basis" is the size of the small pencil and of the unreduced one. "Ratio" is the reported error over the true one. The last column is the
+share of wavevectors at which a band would be beyond its error without the move into the zone.
 
 {table(heads, rows)}
 
@@ -238,7 +247,7 @@ def growth(record: dict[str, Any]) -> str:
          f"{row['peak_memory_bytes'] / 1e9:.2f} GB", f"{row['memory_foreseen_bytes'] / 1e9:.2f} GB"]
         for row in record["rows"]
     ]  # fmt: skip
-    heads = ["order", "unknowns", "trace", "condensation", "peak memory", "foreseen for a whole model"]
+    heads = ["order", "unknowns", "trace", "condensation", "peak memory", "estimated for a whole model"]
     pillars = [
         [row["pillars"], row["unknowns"], row["condensed_unknowns"], f"{row['condense_s']:.2f} s",
          f"{row['bands_s']:.2f} s", f"{row['peak_memory_bytes'] / 1e9:.2f} GB"]
@@ -315,7 +324,7 @@ def searches(record: dict[str, Any]) -> str:
         "search",
         "time",
     ]
-    return f"""## A search finds what is there
+    return f"""## Searches
 
 {len(briefs)} briefs drawn with seed {record["seed"]}, each with a start drawn as well, against the best of a grid
 over its bounds; the margin is the carrier's distance from the nearer edge, errors counted, as a share of the
@@ -397,8 +406,8 @@ def rows_between(record: dict[str, Any]) -> str:
 
 The prototype with zero to four rows of its lattice between the guides, its patch in the first of them, at the
 resonance of that guide in the gap: simulated contrast of the first guide over the second, beside what a mirror of
-so many rows holds back of {record["family"]} waves that meet it head-on (all they turn into counts as let through)
-and what the guide's own mode loses in them.
+so many rows reflects of {record["family"]} waves at normal incidence (all kinds of transmitted waves count),
+and the decay of the guide's own mode in them.
 
 {table(["rows", "resonance", "contrast", "mirror, head-on", "guide's mode", "time"], rows)}
 
@@ -429,7 +438,7 @@ def many_trials(record: dict[str, Any]) -> str:
     grown = (large["peak_bytes"] - small["peak_bytes"]) / (large["trials"] - small["trials"])
     return f"""## Many trials
 
-Made-up strokes in HDF5 files of a block each, {record["bytes_read"][1] / 1e9:.1f} GB, {record["workers"]} worker
+Simulated strokes in HDF5 files of a block each, {record["bytes_read"][1] / 1e9:.1f} GB, {record["workers"]} worker
 processes; budget 60 s for 100 000 trials on two cores. The larger experiment reads every file of the smaller one ten
 times under other names. Pictures and the start of Python are not timed. Memory grows by {grown / 1e3:.1f} kB for each
 trial, which is its row in the tables; no record is kept.
@@ -463,16 +472,15 @@ def true_trials(record: dict[str, Any]) -> str:
         [name, f"{100 * one['rate']:.1f} ± {100 * one['error']:.1f} %", one["computed"]]
         for name, one in record["alarms"].items()
     ]
-    return f"""## Made-up trials tell their truth
+    return f"""## Simulated trials
 
 All of it is simulated. {record["people"]} people stroke the prototype's two waveguides {record["strokes"]} times in
 all, with amplitudes of {1e6 * record["amplitude_m"]["WG1"]:.2f} and {1e6 * record["amplitude_m"]["WG2"]:.2f} um,
-which by load sharing take {100 * true["driven"]:.1f} % and {100 * true["idle"]:.1f} % of the friction away in the
-population. The force records of {record["seeds"]} such experiments were processed and analysed in
-{record["covered_s"]:.0f} s. How often the stated intervals of 95 % held the truth; in brackets the counts between
-which 95 % of all such counts lie if the statement is right:
+which by load sharing reduce the friction in the population by {100 * true["driven"]:.1f} % and {100 * true["idle"]:.1f} %. The force records of {record["seeds"]} such experiments were processed and analysed in
+{record["covered_s"]:.0f} s. The table counts how often the intervals of 95 % contained the truth. Brackets give the range of 95 % of all such
+counts for correct intervals.
 
-{table(["reduction, about whom", "held", "mean error", "spread of the errors"], held)}
+{table(["reduction, for whom", "contained", "mean error", "spread of the errors"], held)}
 
 With more people, {record["experiments"]} experiments each, of coefficients without force records; the last column
 is the median width of the interval for the idle waveguide's reduction:
@@ -499,8 +507,7 @@ def scan(record: dict[str, Any]) -> str:
     first, second = record["runs"]
     return f"""## The scan
 
-Simulated scans of the prototype at {record["points"]} points with the default instrument, and what their analysis
-makes of them: the largest error of the contrast of WG1 over WG2 at any line at which it is given, the lines at which
+Simulated scans of the prototype at {record["points"]} points with the default instrument, and results of their analysis: the largest error of the contrast of WG1 over WG2 at any line at which it is given, the lines at which
 noise hides it, the largest error without the noise taken off, and the edges of the gap. Computed of the lattice
 alone it is {computed[0] / 1e3:.2f} to {computed[1] / 1e3:.2f} kHz.
 
@@ -518,30 +525,30 @@ waves of the lattice to compute as well, it is {first["analysing_s"]:.0f} s ({fi
 
 
 def _edge(edge: dict[str, float] | None) -> str:
-    return f"{edge['frequency'] / 1e3:.2f} ± {edge['error'] / 1e3:.2f} kHz" if edge else "not told"
+    return f"{edge['frequency'] / 1e3:.2f} ± {edge['error'] / 1e3:.2f} kHz" if edge else "not determined"
 
 
 def edges(record: dict[str, Any]) -> str:
     rows = []
     for plate in record["plates"]:
         lower, upper, beside = plate["lower"], plate["upper"], plate["beside_upper"]
-        told = "not told"
+        told = "not determined"
         off = ""
         if "told" in lower:
             told = f"{lower['told'] / 1e3:.2f} ± {lower['error'] / 1e3:.2f} kHz"
             off = f"{(lower['told'] - lower['computed']) / lower['error']:+.1f}"
         rows.append([
             plate["name"], plate["points"], f"{lower['computed'] / 1e3:.2f} kHz", told, off,
-            f"{upper['computed'] / 1e3:.2f} kHz", "told" if "told" in upper else "not told",
+            f"{upper['computed'] / 1e3:.2f} kHz", "determined" if "told" in upper else "not determined",
             *(f"{before:.1f}, {after:.1f}" for before, after in (beside["small"], beside["large"])),
         ])  # fmt: skip
     heads = ["plate", "points", "lower, computed", "in the scan", "errors off", "upper, computed", "in the scan",
              "small phase", "large phase"]  # fmt: skip
     return f"""## The gap in the scan
 
-Edges of the gap as computed of the lattice and as simulated scans of plates tell them, with the default instrument.
-The last two columns are how waves of phases below and above π/2 fade within 4 % below and above the computed upper
-edge, dB per row: no common change shows that edge. The standard error was chosen with all plates but
+Edges of the gap, computed for the lattice and determined from simulated scans of plates with the default instrument.
+The last two columns are the decay of waves of phases below and above π/2, within 4 % below and above the computed upper
+edge, in dB per row: no common change shows that edge. The standard error was chosen with all plates except
 {" and ".join(f'"{name}"' for name in record["held_out"])}.
 
 {table(heads, rows)}
@@ -565,9 +572,10 @@ def fit(record: dict[str, Any]) -> str:
 
 {record["seeds"]} simulated scans of a small plate with a glued patch, a pillar and sprung corners: numbers drawn
 between the bounds of the fit, a periodic chirp, {100 * record["noise"]:g} % noise, 16 bits, {record["points"]} points of which two were not reached and
-one lost its signal, {record["lines"]} lines. How often the truth lies within the 95 % interval; with 95 % for each scan fewer than
-{record["least_allowed"]} would come by chance once in a hundred. The last column is the root mean square of the distance over the half
-width, 0.51 for intervals that are exactly as wide as they should be.
+one lost its signal, {record["lines"]} frequencies.
+
+The table counts how often the 95 % interval contains the truth. Fewer than {record["least_allowed"]} are expected once in a hundred such
+benchmarks. The last column is the root mean square of the distance over the half width; 0.51 is the value of exact intervals.
 
 {table(["number", "truth within", "interval, median", "distance"], rows)}
 

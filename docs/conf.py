@@ -22,14 +22,14 @@ html_theme = "pydata_sphinx_theme"
 html_title = f"haptonic {__version__}"
 html_theme_options = {
     "navigation_with_keys": True,
-    "navbar_center": [],  # all pages stand in the sidebar, by what they are for
-    "navbar_persistent": ["search-button"],  # the field's name for a screen reader leaves out its own words
+    "navbar_center": [],  # the sidebar lists all pages
+    "navbar_persistent": ["search-button"],  # its field has a name for screen readers
     "secondary_sidebar_items": ["page-toc"],
     "pygments_light_style": "a11y-high-contrast-light",
     "pygments_dark_style": "a11y-high-contrast-dark",
 }
 templates_path = ["templates"]
-html_sidebars = {"index": [], "**": ["pages.html"]}
+html_sidebars = {"**": ["pages.html"]}
 html_static_path = ["static"]
 html_css_files = ["haptonic.css"]
 html_copy_source = html_show_sourcelink = False

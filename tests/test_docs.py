@@ -23,9 +23,11 @@ def blocks(document: str, language: str) -> list[str]:
 
 
 PRINTED = {
-    "README.md": "52.5 to 60.2 kHz, complete: True\n",
+    "README.md": "Complete gap from 42.181 ± 0.018 to 49.52 ± 0.03 kHz, between bands 6 and 7.\n",
     "docs/channels.md": "['Fz'] N 1000.0 0.5\n",
-    "docs/mirror-and-design.md": "56.9 kHz, 15 dB per row\n",
+    "docs/design.md": "['cell.pillar.diameter', 'cell.pillar.height']\n",
+    "docs/export.md": "",
+    "docs/mirror.md": "56.9 kHz, 15 dB per row\n",
     "docs/plate.md": "180 pillars on 127 x 140 mm\n",
     "docs/scan.md": "simulated: 280 points, contrast within 0.5 dB: True\n",
     "docs/verdict.md": "material.youngs_modulus = 7e+10\nplate.loss_factor = 0.002\n"

@@ -19,6 +19,7 @@ from haptonic.plots.style import Drawing
 from haptonic.study import loads
 from haptonic.study.template import templates
 from quick import QUICK_CELL
+from test_docs import PRINTED
 
 DOCS = Path(__file__).parents[1] / "docs"
 NOTEBOOKS = {
@@ -54,21 +55,21 @@ def _elsewhere(tmp_path, monkeypatch):
 
 
 @pytest.mark.nightly
-def test_the_first_steps_of_the_afternoon(capsys):
-    text = NOTEBOOKS["afternoon"].split("## 3.")[0]
-    space = run("afternoon", [match[2] for match in CELL.finditer(text)])
+def test_the_first_steps_of_the_tutorial(capsys):
+    text = NOTEBOOKS["tutorial"].split("## 3.")[0]
+    space = run("tutorial", [match[2] for match in CELL.finditer(text)])
     assert space["bands"].gaps[0].holds(46e3)
     apart = re.search(r"([\d.]+) % apart on average", space["beside"].summary()[0])
     assert float(apart[1]) == pytest.approx(1.0, abs=0.05)  # both are within 0.5 % of the truth
-    assert "12 mm: 42.2 to 49.5 kHz, holds the carrier: True" in capsys.readouterr().out
+    assert "12 mm: 42.2 to 49.5 kHz, carrier inside: True" in capsys.readouterr().out
 
 
-def test_the_tables_of_the_afternoon_are_the_study_of_its_cells():
+def test_the_tables_of_the_tutorial_are_the_study_of_its_cells():
     """Commands that ended a step had failed, for nothing had written what they need."""
-    (tables,) = re.findall(r"^```toml\n(.*?)^```", NOTEBOOKS["afternoon"], re.DOTALL | re.MULTILINE)
+    (tables,) = re.findall(r"^```toml\n(.*?)^```", NOTEBOOKS["tutorial"], re.DOTALL | re.MULTILINE)
     written = loads(f"{templates()['bare-cell']}\n{tables}")
     space: dict[str, object] = {"hp": haptonic}
-    for _, code in cells("afternoon"):
+    for _, code in cells("tutorial"):
         for line in ast.parse(code).body:
             if isinstance(line, ast.Assign) and ast.unparse(line.value).startswith("hp.Study("):
                 exec(ast.unparse(line), space)
@@ -77,34 +78,37 @@ def test_the_tables_of_the_afternoon_are_the_study_of_its_cells():
         assert same[table] == other[table]
 
 
-def test_the_first_page_says_what_its_code_gives():
-    text = (DOCS / "index.md").read_text("utf-8")
-    (code,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-    said = re.search(r"^\*(.*)\*$", text, re.MULTILINE)[1]
-    space = run("index", [code.replace("study.bands()", "bands = study.bands()")])
-    assert space["bands"].summary()[0] == said
+def test_the_first_page_has_the_code_and_the_answer_of_the_readme():
+    """`test_docs.py` executes that of the README and compares its answer."""
+    answers, codes = [], []
+    for page in (DOCS / "index.md", DOCS.parent / "README.md"):
+        text = page.read_text("utf-8")
+        answers += re.findall(r"^\*(Complete gap.*)\*$", text, re.MULTILINE)
+        codes += re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    assert codes[1] == codes[0].replace("study.bands()", "print(study.bands().summary()[0])")
+    assert answers == [PRINTED["README.md"].strip()] * 2
 
 
 def test_every_layer_by_itself(capsys):
     run("library", [code for _, code in cells("library")])
     said = capsys.readouterr().out
     assert "complete gap from 52.5 to 60.2 kHz" in said
-    assert "280 points, 61 lines, simulated" in said
+    assert "280 points, 61 frequencies, simulated" in said
     assert "friction differs" in said
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("name", ["afternoon", "gallery"])
+@pytest.mark.parametrize("name", ["gallery", "tutorial"])
 @pytest.mark.filterwarnings("ignore::haptonic.HaptonicWarning")
 def test_every_cell(name):
     assert run(name, [code for _, code in cells(name)])
 
 
-def test_differences_on_the_page_of_validation_are_within_what_is_told():
+def test_differences_on_the_page_of_validation_are_within_the_error_estimates():
     space = run("validation", [code for _, code in cells("validation")])
     assert len(space["rows"]) == 6
-    for what, where, _, away, told in space["rows"]:
-        assert float(away) < (float(told) if told else 4e-4), (what, where)
+    for solid, where, _, difference, estimate in space["rows"]:
+        assert float(difference) < (float(estimate) if estimate else 4e-4), (solid, where)
 
 
 def test_reference_values_on_the_page_of_validation_are_those_of_the_tests():

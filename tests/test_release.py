@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import importlib.util
+import json
 import re
 import sys
 import tomllib
@@ -75,9 +76,10 @@ def test_there_is_one_version():
     assert "version" in PROJECT["dynamic"]
     cited = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))["version"]
     packed = recipe()["context"]["version"]
-    newest = re.search(r"^## (\S+)", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.M)
+    newest = re.search(r"^## \[(\d\S+)\]", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.M)
+    deposited = json.loads((ROOT / ".zenodo.json").read_text("utf-8"))["version"]
     assert newest is not None
-    assert {cited, packed, newest[1].strip(",")} == {haptonic.__version__}
+    assert {cited, packed, deposited, newest[1]} == {haptonic.__version__}
 
 
 def recipe() -> dict[str, dict]:

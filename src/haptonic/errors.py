@@ -106,7 +106,7 @@ class HaptonicError(Exception):
         next_step: str = "choose one of these",
         command: str = "",
     ) -> Self:
-        """A name that is none of those known.
+        """An unknown name; the message proposes the nearest one.
 
         Parameters
         ----------
@@ -138,29 +138,29 @@ class HaptonicError(Exception):
         given: object = "nothing",
         command: str = "",
     ) -> Self:
-        """Something that is needed was not given."""
+        """A required value is missing."""
         return cls(
             "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step,
             command=command,
         )  # fmt: skip
 
-    malformed = _Code("A value of another form or type than is read here.")
+    malformed = _Code("A value of the wrong form or type.")
     out_of_range = _Code("A value beyond its bounds.")
-    conflict = _Code("Values that are possible, but not together.")
-    repeated = _Code("The same given twice, or a name that is taken.")
+    conflict = _Code("Values that exclude each other.")
+    repeated = _Code("A duplicate, or a name in use.")
     mismatch = _Code("Data that belong to something else: another plate, scan or drive.")
     too_few = _Code("Too little data for an answer.")
-    unsupported = _Code("Something possible that is not computed here.")
-    no_answer = _Code("All is in order, but what was asked for does not exist.")
+    unsupported = _Code("A possible case that haptonic does not compute.")
+    no_answer = _Code("Valid input, but the answer does not exist.")
     inaccurate = _Code("An accuracy that cannot be reached.")
-    too_large = _Code("More memory or time than there is, or a file larger than is read.")
-    not_found = _Code("A file or folder that is not there.")
+    too_large = _Code("Too much memory or time, or a file beyond the limit.")
+    not_found = _Code("A missing file or folder.")
     forbidden = _Code("A file that you may not read.")
-    encoding = _Code("Text in another encoding than is read here.")
+    encoding = _Code("Text in an unknown encoding.")
     unreadable = _Code("A file that cannot be read.")
     unwritable = _Code("A file that cannot be written.")
-    not_installed = _Code("An optional package that is not there.")
-    worker = _Code("Processes that do the work cannot be started, or were lost.")
+    not_installed = _Code("An optional package is missing.")
+    worker = _Code("Worker processes do not start, or were lost.")
 
 
 def _rebuilt(kind: type[E], parts: Mapping[str, str], command: str = "") -> E:

@@ -151,11 +151,11 @@ class Lattice:
     )
     pitch_y: Annotated[float, size(100e-9, 100e-3)] | None = setting(
         None,
-        "Of a rectangular lattice, or of a centred one, whose rectangles have a middle pillar.",
+        "Period along y of a rectangular lattice, or of a centred one, with a pillar in the middle.",
         title="Pitch along y",
     )
     pitch_2: Annotated[float, size(100e-9, 100e-3)] | None = setting(
-        None, "Of an oblique lattice only.", title="Second pitch"
+        None, "Length of the second translation of an oblique lattice.", title="Second pitch"
     )
     angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = setting(
         None, "From the first pitch, along x, to that of an oblique lattice."

@@ -358,7 +358,7 @@ def test_a_shell_completes(words, at, offered):
     assert not {"keys", "mirror", "--json"} & set(said.split()) or words == "haptonic "
 
 
-def test_the_page_on_the_first_hour_is_true(inside, tmp_path, monkeypatch):
+def test_the_commands_of_the_page_on_a_first_gap_run_in_their_order(inside, tmp_path, monkeypatch):
     """Every line that it prints, in its order; what a shell does with the output is left to it."""
     page = (Path(__file__).parents[2] / "docs" / "start.md").read_text("utf-8")
     monkeypatch.chdir(tmp_path)

@@ -1,4 +1,4 @@
-"""What the page on friction, and the docstrings, print is executed."""
+"""Code on the pages about friction, and examples of docstrings, are executed."""
 
 import doctest
 import re
@@ -15,16 +15,17 @@ from haptonic.friction.signals import measured
 from haptonic.results import FrictionResult
 from trial_folders import made_up, written
 
-PAGE = Path(__file__).parents[2] / "docs" / "friction.md"
-BIBLIOGRAPHY = PAGE.with_name("references.bib")
+DOCS = Path(__file__).parents[2] / "docs"
+TEXT = "\n".join((DOCS / name).read_text("utf-8") for name in ("friction.md", "trials.md"))
+BIBLIOGRAPHY = DOCS / "references.bib"
 SOURCE = Path(parameters.__file__).parents[1]
 
 
 def test_the_printed_python_runs_and_says_what_it_should(capsys):
-    blocks = re.findall(r"```python\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL)
+    blocks = re.findall(r"```python\n(.*?)```", TEXT, re.DOTALL)
     assert len(blocks) == 2
     for text in blocks:
-        exec(compile(text, str(PAGE), "exec"), {})
+        exec(compile(text, "friction", "exec"), {})
     said = capsys.readouterr().out
     assert "load_sharing [0.88 0.43 0.03]" in said
     assert "55 % against 11 %: 3.3 times the amplitude" in said
@@ -35,8 +36,8 @@ def test_the_printed_python_runs_and_says_what_it_should(capsys):
 
 def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    text = PAGE.read_text("utf-8")
-    (section,) = (one for one in re.findall(r"```toml\n(.*?)```", text, re.DOTALL) if "[trials]" in one)
+    tables = re.findall(r"```toml\n(.*?)```", TEXT, re.DOTALL)
+    (section,) = (table for table in tables if "[trials]" in table)
     made = made_up(2, 4, 8)
     folder = written(
         tmp_path / "trials",
@@ -46,15 +47,15 @@ def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
     (folder / "study.toml").write_text(section)
     lines = [
         line
-        for block in re.findall(r"```bash\n(.*?)```", text, re.DOTALL)
+        for block in re.findall(r"```bash\n(.*?)```", TEXT, re.DOTALL)
         for line in block.splitlines()
         if line.startswith("haptonic friction")
     ]
     assert len(lines) == 2
     monkeypatch.setattr(FrictionResult, "blocks", lambda self: ([], 0))
     for line in lines:
-        words = shlex.split(line.replace("--workers 2", "--workers 0"))[1:]
-        done = CliRunner().invoke(app, [*words, "--overwrite"], catch_exceptions=False)
+        words = shlex.split(line)[1:]
+        done = CliRunner().invoke(app, [*words, "--workers", "0", "--overwrite"], catch_exceptions=False)
         assert done.exit_code == 0, done.stderr
     table = pd.read_csv(tmp_path / "results" / "friction" / "trials.csv")
     counts = table["excluded"].isna().to_numpy()
@@ -64,10 +65,10 @@ def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
 
 def test_the_printed_commands_run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "studies").symlink_to(PAGE.parents[1] / "studies")
+    (tmp_path / "studies").symlink_to(DOCS.parent / "studies")
     lines = [
         shlex.split(line, comments=True)[1:]
-        for block in re.findall(r"```sh\n(.*?)```", PAGE.read_text("utf-8"), re.DOTALL)
+        for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL)
         for line in block.splitlines()
     ]
     assert len(lines) >= 2

@@ -16,34 +16,29 @@ if TYPE_CHECKING:  # to list the analyses, none of them and nothing that they ne
 
 # name: what it gives, a sentence; in the order of the help. "simulate scan" is the module simulate_scan
 NAMES = {
-    "plan": "What a study describes, its map and sizes, and what each command will cost, before anything is "
-    "computed.",
+    "plan": "Map and sizes of a study, with time and memory of each command, before anything is computed.",
     "bands": "Band diagram, gaps and mode shapes of the unit cell.",
-    "compare": "Bands of two studies or results beside each other, or of another program's table over ours.",
+    "compare": "Bands of two studies or results, or of another program's table over those of a study.",
     "sweep": "Complete gaps along the study's sweeps.",
-    "reproduce": "Everything the study describes, and one report that sets it beside reference values.",
-    "layers": "What rows of cells let through between two plain plates, and how many of them the carrier "
-    "needs.",
+    "reproduce": "All analyses of the study, and one report that compares them with reference values.",
+    "layers": "Insertion loss of rows of cells between plain plates, and the number of rows for the carrier.",
     "waveguide": "Width, length and frequency of a waveguide between two such mirrors.",
-    "ribbon": "Waves along columns of cells side by side: projected bands, and what a guide or edge holds.",
+    "ribbon": "Waves along columns of cells side by side: projected bands, and modes of guides and edges.",
     "design": "The cell whose gap holds the carrier with the widest margin, within the study's [design].",
-    "tolerance": "The chance that the gap holds the carrier, the size that matters most, and the loosest "
+    "tolerance": "Probability that the gap contains the carrier, the size that matters most, and the loosest "
     "tolerances.",
     "export": "Files for the workshop, of the plate or a piece of lattice; all of them if none is named. The "
-    "drawing has the tolerances found, or says why not.",
-    "plate": "How the finite plate vibrates: response, localisation, energies, impedance, modes.",
-    "feel": "What a finger feels of the plate: a map of friction, reductions, whether they are noticed.",
+    "drawing has tolerances, or a note that explains why there are none.",
+    "plate": "Vibration of the finite plate: response, localisation, energies, impedance, modes.",
+    "feel": "Friction under a finger on the plate: a map, reductions, and whether people notice them.",
     "chirp": "The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage.",
-    "scan": "Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits.",
+    "scan": "Analysis of a scan: responses, maps, contrast, the gap, waves; and agreement with a model.",
     "protocol": "Order of friction trials: list, printed sheet, metronome, and how many participants are "
     "needed.",
-    "friction": "Coefficients of friction from force records, and what they prove.",
-    "verdict": "A response that a scan has given, once more against its plate's model: new unknowns, no "
-    "records.",
-    "simulate friction": "Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all "
-    "simulated.",
-    "simulate scan": "What a laser vibrometer would record of the study's plate. Everything is marked as "
-    "simulated.",
+    "friction": "Coefficients of friction from force records, and tests of their reduction.",
+    "verdict": "The response of a scan compared again with the model of its plate: new unknowns, no records.",
+    "simulate friction": "Strokes of simulated participants, as a folder that `haptonic friction` reads.",
+    "simulate scan": "A simulated scan of the study's plate. Everything is marked as simulated.",
 }
 
 

@@ -38,7 +38,7 @@ class CompareOptions(UnitsOfFile):
     )
     skip_lines: int = option(0, "Lines at the top of the table that are left out.", metavar="N", least=0)
     any_difference: bool = option(
-        False, f"Also report a table that is more than {MOST_APART:.0%} apart; else that is an error."
+        False, f"Also report a table that is more than {MOST_APART:.0%} apart, otherwise an error."
     )
 
     @property

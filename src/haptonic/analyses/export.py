@@ -47,7 +47,7 @@ class ExportOptions:
         None, "A piece of lattice with so many cells along x; without --columns and --rows the study's whole "
         "plate, or one cell if it has none.", metavar="N",
     )  # fmt: skip
-    rows: int | None = option(None, "And along y.", metavar="N")
+    rows: int | None = option(None, "Cells along y; see --columns.", metavar="N")
 
     @property
     def kinds(self) -> list[str]:

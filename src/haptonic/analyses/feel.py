@@ -36,12 +36,14 @@ class FeelOptions:
     """What may be chosen."""
 
     voltage: float | None = option(
-        None, 'Of the first actuator, such as "200 V".', unit="V", metavar="VOLTAGE"
+        None, 'Voltage of the first actuator, such as "200 V".', unit="V", metavar="VOLTAGE"
     )
     at: float | None = option(
-        None, "Of the drive; else the loudest resonance.", unit="Hz", metavar="FREQUENCY"
+        None, "Frequency of the drive; by default the loudest resonance.", unit="Hz", metavar="FREQUENCY"
     )
-    reduction: float | None = option(None, "Also say which drive gives it, 0.5 for 50 %.", metavar="SHARE")
+    reduction: float | None = option(
+        None, "Also compute the drive for this reduction, 0.5 for 50 %.", metavar="SHARE"
+    )
 
 
 def check(study: Description, options: FeelOptions) -> None:

@@ -1,4 +1,4 @@
-"""Coefficients of friction from force records, and what they prove."""
+"""Coefficients of friction from force records, and tests of their reduction."""
 
 from __future__ import annotations
 
@@ -39,11 +39,13 @@ class FrictionOptions:
     path: Path = option(
         help="Folder with trials.csv, or a single table of all samples.", metavar="PATH", place="before"
     )
-    study: Path | None = option(None, "Its [trials] decides; else study.toml in the folder.", metavar="FILE")
+    study: Path | None = option(
+        None, "Study whose [trials] applies; by default study.toml in the folder.", metavar="FILE"
+    )
     draft: bool = option(False, "Write trials.csv from the names of the files in the folder; nothing else.")
     references: Any = option(
         None,
-        "Reference values that stand beside these in the pictures.",
+        "Reference values to show in the pictures.",
         read=References.read,
         metavar="FILE",
     )

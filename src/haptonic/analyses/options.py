@@ -72,7 +72,7 @@ def path_of(options: Any) -> Path | None:
 class Seeded:
     """Of what draws by chance."""
 
-    seed: int = option(0, "Of all that is drawn by chance.", metavar="N", least=0)
+    seed: int = option(0, "Seed of all random numbers.", metavar="N", least=0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,5 +80,5 @@ class UnitsOfFile:
     """Of what reads files that may not say their units."""
 
     frequency_unit: str | None = option(
-        None, 'Of frequencies in files that give none, such as "kHz".', metavar="UNIT"
+        None, 'Unit of frequencies in files that give none, such as "kHz".', metavar="UNIT"
     )

@@ -52,7 +52,7 @@ class ReproduceOptions:
     """What may be chosen."""
 
     references: Any = option(
-        None, "Reference values; else references/STUDY beside the study.", read=References.read,
+        None, "Reference values; by default references/STUDY beside the study.", read=References.read,
         metavar="FILE",
     )  # fmt: skip
 

@@ -59,23 +59,25 @@ class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
 
     path: Path = option(help="Scan file, or a folder with one CSV a point.", metavar="PATH", place="before")
     against: Path | None = option(
-        None, "Judge the model as well: a study; or, after STUDY, the response (.nc) that it has given.",
+        None, "Compare with a model: a study; or, after STUDY, its computed response (.nc).",
         metavar="MODEL",
     )  # fmt: skip
     at: Any = option(
         None, "Frequency of the operating shape, else the loudest; or the places of points in a file without "
         'coordinates, "10 mm, 5 mm; 15 mm, 5 mm".', read=frequency_or_points, metavar="FREQUENCY|X,Y;...",
     )  # fmt: skip
-    unit: str | None = option(None, "Of responses or records in files that give none; else m/s/V.")
-    length_unit: str | None = option(None, 'Of coordinates, where it is not the file\'s, such as "mm".')
+    unit: str | None = option(None, "Unit of responses or records in files that give none; by default m/s/V.")
+    length_unit: str | None = option(None, 'Unit of coordinates in files that give none, such as "mm".')
     variables: Any = option(
         None, "Names of arrays, columns or channels by meaning, such as response=FRF,x=X.", read=names_of,
         metavar="MEANING=NAME,...",
     )  # fmt: skip
     reference: str | None = option(None, 'Name and unit of the reference, such as "A1, V".')
-    phase_unit: str | None = option(None, "Of phases in files that give none: rad or deg.", metavar="UNIT")
+    phase_unit: str | None = option(
+        None, "Unit of phases in files that give none: rad or deg.", metavar="UNIT"
+    )
     points_in: Literal["rows", "columns"] | None = option(
-        None, "Of arrays with as many points as frequencies.", metavar="SIDE"
+        None, "Order of arrays with as many points as frequencies: rows or columns.", metavar="SIDE"
     )
     simulated: bool = option(False, "The file is of a simulation.")
 

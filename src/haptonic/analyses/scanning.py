@@ -72,11 +72,13 @@ class Estimation:
 
     estimator: Estimator = option("H1", "H1 for noise on the response, a laser's.")
     window: WindowName = option("none", "none for periodic chirps, exponential for bursts, hann for noise.")
-    decay: float | None = option(None, 'Of the exponential window, such as "5 ms".', unit="s", metavar="TIME")
-    segment: float | None = option(
-        None, "One transform; else the study's period, or a record.", unit="s", metavar="TIME"
+    decay: float | None = option(
+        None, 'Decay time of the exponential window, such as "5 ms".', unit="s", metavar="TIME"
     )
-    overlap: float = option(0.0, "Of segments, from 0 to below 1.")
+    segment: float | None = option(
+        None, "Length of a transform; by default the study's period, or a record.", unit="s", metavar="TIME"
+    )
+    overlap: float = option(0.0, "Overlap of segments, from 0 to below 1.")
     align: bool = option(False, "Align records by their reference.")
     repair: tuple[str, ...] = option(
         (), 'Replace points, such as "dropout,saturated"; marked.', read=flags_of, metavar="FLAGS"
@@ -113,7 +115,7 @@ class PlateInScan:
         None, "The plate's corners as the scan has them, from the lower left anticlockwise: "
         '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES",
     )  # fmt: skip
-    mirrored: bool = option(False, "The scan saw the plate's map from behind.")
+    mirrored: bool = option(False, "The scan shows the plate's map from behind.")
 
 
 @dataclass(frozen=True)

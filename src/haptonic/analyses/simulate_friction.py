@@ -23,9 +23,9 @@ FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and
 class SimulateFrictionOptions(Seeded):
     """What may be chosen."""
 
-    participants: int | None = option(None, "How many; else the study's.", metavar="N")
-    form: Literal["csv", "h5", "mat", "tdms"] = option("csv", "Of the force records.", flag="--format")
-    per: Literal["trial", "block"] = option("trial", "What a file holds.")
+    participants: int | None = option(None, "Number of participants; by default the study's.", metavar="N")
+    form: Literal["csv", "h5", "mat", "tdms"] = option("csv", "Format of the force records.", flag="--format")
+    per: Literal["trial", "block"] = option("trial", "Content of a file: a trial or a block.")
     raw: bool = option(False, "Six gauge voltages of 16 bits and a calibration, not forces.")
     amplitudes: Any = option(
         None, 'Output of `feel --json`, or {"WG1": 1e-6, ...} in m (JSON).', read=read_amplitudes,

@@ -48,7 +48,7 @@ class SimulateScanOptions(Seeded):
     """What may be chosen."""
 
     form: Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = option(
-        "h5", "Of the scan's file.", flag="--format"
+        "h5", "Format of the scan's file.", flag="--format"
     )
     time: bool | None = option(None, "Records, or responses; else what the format has.", flag="--time/--frf")
     response: Any = option(

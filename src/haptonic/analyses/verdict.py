@@ -54,10 +54,10 @@ class VerdictOptions:
     """What is compared: responses, or in Python also the paths of their files as text."""
 
     response: Any = option(
-        help="response.nc that a scan has given.", read=response_in, metavar="RESPONSE", place="before"
+        help="response.nc of a scan.", read=response_in, metavar="RESPONSE", place="before"
     )
     computed: Any = option(
-        None, "The model's response, if it is there already.", read=response_in, metavar="RESPONSE"
+        None, "The model's response, if it is computed already.", read=response_in, metavar="RESPONSE"
     )
 
 

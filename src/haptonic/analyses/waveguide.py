@@ -37,7 +37,9 @@ GUIDES = 2.0  # s, of the guides that are compared
 class WaveguideOptions:
     """What may be chosen."""
 
-    mode: str | None = option(None, "Nodal lines across, intervals along; else the study's.", metavar="MxN")
+    mode: str | None = option(
+        None, "Nodal lines across, intervals along; by default the study's.", metavar="MxN"
+    )
 
 
 def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideSettings:

@@ -100,10 +100,10 @@ class LayersSettings(DirectionSettings):
         6, "The most that are computed; all fewer ones are as well.", title="Rows"
     )
     lowest: Frequency | None = setting(
-        None, f"Of the spectrum; else {LOWEST:g} of the carrier.", title="Lowest frequency"
+        None, f"Start of the spectrum; by default {LOWEST:g} of the carrier.", title="Lowest frequency"
     )
     highest: Frequency | None = setting(
-        None, f"Of the spectrum; else {HIGHEST:g} of the carrier.", title="Highest frequency"
+        None, f"End of the spectrum; by default {HIGHEST:g} of the carrier.", title="Highest frequency"
     )
     points: Annotated[int, Field(ge=2, le=5000, strict=True)] = setting(
         161, "In the spectrum, both ends included.", title="Frequencies"
@@ -147,13 +147,13 @@ class WaveguideSettings(DirectionSettings):
         pattern=r"^[0-9]{1,2}x[0-9]{1,3}$",
     )
     width: Length | None = setting(
-        None, "Of the plain strip; else the one that puts the mode at the carrier."
+        None, "Width of the plain strip; by default the one that puts the mode at the carrier."
     )
     rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
-        None, "Of the strip; else several are compared.", title="Length in cells"
+        None, "Length of the strip; by default several are compared.", title="Length in cells"
     )
     ends: Literal["free", "mirror"] = setting(
-        "free", "Of the strip: edges of the plate, or closed by the mirror as well."
+        "free", "Ends of the strip: edges of the plate, or closed by the mirror as well."
     )
 
     @property

@@ -65,8 +65,7 @@ class Disc(Sectioned):
     }  # fmt: skip
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
-        "Of other sections than a round one the width along x, of a hexagon or polygon across its flats. "
-        "Smaller than the pitch by more than 2 %.",
+        "Width along x; of a hexagon or polygon, across its flats. Smaller than the pitch by more than 2 %.",
         title="Disc diameter",
         examples=["5 mm"],
     )

@@ -119,13 +119,13 @@ class UnitCell(TileShape):
     )
     site: tuple[Site, ...] = setting(
         (),
-        "Where pillars of their own stand; in order, where the lattice is named after them.",
+        "Sites with pillars of their own; in order, where the lattice is named after them.",
         title="Sites",
         max_length=MOST_SITES,
     )
     faces: Faces = setting(
         "one",
-        "That pillars stand on; on both each has its image in the plate's middle plane, and every wave is "
+        "Faces with pillars; with both, each has its image in the plate's middle plane, and every wave is "
         "symmetric or antisymmetric about it.",
         title="Faces with pillars",
     )

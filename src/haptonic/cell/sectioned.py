@@ -22,11 +22,11 @@ LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
 # declarations of the numbers of a section, which the classes with one take as theirs
 SECTION = setting("round", "Seen from above; before it is turned, sides of a square lie along x and y.")
 SectionLength = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
-LENGTH = setting(None, "Of a rectangle or an ellipse: its width along y.", title="Length of the section")
+LENGTH = setting(None, "Width of a rectangle or an ellipse along y.", title="Length of the section")
 SectionSides = Annotated[int, Field(ge=3, le=MOST_CORNERS)] | None
-SIDES = setting(None, "Of a polygon; all are equal.", title="Number of sides")
+SIDES = setting(None, "Number of sides of a regular polygon.", title="Number of sides")
 CornerRadius = Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST)] | None
-CORNER_RADIUS = setting(None, "Of rounded corners, seen from above; without it they are sharp.")
+CORNER_RADIUS = setting(None, "Radius of rounded corners, seen from above; without it they are sharp.")
 SectionTurn = Annotated[float, Quantity("rad", at_least=-math.pi, at_most=math.pi)] | None
 TURN = setting(None, "By which the section is turned, anticlockwise.", title="Turn of the section")
 CORNERS = setting(

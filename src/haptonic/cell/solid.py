@@ -29,8 +29,8 @@ class SolidPart:
     """What a solid, or a group of a mesh, consists of."""
 
     name: str = needed(
-        "Of the solid in the file; one without a name is called solid1, solid2, ... in order. In a mesh, of "
-        "the physical group or element set; those with a number only are property 3 (Nastran) and group 3 "
+        "Name of the solid in the file; unnamed ones are called solid1, solid2, ... in order. In a mesh, name "
+        "of the physical group or element set; those with a number only are property 3 (Nastran) and group 3 "
         "(Gmsh), or have the name of their array (VTK).",
         examples=["core"],
     )
@@ -68,7 +68,7 @@ class Solid:
     )
     sha256: str = setting(
         "",
-        "Of the file; filled in, and one that is given has to agree.",
+        "Hash of the file; filled in, and one that is given has to agree.",
         title="Hash of the file",
         examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"],
     )

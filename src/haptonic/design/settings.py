@@ -28,12 +28,14 @@ class DesignLimits:
     slenderness: Annotated[float, Quantity("", at_least=0.1, at_most=100.0, typical=(1.0, 10.0))] | None = (
         setting(None, "Largest height of a pillar over its diameter.")
     )
-    tool: Length | None = setting(None, "Its diameter: the least gap between two pillars.", title="End mill")
+    tool: Length | None = setting(
+        None, "Diameter of the end mill: the least gap between two pillars.", title="End mill"
+    )
     reach: Length | None = setting(None, "How deep the end mill can cut: the largest height of a pillar.")
     finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = (
         setting(None, "In the middle of a waveguide of the span given.", title="Force of a finger")
     )
-    finger_span: Length | None = setting(None, "Width of the waveguide that bears the finger.", title="Span")
+    finger_span: Length | None = setting(None, "Width of the waveguide under the finger.", title="Span")
     finger_deflection: Length | None = setting(
         None, "How far the plate may give way; limits its thickness.", title="Deflection"
     )

@@ -16,11 +16,13 @@ class Participants:
     """What is assumed of people, to plan an experiment and to make one up; nobody has measured it."""
 
     driven: Reduction = setting(
-        0.55, "Of friction in the population; as published.", title="Reduction, driven"
+        0.55, "Reduction of friction in the population; as published.", title="Reduction, driven"
     )
-    idle: Reduction = setting(0.11, "Of friction in the population; as published.", title="Reduction, idle")
+    idle: Reduction = setting(
+        0.11, "Reduction of friction in the population; as published.", title="Reduction, idle"
+    )
     effect_between: Share = setting(
-        0.05, "Its standard deviation over people; assumed.", title="Reduction between people"
+        0.05, "Standard deviation of the reduction over people; assumed.", title="Reduction between people"
     )
     friction: Annotated[float, Quantity("", above=0.0, at_most=5.0, typical=(0.1, 2.0))] = setting(
         0.42, "Coefficient with the vibration off, mean over people; assumed."
@@ -30,11 +32,11 @@ class Participants:
     )
     within: Share = setting(
         0.22,
-        "Of one person and condition, standard deviation over the mean; assumed.",
+        "Standard deviation over the mean, for one person and condition; assumed.",
         title="Friction between trials",
     )
     drift: Annotated[float, Quantity("", at_least=-1.0, at_most=1.0, typical=(-0.5, 0.5))] = setting(
-        0.1, "Of friction over a session, over its mean: moisture; assumed."
+        0.1, "Relative drift of friction over a session, by moisture; assumed."
     )
     force_spread: Annotated[float, Quantity("N", at_least=0.0, at_most=5.0)] = setting(
         0.4, "Standard deviation over strokes; as published.", title="Spread of the force"

@@ -80,7 +80,10 @@ class IsotropicMaterial:
     )
     name: str = setting("material", "Shown in reports.", min_length=1, strict=True)
     source: str = setting(
-        "", "Of the constants: words, or a key of the bibliography.", strict=True, examples=["data sheet"]
+        "",
+        "Source of the constants: words, or a key of the bibliography.",
+        strict=True,
+        examples=["data sheet"],
     )
     uncertainty: Entries[float] = setting(Entries(), "Half-widths of the plausible intervals, by property.")
     note: str = setting("", "What else is known of the constants.", strict=True, examples=["rolled"])

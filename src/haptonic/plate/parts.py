@@ -50,7 +50,7 @@ ONE_CARRIER = {
 class Bond:
     """The layer of glue below an actuator."""
 
-    thickness: BondThickness = needed("Of the layer of glue.", title="Thickness of the bond")
+    thickness: BondThickness = needed("Thickness of the layer of glue.", title="Thickness of the bond")
     material: Annotated[Material, SOLID] = needed("A built-in one.", title="Material of the bond")
 
 
@@ -84,9 +84,9 @@ class Actuator:
     voltage: Annotated[float, Quantity("V", at_least=0.0, at_most=1e5, typical=(0.0, 1e3))] = setting(
         1.0, "Amplitude between the electrodes on its two faces."
     )
-    phase: Phase = setting(0.0, "Of the voltage.")
+    phase: Phase = setting(0.0, "Phase of the voltage.")
     region: Name | None = setting(
-        None, "Of plain plate, that the whole patch lies on; else any.", examples=["WG1"]
+        None, "Region of plain plate under the whole patch; by default any.", examples=["WG1"]
     )
 
     def __post_init__(self) -> None:
@@ -123,7 +123,7 @@ class Force:
     force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = setting(
         1.0, "Amplitude of its total."
     )
-    phase: Phase = setting(0.0, "Of the force.")
+    phase: Phase = setting(0.0, "Phase of the force.")
     region: Name | None = setting(
         None, "Or lattice, that all of the force lies on; else any.", examples=["WG1"]
     )
@@ -144,15 +144,15 @@ class Finger:
     """
 
     centre: tuple[Position, Position] = needed(CENTRE)
-    diameter: Annotated[float, size(1e-3, 40e-3)] = setting(10e-3, "Of the disc that it touches.")
+    diameter: Annotated[float, size(1e-3, 40e-3)] = setting(10e-3, "Diameter of the disc that it touches.")
     mass: Annotated[float, Quantity("kg", above=0.0, at_most=1e3, typical=(1e-5, 1.0))] | None = setting(
         None, "That vibrates with the pad; else spring and damper end at rest."
     )
     stiffness: Annotated[float, Quantity("N/m", at_least=0.0, at_most=1e12, typical=(0.0, 1e6))] = setting(
-        0.0, "Of the whole disc.", title="Stiffness of the pad"
+        0.0, "Value for the whole disc.", title="Stiffness of the pad"
     )
     damping: Annotated[float, Quantity("N s/m", at_least=0.0, at_most=1e9, typical=(0.0, 1e3))] = setting(
-        0.0, "Of the whole disc.", title="Damping of the pad"
+        0.0, "Value for the whole disc.", title="Damping of the pad"
     )
     region: Name | None = setting(
         None, "Or lattice, from whose corner its centre counts; else any.", examples=["WG1"]

@@ -14,7 +14,7 @@ class ProtocolSettings:
     """Trials with people: how many, in which order, and what they are asked to do."""
 
     blocks: Annotated[int, Field(ge=2, le=99, strict=True)] = setting(
-        8, "Of each participant; an even number."
+        8, "Number of blocks of each participant; even."
     )
     trials: Annotated[int, Field(ge=2, le=98, strict=True)] = setting(
         30, "Strokes in a block; an even number."
@@ -24,7 +24,7 @@ class ProtocolSettings:
         "published", "As published, with on before off, or balanced and drawn at random."
     )
     seed: Annotated[int, Field(ge=0, le=2**31, strict=True)] = setting(
-        0, "Of the balanced order and of the plan's simulations."
+        0, "Seed of the balanced order and of the plan's simulations."
     )
     stroke: Annotated[float, Quantity("m", at_least=1e-3, at_most=1.0, typical=(10e-3, 200e-3))] = setting(
         70e-3, "From where the finger sets down to where it lifts.", title="Stroke length"

@@ -37,8 +37,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.plan.StudyPlan:
-        """What a study describes, its map and sizes, and what each command will cost, before anything is
-        computed."""
+        """Map and sizes of a study, with time and memory of each command, before anything is computed."""
 
     def bands(
         self,
@@ -68,7 +67,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.comparison.Comparison:
-        """Bands of two studies or results beside each other, or of another program's table over ours."""
+        """Bands of two studies or results, or of another program's table over those of a study."""
 
     def sweep(
         self,
@@ -91,7 +90,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.analyses.reproduce.Reproduction:
-        """Everything the study describes, and one report that sets it beside reference values."""
+        """All analyses of the study, and one report that compares them with reference values."""
 
     def layers(
         self,
@@ -102,7 +101,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.layers.Layers:
-        """What rows of cells let through between two plain plates, and how many of them the carrier needs."""
+        """Insertion loss of rows of cells between plain plates, and the number of rows for the carrier."""
 
     def waveguide(
         self,
@@ -125,7 +124,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.ribbon.RibbonWaves:
-        """Waves along columns of cells side by side: projected bands, and what a guide or edge holds."""
+        """Waves along columns of cells side by side: projected bands, and modes of guides and edges."""
 
     def design(
         self,
@@ -148,7 +147,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.tolerance.Tolerance:
-        """The chance that the gap holds the carrier, the size that matters most, and the loosest
+        """Probability that the gap contains the carrier, the size that matters most, and the loosest
         tolerances."""
 
     def export(
@@ -167,7 +166,7 @@ class Methods:
         budget: float | str | None = None,
     ) -> haptonic.analyses.export.Workshop:
         """Files for the workshop, of the plate or a piece of lattice; all of them if none is named. The
-        drawing has the tolerances found, or says why not."""
+        drawing has tolerances, or a note that explains why there are none."""
 
     def plate(
         self,
@@ -180,7 +179,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.plate.value.PlateResult:
-        """How the finite plate vibrates: response, localisation, energies, impedance, modes."""
+        """Vibration of the finite plate: response, localisation, energies, impedance, modes."""
 
     def feel(
         self,
@@ -194,7 +193,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.feel.value.Feel:
-        """What a finger feels of the plate: a map of friction, reductions, whether they are noticed."""
+        """Friction under a finger on the plate: a map, reductions, and whether people notice them."""
 
     def chirp(
         self,
@@ -236,7 +235,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.scan.value.ScanResult:
-        """Analyse a scan: responses, maps, contrast, the gap in it, waves; and how well a model fits."""
+        """Analysis of a scan: responses, maps, contrast, the gap, waves; and agreement with a model."""
 
     def protocol(
         self,
@@ -263,7 +262,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.friction.FrictionResult:
-        """Coefficients of friction from force records, and what they prove."""
+        """Coefficients of friction from force records, and tests of their reduction."""
 
     def verdict(
         self,
@@ -276,7 +275,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.verdict.Verdict:
-        """A response that a scan has given, once more against its plate's model: new unknowns, no records."""
+        """The response of a scan compared again with the model of its plate: new unknowns, no records."""
 
     def simulate_friction(
         self,
@@ -293,7 +292,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.simulated_trials.SimulatedFriction:
-        """Made-up strokes of made-up people, as a folder that `haptonic friction` reads; all simulated."""
+        """Strokes of simulated participants, as a folder that `haptonic friction` reads."""
 
     def simulate_scan(
         self,
@@ -308,4 +307,4 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.scan.simulated.SimulatedScan:
-        """What a laser vibrometer would record of the study's plate. Everything is marked as simulated."""
+        """A simulated scan of the study's plate. Everything is marked as simulated."""

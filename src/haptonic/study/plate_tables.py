@@ -111,9 +111,11 @@ class PlateSettings:
     rows: Annotated[int, Field(ge=1, le=10_000, strict=True)] | None = setting(
         None, "The lines of the map are repeated until there are so many."
     )
-    loss_factor: Loss | None = setting(None, "Of the mounted plate; else that of its material.")
+    loss_factor: Loss | None = setting(
+        None, "Loss factor of the mounted plate; by default that of its material."
+    )
     tiles: Entries[Name] = needed(
-        'Of each, "lattice", the name of a plate.cell, or that of a region of plain plate.',
+        'For each letter "lattice", the name of a plate.cell, or the name of a region of plain plate.',
         title="Meaning of the letters",
     )
     widths: Entries[TileSize] = setting(

@@ -33,11 +33,11 @@ class RibbonSettings(DirectionSettings):
     )
     rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
         None,
-        "Of a guide with free ends, whose resonances are told; else waves of any length.",
+        "Length of a guide with free ends, to compute its resonances; by default waves of any length.",
         title="Length in cells",
     )
     tiles: Entries[Name] = needed(
-        'Of each, "lattice", the name of a ribbon.cell, or any other of plain plate.',
+        'For each letter "lattice", the name of a ribbon.cell, or any other name for plain plate.',
         title="Meaning of the letters",
     )
     widths: Entries[TileSize] = setting(

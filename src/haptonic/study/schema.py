@@ -121,7 +121,7 @@ class Description:
     scan_settings: ScanSettings = setting(
         ScanSettings(), "How a laser vibrometer scans the plate.", alias="scan"
     )
-    fit_settings: FitSettings = setting(FitSettings(), "What a measurement of the plate tells.", alias="fit")
+    fit_settings: FitSettings = setting(FitSettings(), "Unknowns that a measurement determines.", alias="fit")
     sweep_settings: tuple[SweepSettings, ...] = setting(
         (), "Rows of designs to compare.", title="Sweeps", alias="sweep", max_length=MOST_SWEEPS
     )

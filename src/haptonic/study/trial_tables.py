@@ -14,7 +14,7 @@ class TrialSettings(Rules):
 
     driven: Name | None = setting(
         None,
-        "Else the plate's, or the one with the largest reduction.",
+        "Driven waveguide; by default the plate's, or the one with the largest reduction.",
         title="Driven waveguide",
         examples=["WG1"],
     )

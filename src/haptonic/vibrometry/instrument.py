@@ -32,10 +32,10 @@ class Instrument:
     """What a vibrometer and its converter do to a velocity. Its noise is white."""
 
     bits: Annotated[int, Field(ge=4, le=32, strict=True)] = setting(
-        16, "Of the converter that records the vibrometer."
+        16, "Bits of the converter that records the vibrometer."
     )
     noise: Annotated[float, Quantity("m/s", at_least=0.0, at_most=1e3, typical=(0.0, 1e-2))] = setting(
-        5e-5, "Of the vibrometer, root mean square of the samples."
+        5e-5, "Noise of the vibrometer, root mean square of the samples."
     )
     full_scale: Velocity | None = setting(
         None, "Largest velocity of the vibrometer; else 1.25 of what comes.", title="Range"
@@ -44,7 +44,7 @@ class Instrument:
         0.005, "Share of points at which the laser loses the surface."
     )
     delay: Annotated[float, Quantity("s", at_least=0.0, at_most=1.0, typical=(0.0, 1e-3))] = setting(
-        0.0, "Of the vibrometer behind the drive; the analysis takes it out."
+        0.0, "Delay of the vibrometer behind the drive; the analysis removes it."
     )
     bandwidth: Frequency | None = setting(
         None, "-3 dB of its first-order low-pass; the analysis takes it out."

@@ -19,7 +19,7 @@ class ScanSettings:
     lowest: Frequency = setting(1e3, "That the drive sweeps through.", title="Lowest frequency")
     highest: Frequency = setting(100e3, "That the drive sweeps through.", title="Highest frequency")
     rate: Annotated[float, Quantity("Hz", at_least=10.0, at_most=1e9, typical=(1e4, 1e7))] = setting(
-        250e3, "Of drive and vibrometer.", title="Sample rate"
+        250e3, "Sample rate of drive and vibrometer.", title="Sample rate"
     )
     record: Annotated[float, Quantity("s", above=0.0, at_most=100.0, typical=(1e-3, 2.0))] = setting(
         0.02, "Length of one period of the drive; lines lie its inverse apart."

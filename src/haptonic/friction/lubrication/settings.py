@@ -18,11 +18,11 @@ class Pad(Ordered):
     """What the finger does to the plate: a damper, spread evenly over a disc."""
 
     diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = setting(
-        10e-3, "Of the disc that it covers; assumed.", title="Diameter below the finger"
+        10e-3, "Diameter of the disc that it covers; assumed.", title="Diameter below the finger"
     )
     damping: tuple[Damping, Damping, Damping] = setting(
         USUAL_DAMPING,
-        "Of the whole disc: lowest plausible, value, highest plausible; assumed.",
+        "Damping of the whole disc: lowest plausible, value, highest plausible; assumed.",
         title="Damping of the finger",
     )
 
@@ -35,7 +35,7 @@ class TouchSettings:
     speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
     pad: Annotated[Pad, INLINE] = setting(Pad(), "What the finger does to the plate.")
     voltage: Annotated[float, VOLTAGE] | None = setting(
-        None, "Of the first actuator while the finger feels; else the plate's."
+        None, "Voltage of the first actuator under the finger; by default the plate's."
     )
     skin: Fingertip = setting(Fingertip(), "What the models of friction know of it.")
 

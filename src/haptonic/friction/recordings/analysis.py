@@ -46,11 +46,13 @@ class Exclusion:
 
     participant: Name = needed("As the table of trials calls him or her.", examples=["P3"])
     reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = needed(
-        "Stands beside the trial in every table.", examples=["lifted the finger"]
+        "Text beside the trial in every table.", examples=["lifted the finger"]
     )
-    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(None, "Else all blocks.")
+    block: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(
+        None, "Block to exclude; by default all blocks."
+    )
     trial: Annotated[int, Field(ge=1, le=10**6, strict=True)] | None = setting(
-        None, "Of the block; else all its trials."
+        None, "Trial of the block; by default all its trials."
     )
 
     def __post_init__(self) -> None:

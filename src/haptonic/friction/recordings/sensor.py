@@ -76,13 +76,16 @@ class Sensor:
     position: Text = setting("", "Name or number of the channel along the stroke.", examples=["x"])
     time: Text = setting("", "Name or number of its channel.", examples=["t"])
     force_unit: Annotated[Text, _unit_like("N")] = setting(
-        "", "Else the one that the file says, or N.", title="Unit of the forces", examples=["mN"]
+        "", "Unit of forces; by default that of the file, or N.", title="Unit of the forces", examples=["mN"]
     )
     position_unit: Annotated[Text, _unit_like("m")] = setting(
-        "", "Else the one that the file says, or m.", title="Unit of the position", examples=["mm"]
+        "",
+        "Unit of positions; by default that of the file, or m.",
+        title="Unit of the position",
+        examples=["mm"],
     )
     time_unit: Annotated[Text, _unit_like("s")] = setting(
-        "", "Else the one that the file says, or s.", title="Unit of the time", examples=["ms"]
+        "", "Unit of times; by default that of the file, or s.", title="Unit of the time", examples=["ms"]
     )
     rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = setting(
         None, "Goes before a channel of times; needed where there is none.", title="Sampling rate"

@@ -1,0 +1,163 @@
+"""Draw the pictures of these pages that no page computes itself: `python docs/draw_figures.py [NAME ...]`.
+
+Names are `badges`, `mesh`, `convergence` and `maps`; without one all are drawn. `maps` computes the plate of
+the prototype, which takes about two minutes. The others take seconds.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import tomllib
+from collections.abc import Callable, Iterator
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+
+import haptonic as hp
+from haptonic.arrays import Array
+from haptonic.bloch import bloch_model
+from haptonic.bloch.settings import BandSettings, MeshSettings
+from haptonic.cell import HexMesh, MeshPlan, UnitCell
+from haptonic.cell.mesh import mesh_cell
+from haptonic.cell.quadrature import lobatto
+from haptonic.plots import style
+
+ROOT = Path(__file__).parents[1]
+IMAGES = ROOT / "docs" / "images"
+TOUCHPAD = ROOT / "studies" / "touchpad.toml"
+CORNERS = {"G": (0.0, 0.0), "X": (np.pi, 0.0), "M": (np.pi, np.pi)}
+MESHES = ((2, 1), (3, 1), (4, 1), (5, 1), (5, 2))  # order, thin rings
+BANDS = 6  # up to the lower edge of the gap
+
+
+def curves(mesh: HexMesh) -> Iterator[Array]:
+    """(nodes, 3) points along each of the twelve edges of each element, m."""
+    for family in mesh.topology.families:
+        for axis in range(3):
+            for ends in product((0, -1), repeat=2):
+                index: list[slice | int] = list(ends)
+                index.insert(axis, slice(None))
+                for nodes in family.nodes[(slice(None), *index)]:
+                    yield lagrange(len(nodes) - 1) @ mesh.points[nodes]
+
+
+def lagrange(order: int, count: int = 41) -> Array:
+    """(count, order + 1) polynomials on Gauss-Lobatto-Legendre points, at even places from -1 to 1."""
+    nodes, places = lobatto(order)[0], np.linspace(-1, 1, count)
+    others = [np.delete(nodes, number) for number in range(order + 1)]
+    return np.stack(
+        [
+            np.prod((places[:, None] - other) / (node - other), axis=1)
+            for node, other in zip(nodes, others, strict=True)
+        ],
+        axis=1,
+    )
+
+
+def draw_mesh() -> None:
+    """The reference cell from above and in a diagonal section, and the polynomials of an element."""
+    cell = hp.load(TOUCHPAD).cell
+    mesh = mesh_cell(cell.tiles[0].tile, MeshPlan.suited(cell.tiles[0].tile, 4, 1))
+    with style.styled():
+        figure = style.blank(6.0)
+        inner: list[tuple[float, float]] = []  # where edges of the section end next to the core, m
+        above, section, basis = figure.subplots(1, 3, width_ratios=(1.3, 0.8, 1.3))
+        for points in curves(mesh):
+            if np.abs(points[:, 2] - cell.thickness).max() < 1e-9:
+                above.plot(*1e3 * points[:, :2].T, color=style.INK, linewidth=0.6)
+            if np.abs(points[:, 0] - points[:, 1]).max() < 1e-9:
+                along = points[:, :2].sum(axis=1) / np.sqrt(2)
+                if np.ptp(points[:, 2]) < 1e-9:
+                    inner.append((float(abs(along).min()), float(points[0, 2])))
+                section.plot(1e3 * along, 1e3 * points[:, 2], color=style.INK, linewidth=0.6)
+        core = min(inner)[0]
+        for height in {round(z, 9) for along, z in inner if along < 1.001 * core}:
+            section.plot([-1e3 * core, 1e3 * core], [1e3 * height] * 2, color=style.INK, linewidth=0.6)
+        above.set(aspect="equal", title="plate, from above", xlabel="x (mm)", ylabel="y (mm)")
+        section.set(aspect="equal", title="section", xlabel="along the\ndiagonal (mm)", ylabel="z (mm)")
+        draw_basis(basis)
+        figure.savefig(IMAGES / "method-mesh.png", dpi=style.DOTS_PER_INCH)
+
+
+def draw_basis(axes: Axes, order: int = 4) -> None:
+    """Lagrange polynomials on the Gauss-Lobatto-Legendre points of an element."""
+    nodes = lobatto(order)[0]
+    axes.plot(np.linspace(-1, 1, 201), lagrange(order, 201), linewidth=0.9)
+    axes.plot(nodes, np.zeros_like(nodes), "o", color=style.INK, markersize=3)
+    axes.set(title=f"polynomials, order {order}", xlabel="place in the element", ylabel="value")
+
+
+def measure(cell: UnitCell, order: int, rings: int) -> tuple[int, float, float]:
+    """Unknowns of the mesh, and its largest relative error and estimate at the corners of the zone."""
+    model = bloch_model(cell, BandSettings(mesh=MeshSettings(order=order, foot_rings=rings)))
+    reference = json.loads((ROOT / "tests/data/reference_cell.json").read_text("utf-8"))
+    errors, estimates = [], []
+    for name, phases in CORNERS.items():
+        solution = model.solve(np.array(phases))
+        exact = np.array(reference[name][:BANDS], dtype=float)
+        above = exact > 0
+        errors.append(np.abs(solution.frequency[:BANDS] - exact)[above] / exact[above])
+        estimates.append(solution.error[:BANDS][above] / exact[above])
+    mesh = mesh_cell(cell.tiles[0].tile, MeshPlan.suited(cell.tiles[0].tile, order, rings))
+    return mesh.unknowns, float(np.concatenate(errors).max()), float(np.concatenate(estimates).max())
+
+
+def draw_convergence() -> None:
+    """True errors and estimates of the reference cell against the unknowns of the mesh."""
+    cell = hp.load(TOUCHPAD).cell
+    unknowns, errors, estimates = zip(*(measure(cell, *fineness) for fineness in MESHES), strict=True)
+    with style.styled():
+        figure = style.blank(7.0, width=12.0)
+        axes = figure.subplots()
+        axes.plot(unknowns, 100 * np.array(estimates), "o--", color=style.GAP_EDGE, label="estimate")
+        axes.plot(unknowns, 100 * np.array(errors), "o-", color=style.INK, label="true error")
+        for place, error, (order, rings) in zip(unknowns, errors, MESHES, strict=True):
+            label = f"order {order}" + (", 2 rings" if rings == 2 else "")
+            axes.annotate(label, (place, 100 * error), (-5, -8), textcoords="offset points", ha="right")
+        axes.margins(0.2, 0.15)
+        style.logarithmic(axes)
+        style.logarithmic(axes, across=True)
+        axes.set(xlabel="unknowns of the mesh", ylabel="largest error of bands 1 to 6 (%)")
+        axes.legend(frameon=False)
+        figure.savefig(IMAGES / "method-convergence.png", dpi=style.DOTS_PER_INCH)
+
+
+def draw_maps() -> None:
+    """Maps of the prototype's vibration below, in and above its gap."""
+    hp.load(TOUCHPAD).plate().plot("maps").savefig(IMAGES / "plate-maps.png", dpi=style.DOTS_PER_INCH)
+
+
+def draw_badges() -> None:
+    """Python versions, licence and state of the project, from pyproject.toml."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    minors = [line.rpartition("3.")[2] for line in project["classifiers"] if "Python :: 3." in line]
+    (state,) = (
+        line.rpartition(" - ")[2] for line in project["classifiers"] if line.startswith("Development")
+    )
+    for name, key, value in (
+        ("python", "python", f"3.{minors[0]} to 3.{minors[-1]}"),
+        ("licence", "licence", project["license"]),
+        ("status", "status", state.lower()),
+    ):
+        left, right = (10 + 6.5 * len(text) for text in (key, value))
+        (IMAGES / f"badge-{name}.svg").write_text(
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{left + right}" height="20" role="img" '
+            f'aria-label="{key}: {value}"><rect width="{left}" height="20" fill="#444"/>'
+            f'<rect x="{left}" width="{right}" height="20" fill="#1a6b8f"/>'
+            '<g fill="#fff" font-family="Verdana,sans-serif" font-size="11" text-anchor="middle">'
+            f'<text x="{left / 2}" y="14">{key}</text><text x="{left + right / 2}" y="14">{value}</text>'
+            "</g></svg>\n",
+            encoding="utf-8",
+        )
+
+
+DRAWN: dict[str, Callable[[], None]] = {
+    "badges": draw_badges, "mesh": draw_mesh, "convergence": draw_convergence, "maps": draw_maps,
+}  # fmt: skip
+
+if __name__ == "__main__":
+    for chosen in sys.argv[1:] or DRAWN:
+        DRAWN[chosen]()
