@@ -29,9 +29,9 @@ class SolidPart:
     """What a solid, or a group of a mesh, consists of."""
 
     name: str = needed(
-        "Name of the solid in the file; unnamed ones are called solid1, solid2, ... in order. In a mesh, name "
-        "of the physical group or element set; those with a number only are property 3 (Nastran) and group 3 "
-        "(Gmsh), or have the name of their array (VTK).",
+        "Name of the solid in the file; unnamed ones are called solid1, solid2, ... in order. In a mesh, the "
+        "name of the physical group or element set; those with a number only are property 3 (Nastran) and "
+        "group 3 (Gmsh), or have the name of their array (VTK).",
         examples=["core"],
     )
     material: Annotated[Material, GIVEN] = needed(
@@ -79,7 +79,7 @@ class Solid:
         title="Materials of solids",
         max_length=MOST_PARTS,
     )
-    unit: Unit = setting("mm", "Of lengths in a mesh. A STEP file gives its own.", title="Unit of a mesh")
+    unit: Unit = setting("mm", "Unit of the lengths in a mesh. A STEP file gives its own.", title="Unit of a mesh")
 
     def __post_init__(self) -> None:
         path = Path(self.file)
