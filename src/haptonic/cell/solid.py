@@ -79,7 +79,9 @@ class Solid:
         title="Materials of solids",
         max_length=MOST_PARTS,
     )
-    unit: Unit = setting("mm", "Unit of the lengths in a mesh. A STEP file gives its own.", title="Unit of a mesh")
+    unit: Unit = setting(
+        "mm", "Unit of the lengths in a mesh. A STEP file gives its own.", title="Unit of a mesh"
+    )
 
     def __post_init__(self) -> None:
         path = Path(self.file)
