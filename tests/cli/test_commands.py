@@ -29,7 +29,7 @@ def test_bands_writes_its_files_and_a_table(haptonic, study, tmp_path):
     names = {path.name for path in out.iterdir()}
     pictures = {
         f"{name}.{kind}"
-        for name in ("dispersion", "modes", "iso_frequency", "density_of_states")
+        for name in ("dispersion", "natures", "modes", "iso_frequency", "density_of_states")
         for kind in ("svg", "png")
     }
     assert names == {"bands.nc", "gaps.csv", "modes.vtu"} | pictures

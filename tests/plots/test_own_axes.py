@@ -148,7 +148,7 @@ def test_an_axis_that_is_no_axis(what, picture):
 @pytest.mark.parametrize(
     ("asked", "code", "argument", "words"),
     [
-        (("modes", {"ax": Figure().add_subplot()}), "unsupported", "ax", "dispersion, density_of_states"),
+        (("modes", {"ax": Figure().add_subplot()}), "unsupported", "ax", "dispersion, natures, density"),
         (("dispersion", {"frequency": 1.0}), "unsupported", "frequency", "no frequency for this result"),
         (("dispersions", {}), "unknown", "name of the picture", 'write "dispersion"'),
     ],

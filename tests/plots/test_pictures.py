@@ -23,6 +23,7 @@ from haptonic.errors import ResourceError
 from haptonic.plots import style
 from haptonic.plots.bands import CURVE_STYLES, RIGID
 from haptonic.plots.modes import drawing_cells, outer_faces, outline_edges
+from haptonic.results.bands import Bands
 from made_up import made_up_sweep, reference_bands, reference_study
 
 
@@ -30,6 +31,7 @@ def pictures() -> dict[str, Figure]:
     bands = reference_bands()
     return {
         "dispersion": plots.dispersion(bands, carrier_hz=60e3, title="A title"),
+        "natures": plots.dispersion(bands, carrier_hz=60e3, natures=True),
         "modes": plots.mode_shapes(bands),
         "iso": plots.iso_frequency(bands),
         "density": plots.density_of_states(bands),
@@ -42,7 +44,7 @@ def drawn():
     return pictures()
 
 
-@pytest.mark.parametrize("name", ["dispersion", "modes", "iso", "density", "sweep"])
+@pytest.mark.parametrize("name", ["dispersion", "natures", "modes", "iso", "density", "sweep"])
 class TestEveryPicture:
     def test_axes_name_what_they_show_with_its_unit(self, drawn, name):
         for axes in drawn[name].axes:
@@ -144,9 +146,7 @@ class TestDispersion:
         bands = reference_bands()
         names = json.loads(bands.attrs["character_names"])
         distance = bands["distance"].values
-        lines = [
-            line for line in drawn["dispersion"].axes[0].lines if (line.get_gid() or "").startswith("br")
-        ]
+        lines = [line for line in drawn["natures"].axes[0].lines if (line.get_gid() or "").startswith("br")]
         points = {}
         for line in lines:
             _, number, name = line.get_gid().split(" ", 2)
@@ -163,6 +163,32 @@ class TestDispersion:
                 round(float(bands["frequency"][i, j]) / 1e3, 6),
             )
             assert names[kind[i, j]] in points[key]
+
+    def test_bands_are_plain_black_lines_through_all_frequencies(self, drawn):
+        bands = reference_bands()
+        lines = [
+            line for line in drawn["dispersion"].axes[0].lines if (line.get_gid() or "").startswith("br")
+        ]
+        assert {line.get_color() for line in lines} == {style.INK}
+        assert {(line.get_linestyle(), line.get_marker()) for line in lines} == {("-", "None")}
+        heights = np.sort(np.concatenate([line.get_ydata() for line in lines]))
+        assert heights == pytest.approx(np.sort(bands["frequency"].values.ravel() / 1e3))
+        assert not drawn["dispersion"].legends
+
+    def test_plain_bands_end_where_one_above_the_last_may_lie(self, drawn):
+        bands = reference_bands()
+        top = float(bands["frequency"].isel(band=-1).min()) / 1e3
+        assert drawn["dispersion"].axes[0].get_ylim() == pytest.approx((0, top))
+        three = bands.isel(band=slice(3))  # they are at rest at Γ
+        low = plots.dispersion(three).axes[0].get_ylim()[1]
+        assert low > float(three["frequency"].max()) / 1e3
+
+    def test_colour_and_legend_can_be_chosen(self):
+        result = Bands(reference_bands())
+        lines = result.plot("dispersion", color="#0072B2").axes[0].lines
+        assert "#0072B2" in {line.get_color() for line in lines}
+        assert result.plot("natures").legends
+        assert not result.plot("natures", legend=False).legends
 
     def test_the_corners_are_named(self, drawn):
         axes = drawn["dispersion"].axes[0]

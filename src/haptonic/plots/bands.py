@@ -16,6 +16,7 @@ from haptonic.plots.stage import stage
 from haptonic.plots.text import band_text
 from haptonic.units import hz_text
 
+LEAST_SHOWN = 0.4  # of the frequencies, for plain bands to end where the last one is lowest
 MARK_EVERY = 5  # wavevectors between two markers on a curve
 
 
@@ -44,26 +45,36 @@ HATCHES = {"symmetric": "////", "antisymmetric": "\\\\\\\\"}
 
 @style.drawn
 def dispersion(
-    dataset: xr.Dataset, carrier_hz: float | None = None, title: str = "", *, ax: Axes | None = None
+    dataset: xr.Dataset,
+    carrier_hz: float | None = None,
+    title: str = "",
+    *,
+    natures: bool = False,
+    color: str = style.INK,
+    legend: bool = True,
+    ax: Axes | None = None,
 ) -> Figure:
-    """Every mode along the path, coloured by what it is; complete gaps shaded, the carrier dashed.
+    """Bands along the path; complete gaps shaded, the carrier dashed.
 
-    Gaps of one parity in the plate's middle plane are hatched.
-
-    A branch is followed by character, not by rank: where a mode changes its nature along a branch, the colour
-    changes with it.
+    Gaps of one parity in the plate's middle plane are hatched. A curve follows a branch through crossings.
 
     Parameters
     ----------
     dataset : from `haptonic.bloch.bands_dataset`
     carrier_hz : drive frequency, Hz
+    natures : draw each mode in the colour, dashes and marker of what moves; where its nature changes along a
+        branch, so do these
+    color : of the curves, any colour of matplotlib; with ``natures`` they have their own
+    legend : whether to explain the natures below the axes
     """
     on = stage(ax, 11.5)
     axes = on.axes
     distance = dataset["distance"].values
     frequency = dataset["frequency"].values / 1e3
     axes.set_xlim(distance[0], distance[-1])
-    axes.set_ylim(0, 1.03 * frequency.max())
+    lowest, highest = frequency[:, -1].min(), frequency.max()
+    # below the lowest frequency of the last band no band is missing; of few bands that leaves too little
+    axes.set_ylim(0, 1.03 * highest if natures or lowest < LEAST_SHOWN * highest else lowest)
     for lower, upper, _, _ in complete_gaps(dataset):
         axes.axhspan(lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
     for (lower, upper), waves in parity_gaps(dataset):
@@ -71,15 +82,16 @@ def dispersion(
             lower / 1e3, upper / 1e3, facecolor="none", edgecolor=style.GAP_EDGE, hatch=HATCHES[waves],
             linewidth=0.0, alpha=0.35, zorder=0, gid=f"gap {waves}",
         )  # fmt: skip
-    present = _draw_branches(axes, dataset, distance, frequency)
+    present = _draw_branches(axes, dataset, distance, frequency, None if natures else color)
     mark_corners(axes, dataset, brief=not on.own)
     axes.set_ylabel("frequency (kHz)")
     if title:
         axes.set_title(title, parse_math=False)
-    for name in present:
-        stroke = CURVE_STYLES[name]
-        axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
-    on.legend(ncols=min(3, max(1, len(present))), handlelength=3.4)
+    if natures and legend:
+        for name in present:
+            stroke = CURVE_STYLES[name]
+            axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
+        on.legend(ncols=min(3, max(1, len(present))), handlelength=3.4)
     labels = [(centre, text, style.GAP_EDGE) for centre, text in _gap_labels(dataset)]
     labels += [
         (0.5 * sum(edges) / 1e3, f"gap of\n{waves}\nwaves", style.GAP_EDGE)
@@ -131,8 +143,10 @@ def mark_corners(axes: Axes, dataset: xr.Dataset, *, brief: bool = False) -> Non
     axes.set_xlabel(f"wavevector{along} ({longest:.3g} rad/mm in all)")
 
 
-def _draw_branches(axes: Axes, dataset: xr.Dataset, distance: Array, frequency: Array) -> list[str]:
-    """Draw all curves; the names of the characters that occur, in the order of the legend."""
+def _draw_branches(
+    axes: Axes, dataset: xr.Dataset, distance: Array, frequency: Array, color: str | None
+) -> list[str]:
+    """Draw all curves, in one colour or by their characters; names of these, in the order of the legend."""
     names = json.loads(dataset.attrs["character_names"])
     branch, character = dataset["branch"].values, dataset["character"].values
     seen: set[str] = set()
@@ -140,6 +154,9 @@ def _draw_branches(axes: Axes, dataset: xr.Dataset, distance: Array, frequency: 
         rows, columns = np.nonzero(branch == number)
         for part in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(rows) > 1) + 1):
             i, j = rows[part], columns[part]
+            if color is not None:
+                axes.plot(distance[i], frequency[i, j], color=color, lw=1.1, gid=f"branch {number}", zorder=3)
+                continue
             kind = _without_rigid(character[i, j], names.index(RIGID))
             for start, stop in _runs(kind):
                 name = names[kind[start]]

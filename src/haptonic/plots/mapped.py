@@ -157,9 +157,11 @@ def _draw_map(
     unit, factor = absolute(line.units, largest, drive)
     shape = np.asarray(factor * shape)
     most = factor * largest or 1.0
+    # a simulated field is smooth between its points; measured points are shown as they are
+    is_smooth = line.dataset.attrs["origin"] == "simulated" and bool(np.isfinite(shape).all())
     image = axes.imshow(
         shape.real, cmap=style.diverging(), norm=Normalize(-most, most), origin="lower",
-        extent=(*x, *y), interpolation="nearest", gid="map",
+        extent=(*x, *y), interpolation="bicubic" if is_smooth else "nearest", gid="map",
     )  # fmt: skip
     outlined(axes, layout)
     axes.set_ylabel("y (mm)")

@@ -14,6 +14,7 @@ from haptonic import plots, vtu
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
+from haptonic.plots.style import INK
 from haptonic.plots.text import band_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
@@ -115,13 +116,22 @@ class Bands(Result):
 
     @figure(
         "dispersion",
-        "Simulated dispersion along the edge of the irreducible zone. Colour, dashes and markers tell what "
-        "moves; a curve changes its colour where the mode changes its nature. Complete gaps are shaded, "
-        "those of one parity hatched.",
+        "Simulated bands along the edge of the irreducible zone. Complete gaps are shaded, those of one "
+        "parity hatched.",
     )
-    def _dispersion(self, *, ax: Axes | None = None) -> Figure:
-        """Dispersion diagram with the complete gaps and the carrier."""
-        return plots.dispersion(self.dataset, self.dataset.attrs.get("carrier_hz"), ax=ax)
+    def _dispersion(self, *, color: str = INK, ax: Axes | None = None) -> Figure:
+        """Band diagram with the complete gaps and the carrier."""
+        return plots.dispersion(self.dataset, self.dataset.attrs.get("carrier_hz"), color=color, ax=ax)
+
+    @figure(
+        "natures",
+        "Simulated bands by what moves: colour, dashes and markers change where a mode changes its nature. "
+        "Complete gaps are shaded, those of one parity hatched.",
+    )
+    def _natures(self, *, legend: bool = True, ax: Axes | None = None) -> Figure:
+        """The same with each mode in the colour of what moves."""
+        carrier = self.dataset.attrs.get("carrier_hz")
+        return plots.dispersion(self.dataset, carrier, natures=True, legend=legend, ax=ax)
 
     @figure(
         "modes",
