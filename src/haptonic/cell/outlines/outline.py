@@ -152,8 +152,12 @@ class Scaled:
         """(n,) distance to another one at displacements (n, 2), m; negative where they overlap.
 
         It is the largest over all directions of the displacement less both half-widths seen from there. The
-        candidates are the normals of straight sides, the displacement itself and a search between them.
+        candidates are the normals of straight sides, the displacement itself and a search between them; for
+        two circles the displacement is best.
         """
+        if all(curve.outline.reach == curve.outline.inradius for curve in (self, other)):
+            radii = self.half_width * self.outline.reach + other.half_width * other.outline.reach
+            return np.asarray(np.linalg.norm(away, axis=1) - radii)
 
         def apart(direction: Array) -> Array:
             here = self.half_width * self.outline.support(direction.reshape(-1, 2))
