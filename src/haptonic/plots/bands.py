@@ -50,7 +50,7 @@ def dispersion(
     title: str = "",
     *,
     natures: bool = False,
-    color: str = style.INK,
+    color: str | None = None,
     legend: bool = True,
     ax: Axes | None = None,
 ) -> Figure:
@@ -64,7 +64,7 @@ def dispersion(
     carrier_hz : drive frequency, Hz
     natures : draw each mode in the colour, dashes and marker of what moves; where its nature changes along a
         branch, so do these
-    color : of the curves, any colour of matplotlib; with ``natures`` they have their own
+    color : of the curves, nearly black by default; with ``natures`` they have their own
     legend : whether to explain the natures below the axes
     """
     on = stage(ax, 11.5)
@@ -82,7 +82,7 @@ def dispersion(
             lower / 1e3, upper / 1e3, facecolor="none", edgecolor=style.GAP_EDGE, hatch=HATCHES[waves],
             linewidth=0.0, alpha=0.35, zorder=0, gid=f"gap {waves}",
         )  # fmt: skip
-    present = _draw_branches(axes, dataset, distance, frequency, None if natures else color)
+    present = _draw_branches(axes, dataset, distance, frequency, None if natures else color or style.INK)
     mark_corners(axes, dataset, brief=not on.own)
     axes.set_ylabel("frequency (kHz)")
     if title:

@@ -14,7 +14,6 @@ from haptonic import plots, vtu
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
-from haptonic.plots.style import INK
 from haptonic.plots.text import band_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
@@ -116,10 +115,10 @@ class Bands(Result):
 
     @figure(
         "dispersion",
-        "Simulated bands along the edge of the irreducible zone. Complete gaps are shaded, those of one "
+        "Simulated dispersion along the edge of the irreducible zone. Complete gaps are shaded, those of one "
         "parity hatched.",
     )
-    def _dispersion(self, *, color: str = INK, ax: Axes | None = None) -> Figure:
+    def _dispersion(self, *, color: str | None = None, ax: Axes | None = None) -> Figure:
         """Band diagram with the complete gaps and the carrier."""
         return plots.dispersion(self.dataset, self.dataset.attrs.get("carrier_hz"), color=color, ax=ax)
 

@@ -23,7 +23,6 @@ def chapter(results: Results) -> Chapter | Absent:
     words = {
         "dispersion": f"Band diagram: {results.bands.sizes['band']} bands along "
         f"{'-'.join(along(results.bands))}; {told}.",
-        "natures": "The same band diagram with each mode in the colour of what moves.",
         "iso_frequency": f"Contour maps over the first Brillouin zone: the first band, and {second}.",
         "density_of_states": f"Density of states against frequency{empty}.",
     }
