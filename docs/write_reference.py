@@ -73,7 +73,7 @@ def reference() -> str:
             ]
     lines += ["", "## Packages", "", "| package | content |", "|---|---|"]
     lines += [
-        f"| [{package}](api/{package}.md) | {cell(summary(import_module(package)))} |"
+        f"| [{package}](api/{package}.md) | {cell(summary_of(import_module(package)))} |"
         for package in packages()
     ]
     lines += ["", "```{toctree}", ":hidden:", "", *(f"api/{package}" for package in packages()), "```"]
@@ -151,8 +151,8 @@ class _Plain(ast.NodeTransformer):
 
 
 def summary(value: object) -> str:
-    """The first paragraph of a docstring in one line."""
-    return markdown((inspect.getdoc(value) or "").split("\n\n")[0].replace("\n", " "))
+    """The first paragraph of a docstring in one line of Markdown."""
+    return markdown(summary_of(value).replace("\n", " "))
 
 
 def cell(text: str) -> str:

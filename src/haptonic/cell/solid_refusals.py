@@ -12,9 +12,10 @@ from haptonic.errors import GeometryError, shown
 from haptonic.fields import problem
 from haptonic.units import format_quantity, to_si
 
+IN_COMSOL = "in COMSOL: Mesh, Export, file type Nastran (.bdf), one property for each domain"
 EXPORTED = {
-    ".mphtxt": "in COMSOL: Mesh, Export, file type Nastran (.bdf), one property for each domain",
-    ".mphbin": "in COMSOL: Mesh, Export, file type Nastran (.bdf), one property for each domain",
+    ".mphtxt": IN_COMSOL,
+    ".mphbin": IN_COMSOL,
     ".cdb": "in Ansys: export the mesh as Nastran or Abaqus input, or by Gmsh",
 }
 OTHERWISE = "export the cell as STEP, or its mesh as .msh, .bdf, .inp or .vtu, from the program that made it"

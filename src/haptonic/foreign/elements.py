@@ -199,13 +199,12 @@ def _abaqus(path: str) -> NamedElements:
             if name := options.get("ELSET"):
                 sets.setdefault(name, []).extend(numbers[:, 0].tolist())
         elif keyword == "ELSET":
-            entries = [entry for row in rows for entry in row]
             if "GENERATE" in options:
                 ranges = [[int(entry) for entry in row] for row in rows]
                 members: list[int | str] = [m for low, high, *step in ranges
                                             for m in range(low, high + 1, *(step or [1]))]  # fmt: skip
             else:
-                members = [int(entry) if entry.isdecimal() else entry for entry in entries]
+                members = [int(entry) if entry.isdecimal() else entry for row in rows for entry in row]
             sets.setdefault(options["ELSET"], []).extend(members)
     groups = {name: np.array(sorted(_members(name, sets, number)), dtype=np.int64) for name in sets}
     return NamedElements(np.array(points), blocks, groups)

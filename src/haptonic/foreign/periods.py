@@ -156,8 +156,8 @@ class DrawnPeriod(FilledTile):
         box = np.array([[low.x, low.y], [high.x, high.y]]) + move
         return bool((box[1] > self.corners.min(axis=0)).all() and (box[0] < self.corners.max(axis=0)).all())
 
-    def half_side_of(self, face: Any) -> int | None:
-        """Number of the half side that a face lies on; None for one inside the tile."""
+    def piece_of(self, face: Any) -> int | None:
+        """Number of the piece of a side that a face lies on; None for one inside the tile."""
         centre = np.array([face.center.x, face.center.y])
         vertices = [[vertex.p.x, vertex.p.y] for vertex in face.vertices]
         for number in self.in_planes(np.array([*vertices, centre])).tolist():
@@ -173,7 +173,7 @@ class DrawnPeriod(FilledTile):
         beside = set()  # numbers of the parts that reach the sides
         for position, part in enumerate(parts):
             for face in part.faces:
-                number = self.half_side_of(face)
+                number = self.piece_of(face)
                 if number is not None:
                     beside.add(position)
                     heights = [vertex.p.z for vertex in face.vertices]
@@ -233,7 +233,7 @@ def _meshed(period: DrawnPeriod) -> Any:
     body = period.body
     size = min(ELEMENTS * period.thickness, WIDEST_ELEMENT * UNITS)
     for number, face in enumerate(body.faces):
-        side = period.half_side_of(face)
+        side = period.piece_of(face)
         face.name = f"inner{number}" if side is None else f"side{side}"
     edges = list(body.edges)
     for number, edge in enumerate(edges):
