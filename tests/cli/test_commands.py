@@ -32,7 +32,7 @@ def test_bands_writes_its_files_and_a_table(haptonic, study, tmp_path):
         for name in ("dispersion", "natures", "modes", "iso_frequency", "density_of_states")
         for kind in ("svg", "png")
     }
-    assert names == {"bands.nc", "gaps.csv", "modes.vtu"} | pictures
+    assert names == {"bands.nc", "bands.csv", "gaps.csv", "modes.vtu"} | pictures
     data = xr.load_dataset(out / "bands.nc", engine="h5netcdf")
     assert data["frequency"].attrs["units"] == "Hz"
     assert json.loads(data.attrs["inputs"])["cell"]["pitch"] == 0.007

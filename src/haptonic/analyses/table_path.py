@@ -54,14 +54,12 @@ class OurPath:
         distance = data["distance"].values[json_from(data.attrs["path_corners"])]
         if not {"lattice", "zone", "point_group"} <= data.attrs.keys():
             return cls(labels=labels, distance=distance)
-        given = {key: value for key, value in json.loads(data.attrs["lattice"]).items() if value is not None}
-        names = {"form": "lattice", "period": "pitch"}
         corners = dict(json.loads(data.attrs["zone"]))
         return cls(
             labels=labels,
             distance=distance,
             phases=np.pi * np.array([corners[label] for label in labels]),
-            lattice=Lattice(**{names.get(key, key): value for key, value in given.items()}),
+            lattice=Lattice.from_json(data.attrs["lattice"]),
             operations=tuple(((a, b), (c, d)) for (a, b), (c, d) in json.loads(data.attrs["point_group"])),
         )
 

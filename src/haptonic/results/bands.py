@@ -11,9 +11,11 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots, vtu
+from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
+from haptonic.lattice import Lattice
 from haptonic.plots.text import band_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
@@ -49,6 +51,44 @@ class Bands(Result):
     def gaps(self) -> tuple[Gap, ...]:
         """Complete gaps first, then those of single directions."""
         return gaps_of(self.dataset)
+
+    @property
+    def frequency(self) -> Array:
+        """Frequencies along the path, Hz: (wavevectors, bands)."""
+        return np.array(self.dataset["frequency"])
+
+    @property
+    def error(self) -> Array:
+        """Bounds of the errors of `frequency`, Hz: (wavevectors, bands)."""
+        return np.array(self.dataset["frequency_error"])
+
+    @property
+    def wavevector(self) -> Array:
+        """Components kx and ky of the wavevectors along the path, rad/m: (wavevectors, 2)."""
+        return Lattice.from_json(self.dataset.attrs["lattice"]).wavevector(np.array(self.dataset["kappa"]))
+
+    @property
+    def distance(self) -> Array:
+        """Length of the path up to each wavevector, rad/m: (wavevectors,)."""
+        return np.array(self.dataset["distance"])
+
+    @property
+    def corners(self) -> tuple[tuple[str, float], ...]:
+        """Name of each corner on the path and its distance, rad/m: the ticks of a band diagram."""
+        names, rows = (json.loads(self.dataset.attrs[f"path_{what}"]) for what in ("labels", "corners"))
+        return tuple(zip(names, self.distance[rows].tolist(), strict=True))
+
+    def diagram(self) -> pd.DataFrame:
+        """The band diagram as a table: a row for each wavevector, columns with units in their names."""
+        bands = range(1, self.frequency.shape[1] + 1)
+        return pd.DataFrame(
+            {
+                "distance (rad/m)": self.distance,
+                **{f"k{axis} (rad/m)": k for axis, k in zip("xy", self.wavevector.T, strict=True)},
+                **{f"f{band} (Hz)": f for band, f in zip(bands, self.frequency.T, strict=True)},
+                **{f"error of f{band} (Hz)": e for band, e in zip(bands, self.error.T, strict=True)},
+            }
+        )
 
     def summary(self) -> list[str]:
         complete = [gap for gap in self.gaps if gap.complete]
@@ -163,6 +203,10 @@ class Bands(Result):
             {"band_below": gap.between[0], "band_above": gap.between[1], **plain(gap)} for gap in self.gaps
         ]
         pd.DataFrame(rows, columns=WRITTEN).to_csv(path, index=False, float_format="%.3f")
+
+    @file("bands.csv")
+    def _write_diagram(self, path: Path) -> None:
+        self.diagram().to_csv(path, index=False, float_format="%.9g")
 
     @file("modes.vtu")
     def _write_modes(self, path: Path) -> None:
