@@ -6,7 +6,6 @@ physical length of a wavevector is independent of the size of the cell.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -292,13 +291,6 @@ class Lattice:
     def oblique(cls, pitch: float, pitch_2: float, angle: float) -> Lattice:
         """Lattice of any two periods (m), the first along x, with an angle (rad) between them."""
         return cls(lattice="oblique", pitch=pitch, pitch_2=pitch_2, angle=angle)
-
-    @classmethod
-    def from_json(cls, text: str) -> Lattice:
-        """The lattice that a result keeps in its attribute ``lattice``."""
-        aliases = {"form": "lattice", "period": "pitch"}
-        values = {aliases.get(key, key): value for key, value in json.loads(text).items()}
-        return cls(**{key: value for key, value in values.items() if value is not None})
 
     @cached_property
     def vectors(self) -> Array:

@@ -1,4 +1,4 @@
-"""Complete gaps along the rows of designs that a study describes."""
+"""Complete gaps of the designs that the sweeps of a study describe."""
 
 from __future__ import annotations
 
@@ -25,6 +25,7 @@ from haptonic.study.schema import Description
 from haptonic.study.sweeps import SweepSettings
 
 RESONANCES = 3  # of the pillar alone
+VALUES = ("value", "second_value")  # variables of the first and the second expression
 
 
 def check(study: Description, options: NoOptions) -> None:
@@ -59,7 +60,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
 def swept(
     study: Description, sweep: SweepSettings, cells: Sequence[UnitCell], outcomes: Sequence[Outcome]
 ) -> Sweep:
-    """One row of designs; what could not be computed is NaN."""
+    """The designs of one sweep; gaps that could not be computed are NaN."""
     slots = max([o.dataset.sizes["gap"] for o in outcomes if o.dataset is not None], default=0)
     names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below")
     table = {name: np.full((len(cells), slots), np.nan) for name in names}
@@ -71,9 +72,10 @@ def swept(
             highest[step] = float(outcome.dataset["searched_up_to"])
             reached[step] = outcome.dataset.attrs.get("largest_error", np.nan)
     beams = [_cantilever(cell) for cell in cells]
+    designs = np.array(sweep.designs)
     dataset = xr.Dataset(
         {
-            "value": ("step", np.asarray(sweep.values)),
+            **{name: ("step", designs[:, k]) for k, name in enumerate(VALUES[: len(sweep.axes)])},
             **{name: (("step", "gap_slot"), array) for name, array in table.items()},
             "searched_up_to": ("step", highest),
             "missed_accuracy": ("step", reached),
@@ -90,13 +92,14 @@ def swept(
         missed_accuracy="the accuracy was reached, or the design could not be computed",
         **dict.fromkeys(("euler_bernoulli", "timoshenko"), "no formula for this pillar"),
     )
-    dataset["value"].attrs = {"units": sweep.unit or "1", "long_name": sweep.vary}
-    known = {
-        "own_value": sweep.expression.value(study.parameters()),
+    known: dict[str, str | float | None] = {
         "carrier_hz": study.carrier,
         "accuracy": study.bands_settings.accuracy,
     }
-    dataset.attrs = {"expression": sweep.vary} | {n: value for n, value in known.items() if value is not None}
+    for name, prefix, axis in zip(VALUES, ("", "second_"), sweep.axes, strict=False):
+        dataset[name].attrs = {"units": axis.unit or "1", "long_name": axis.vary}
+        known |= {f"{prefix}expression": axis.vary, f"own_{name}": axis.expression.value(study.parameters())}
+    dataset.attrs = {name: value for name, value in known.items() if value is not None}
     failed = {step: o.error.parts() for step, o in enumerate(outcomes) if o.error is not None}
     return Sweep(stamped(dataset, study.inputs()), failed)
 
@@ -117,7 +120,7 @@ def cost(study: Description, options: NoOptions) -> Cost:
     costs = (gaps(one) for one in (study, *designs))
     refused = next(costs)
     each = refused if refused.refusal is None else next((one for one in costs if not one.refusal), refused)
-    return each.times(sum(one.steps for one in study.sweep_settings))
+    return each.times(sum(sweep.count for sweep in study.sweep_settings))
 
 
 ANALYSIS = Analysis(

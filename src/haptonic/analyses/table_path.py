@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from haptonic.analyses.table_columns import TableOfBands
 from haptonic.arrays import Array
+from haptonic.bloch.bands import lattice_of
 from haptonic.cell import UnitCell
 from haptonic.errors import ChannelError, shown
 from haptonic.gate import json_from
@@ -59,7 +60,7 @@ class OurPath:
             labels=labels,
             distance=distance,
             phases=np.pi * np.array([corners[label] for label in labels]),
-            lattice=Lattice.from_json(data.attrs["lattice"]),
+            lattice=lattice_of(data),
             operations=tuple(((a, b), (c, d)) for (a, b), (c, d) in json.loads(data.attrs["point_group"])),
         )
 

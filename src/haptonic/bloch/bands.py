@@ -23,6 +23,7 @@ from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
+from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread
 from haptonic.superelement import whole_mesh
 
@@ -149,6 +150,13 @@ def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
             )
         )
     return tuple(found)
+
+
+def lattice_of(dataset: xr.Dataset) -> Lattice:
+    """The lattice of a dataset of bands."""
+    keys = {"form": "lattice", "period": "pitch"}  # of fields whose key has another name
+    values = {keys.get(name, name): value for name, value in json.loads(dataset.attrs["lattice"]).items()}
+    return Lattice(**{key: value for key, value in values.items() if value is not None})
 
 
 def mode_names(dataset: xr.Dataset) -> list[str]:

@@ -25,6 +25,7 @@ from .spectra import (
 )
 from .stage import Stage as Stage, checked as checked, painted as painted
 from .style import rendered as rendered, save as save
+from .sweep_grids import sweep_grid as sweep_grid
 from .sweeps import sweep as sweep
 from .tolerances import tolerance as tolerance
 from .verdicts import before_after as before_after, frac_maps as frac_maps, mac_matrix as mac_matrix

@@ -99,10 +99,15 @@ def _edges(bands: Mapping[str, Any]) -> dict[str, str]:
     return found
 
 
+def _along_one(sweeps: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """The sweeps along a single expression, of which an optimum or a power can be found."""
+    return [sweep for sweep in sweeps.get("sweeps", ()) if "second_vary" not in sweep]
+
+
 def _optima(study: Description, sweeps: Mapping[str, Any]) -> dict[str, Any]:
     """By swept expression the value whose gap has the widest margin around the carrier, and half a step."""
     found = {}
-    for one in sweeps.get("sweeps", ()):
+    for one in _along_one(sweeps):
         margins = [
             (min(study.carrier - gap["lower_hz"], gap["upper_hz"] - study.carrier), design["value"])
             for design in one["designs"] for gap in design["gaps"]
@@ -119,7 +124,7 @@ def _powers(bands: Mapping[str, Any], sweeps: Mapping[str, Any]) -> dict[str, An
     if gap is None:
         return {}
     found = {}
-    for one in sweeps.get("sweeps", ()):
+    for one in _along_one(sweeps):
         points = [(design["value"], edge["upper_hz"]) for design in one["designs"] for edge in design["gaps"]
                   if edge["between"] == gap["between"]]  # fmt: skip
         if len(points) >= FEWEST and min(value for value, _ in points) > 0:

@@ -72,10 +72,10 @@ def fitted_power(value: Array, frequency: Array) -> Power:
 
 def trend_of(sweep: xr.Dataset) -> Trend | None:
     """Follow the widest certain gap of the design nearest to the study's own; None if that has none, if it
-    lies outside the sweep, or if too few designs share the gap."""
+    lies outside the sweep, if the sweep varies two expressions, or if too few designs share the gap."""
     value = sweep["value"].values
     own = sweep.attrs.get("own_value")
-    if own is None or not value.min() <= own <= value.max() or (value <= 0).any():
+    if "second_value" in sweep or own is None or not value.min() <= own <= value.max() or (value <= 0).any():
         return None
     lower, upper, below = (sweep[name].values for name in ("gap_lower", "gap_upper", "gap_below"))
     doubt = sweep["gap_lower_error"].values + sweep["gap_upper_error"].values

@@ -13,9 +13,8 @@ import numpy as np
 from haptonic import plots, vtu
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
-from haptonic.bloch.bands import mode_names
+from haptonic.bloch.bands import lattice_of, mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
-from haptonic.lattice import Lattice
 from haptonic.plots.text import band_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
@@ -65,7 +64,7 @@ class Bands(Result):
     @property
     def wavevector(self) -> Array:
         """Components kx and ky of the wavevectors along the path, rad/m: (wavevectors, 2)."""
-        return Lattice.from_json(self.dataset.attrs["lattice"]).wavevector(np.array(self.dataset["kappa"]))
+        return lattice_of(self.dataset).wavevector(np.array(self.dataset["kappa"]))
 
     @property
     def distance(self) -> Array:

@@ -21,20 +21,36 @@ from haptonic.units import format_quantity, hz_text
 
 @dataclass(frozen=True)
 class Sweep:
-    """Complete gaps along a row of designs; designs that could not be computed are in ``failed``."""
+    """Complete gaps of the designs of a sweep; designs that could not be computed are in ``failed``."""
 
     dataset: xr.Dataset
     failed: dict[int, dict[str, str]]
 
     @property
-    def unit(self) -> str:
-        """SI unit of the swept value; empty where it is a bare number."""
-        unit = str(self.dataset["value"].attrs["units"])
-        return "" if unit == "1" else unit
+    def axes(self) -> dict[str, tuple[str, str]]:
+        """Expression and SI unit, empty for a bare number, of each variable that the sweep changes."""
+        names = [name for name in ("value", "second_value") if name in self.dataset]
+        units = [str(self.dataset[name].attrs["units"]) for name in names]
+        return {
+            name: (str(self.dataset[name].attrs["long_name"]), "" if unit == "1" else unit)
+            for name, unit in zip(names, units, strict=True)
+        }
+
+    @property
+    def expressions(self) -> str:
+        """What the sweep varies, one expression or two."""
+        return " and ".join(expression for expression, _ in self.axes.values())
 
     def drawn(self, *, ax: Axes | None = None) -> Figure:
-        """Gaps against the swept value, with the pillar's own resonances."""
-        return plots.sweep(self.dataset, ax=ax)
+        """Gaps against the swept value, or a map of their widths over two."""
+        draw = plots.sweep_grid if len(self.axes) == 2 else plots.sweep
+        return draw(self.dataset, ax=ax)
+
+    def values_at(self, step: int) -> str:
+        """The values of one design with their units."""
+        values = (float(self.dataset[name][step]) for name in self.axes)
+        units = (unit for _, unit in self.axes.values())
+        return " and ".join(format_quantity(value, unit) for value, unit in zip(values, units, strict=True))
 
     def gaps_at(self, step: int) -> list[dict[str, Any]]:
         """The gaps of one design as plain values."""
@@ -68,27 +84,35 @@ class Sweep:
         """The widest complete gap of each design."""
         data = self.dataset
         rows: list[tuple[Cell, ...]] = []
-        for step, value in enumerate(data["value"].values):
+        for step, values in enumerate(np.stack([data[name].values for name in self.axes], axis=1)):
             gaps = self.gaps_at(step)
             widest = max(gaps, key=lambda gap: gap["upper_hz"] - gap["lower_hz"], default=None)
             edges = (widest["lower_hz"], widest["upper_hz"]) if widest else None
             count = "failed" if step in self.failed else str(len(gaps))
-            rows.append((float(value), count, *((edges[1] - edges[0], *edges) if edges else (None,) * 3)))
+            rows.append((*values.tolist(), count, *((edges[1] - edges[0], *edges) if edges else (None,) * 3)))
         return Table(
             "sweep",
-            (Column(data.attrs["expression"], self.unit, "mm" if self.unit == "m" else ""), "gaps",
+            (*(Column(name, unit, "mm" if unit == "m" else "") for name, unit in self.axes.values()), "gaps",
              *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to"))),
             rows,
         )  # fmt: skip
 
     def facts(self) -> dict[str, Any]:
-        """What machines are told of it."""
+        """Values for machines, by name."""
         data = self.dataset
         designs = [
-            {"value": value, "gaps": self.gaps_at(step), "error": self.failed.get(step)}
-            for step, value in enumerate(data["value"].values)
+            {
+                **{name: float(data[name][step]) for name in self.axes},
+                "gaps": self.gaps_at(step),
+                "error": self.failed.get(step),
+            }
+            for step in range(data.sizes["step"])
         ]
-        return {"vary": data.attrs["expression"], "unit": data["value"].attrs["units"], "designs": designs}
+        facts: dict[str, Any] = {}
+        for name, (expression, unit) in self.axes.items():
+            prefix = name.removesuffix("value")
+            facts |= {f"{prefix}vary": expression, f"{prefix}unit": unit or "1"}
+        return {**facts, "designs": designs}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -102,7 +126,7 @@ class Sweeps(Result):
     @property
     def dataset(self) -> xr.Dataset:
         """All rows, one behind the other along ``sweep``; shorter ones are filled up with NaN."""
-        names = [one.dataset.attrs["expression"] for one in self.rows]
+        names = [one.expressions for one in self.rows]
         # lengths differ, and xarray aligns only what is numbered
         data = [
             one.dataset.assign_coords({name: np.arange(size) for name, size in one.dataset.sizes.items()})
@@ -110,22 +134,22 @@ class Sweeps(Result):
         ]
         joined = xr.concat(data, "sweep", combine_attrs="drop_conflicts", join="outer")
         joined = joined.drop_vars(list(joined.indexes))
-        declared(joined, value="this sweep has no further design")
+        missing = "this sweep has no further design, or varies one expression"
+        declared(joined, **dict.fromkeys({"value", "second_value"} & set(joined), missing))
         return joined.assign_coords(expression=("sweep", names))
 
     def summary(self) -> list[str]:
         said = []
         for one in self.rows:
             gaps = [(gap, step) for step in range(one.dataset.sizes["step"]) for gap in one.gaps_at(step)]
-            name, count = one.dataset.attrs["expression"], one.dataset.sizes["step"]
+            name, count = one.expressions, one.dataset.sizes["step"]
             if not gaps:
                 what = "has a complete gap" if len(one.failed) < count else "could be computed"
                 said.append(f"No design along {name} {what}.")
                 continue
             best, step = max(gaps, key=lambda pair: pair[0]["upper_hz"] - pair[0]["lower_hz"])
-            value = format_quantity(float(one.dataset["value"][step]), one.unit)
             said.append(
-                f"Along {name}, the widest complete gap of {count} designs is at {value}: "
+                f"Along {name}, the widest complete gap of {count} designs is at {one.values_at(step)}: "
                 f"{hz_text(best['lower_hz'], best['upper_hz'], form='.2f')}."
             )
         return said

@@ -7,14 +7,13 @@ the file, checks, help, labels and the written file follow from these declaratio
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from types import FrameType
 from typing import Annotated, Any, ClassVar, Self
 
 from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import FILLET, values_of
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
@@ -51,6 +50,7 @@ from haptonic.study.plating import plate_of
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
+from haptonic.study.varied import check_varied
 from haptonic.study.vary import Expression, check_names, solve
 from haptonic.units import format_quantity
 from haptonic.updating.settings import FitSettings
@@ -133,18 +133,28 @@ class Description:
                 self.ribbon_settings.ribbon(self.cell)
         except HaptonicError as error:
             raise handed_on(error) from None
-        self._names_what_the_cell_has()
+        check_varied(
+            self.design_settings,
+            self.tolerance_settings,
+            self.cell,
+            self.absent_parameters(),
+            table(Description),
+        )
         self.fit_settings.check(plate, self.absent_parameters())
         for row, sweep in enumerate(self.sweep_settings, start=1):
-            self._gives_what_is_named(sweep.expression, f"sweep[{row}].vary")
-            for step, value in enumerate(sweep.values, start=1):
+            for axis, table_name in zip(sweep.axes, ("", "second."), strict=False):
+                self._gives_what_is_named(axis.expression, f"sweep[{row}].{table_name}vary")
+            for step, values in enumerate(sweep.designs, start=1):
                 try:
-                    self.solved(sweep.expression, value)
+                    self._design(sweep, values)
                 except HaptonicError as error:
-                    reached = format_quantity(value, sweep.unit)
+                    reached = " and ".join(
+                        f"{axis.vary} = {format_quantity(value, axis.unit)}"
+                        for axis, value in zip(sweep.axes, values, strict=True)
+                    )
                     raise problem(
                         "out-of-range",
-                        f"{sweep.vary} = {reached} at step {step} of {sweep.steps}",
+                        f"{reached} at step {step} of {sweep.count}",
                         f"a range in which every design is possible; {error.argument}: {error.allowed}",
                         f"{error.argument} would be {error.given}: {error.cause}",
                         "narrow the range between from and to",
@@ -158,50 +168,6 @@ class Description:
             expression.value(self.parameters())
         except StudyError as error:
             raise handed_on(error, at) from None
-
-    def _names_what_the_cell_has(self) -> None:
-        """Refuse parameters of a design or a tolerance that this study's cell does not have, and designs that
-        could not be written as a study."""
-        there = values_of(self.cell)
-        named = {
-            f"design.vary[{i}]": one.parameter for i, one in enumerate(self.design_settings.vary, start=1)
-        }
-        named |= {
-            f"tolerance.of[{i}]": one.parameter for i, one in enumerate(self.tolerance_settings.of, start=1)
-        }
-        for at, path in named.items():
-            if path not in there:
-                cause = "the cell of this study does not have it"
-                next_step = "give it in [cell] first, or leave this table out"
-                at = f"{at}.parameter"
-                raise handed_on(StudyError.unknown(at, path, there, cause, slip=False, next_step=next_step))
-        absent, keys = self.absent_parameters(), table(Description)
-        for i, one in enumerate(self.design_settings.vary, start=1):
-            at, path = f"design.vary[{i}]", one.parameter
-            if path in absent:
-                raise problem(
-                    "missing",
-                    path, "a parameter that this study gives", absent[path],
-                    "give it in this study, or leave this table out", at=f"{at}.parameter",
-                )  # fmt: skip
-            key = key_of(path, keys)
-            assert key is not None, path
-            quantity = key.quantity
-            assert quantity is not None, path
-            for name, value in (("from", one.low), ("to", one.high)):
-                if not quantity.holds(value):
-                    raise problem(
-                        "out-of-range",
-                        format_quantity(value, one.unit), f"{path} has to be {quantity.limits}",
-                        "designs there would not be possible", "choose a narrower range", at=f"{at}.{name}",
-                    )  # fmt: skip
-            if path.endswith(FILLET) and one.low == 0:
-                raise problem(
-                    "out-of-range",
-                    "0 m", "more than zero", "a sharp edge needs another mesh than any fillet",
-                    'choose a small radius, such as "50 um", or look for a sharp one without this table',
-                    at=f"{at}.from",
-                )  # fmt: skip
 
     def mounted_plate(self) -> Plate:
         """The finite plate as the core computes with it.
@@ -335,8 +301,15 @@ class Description:
         return self.without_plate().with_parameter(expression.varied, wanted)
 
     def designs(self, sweep: SweepSettings) -> tuple[Self, ...]:
-        """One study for each step of a sweep, in order."""
-        return tuple(self.solved(sweep.expression, value) for value in sweep.values)
+        """One study for each design of a sweep, in order."""
+        return tuple(self._design(sweep, values) for values in sweep.designs)
+
+    def _design(self, sweep: SweepSettings, values: Sequence[float]) -> Self:
+        """The study in which the expressions of a sweep have these values."""
+        design = self
+        for axis in sweep.order:
+            design = design.solved(sweep.axes[axis].expression, values[axis])
+        return design
 
     def unusual(self) -> tuple[str, ...]:
         """A sentence on every value outside its typical range; on those that only a sweep reaches, if no
@@ -346,11 +319,11 @@ class Description:
 
     def _unusual_sweeps(self) -> Iterator[str]:
         for row, sweep in enumerate(self.sweep_settings, start=1):
-            name = sweep.expression.varied
-            ends = (self.solved(sweep.expression, end) for end in (sweep.start, sweep.stop))
-            words = [text for design in ends for text in design._unusual_values().values()]
-            if words:
-                yield f"sweep[{row}]: {name} leaves its usual range; {words[0]}"
+            for axis in sweep.axes:
+                ends = (self.solved(axis.expression, end) for end in (axis.start, axis.stop))
+                words = [text for design in ends for text in design._unusual_values().values()]
+                if words:
+                    yield f"sweep[{row}]: {axis.expression.varied} leaves its usual range; {words[0]}"
 
     def _unusual_values(self) -> dict[str, str]:
         return unusual_values(self)

@@ -1,9 +1,11 @@
-"""The table of the study file that asks for a row of designs."""
+"""The table of the study file that describes a sweep over designs."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from functools import cache
+from itertools import product
 from typing import Annotated, ClassVar
 
 from pydantic import Field, ValidationInfo, field_validator
@@ -26,6 +28,8 @@ from haptonic.fields.quantity import collected
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
 
+MOST_DESIGNS = 1000  # of one sweep
+
 
 @cache
 def numeric_parameters() -> Mapping[str, str]:
@@ -35,9 +39,9 @@ def numeric_parameters() -> Mapping[str, str]:
     return ByPattern({"carrier": CARRIER.unit, **units})
 
 
-@described("sweep", kw_only=True)
-class SweepSettings:
-    """A row of designs: an expression of parameters taken from one value to another."""
+@described("sweep.second", kw_only=True)
+class SweepAxis:
+    """An expression of parameters taken from one value to another, in even steps."""
 
     aliases: ClassVar[Aliases] = {
         **meant("vary", "parameter", "param", "variable", "key", "name"),
@@ -59,7 +63,7 @@ class SweepSettings:
     stop: float = Field(
         alias="to", title="Last value", description="With its unit, if it has one.", examples=["16 mm"]
     )
-    steps: Annotated[int, Field(ge=2, le=1000, strict=True)] = setting(
+    steps: Annotated[int, Field(ge=2, le=MOST_DESIGNS, strict=True)] = setting(
         25, "Number of designs, both ends included."
     )
 
@@ -103,3 +107,71 @@ class SweepSettings:
         last = self.steps - 1
         inner = ((self.start * (last - step) + self.stop * step) / last for step in range(1, last))
         return (self.start, *inner, self.stop)
+
+
+@described("sweep", kw_only=True)
+class SweepSettings(SweepAxis):
+    """Designs along one expression of parameters, or over all combinations of two."""
+
+    second: SweepAxis | None = setting(
+        None, "Another expression; every combination of the values of both is a design."
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.second is None:
+            return
+        if self.second.expression.varied == self.expression.varied:
+            raise problem(
+                "repeated",
+                self.second.expression.varied,
+                "another first parameter than that of the sweep",
+                "both expressions would change the same parameter",
+                "vary another parameter, or remove this table",
+                at="second.vary",
+            )
+        if self._names_varied(self, self.second) and self._names_varied(self.second, self):
+            raise problem(
+                "conflict",
+                f"{self.vary} and {self.second.vary}",
+                "two expressions of which one at least leaves out the first parameter of the other",
+                "neither parameter can be found before the other",
+                "write one of them without the first parameter of the other",
+                at="second.vary",
+            )
+        if self.count > MOST_DESIGNS:
+            raise problem(
+                "too-large",
+                f"{self.steps} times {self.second.steps} designs",
+                f"at most {MOST_DESIGNS} designs in a sweep",
+                "every combination of both values is a design",
+                "take fewer steps in one of them",
+                at="second.steps",
+            )
+
+    @staticmethod
+    def _names_varied(axis: SweepAxis, other: SweepAxis) -> bool:
+        """True if the expression of an axis names the parameter that another axis changes."""
+        return other.expression.varied in dict(axis.expression.powers)
+
+    @property
+    def axes(self) -> tuple[SweepAxis, ...]:
+        """The expressions that vary, one or two."""
+        return (self,) if self.second is None else (self, self.second)
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """Positions of the axes in the order in which their parameters are found."""
+        if self.second is None:
+            return (0,)
+        return (1, 0) if self._names_varied(self, self.second) else (0, 1)
+
+    @property
+    def count(self) -> int:
+        """Number of designs."""
+        return math.prod(axis.steps for axis in self.axes)
+
+    @property
+    def designs(self) -> tuple[tuple[float, ...], ...]:
+        """Values of the expressions (SI) at each design; those of the second change fastest."""
+        return tuple(product(*(axis.values for axis in self.axes)))

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from haptonic import plots
 from haptonic.later import xarray as xr
 from haptonic.plots.sweeps import SUBSCRIPTED
 from haptonic.plots.text import minus, readable, scaled_unit
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results, Table
 from haptonic.report.trend import trend_of
+from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.units import hz_text
 
 TITLE = "Sweeps"
@@ -20,11 +20,12 @@ def chapter(results: Results) -> Chapter | Absent:
     """Complete gaps of every sweep, and how they move."""
     if not results.study.sweep_settings:
         return Absent(TITLE, "the study describes none")
-    if not results.sweeps:
+    sweeps = results.of(Sweeps)
+    if sweeps is None:
         return Absent(TITLE, "they were not computed in this run")
     said = [
         Finding(sentence, f"sweep_{k}")
-        for k, sweep in enumerate(results.sweeps, start=1)
+        for k, sweep in enumerate(sweeps.rows, start=1)
         for sentence in _findings(sweep)
     ]
     rows = tuple(row for sweep in results.sweeps for row in _fit_rows(sweep))
@@ -50,23 +51,24 @@ def chapter(results: Results) -> Chapter | Absent:
         findings=tuple(said),
         pictures=tuple(
             _picture(sweep, name := f"sweep_{k}", results.where(name))
-            for k, sweep in enumerate(results.sweeps, start=1)
+            for k, sweep in enumerate(sweeps.rows, start=1)
         ),
         tables=(fits,) if rows else (),
     )
 
 
-def _picture(sweep: xr.Dataset, called: str, where: str) -> Picture:
-    expression = sweep.attrs["expression"]
-    name = readable(expression)
-    unit, factor = scaled_unit(sweep["value"].attrs["units"])
-    low, high = sweep["value"].values.min() * factor, sweep["value"].values.max() * factor
-    span = f"{low:g} to {high:g}" + (f" {unit}" if factor != 1.0 else "")
-    count = int(_certain(sweep).any(axis=1).sum())
+def _picture(sweep: Sweep, called: str, where: str) -> Picture:
+    data, spans = sweep.dataset, []
+    for variable, (expression, _) in sweep.axes.items():
+        unit, factor = scaled_unit(data[variable].attrs["units"])
+        low, high = data[variable].values.min() * factor, data[variable].values.max() * factor
+        ending = f" {unit}" if factor != 1.0 else ""
+        spans.append(f"{readable(expression)} from {low:g} to {high:g}{ending}")
+    count = int(_certain(data).any(axis=1).sum())
     return Picture(
-        plots.sweep(sweep),
-        f"Simulated complete gaps against {name}.{where}",
-        f"Complete gaps of {sweep.sizes['step']} designs, {name} from {span}; {count} of them have a gap.",
+        sweep.drawn(),
+        f"Simulated complete gaps against {readable(sweep.expressions)}.{where}",
+        f"Complete gaps of {data.sizes['step']} designs, {', '.join(spans)}; {count} of them have a gap.",
         called,
     )
 
@@ -76,23 +78,20 @@ def _certain(sweep: xr.Dataset) -> np.ndarray:
     return np.asarray((sweep["gap_upper"] - sweep["gap_lower"]).values > doubt.values)
 
 
-def _findings(sweep: xr.Dataset) -> list[str]:
-    name = readable(sweep.attrs["expression"])
-    unit, factor = scaled_unit(sweep["value"].attrs["units"])
-    ending = f" {unit}" if factor != 1.0 else ""
-    certain = _certain(sweep)
-    value = sweep["value"].values * factor
+def _findings(sweep: Sweep) -> list[str]:
+    name, data = readable(sweep.expressions), sweep.dataset
+    certain = _certain(data)
     if not certain.any():
         return [f"No design along {name} has a certain complete gap."]
-    lower, upper = sweep["gap_lower"].values, sweep["gap_upper"].values
+    lower, upper = data["gap_lower"].values, data["gap_upper"].values
     share = np.where(certain, 2 * (upper - lower) / (upper + lower), 0.0)
     step, slot = np.unravel_index(share.argmax(), share.shape)
     said = [
-        f"Along {name}, {certain.any(axis=1).sum()} of {len(value)} designs have a certain complete gap. The "
-        f"widest for its frequency is at {value[step]:.4g}{ending}: {lower[step, slot] / 1e3:.1f} to "
+        f"Along {name}, {certain.any(axis=1).sum()} of {len(certain)} designs have a certain complete gap. "
+        f"The widest for its frequency is at {sweep.values_at(int(step))}: {lower[step, slot] / 1e3:.1f} to "
         f"{hz_text(upper[step, slot], form='.1f')}, {share[step, slot]:.0%} of its centre."
     ]
-    trend = trend_of(sweep)
+    trend = trend_of(data)
     if trend is not None and np.isfinite(trend.slender).all():
         off, resonance = trend.straightness, SUBSCRIPTED[trend.nearest]
         share_off = off / trend.upper.mean()

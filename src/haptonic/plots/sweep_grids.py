@@ -1,0 +1,85 @@
+"""The widest complete gap of every design of a sweep over two expressions, as a map."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from haptonic.arrays import Array
+from haptonic.later import xarray as xr
+from haptonic.plots import style
+from haptonic.plots.stage import stage
+from haptonic.plots.text import readable, scaled_unit
+from haptonic.units import hz_text
+
+AXES = (("value", "expression", "own_value"), ("second_value", "second_expression", "own_second_value"))
+
+
+@style.drawn
+def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
+    """Width of the widest certain gap by colour; a ring where a gap has the carrier inside.
+
+    Parameters
+    ----------
+    dataset : as for `haptonic.plots.sweep`, with ``second_value`` (step) and the attributes
+        ``second_expression`` and ``own_second_value``
+    """
+    on = stage(ax, 10.5)
+    axes = on.axes
+    units = [scaled_unit(dataset[name].attrs["units"]) for name, *_ in AXES]
+    places = [dataset[name].values * factor for (name, *_), (_, factor) in zip(AXES, units, strict=True)]
+    values = [np.unique(place) for place in places]
+    column, row = (np.searchsorted(value, place) for value, place in zip(values, places, strict=True))
+    lower, upper = dataset["gap_lower"].values, dataset["gap_upper"].values
+    certain = upper - lower > dataset["gap_lower_error"].values + dataset["gap_upper_error"].values
+    width = np.zeros((len(values[1]), len(values[0])))
+    width[row, column] = np.where(certain, upper - lower, 0.0).max(axis=1, initial=0.0) / 1e3
+    image = axes.pcolormesh(
+        *(_borders(value) for value in values), np.ma.masked_equal(width, 0.0), cmap=style.perceptual(),
+        vmin=0.0, rasterized=True, gid="width",
+    )  # fmt: skip
+    on.figure.colorbar(image, ax=axes, label="width of the widest complete gap (kHz)")
+    axes.set_facecolor(style.BEYOND)
+    handles: list[Artist] = []
+    carrier = dataset.attrs.get("carrier_hz")
+    if carrier is not None:
+        held = (certain & (lower < carrier) & (carrier < upper)).any(axis=1)
+        label = f"carrier {hz_text(carrier, form='g')} inside a gap"
+        handles += axes.plot(
+            places[0][held], places[1][held], ls="", marker="o", ms=5, mfc="white", mec=style.INK, mew=0.8,
+            label=label, gid="carrier",
+        )  # fmt: skip
+    failed = np.isnan(dataset["searched_up_to"].values)
+    if failed.any():
+        handles += axes.plot(
+            places[0][failed], places[1][failed], ls="", marker="x", color=style.INK, ms=6,
+            label="could not be computed", gid="failed",
+        )  # fmt: skip
+    handles.append(
+        Line2D([], [], ls="", marker="s", color=style.BEYOND, ms=8, label="no certain complete gap")
+    )
+    own = [dataset.attrs[own] * factor for (*_, own), (_, factor) in zip(AXES, units, strict=True)]
+    handles += axes.plot(
+        [own[0]], [own[1]], ls="", marker="*", ms=9, mfc=style.CARRIER, mec="white", mew=0.7,
+        label="this study", gid="own",
+    )  # fmt: skip
+    first, second = (_borders(value) for value in values)
+    axes.set_xlim(first[0], first[-1])
+    axes.set_ylim(second[0], second[-1])
+    names = [
+        f"{readable(dataset.attrs[expression])} ({unit})"
+        for (_, expression, _), (unit, _) in zip(AXES, units, strict=True)
+    ]
+    axes.set_xlabel(names[0], parse_math=False)
+    axes.set_ylabel(names[1], parse_math=False)
+    on.legend(handles, ncols=2)
+    return on.figure
+
+
+def _borders(value: Array) -> Array:
+    """Half-way between values, and as far beyond the first and the last."""
+    inner = 0.5 * (value[1:] + value[:-1])
+    return np.concatenate([[2 * value[0] - inner[0]], inner, [2 * value[-1] - inner[-1]]])
