@@ -21,7 +21,7 @@ BIBLIOGRAPHY = DOCS / "references.bib"
 SOURCE = Path(parameters.__file__).parents[1]
 
 
-def test_the_printed_python_runs_and_says_what_it_should(capsys):
+def test_the_printed_python_runs_and_prints_the_expected_text(capsys):
     blocks = re.findall(r"```python\n(.*?)```", TEXT, re.DOTALL)
     assert len(blocks) == 2
     for text in blocks:

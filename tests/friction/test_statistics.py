@@ -229,7 +229,7 @@ class TestWhatTrialsProve:
 
 class TestEffects:
     @pytest.mark.parametrize("people", [3, 12])
-    def test_intervals_for_people_hold_the_truth_in_95_of_100(self, people):
+    def test_intervals_for_people_contain_the_truth_in_95_of_100(self, people):
         """Three standard errors of 600 experiments are 2.7 %."""
         hits = {"driven": [], "idle": [], "stopped": []}
         for seed in range(600):
@@ -245,7 +245,7 @@ class TestEffects:
             dict.fromkeys(hits, 0.95), abs=0.027
         )
 
-    def test_intervals_for_these_participants_hold_what_is_true_of_them(self):
+    def test_intervals_for_these_participants_contain_their_true_reduction(self):
         """People who are what they are, and new trials of theirs: 60 pairs each."""
         rng = np.random.default_rng(5)
         level, left = 1 + 0.15 * rng.standard_normal(3), 0.45 + 0.1 * rng.standard_normal(3)

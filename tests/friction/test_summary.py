@@ -70,7 +70,7 @@ class TestCorrections:
 
 class TestSizes:
     @pytest.mark.parametrize(("n", "effect"), [(4, 0.5), (8, -2.0), (30, 0.3)])
-    def test_the_intervals_hold_the_truth_as_often_as_they_say(self, n, effect):
+    def test_the_intervals_have_their_nominal_coverage(self, n, effect):
         """On and off with a correlation of 0.6 and unequal spreads."""
         rng = np.random.default_rng(3)
         covariance = np.array([[0.5, 0.6 * math.sqrt(0.5)], [0.6 * math.sqrt(0.5), 1.0]])
@@ -121,7 +121,7 @@ class TestSummary:
         everybody = [c for c in found.conditions if c.participant == EVERYBODY]
         assert [c.used for c in everybody] == [40] * 4
 
-    def test_the_study_may_say_which_one_is_driven(self):
+    def test_the_study_may_give_the_driven_waveguide(self):
         found = summary(experiment(), "WG2")
         assert (found.driven, found.chosen) == ("WG2", "given in the study")
         refused(lambda: summary(experiment(), "WG3"), "WG3", code="unknown")
