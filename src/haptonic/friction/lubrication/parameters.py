@@ -200,7 +200,7 @@ Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], 
 
 @described("touch", FrictionError)
 class Touch:
-    """How the finger touches the vibrating plate."""
+    """Contact of the finger with the vibrating plate."""
 
     frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = needed(
         "Frequency of the vibration."

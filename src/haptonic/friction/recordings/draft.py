@@ -48,7 +48,7 @@ def drafted(folder: Path) -> Draft:
 
     Raises
     ------
-    FrictionError : the folder has a table already, no record, or too many files
+    FrictionError : the folder already has a table, has no record, or has too many files
     """
     if table_in(folder).exists():
         raise FrictionError.repeated(
