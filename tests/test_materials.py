@@ -131,7 +131,7 @@ def test_silicon_has_the_published_youngs_moduli(direction, published):
     assert found == pytest.approx(published, rel=4e-3)
 
 
-def test_orthotropic_entries_stand_at_their_places():
+def test_orthotropic_entries_are_at_their_places():
     constants = ("c11", "c22", "c33", "c23", "c13", "c12", "c44", "c55", "c66")
     values = dict(zip(constants, [100e9, 110e9, 120e9, 23e9, 13e9, 12e9, 44e9, 55e9, 66e9], strict=True))
     stiffness = silicon(**values).stiffness
@@ -224,7 +224,7 @@ def test_sm111_is_pzt4_but_for_density_and_losses():
     assert ours.density != customary.density
 
 
-def test_library_holds_what_was_promised():
+def test_library_has_the_documented_materials():
     assert set(library()) == NAMES
     paper = material("aluminium-paper")
     assert (paper.youngs_modulus, paper.poisson_ratio, paper.density) == (70e9, 0.33, 2700.0)

@@ -186,7 +186,7 @@ def test_more_names_than_columns_are_not_matched(tmp_path):
     (tmp_path / "a.txt").write_text("% a  b  c  d\n0 1\n1 2\n")
     table = read_table(tmp_path / "a.txt")
     assert (table.unmatched, table.has_names) == (1, False)
-    assert "line 1 holds no 2 names" in table.remarks[0]
+    assert "line 1 does not have 2 names" in table.remarks[0]
 
 
 NAMES = (

@@ -126,7 +126,7 @@ def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
     folder = written(tmp_path / "trials", MADE)
     path = study(("[[sweep]]", '[trials]\ndriven = "WG2"\n[[sweep]]'))
     found = inside("friction", folder, "--study", path, "--json").json
-    assert (found["driven"], found["driven_chosen"]) == ("WG2", "as the study says")
+    assert (found["driven"], found["driven_chosen"]) == ("WG2", "given in the study")
 
 
 def test_reference_values_stand_beside_ours_where_they_are_given(tmp_path):

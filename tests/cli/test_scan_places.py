@@ -114,7 +114,7 @@ class TestOtherLattices:
             inside = mirror.area.holds(np.array([(x, y) for x, y, _ in layout.standing]))
             assert inside.sum() == 3 * 4 + 2 * 3  # four of every other row, on the rim as well, and three
 
-    def test_what_no_mirror_leaves_as_it_is_tells_no_gap_and_no_guide(self):
+    def test_a_lattice_without_mirror_symmetry_gives_no_gap_and_no_guide(self):
         """Unequal pillars of a honeycomb change places in a mirror along x, and not in one along y."""
         lying, standing = (laid(text, CELLS["honeycomb"]) for text in (self.AROUND, self.BESIDE))
         assert [guide.lattice for guide in guides_of(lying) + guides_of(standing)] == [None, "o"]
@@ -129,7 +129,7 @@ class TestOtherLattices:
         )
         plate = Plate(lying, forces=(Force("F", (3 * PITCH, 3.5 * lying.y[-1] / 8)),))
         found = lattice_gap(response, plate, xr.Dataset())
-        assert "no images of themselves" in found.reasons[0]
+        assert "not their own mirror images" in found.reasons[0]
 
     def test_rows_that_are_offset_tell_how_waves_fade_and_no_edge(self):
         layout, data = laid(self.BESIDE, CELLS["triangular"]), xr.Dataset()

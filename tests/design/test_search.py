@@ -448,14 +448,14 @@ class TestWhatCannotBeComputed:
         assert found.to_json()["left_out"] == [left]
 
     @pytest.mark.nightly  # 20 s; the next one tells the rest
-    def test_if_none_can_be_the_best_is_told_all_the_same(self, cheap, monkeypatch, kept):
+    def test_without_an_accurate_design_the_best_one_is_named(self, cheap, monkeypatch, kept):
         self.refusing(monkeypatch, lambda _: True)
         with refusing(ResourceError, "inaccurate", "bands.accuracy") as refusal:
             searched(glass(), kept, replace(ASKED, accuracy=0.04))
         assert "cell.pillar.height = " in refusal.value.cause
 
     @pytest.mark.nightly
-    def test_if_none_can_be_it_is_told_which_accuracy_can(self, cheap, monkeypatch, kept):
+    def test_without_an_accurate_design_a_possible_accuracy_is_reported(self, cheap, monkeypatch, kept):
         self.refusing(monkeypatch, lambda tried: tried[-1][1].accuracy < 0.02)
         near = glass(start=(2.9, 16.5, 0.32))  # a short search finds a design
         with refusing(ResourceError, "inaccurate", "bands.accuracy") as refusal:
@@ -478,7 +478,7 @@ class TestRefusal:
         st.booleans(),
         st.lists(st.floats(0.3, 3.0), max_size=5),
     )
-    def test_it_says_what_holds_a_design_back_and_does_not_contradict_itself(
+    def test_limits_of_a_design_are_reported_without_contradiction(
         self, place, carrier, width, away, exact, ends
     ):
         """With ``away`` below zero a coarse gap may hold the carrier, while the exact one does not."""

@@ -138,7 +138,7 @@ def narrowest(cell):
     return min(found)
 
 
-def test_limits_are_told_by_the_table_that_gives_the_pillar():
+def test_limits_are_named_by_the_table_that_gives_the_pillar():
     limits = {"tool": 1 * MM, "slenderness": 3.0, "reach": 3.5 * MM}
     own = brief_of("honeycomb", **limits)
     room = own.limits(own.share(own.cell))

@@ -111,7 +111,7 @@ def test_recordings_and_tables_of_friction(tmp_path, stolen):
     assert list(read_columns(path, ["Fz"])) == ["Fz"]
 
 
-def test_a_group_that_holds_itself(tmp_path):
+def test_a_group_that_contains_itself(tmp_path):
     with h5py.File(tmp_path / "a.h5", "w") as file:
         file["Fz"] = np.zeros(6)
         file.attrs["rate"] = 1e3

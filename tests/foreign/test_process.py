@@ -193,7 +193,7 @@ class TestFaults:
         with refusing(ResourceError, "worker", "process that reads files", "exit code 3"):
             ask("hdf5.tree", good)
 
-    def test_a_missing_file_is_told_as_usual(self, tmp_path):
+    def test_a_missing_file_gives_the_usual_error(self, tmp_path):
         with pytest.raises(FileNotFoundError):
             ask("hdf5.tree", tmp_path / "no.h5")
 

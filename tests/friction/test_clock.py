@@ -71,7 +71,7 @@ def test_lost_rows_are_seen_though_the_rate_is_given(rate, scatter, seed, gap):
     refused(lambda: clock_at(rate, time, "a.csv"), "no sample for", "record this trial", code="malformed")
 
 
-def test_times_that_say_nothing_do_not_go_before_a_rate():
+def test_unusable_times_do_not_go_before_a_rate():
     for time in (np.floor(np.arange(700) / 500), np.zeros(9), np.array([0.0, np.nan, 1.0]), np.zeros(0)):
         assert clock_at(500.0, time, "a.csv").rate == 500
 

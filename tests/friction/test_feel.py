@@ -170,7 +170,7 @@ def test_every_region_that_a_drive_moves_is_driven_and_to_be_felt(strengths, dri
     ]
 
 
-def test_what_is_written_says_what_was_assumed_and_that_it_is_simulated():
+def test_files_list_assumptions_and_are_marked_as_simulated():
     data = Feel(PLATE, gap(52e3, 60e3), made(contact_gap=4e-6)).dataset
     assert data.attrs["origin"] == "simulated"
     assert '"mark": "given"' in data.attrs["assumptions"]

@@ -86,12 +86,12 @@ class TestAgainstItself:
 
     @settings(max_examples=6)
     @given(st.floats(-2, 3).map(lambda power: 10.0**power), excursions)
-    def test_the_table_is_what_the_equation_says(self, squeeze, excursion):
+    def test_the_table_agrees_with_the_equation(self, squeeze, excursion):
         found = film.solved_efficiency(squeeze, excursion, radial=24, instants=71)
         assert film.efficiency(squeeze, excursion) == pytest.approx(found, rel=1e-3)
 
     @pytest.mark.parametrize(("squeeze", "excursion"), [(3.0, 0.5), (30.0, 0.8)])
-    def test_a_march_through_time_says_the_same(self, squeeze, excursion):
+    def test_time_stepping_gives_the_same_result(self, squeeze, excursion):
         """Of second order in the width of the rings, so two of them tell the limit."""
         coarse, fine = (marched_efficiency(squeeze, excursion, rings, 12) for rings in (40, 80))
         assert fine + (fine - coarse) / 3 == pytest.approx(

@@ -159,7 +159,7 @@ class TestSpringSlider:
 
 
 class TestPrediction:
-    def test_the_band_holds_both_models(self):
+    def test_the_band_contains_both_models(self):
         line = xr.DataArray(np.linspace(0, 3e-6, 13), dims="amplitude")
         found = predict(line, TOUCH, FINGER)
         for model in ("load_sharing", "intermittent"):

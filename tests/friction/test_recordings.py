@@ -30,7 +30,7 @@ def counts(trials):
 
 
 class TestTogether:
-    def test_strokes_measured_together_say_what_each_says_alone(self):
+    def test_strokes_measured_together_or_alone_give_the_same_numbers(self):
         """Other lengths, rates, with and without position, and some spoiled ones between them."""
         records = [record for _, record in MADE[:12]]
         records[2] = Record(
@@ -150,7 +150,7 @@ class TestSensor:
             ({"Fz": "normal_force", "Fy": "tangential", "time": "Time [s]"}, 1.0),
         ],
     )
-    def test_usual_names_are_guessed_and_said(self, tmp_path, names, scale):
+    def test_usual_names_are_guessed_and_reported(self, tmp_path, names, scale):
         def change(found):
             scaled = found | {"Fz": scale * found["Fz"], "Fy": scale * found["Fy"]}
             return renamed(**names)(scaled)
@@ -159,7 +159,7 @@ class TestSensor:
         assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
         assert any("was taken as normal" in text for text in read.remarks)
 
-    def test_the_sign_of_a_sensor_below_the_plate_is_found_and_said(self, tmp_path):
+    def test_the_sign_of_a_sensor_below_the_plate_is_found_and_reported(self, tmp_path):
         folder = written(tmp_path / "a", MADE, change=lambda found: found | {"Fz": -found["Fz"]})
         read = analysed(folder, PLAIN, Rules())
         assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
@@ -177,7 +177,7 @@ class TestSensor:
             argument="trials",
         )
 
-    def test_names_units_and_rate_as_the_study_says(self, tmp_path):
+    def test_names_units_and_rate_of_the_study_are_used(self, tmp_path):
         def change(found):
             return {"A": 1e3 * found["Fz"], "B": 1e3 * found["Fy"], "C": 1e3 * found["position"]}
 
@@ -266,7 +266,7 @@ class TestSensor:
             argument="trials.sensor.calibration",
         )
 
-    def test_the_names_of_the_axes_may_stand_around_the_matrix(self, tmp_path):
+    def test_the_matrix_may_have_names_of_axes_around_it(self, tmp_path):
         axes = ["Fx", "Fy", "Fz", "Tx", "Ty", "Tz"]
         pd.DataFrame(np.diag(np.arange(1.0, 7)), axes, [f"G{n}" for n in range(6)]).to_csv(tmp_path / "m.csv")
         assert read_calibration(tmp_path / "m.csv") == pytest.approx(np.diag(np.arange(1.0, 7)))

@@ -79,7 +79,7 @@ class TestFilters:
 class TestMeasure:
     @settings(max_examples=20)
     @given(st.floats(0.02, 2), st.floats(0.2, 3), st.floats(0.02, 0.4), st.floats(-3, 3), st.floats(-3, 3))
-    def test_a_clean_stroke_says_its_friction(self, friction, force, speed, one, other):
+    def test_a_clean_stroke_gives_its_friction(self, friction, force, speed, one, other):
         """Whatever the force, the speed and the bias of the sensor."""
         found = measure(Record(**stroke(friction, force, speed, noise=1e-6, bias=(one, other))))
         assert found.excluded == ""

@@ -70,7 +70,7 @@ class TestCorrections:
 
 class TestSizes:
     @pytest.mark.parametrize(("n", "effect"), [(4, 0.5), (8, -2.0), (30, 0.3)])
-    def test_the_intervals_hold_the_truth_as_often_as_they_say(self, n, effect):
+    def test_the_intervals_have_their_nominal_coverage(self, n, effect):
         """On and off with a correlation of 0.6 and unequal spreads."""
         rng = np.random.default_rng(3)
         covariance = np.array([[0.5, 0.6 * math.sqrt(0.5)], [0.6 * math.sqrt(0.5), 1.0]])
@@ -101,7 +101,7 @@ class TestSummary:
         table = experiment()
         found = summary(table)
         assert (found.driven, found.idle) == ("WG1", ("WG2",))
-        assert "the study does not say" in found.chosen
+        assert "the study gives none" in found.chosen
         assert list(found.reductions) == ["WG1", "WG2"]
         assert found.reductions["WG1"].value == pytest.approx(0.55, abs=0.08)
         assert len(found.tests) == 6
@@ -121,9 +121,9 @@ class TestSummary:
         everybody = [c for c in found.conditions if c.participant == EVERYBODY]
         assert [c.used for c in everybody] == [40] * 4
 
-    def test_the_study_may_say_which_one_is_driven(self):
+    def test_the_study_may_give_the_driven_waveguide(self):
         found = summary(experiment(), "WG2")
-        assert (found.driven, found.chosen) == ("WG2", "as the study says")
+        assert (found.driven, found.chosen) == ("WG2", "given in the study")
         refused(lambda: summary(experiment(), "WG3"), "WG3", code="unknown")
 
     def test_unequal_and_missing_conditions_are_named(self):
@@ -132,7 +132,7 @@ class TestSummary:
         few = np.flatnonzero(where(table, participant="P2", waveguide="WG1", actuation="on"))[:3]
         found = summary(without(table, np.flatnonzero(lost).tolist() + few.tolist()))
         said = " ".join(found.omissions)
-        assert "P1: no trial that counts on WG2 off" in said
+        assert "P1: no valid trial on WG2 off" in said
         assert "P2: unequal numbers of trials (WG1 off: 10, WG1 on: 7" in said
         assert "without P1" in said
         assert math.isfinite(found.stopped["WG2"].value)

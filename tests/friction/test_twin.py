@@ -105,7 +105,7 @@ class TestExperiment:
         test = by_trials(idle)
         assert test.high - test.low == pytest.approx(0.04, abs=0.008)  # as published
 
-    def test_intervals_hold_the_truth_in_95_of_100(self):
+    def test_intervals_contain_the_truth_in_95_of_100(self):
         truth = Truth(Participants(between=0.1))
         inside, blind = [], []
         for seed in range(100):

@@ -178,7 +178,7 @@ class TestFiles:
         return {name: group[name][:] for name in CHANNELS}
 
     @pytest.mark.parametrize("form", WRITERS)
-    def test_every_form_comes_back_and_says_that_it_is_simulated(self, form, tmp_path):
+    def test_every_format_is_read_back_and_marked_as_simulated(self, form, tmp_path):
         path = tmp_path / f"one.{form}"
         WRITERS[form](CHANNELS, path)
         found = getattr(self, f"read_{form}")(path)
@@ -218,7 +218,7 @@ class TestMetronome:
 
 
 @pytest.mark.parametrize("kind", WRITERS)
-def test_its_files_are_read_and_say_that_they_are_simulated(tmp_path, kind):
+def test_its_files_are_read_and_marked_as_simulated(tmp_path, kind):
     samples = np.arange(12.0)
     WRITERS[kind]({"time": samples / 1000, "Fz": samples, "position": -samples}, tmp_path / f"a.{kind}")
     group = opened(tmp_path / f"a.{kind}").group("")

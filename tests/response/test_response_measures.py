@@ -20,7 +20,7 @@ class TestMac:
         turned = np.column_stack([np.cos(angle), np.sin(angle)])
         assert mac(turned[:1], turned) == pytest.approx(np.cos(angle)[None] ** 2)
 
-    def test_a_travelling_wave_and_a_standing_one(self):
+    def test_a_travelling_and_a_standing_one(self):
         """exp(-ikx) has half of its energy in cos(kx), and none in the wave that comes back."""
         phase = 2 * np.pi * np.arange(16) / 16
         there, standing = np.exp(-1j * phase)[None], np.cos(phase)[None]
@@ -212,7 +212,7 @@ class TestCmif:
         gram = matrix.conj().transpose(0, 2, 1) @ matrix
         assert cmif(pair).values == pytest.approx(np.linalg.eigvalsh(gram)[:, ::-1])
 
-    def test_two_modes_in_one_peak_are_told_from_one(self):
+    def test_two_modes_in_one_peak_are_distinguished_from_one(self):
         """Two references that see one mode alike leave one value; two modes leave two."""
         one, other = numbers((1, 20), 1), numbers((1, 20), 2)
         force = np.ones((6, 1))

@@ -12,7 +12,7 @@ from five_parts import refusing
 from haptonic.errors import ResponseError
 
 
-def test_it_says_what_it_holds():
+def test_it_lists_its_content():
     response = made(coherence=np.full((6, 20), 0.5))
     data = response.dataset
     assert data["response"].dims == ("frequency", "point", "direction")
@@ -60,7 +60,7 @@ class TestLines:
         with refusing(ResponseError, "out-of-range", "frequency"):
             made().at(asked)
 
-    def test_between_holds_both_ends(self):
+    def test_between_includes_both_ends(self):
         part = made().between(20e3, 60e3)
         assert part.frequency == pytest.approx([20e3, 40e3, 60e3])
         assert np.array_equal(part.values, made().values[1:4])

@@ -58,7 +58,7 @@ def test_slopes_of_the_residuals_are_their_derivatives():
         assert match.jacobian(x)[..., k] == pytest.approx(slope, abs=1e-3 * np.abs(slope).max())
 
 
-def test_a_spring_that_holds_like_a_wall_is_not_told():
+def test_a_spring_as_stiff_as_a_wall_is_not_determined():
     """Between two stiffnesses that both hold the edge at rest, nothing moves."""
     stiff = plate(3e17)
     unknowns = (Unknown(YOUNG, 63e9, 77e9), Unknown(EDGES, 1e17, 1e18))
@@ -70,7 +70,7 @@ def test_a_spring_that_holds_like_a_wall_is_not_told():
     young, edges = fit.numbers
     assert young.interval_95 is not None
     assert edges.interval_95 is None
-    assert edges.range_text == edges.remark == "the data do not tell it"
+    assert edges.range_text == edges.remark == "not determined by the data"
 
 
 def test_a_number_beyond_its_bound_stops_there():

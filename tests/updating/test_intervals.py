@@ -63,7 +63,7 @@ def solved(error):
         ("of the reference", 4.5),
     ],
 )
-def test_intervals_hold_the_truth_and_follow_the_scatter(kind, widest):
+def test_intervals_contain_the_truth_and_follow_the_scatter(kind, widest):
     """Of 150 intervals 95 % should hold zero; fewer than the bound come by chance once in a thousand.
 
     Where errors are alike, intervals may be wider than they need to be.
@@ -88,7 +88,7 @@ def test_errors_that_are_alike_count_less():
     assert effective["of the reference"] < 0.1 * effective["independent"]
 
 
-def test_what_changes_nothing_is_not_told():
+def test_a_parameter_without_effect_is_not_determined():
     error = errors("independent", 0)
     unmoved = np.concatenate([slopes(), np.zeros((LINES, POINTS, 1))], axis=-1)
     said = uncertainty(unmoved, error)
@@ -96,7 +96,7 @@ def test_what_changes_nothing_is_not_told():
     assert said.half[:2] == pytest.approx(uncertainty(slopes(), error).half, rel=1e-3)
 
 
-def test_of_two_that_do_the_same_neither_is_told():
+def test_two_parameters_with_the_same_effect_are_not_determined():
     twice = np.concatenate([slopes(), 2 * slopes()[..., :1]], axis=-1)
     said = uncertainty(twice, errors("independent", 0))
     assert np.isinf(said.half).tolist() == [True, False, True]

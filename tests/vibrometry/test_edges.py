@@ -112,7 +112,7 @@ def test_a_range_that_has_nothing_in_common_with_55_to_65_khz(lower, upper, besi
 class TestEdges:
     @pytest.mark.parametrize("gap", [(52e3, 62e3), (47.3e3, 55.9e3)])
     @pytest.mark.parametrize("reflected", [0.0, 1.0])
-    def test_both_edges_are_told_where_all_waves_stop(self, gap, reflected):
+    def test_both_edges_are_found_where_all_waves_stop(self, gap, reflected):
         found = gap_edges(decay_along(field(lambda phase: gap, reflected=reflected), [STRIP]))
         assert found.reasons == ()
         for edge, true in ((found.lower, gap[0]), (found.upper, gap[1])):
@@ -120,7 +120,7 @@ class TestEdges:
             # these rise within some hundred hertz: of the error nearly all is that of rows that are few
             assert METHOD * true < edge.error < 1.1 * METHOD * true
 
-    def test_it_fades_as_prescribed_and_not_in_the_band_whatever_comes_back(self):
+    def test_decay_is_as_prescribed_and_zero_in_the_band_despite_reflections(self):
         seen = decay_along(field(whole, reflected=1.0), [STRIP])
         phases = (seen["phase"] > 0.3) & (seen["phase"] < 2.9)
         inside = seen.sel(frequency=slice(55e3, 59e3))[:, phases]
@@ -128,7 +128,7 @@ class TestEdges:
         assert seen.sel(frequency=slice(41e3, 50e3))[:, phases].median().item() < 0.5
 
     @pytest.mark.parametrize("grain", [0.3, 2.0])
-    def test_rows_that_are_offset_fade_alike(self, grain):
+    def test_offset_rows_give_the_same_decay(self, grain):
         """Waves of a phase and of 2 pi less it are one wave; from row to row these are of opposite sign."""
         plain = decay_along(field(whole), [STRIP])[:, 1:]
         offset = decay_along(field(whole, grain=grain), [OFFSET])[:, 1:]
@@ -154,15 +154,15 @@ class TestEdges:
         )
         assert found.lower is None
         assert found.upper is None
-        assert any(("nowhere" if small else "nearly in phase") in text for text in found.reasons)
+        assert any(("waves do not decay" if small else "nearly in phase") in text for text in found.reasons)
 
-    def test_an_edge_beyond_the_lines_is_not_told(self):
+    def test_an_edge_beyond_the_lines_is_not_determined(self):
         found = gap_edges(decay_along(field(lambda phase: (60e3, 90e3)), [STRIP]))
         assert abs(found.lower.frequency - 60e3) < found.lower.error
         assert found.upper is None
         assert "end of the scanned range" in found.reasons[0]
 
-    def test_noise_is_taken_out_or_said(self):
+    def test_noise_is_removed_or_reported(self):
         true = decay_along(field(whole), [STRIP]).sel(frequency=slice(55e3, 59e3))
         loud = field(whole, noise=0.4, averages=8)
         kept = decay_along(loud, [STRIP]).sel(frequency=slice(55e3, 59e3))
@@ -175,7 +175,7 @@ class TestEdges:
         assert "noise" in nothing.reasons[0]
 
     @pytest.mark.parametrize("deep", [0.8, 1.6])
-    def test_rows_half_a_pitch_deep_tell_the_same_edges(self, monkeypatch, deep):
+    def test_rows_half_a_pitch_deep_give_the_same_edges(self, monkeypatch, deep):
         """The same pillars counted in rows of half the depth: half the fading in each, the same gap."""
         prescribed = exponent
         monkeypatch.setitem(globals(), "exponent", lambda lines, *ends: prescribed(lines, *ends, deep))
@@ -223,7 +223,7 @@ def noisy(level, repeats=6, points=400, seed=2):
 
 class TestNoise:
     @pytest.mark.parametrize("level", [0.0, 3.0, 300.0])
-    def test_what_it_hides_passes_the_gate_and_says_so(self, level):
+    def test_values_hidden_by_noise_pass_the_gate_with_their_reason(self, level):
         found, loud = noisy(level=level, repeats=3)
         told = passed(clean_contrast(found, loud, ~loud))
         assert np.isnan(told["level"].values).any() == (level > 0)
@@ -251,7 +251,7 @@ class TestNoise:
             assert np.sqrt((((power - true) / error) ** 2).mean()) == pytest.approx(1.0, abs=0.35)
             assert power.mean() == pytest.approx(true, rel=0.05)
 
-    def test_what_the_noise_leaves_uncertain_is_not_told(self):
+    def test_values_left_uncertain_by_noise_are_not_reported(self):
         for level, told in ((0.1, True), (3.0, False), (300.0, False)):
             response, loud = noisy(level)
             found = clean_contrast(response, loud, ~loud)

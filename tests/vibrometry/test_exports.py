@@ -133,7 +133,7 @@ def test_responses_come_back(tmp_path, form, coherent):
         assert after.dataset["coherence"].values == pytest.approx(coherence, abs=1e-8)
 
 
-def test_a_measured_scan_does_not_say_simulated(tmp_path):
+def test_a_measured_scan_is_not_marked_as_simulated(tmp_path):
     write_mat(response(origin="measured"), tmp_path / "a.mat")
     assert read_scan(tmp_path / "a.mat").response.dataset.attrs["origin"] == "measured"
     write_tdms(records(True, "measured"), tmp_path / "a.tdms")

@@ -57,14 +57,14 @@ class TestRegistration:
         places = np.array([[0.03, 0.05], [0.1, 0.02]])
         assert found.of(moved(places, scale, angle, [dx, dy], mirrored)) == pytest.approx(places, abs=1e-9)
 
-    def test_the_misfit_says_how_well(self):
+    def test_the_misfit_measures_the_scatter(self):
         off = CORNERS + np.array([[1e-3, 0], [-1e-3, 0], [1e-3, 0], [-1e-3, 0]])
         found = register_by_corners(CORNERS, off, scaled=False)
         # neither a shift nor a turn has a part in this, so all of it is left
         assert found.misfit == pytest.approx(1e-3)
         assert found.scale == 1.0
 
-    def test_a_view_from_behind_does_not_fit_unless_said(self):
+    def test_a_view_from_behind_fits_only_with_the_option(self):
         seen = moved(CORNERS, 1.0, 0.3, [0, 0], mirrored=True)
         assert register_by_corners(seen, CORNERS).misfit > 0.03
         assert register_by_corners(seen, CORNERS, mirrored=True).misfit < 1e-12
@@ -160,7 +160,7 @@ class TestGap:
         # tanh goes from a quarter to three quarters of its step within 2 atanh(1/2) widths
         assert found.lower_transition == pytest.approx(2 * np.arctanh(0.5) * 300, rel=0.2)
 
-    def test_a_sharper_edge_is_told_better(self):
+    def test_a_sharper_edge_has_a_smaller_error(self):
         sharp, soft = (
             measured_gap(gapped(slope=s), "WG1", "lattice", smoothing=0.0) for s in (100.0, 1500.0)
         )
@@ -247,7 +247,7 @@ class TestWaves:
     def test_folded_waves_are_suspected(self):
         # k of 80 kHz at 330 m/s is 1523 rad/m; 2 mm show up to 1571
         _, response = self.guide(speed=330.0)
-        with pytest.warns(HaptonicWarning, match="folded back"):
+        with pytest.warns(HaptonicWarning, match="probably aliased"):
             wavenumber_map(response.between(70e3, 80e3), "WG1", "x")
 
     def test_the_pitch_against_the_wavelength(self):
@@ -281,7 +281,7 @@ class TestDecay:
         assert found["decay"].attrs["units"] == "dB/row"
         assert found.attrs["depths"] == 11
 
-    def test_the_interval_holds_the_truth_as_often_as_it_says(self):
+    def test_the_interval_has_its_nominal_coverage(self):
         held = []
         for seed in range(200):
             chance = np.random.default_rng(seed)

@@ -54,7 +54,7 @@ def save(request):
 
 class TestMatlab:
     @pytest.mark.parametrize("turned", [False, True])
-    def test_usual_names_are_guessed_and_said(self, tmp_path, save, turned):
+    def test_usual_names_are_guessed_and_reported(self, tmp_path, save, turned):
         frf = VALUES if turned else VALUES.T
         save(
             tmp_path / "a.mat", FRF=frf, freq=LINES, X=X * 1e3, Y=Y * 1e3, coh=np.full((8, 12), 0.5), junk=1.0
@@ -65,7 +65,7 @@ class TestMatlab:
         assert found.points == pytest.approx(np.column_stack([X, Y]))
         assert found.dataset["coherence"].values == pytest.approx(np.full((8, 12), 0.5))
         assert found.units == "m/s/V"
-        assert 'the variable "FRF" was taken as response' in scan.report.remarks
+        assert 'the variable "FRF" was used as response' in scan.report.remarks
         assert 'the variable "junk" was not used' in scan.report.remarks
 
     def test_named_variables_and_points_in_one_table(self, tmp_path, save):
@@ -250,7 +250,7 @@ class TestHdf5:
         assert scan.records.names == tuple(f"P{i}" for i in range(7))
         assert [one.what for one in scan.report.dropped] == [f"point P{i}" for i in range(7, 12)]
 
-    def test_responses_in_netcdf_are_told_apart(self, tmp_path):
+    def test_responses_in_netcdf_are_recognised(self, tmp_path):
         write(response(), tmp_path / "a.h5")
         assert np.array_equal(read_scan(tmp_path / "a.h5").response.values, response().values)
 

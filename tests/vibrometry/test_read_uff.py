@@ -42,7 +42,7 @@ REFUSED = {  # none of them is a scan, and why
     "Sample_UFF58b_bin.uff": "a time record",
     "binary8byte.uff": "no coordinates",
     "mesh_Oros-modal_uff15_uff2412.uff": "no measured curve",
-    "non_ascii_header.uff": "at which point",
+    "non_ascii_header.uff": "does not give its point",
     "sample_dataset58_psd.uff": "power spectral density",
     "uff55_record10.uff": "mode shape",
 }
@@ -144,7 +144,7 @@ class TestAWholeScan:
         assert json.loads(notes["inputs"])["lines"] == [[1, 4, 12, 9]]
         assert [str(one) for one in scan.report.dropped if "mode shape" in str(one)]
 
-    def test_the_binary_values_may_hold_the_mark_of_an_end(self, tmp_path):
+    def test_the_binary_values_may_contain_the_mark_of_an_end(self, tmp_path):
         trap = np.frombuffer(b"\n    -1\n" * 16, dtype="<f8").view(complex)
         path = uff(tmp_path / "a.uff", nodes(count=2), *(curve(i, trap, binary=1, n_bytes=0) for i in (1, 2)))
         content = path.read_bytes().replace(b"%12i%12i" % (11, 64), b"%12i%12i" % (11, 128))
@@ -200,12 +200,12 @@ class TestAWholeScan:
         assert found.values[..., 0] == pytest.approx(VALUES, rel=1e-10)
         assert found.units == "m/s/N"
 
-    def test_a_label_is_believed_and_said_when_it_contradicts(self, tmp_path):
+    def test_a_contradicting_label_is_used_and_reported(self, tmp_path):
         scan = read_scan(uff(tmp_path / "a.uff", units(1e3), nodes(1e3, count=1), curve(1, VALUES[:, 0])))
         assert scan.response.values[:, 0, 0] == pytest.approx(VALUES[:, 0])
         assert any("data set 164" in remark for remark in scan.report.remarks)
 
-    def test_no_units_are_said(self, tmp_path):
+    def test_missing_units_are_reported(self, tmp_path):
         scan = read_scan(uff(tmp_path / "a.uff", nodes(1e4), *(curve(1, VALUES[:, 0]),)))
         assert any("no data set 164" in remark for remark in scan.report.remarks)
         assert any("probably in mm" in remark for remark in scan.report.remarks)
@@ -373,7 +373,7 @@ class TestBrokenFiles:
         path = uff(tmp_path / "a.uff", units(), table, *(curve(i + 1, VALUES[:, i]) for i in range(12)))
         scan = read_scan(path)
         assert [str(one) for one in scan.report.dropped] == [
-            "point 12 (data set 14 (type 58)): lies where point 1 lies"
+            "point 12 (data set 14 (type 58)): lies at the position of point 1"
         ]
 
     def test_mixed_quantities(self, tmp_path):

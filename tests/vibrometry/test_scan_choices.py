@@ -171,7 +171,7 @@ def test_places_of_three_points_at_three_frequencies(tmp_path, side, height):
     scan = read_scan(tmp_path / "a.h5", points_in=side)
     assert scan.response.points == pytest.approx(places[:, :2])
     assert scan.response.values[..., 0] == pytest.approx(few)
-    assert any("of one height" in one for one in scan.report.remarks)
+    assert any("equal heights" in remark for remark in scan.report.remarks)
 
 
 def test_places_of_two_points_at_two_frequencies(tmp_path):

@@ -46,10 +46,14 @@ def outcome(stranger) -> str:
         return "right"
     if stranger.said or stranger.container == "uff" or "unit" in stranger.options:
         return "wrong"
-    # A file without units, read by somebody who gives none: a warning, or what was taken is listed.
+    # A file without units, read by somebody who gives none: a warning, or a remark on the assumed unit.
     if any(issubclass(one.category, HaptonicWarning) for one in said):
         return "warned"
-    assumed = [one for one in scan.report.remarks if "unit" in one and "taken" in one]
+    assumed = [
+        remark
+        for remark in scan.report.remarks
+        if "unit" in remark and ("read in" in remark or "was used" in remark)
+    ]
     return "assumed" if assumed else "wrong"
 
 

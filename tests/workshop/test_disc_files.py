@@ -100,7 +100,7 @@ def test_a_pillar_of_another_material_is_a_body_of_its_own(faces, tmp_path):
     check_files(Part.piece(body, 2, 2), {"metal": 4 * PLATE, "epoxy": 4 * 54 * body.copies}, tmp_path)
 
 
-def test_a_pillar_and_a_hole_stand_side_by_side_on_a_honeycomb(tmp_path):
+def test_a_pillar_and_a_hole_are_side_by_side_on_a_honeycomb(tmp_path):
     lattice = Lattice(lattice="honeycomb", pitch=12 * MM)
     sites = (Site(pillar=Pillar(3 * MM, 5 * MM, "square")), Site(disc=squared(STACKS["hole"])))
     body = UnitCell(lattice, 1.5 * MM, METAL, site=sites)

@@ -273,7 +273,7 @@ class TestWholePlate:
         # along x: the first and last axis, the hole, the cut corner; along y alike; the sizes over all
         assert {3.5, 14, 28, 42, 45.5, 4.5, 9, 18, 27, 31.5, 49, 36} <= measured
 
-    def test_what_is_held_is_marked_on_its_edge_and_beside_it_in_the_plan(self):
+    def test_supports_are_marked_on_their_edge_and_beside_it_in_the_plan(self):
         """The plate misses a corner of its map; its hole has sides that look left and up."""
         wanted = {
             "clamped": [((0, 0), (8, 0)), ((41, 0), (49, 0)), ((0, 36), (8, 36)), ((0, 0), (0, 8)),

@@ -29,7 +29,7 @@ PILLARS = {
 
 @pytest.mark.parametrize("faces", ["one", "both"])
 @pytest.mark.parametrize("pillar", PILLARS.values(), ids=PILLARS)
-def test_files_hold_the_outline(pillar, faces, tmp_path):
+def test_files_contain_the_outline(pillar, faces, tmp_path):
     body = replace(cell(pillar, RECTANGLE), faces=faces)
     part, exact = Part.piece(body), body.lattice.area * body.thickness + body.copies * pillar.volume
     path = write_step(tmp_path / "a.step", part)

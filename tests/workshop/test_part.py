@@ -104,7 +104,7 @@ def test_the_step_file_is_one_solid_of_the_maps_volume_and_size(name, tmp_path):
 
 
 @pytest.mark.parametrize("name", PLATES)
-def test_the_dxf_file_has_every_pillar_where_it_stands_and_marks_what_is_glued(name, tmp_path):
+def test_the_dxf_file_has_every_pillar_at_its_position_and_marks_patches(name, tmp_path):
     mounted = PLATES[name]
     document = ezdxf.readfile(write_dxf(tmp_path / "plate.dxf", Part.whole(mounted, OWN)))
     assert not document.audit().has_errors
@@ -139,7 +139,7 @@ def test_holes_turn_the_other_way_and_corners_only_are_kept():
     assert ax * by - ay * bx < 0
 
 
-def test_pillars_may_stand_across_the_sides_of_tiles(tmp_path):
+def test_pillars_may_lie_across_the_sides_of_tiles(tmp_path):
     """Only `Layout.features` says where they are."""
     mounted = plate("1111111 1111111 1111111 1111111", kind=Shifted)
     made = Part.whole(mounted, OWN)

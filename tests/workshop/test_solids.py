@@ -36,7 +36,7 @@ pytest.importorskip("netgen.occ", reason="the extra cad is not installed")
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
 @pytest.mark.parametrize("name", ALL)
-def test_the_step_file_holds_the_exact_volume(name, size, tmp_path):
+def test_the_step_file_has_the_exact_volume(name, size, tmp_path):
     path = write_step(tmp_path / "plate.step", Part.piece(ALL[name], *size))
     assert volume_of_step(path) == pytest.approx(volume(ALL[name], math.prod(size)), rel=1e-6)
 
@@ -265,7 +265,7 @@ def test_a_number_of_cells_is_a_positive_integer(size, argument):
         Part.piece(ALL["reference"], *size)
 
 
-def test_a_missing_extra_says_what_to_install(monkeypatch, tmp_path):
+def test_the_error_for_a_missing_extra_names_the_package(monkeypatch, tmp_path):
     real = builtins.__import__
 
     def without_netgen(name, *rest):

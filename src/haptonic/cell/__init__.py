@@ -1,4 +1,4 @@
-"""Unit cells: what they are made of, and their block-structured meshes."""
+"""Unit cells and their block-structured meshes."""
 
 from haptonic.cell.brickwork import Brickwork
 from haptonic.cell.disc import Disc

@@ -1,8 +1,8 @@
-"""Which blocks of a mesh there are: a grid of layers and rings, each block of a material or empty.
+"""Blocks of a mesh: a grid of layers and rings, each block of a material or empty.
 
-Rings lead from a core about the axis to the sides of the tile. Seen from below, layer by layer, every block
-of the core and of the rings has the number of its material, or is `VOID`. What stands on the plate, a hole
-through it and a coating around it are such grids, and the numbers of nodes follow from them.
+Rings lead from a core about the axis to the sides of the tile. From below, layer by layer, every block of the
+core and of the rings has the number of its material, or is `VOID`. A pillar on the plate, a hole through it
+and a coating around the hole are such grids, and the numbers of nodes follow from them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Division:
     high: int
 
     def orders(self, usual: int, thin: int) -> tuple[int, ...]:
-        """Polynomial order of each element, in order."""
+        """Polynomial order of each element, from the lower end."""
         return (*(thin,) * self.low, *(usual,) * self.between, *(thin,) * self.high)
 
     @property
@@ -37,11 +37,11 @@ class Division:
 
 @dataclass(frozen=True)
 class StackBlocks:
-    """Blocks of a tile with a stack of discs, free of any length.
+    """Blocks of a tile with a stack of discs, without any lengths.
 
     grid : (storeys, annuli) of the stack itself, see `haptonic.cell.stack`
-    in_plate : number of its lowest storeys, which the plate consists of
-    storeys, annuli : how each is divided; the first annulus lies about the core, the last reaches the sides
+    in_plate : number of its lowest storeys, which form the plate
+    storeys, annuli : division of each; the first annulus is around the core, the last reaches the sides
     """
 
     grid: Grid
@@ -55,7 +55,7 @@ class StackBlocks:
         return max(max(part.low, part.high) for part in (*self.storeys, *self.annuli))
 
     def divided(self) -> Grid:
-        """The same with every storey and every annulus in its elements, and the core."""
+        """The grid with every storey and every annulus divided into elements, and the core."""
         rows = [
             (row[0], *(region for region, annulus in zip(row, self.annuli, strict=True)
                        for _ in range(annulus.count)))
@@ -85,5 +85,5 @@ def curves_of_levels(grid: Grid, rings: tuple[int, ...], layers: tuple[int, ...]
 
 
 def level_positions(curves: Bools, core: int, around: int) -> Ints:
-    """Numbers that a level's nodes have among all that it could have: of the core, then of each curve."""
+    """Indices of a level's nodes among all possible ones: of the core, then of each curve."""
     return np.flatnonzero(np.repeat(curves, [core, *[around] * (len(curves) - 1)]))

@@ -1,8 +1,8 @@
-"""A lattice laid in rows of bricks: rectangles along x and y, each about one pillar.
+"""A lattice as rows of bricks: rectangles along x and y, each about one pillar.
 
-A finite plate consists of rectangles, so a lattice whose own tiles are none is cut anew: halfway between its
-rows, and in each row halfway between its pillars. What is cut is the same plate; where a row is offset
-against the next, bricks lie as in a wall. Rows lie along x, or along y where that leaves pillars more room.
+A finite plate consists of rectangles, so a lattice with other tiles is divided differently: halfway between
+its rows, and in each row halfway between its pillars. The plate is the same; if a row is offset against the
+next, bricks lie as in a wall. Rows lie along x, or along y if that leaves pillars more room.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from haptonic.cell.tile import SiteTile
 from haptonic.errors import GeometryError
 from haptonic.translations import SAME
 
-FINEST = 48  # denominator of a share of a period, up to which it is taken for a fraction
+FINEST = 48  # largest denominator of a share of a period that counts as a fraction
 MOST_PIECES = 4  # of a side of a brick; more would be finer than its mesh
 Steps = tuple[tuple[float, ...], tuple[float, ...]]  # between lines along x and along y, m
-Ways = tuple[float, float]  # from a pillar to where its brick ends, to either side, m
+Distances = tuple[float, float]  # from a pillar to either end of its brick, m
 
 
 @dataclass(frozen=True)
 class Brick:
     """A rectangle about a pillar; all but the tile in shares of its `Brickwork`'s width and height.
 
-    left, bottom : of the first one, from 0 to below 1
-    tile : it about the pillar's axis
-    number : of the site
+    left, bottom : position in the first period, from 0 to below 1
+    tile : tile about the pillar's axis
+    number : index of the site
     """
 
     left: Fraction
@@ -49,9 +49,9 @@ class Brick:
 class Brickwork:
     """A lattice as bricks.
 
-    width, height : of what repeats, m: the period of its rows one way, from row to row the other
-    offset : of what lies above, to the right, in shares of the width; and of what lies on the right, upwards,
-        in shares of the height. One of them is 0
+    width, height : of the repeated rectangle, m: the period of its rows, and the distance of their repetition
+    offset : of the repetition above, to the right, in shares of the width; and of the one on the right,
+        upwards, in shares of the height. One of them is 0
     bricks : of one period, row by row
     """
 
@@ -62,29 +62,29 @@ class Brickwork:
 
     @classmethod
     def of(cls, cell: UnitCell) -> Brickwork:
-        """A lattice, with rows along the axis that leaves its pillars more room; along x, where both do.
+        """Divide a lattice, with rows along the axis that leaves pillars more room; along x for equal room.
 
         Raises
         ------
-        GeometryError : no row of pillars lies along an axis, rows are offset by another share than a half, a
-            third or a quarter, or a pillar crosses the line halfway to the next
+        GeometryError : no row of pillars lies along an axis, the offset of rows is not zero, a half, a third
+            or a quarter, or a pillar crosses the line halfway to the next
         """
-        found, refused = [], []
+        possible, refused = [], []
         for axis in (0, 1):
             try:
-                found.append(cls._along(cell, axis))
+                possible.append(cls._along(cell, axis))
             except GeometryError as error:
                 refused.append(error)
-        if not found:
+        if not possible:
             raise refused[0]
-        work = max(found, key=lambda one: round(one.room / cell.lattice.pitch, 9))
+        work = max(possible, key=lambda brickwork: round(brickwork.room / cell.lattice.pitch, 9))
         for brick in work.bricks:
             _check_room(cell, brick)
         return work
 
     @classmethod
     def _along(cls, cell: UnitCell, axis: int) -> Brickwork:
-        """With rows along an axis, whatever room it leaves."""
+        """Divide with rows along an axis, without a check of the room."""
         along = along_axis(cell.lattice, axis)
         if along is None:
             raise _unsupported(cell, f"no row of its pillars lies along {'xy'[axis]}")
@@ -98,51 +98,51 @@ class Brickwork:
         if axis == 0:
             return cls(*size, (offset, Fraction(0)), bricks)
         turned = (
-            replace(one, left=one.bottom, bottom=one.left, width=one.height, height=one.width)
-            for one in bricks
+            replace(brick, left=brick.bottom, bottom=brick.left, width=brick.height, height=brick.width)
+            for brick in bricks
         )
         return cls(size[1], size[0], (Fraction(0), offset), tuple(turned))
 
     @property
     def room(self) -> float:
-        """Distance from a pillar's axis to the nearest side of its brick, m; that of the narrowest."""
-        return min((one.tile.inradius for one in self.bricks), default=0.0)
+        """Smallest distance from a pillar's axis to the nearest side of its brick, m."""
+        return min((brick.tile.inradius for brick in self.bricks), default=0.0)
 
     def left(self, number: int, row: int) -> Fraction:
-        """Of a brick in some row of periods, in shares of the width from 0 to below 1."""
+        """Left end of a brick in some row of periods, in shares of the width from 0 to below 1."""
         return (self.bricks[number].left + row * self.offset[0]) % 1
 
     def bottom(self, number: int, column: int) -> Fraction:
-        """Of a brick in some column of periods, in shares of the height from 0 to below 1."""
+        """Lower end of a brick in some column of periods, in shares of the height from 0 to below 1."""
         return (self.bricks[number].bottom + column * self.offset[1]) % 1
 
     def columns(self, row: int) -> set[Fraction]:
-        """Where lines have to lie between the bricks of a row of periods, in shares of the width."""
-        starts = [(self.left(number, row), one.width) for number, one in enumerate(self.bricks)]
+        """Positions of lines between the bricks of a row of periods, in shares of the width."""
+        starts = [(self.left(number, row), brick.width) for number, brick in enumerate(self.bricks)]
         return {end % 1 for start, width in starts for end in (start, start + width)}
 
     def rows(self, column: int) -> set[Fraction]:
-        """Where lines have to lie between the bricks of a column of periods, in shares of the height."""
-        starts = [(self.bottom(number, column), one.height) for number, one in enumerate(self.bricks)]
+        """Positions of lines between the bricks of a column of periods, in shares of the height."""
+        starts = [(self.bottom(number, column), brick.height) for number, brick in enumerate(self.bricks)]
         return {end % 1 for start, height in starts for end in (start, start + height)}
 
 
 def _share(value: float) -> Fraction:
-    """The fraction that a number nearly is, or the number itself."""
+    """The simple fraction nearly equal to a number, or the number itself."""
     near = Fraction(value).limit_denominator(FINEST)
     return near if abs(float(near) - value) < SAME else Fraction(value)
 
 
 def _between(places: list[Fraction]) -> list[tuple[Fraction, Fraction, Fraction]]:
-    """Every place of a period 1 with the middles between it and its neighbours."""
-    before = [*(one - 1 for one in places[-1:]), *places[:-1]]
-    after = [*places[1:], *(one + 1 for one in places[:1])]
+    """Every position in a period of 1, with the middles between it and its neighbours."""
+    before = [*(place - 1 for place in places[-1:]), *places[:-1]]
+    after = [*places[1:], *(place + 1 for place in places[:1])]
     around = zip(before, places, after, strict=True)
-    return [(one, (low + one) / 2, (one + high) / 2) for low, one, high in around]
+    return [(place, (low + place) / 2, (place + high) / 2) for low, place, high in around]
 
 
 def _bricks(cell: UnitCell, axis: int, size: tuple[float, float], offset: Fraction) -> tuple[Brick, ...]:
-    """Of rows along an axis, as though it were x; ``size``: their period and how far they are apart, m."""
+    """Bricks of rows along an axis, treated as x; ``size`` : period and distance of the rows, m."""
     period, height = size
     standing = [number for number, feature in enumerate(cell.features) if feature is not None]
     levels: dict[Fraction, list[tuple[Fraction, int]]] = {}
@@ -151,15 +151,19 @@ def _bricks(cell: UnitCell, axis: int, size: tuple[float, float], offset: Fracti
         up = _share(float(place[1 - axis]) / height)
         along = _share(float(place[axis]) / period - float(offset) * int(np.floor(float(up) + SAME))) % 1
         levels.setdefault(up % 1, []).append((along, number))
-    made, origin = [], None
+    bricks, origin = [], None
     for level, below, above in _between(sorted(levels)):
         row = dict(levels[level])
         for place, before, after in _between(sorted(row)):
             origin = (before, below) if origin is None else origin
-            ways = (float(place - before) * period, float(after - place) * period)
+            left_and_right = (float(place - before) * period, float(after - place) * period)
             up_and_down = (float(level - below) * height, float(above - level) * height)
-            tile = _tile(cell, row[place], *((ways, up_and_down) if axis == 0 else (up_and_down, ways)))
-            made.append(
+            tile = _tile(
+                cell,
+                row[place],
+                *((left_and_right, up_and_down) if axis == 0 else (up_and_down, left_and_right)),
+            )
+            bricks.append(
                 Brick(
                     left=(before - origin[0]) % 1,
                     bottom=below - origin[1],
@@ -169,11 +173,11 @@ def _bricks(cell: UnitCell, axis: int, size: tuple[float, float], offset: Fracti
                     number=row[place],
                 )
             )
-    return tuple(made)
+    return tuple(bricks)
 
 
-def _tile(cell: UnitCell, number: int, x: Ways, y: Ways) -> SiteTile:
-    """A rectangle about a pillar, from what lies left and right, below and above of it."""
+def _tile(cell: UnitCell, number: int, x: Distances, y: Distances) -> SiteTile:
+    """A rectangle about a pillar, from the distances to its left and right, lower and upper side."""
     (left, right), (below, above) = x, y
     corners = ((-left, -below), (right, -below), (right, above), (-left, above))
     extent = max(left + right, below + above)
@@ -188,7 +192,7 @@ def _tile(cell: UnitCell, number: int, x: Ways, y: Ways) -> SiteTile:
 
 
 def _check_room(cell: UnitCell, brick: Brick) -> None:
-    """Refuse a pillar or disc that crosses the line halfway to the next."""
+    """Refuse a pillar or disc that crosses the line halfway to the next one."""
     feature = brick.tile.feature
     assert feature is not None
     table = f"{cell.table_of(brick.number)}{feature.table}"
@@ -222,11 +226,11 @@ def _unsupported(cell: UnitCell, cause: str) -> GeometryError:
 
 
 def equal_pieces(steps: Steps) -> int:
-    """Into how many equal pieces a mesh has to divide the sides of a brick to meet all lines between tiles.
+    """Number of equal pieces of a brick's side in a mesh that meets all lines between tiles.
 
     Raises
     ------
-    GeometryError : no few of them do
+    GeometryError : more than `MOST_PIECES` are needed
     """
     shares = [share for along in steps for share in np.cumsum(along) / sum(along)]
     count = math.lcm(*(Fraction(float(share)).limit_denominator(FINEST).denominator for share in shares))
@@ -237,7 +241,7 @@ def equal_pieces(steps: Steps) -> int:
             allowed=f"lines at a half, at thirds or at quarters (at most {MOST_PIECES} equal pieces)",
             cause="lines halfway between the pillars of a row do not meet those of the next row, or of "
             "another lattice in the same columns",
-            next_step="move the sites to places such as 1/2 or 1/4 of the period, or draw lattices in "
-            "columns and rows of their own",
+            next_step="move the sites to places such as 1/2 or 1/4 of the period, or draw lattices in their "
+            "own columns and rows",
         )
     return count

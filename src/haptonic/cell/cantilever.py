@@ -1,4 +1,4 @@
-"""The pillar alone, clamped at its foot: where the lattice's local resonances come from."""
+"""Pillar alone, clamped at its foot: source of the lattice's local resonances."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from haptonic.later import linalg as la
 from haptonic.materials import IsotropicMaterial
 
 ALPHA = np.array([3.516, 22.03, 61.70])  # equation (3) of the paper
-EQUAL = 1e-9  # relative difference of second moments that counts as none
+EQUAL = 1e-9  # relative; a smaller difference of second moments counts as none
 POLYNOMIAL = 24  # order along the pillar; the lowest modes are then exact to rounding
 
 
@@ -26,11 +26,12 @@ def euler_bernoulli(pillar: Pillar, material: IsotropicMaterial) -> Array:
 
 
 def timoshenko(pillar: Pillar, material: IsotropicMaterial, count: int = 3) -> Array:
-    """(count,) bending frequencies with shear and rotary inertia, Hz; a fillet is left out.
+    """(count,) bending frequencies with shear and rotary inertia, Hz, without a fillet.
 
-    One spectral element of the Timoshenko cantilever for each smooth piece of the side. Shear coefficients
-    are those of Cowper (1966, doi 10.1115/1.3625046), see `Section.shear_coefficient`. A section without such
-    a coefficient, or with different second moments about its axes, has NaN: there is no formula for it.
+    The beam has one spectral element of the Timoshenko cantilever for each smooth piece of the side. Shear
+    coefficients are those of Cowper (1966, doi 10.1115/1.3625046), see `Section.shear_coefficient`. A section
+    without a coefficient, or with different second moments about its axes, has NaN, because no formula exists
+    for it.
     """
     E, nu, rho = material.youngs_modulus, material.poisson_ratio, material.density
     shear_coefficient = pillar.form.shear_coefficient(nu)
@@ -50,12 +51,12 @@ def timoshenko(pillar: Pillar, material: IsotropicMaterial, count: int = 3) -> A
         shear = shear_coefficient * E / (2 * (1 + nu)) * area
         deflection = np.hstack([D, -np.eye(POLYNOMIAL + 1)])  # shear strain: slope less rotation
         bending = np.hstack([np.zeros_like(D), D])
-        own = (
+        stage_stiffness = (
             deflection.T @ np.diag(w * shear) @ deflection
             + bending.T @ np.diag(w * E * second_moment) @ bending
         )
         here = slice(stage * POLYNOMIAL, (stage + 1) * POLYNOMIAL + 1)
-        K[:, here, :, here] += own.reshape(2, POLYNOMIAL + 1, 2, POLYNOMIAL + 1)
+        K[:, here, :, here] += stage_stiffness.reshape(2, POLYNOMIAL + 1, 2, POLYNOMIAL + 1)
         inertia = np.stack([rho * area * w, rho * second_moment * w])
         M[:, here, :, here] += np.einsum("cn,cd,nm->cndm", inertia, np.eye(2), np.eye(POLYNOMIAL + 1))
     free = np.setdiff1d(np.arange(2 * nodes), [0, nodes])  # clamped at the foot

@@ -1,4 +1,4 @@
-"""What makes a cell that cannot be computed: sizes, places and materials that do not fit together."""
+"""Checks of a cell: sizes, positions and materials that contradict each other."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ LEAST_CLEARANCE = 0.01  # of the pitch, between a pillar or disc and the nearest
 
 
 def check_cell(cell: UnitCell) -> None:
-    """Refuse a cell whose parts do not fit together.
+    """Refuse a cell whose parts contradict each other.
 
     Raises
     ------
-    PydanticCustomError : what does not fit, at its key
+    PydanticCustomError : the contradiction, at its key
     """
-    # lattices and outlines always have it; the rest of the group is left until it is asked for
+    # lattices and outlines always have this symmetry; further symmetries are optional
     for at, solid in cell.materials.items():
         if not is_symmetry(solid.stiffness, HALF_TURNED):
             raise problem(
                 "unsupported",
                 solid.name,
-                "a material that half a turn about the plate's normal leaves as it is",
+                "a material that half a turn about the plate's normal leaves unchanged",
                 "its constants couple motion in the plane with motion out of it",
                 "turn the material so that one of its axes is normal to the plate",
                 at=at,
@@ -52,18 +52,18 @@ def check_cell(cell: UnitCell) -> None:
 
 
 def _check_alone(cell: UnitCell) -> None:
-    """Refuse anything beside the solids of a CAD file."""
+    """Refuse pillars, discs and sites beside the solids of a CAD file."""
     beside = {
         "a pillar": cell.pillar is not None,
         "discs": bool(cell.disc),
         "sites": not cell.is_simple,
         "pillars on both faces": cell.is_mirrored,
     }
-    for what, there in beside.items():
-        if there:
+    for name, is_given in beside.items():
+        if is_given:
             raise problem(
                 "conflict",
-                f"solids of a CAD file and {what}",
+                f"solids of a CAD file and {name}",
                 "the solids alone, on a lattice of one site",
                 "the file has everything that is on the plate, on both faces",
                 "leave one of the two out; draw several sites as one period of a triangular lattice",
@@ -72,7 +72,7 @@ def _check_alone(cell: UnitCell) -> None:
 
 
 def _check_discs(cell: UnitCell) -> None:
-    """Refuse discs beside a pillar, and those that make no body."""
+    """Refuse discs beside a pillar, and discs that form no body."""
     places: list[tuple[str, UnitCell | Site]] = [("", cell)]
     places += [(f"site[{number}].", site) for number, site in enumerate(cell.site, start=1)]
     for table, place in places:
@@ -90,7 +90,7 @@ def _check_discs(cell: UnitCell) -> None:
 
 
 def _check_sites(cell: UnitCell) -> None:
-    """Refuse sites that do not fit together."""
+    """Refuse sites that contradict each other."""
     if cell.site and (cell.pillar is not None or cell.disc):
         name = "disc" if cell.disc else "pillar"
         raise problem(
@@ -109,7 +109,7 @@ def _check_sites(cell: UnitCell) -> None:
             "repeated",
             f"the place of site[{pair[0] + 1}]",
             f"a place more than {format_quantity(least, 'm', digits=3)} from every other site",
-            "two sites are one place of the lattice, or nearly",
+            "two sites have the same position in the lattice, or nearly",
             "move one of them, or leave it out",
             at=f"site[{pair[1] + 1}].at",
         )
@@ -122,7 +122,7 @@ def _text(length: float) -> str:
 
 
 def _too_wide(feature: Feature, room: float) -> Exception:
-    """A pillar, its fillet or a disc that is wider than the half-width that there is room for, m."""
+    """Error for a pillar, a fillet or a disc that is wider than the available half-width, m."""
     table = feature.table
     free = "so that a hundredth of the pitch stays free on either side"
     if room <= 0:

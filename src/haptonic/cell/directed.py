@@ -1,4 +1,4 @@
-"""Directions of a lattice: what repeats along one of them, and what leads across it."""
+"""Directions of a lattice: period along a direction, and translation across it."""
 
 from __future__ import annotations
 
@@ -17,84 +17,84 @@ from haptonic.lattice import Lattice
 from haptonic.translations import SAME
 
 Translations = Annotated[float, Quantity("", at_least=-20, at_most=20)]
-MOST_CROSSING = 20  # translations, as many as a study may give
-Along = tuple[Translations, Translations]  # as a study gives it
+MOST_CROSSING = 20  # translations, the largest number in a study
+Along = tuple[Translations, Translations]  # as in a study
 
 
 class Directed:
-    """What repeats along a direction of a lattice.
+    """Repetition along a direction of a lattice.
 
-    along : how many of the lattice's two translations lead on; next to each other they may be 0 and 1
+    along : numbers of the lattice's two translations in one period, such as (0, 1)
     """
 
     along: tuple[int, int]
 
     @property
     def translations(self) -> Array:
-        """(2, 2) of the lattice, m."""
+        """(2, 2) translations of the lattice, m."""
         raise NotImplementedError
 
     @cached_property
     def across(self) -> tuple[int, int]:
-        """How many translations lead from a column, or a row, to the next, to the right: the shortest way."""
+        """Numbers of translations from a column, or a row, to the next on the right: the shortest ones."""
         m, n = self.along
         x, y = _bezout(m, n)  # m x + n y = 1
         step = np.array([y, -x])  # of determinant n y + m x = 1 with (m, n)
         span, period = step @ self.translations, self.way
-        found = step - round(float(span @ period / (period @ period)) - SAME) * np.array(self.along)
-        return int(found[0]), int(found[1])
+        shortest = step - round(float(span @ period / (period @ period)) - SAME) * np.array(self.along)
+        return int(shortest[0]), int(shortest[1])
 
     @cached_property
     def crossing(self) -> tuple[int, int] | None:
-        """How many translations lead at a right angle to the period; None where no few of them do."""
+        """Numbers of translations at a right angle to the period; None if they are too large."""
         return _balanced(self.translations @ self.way, self.period**2)
 
     @property
     def way(self) -> Array:
-        """(2,) m, after which the lattice repeats."""
+        """(2,) translation of one period, m."""
         return np.asarray(np.array(self.along) @ self.translations)
 
     @property
     def vectors(self) -> Array:
-        """(1, 2) the period, m."""
+        """(1, 2) translation of one period, m."""
         return np.asarray(self.way[None])
 
     @property
     def period(self) -> float:
-        """m."""
+        """Length of the period, m."""
         return float(np.linalg.norm(self.vectors))
 
     @cached_property
     def turn(self) -> Array:
-        """(2, 2) to axes in which the period lies along y."""
+        """(2, 2) rotation to axes in which the period lies along y."""
         x, y = self.way / np.linalg.norm(self.way)
         return np.array([[y, -x], [x, y]])
 
     def phases(self, along: float, across: Array) -> Array:
-        """(n, 2) phases (k.a1, k.a2) from those of the period (rad) and of the way across (n,)."""
+        """(n, 2) phases (k.a1, k.a2) from those of the period (rad) and of the translation across (n,)."""
         both = np.column_stack([np.full(len(across), along), across])
         return np.asarray(np.linalg.solve(np.array([self.along, self.across], dtype=float), both.T).T)
 
 
 def along_axis(lattice: Lattice, axis: int) -> tuple[int, int] | None:
-    """The fewest translations of a lattice along x (0) or y (1); None where no few of them lead there."""
-    found = _balanced(lattice.vectors[:, 1 - axis], lattice.pitch)
-    if found is None:
+    """Smallest numbers of translations of a lattice along x (0) or y (1); None if they are too large."""
+    numbers = _balanced(lattice.vectors[:, 1 - axis], lattice.pitch)
+    if numbers is None:
         return None
-    m, n = found
-    return (m, n) if (np.array(found) @ lattice.vectors)[axis] > 0 else (-m, -n)
+    m, n = numbers
+    return (m, n) if (np.array(numbers) @ lattice.vectors)[axis] > 0 else (-m, -n)
 
 
 def _balanced(parts: Array, yardstick: float) -> tuple[int, int] | None:
-    """Few whole numbers m and n without a common divisor, with m first + n second = 0 of two parts."""
+    """Small integers m and n without a common divisor, with m first + n second = 0 for two parts, or None."""
     larger = int(np.abs(parts).argmax())
     near = Fraction(-float(parts[1 - larger] / parts[larger])).limit_denominator(MOST_CROSSING)
-    found = (near.numerator, near.denominator) if larger == 0 else (near.denominator, near.numerator)
-    return found if abs(float(np.array(found) @ parts)) <= SAME * yardstick else None
+    numbers = (near.numerator, near.denominator) if larger == 0 else (near.denominator, near.numerator)
+    return numbers if abs(float(np.array(numbers) @ parts)) <= SAME * yardstick else None
 
 
 def check_along(along: tuple[int, int], table: str, what: str) -> None:
-    """Raise GeometryError unless a period is a shortest one; ``what`` has it, in a table of the study."""
+    """Raise GeometryError unless a period is a shortest one; ``what`` repeats, in a table of the study."""
     if math.gcd(*along) != 1:
         raise GeometryError.out_of_range(
             argument=f"{table}.along",
@@ -107,16 +107,16 @@ def check_along(along: tuple[int, int], table: str, what: str) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class DirectionSettings:
-    """What a study says of something that repeats along a direction of the lattice; tables inherit it."""
+    """Direction of the lattice along which something repeats, in a study; tables inherit it."""
 
-    along: Along = setting(  # noqa: RUF009 - a declaration, of the tables that are described
+    along: Along = setting(  # noqa: RUF009 - a declaration for the described tables
         (0.0, 1.0),
         "How many of the lattice's two translations it repeats after; [0, 1] is along y in rectangles.",
         title="Direction",
     )
 
     def __post_init__(self) -> None:
-        if any(one != round(one) for one in self.along):
+        if any(number != round(number) for number in self.along):
             raise problem(
                 "malformed",
                 f"{list(self.along)}",
@@ -128,12 +128,12 @@ class DirectionSettings:
 
     @property
     def direction(self) -> tuple[int, int]:
-        """Whole translations of the lattice, after which it repeats."""
+        """Numbers of translations of the lattice in one period."""
         return round(self.along[0]), round(self.along[1])
 
 
 def _bezout(m: int, n: int) -> tuple[int, int]:
-    """(x, y) with m x + n y = 1, for numbers without a common divisor (extended Euclid)."""
+    """(x, y) with m x + n y = 1, for integers without a common divisor (extended Euclid)."""
     if n == 0:
         return m, 0  # m is 1 or -1
     x, y = _bezout(n, m % n)

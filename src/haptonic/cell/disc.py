@@ -1,4 +1,4 @@
-"""A disc: a prism of some material, or of nothing, about the axis of a site."""
+"""Disc: a prism of a material, or empty, about the axis of a site."""
 
 from __future__ import annotations
 
@@ -34,15 +34,15 @@ FARTHEST = 100e-3  # m, from the plate's top
 
 @described("cell.disc", GeometryError)
 class Disc(Sectioned):
-    """A prism about the axis of a site, from one height to another. All lengths in m, angles in rad.
+    """A prism about the axis of a site, between two heights. All lengths in m, angles in rad.
 
-    It takes the place of what is there: discs are put in one after the other, a later one replaces what it
-    overlaps. Through the plate and empty it is a hole, through the plate and of another material an
-    inclusion, on the plate a pillar; several make a coating, a layer of glue or a cap.
+    A disc replaces the material in its place: discs are added in order, and a later one replaces what it
+    overlaps. An empty disc through the plate is a hole, one of another material an inclusion, and one on the
+    plate a pillar; several discs make a coating, a layer of glue or a cap.
 
     Raises
     ------
-    GeometryError : numbers that make no section, an upper end that is not above the lower one, or an empty
+    GeometryError : numbers that form no section, an upper end that is not above the lower one, or an empty
         disc with a material
     """
 
@@ -102,7 +102,7 @@ class Disc(Sectioned):
                 "conflict",
                 f"an empty disc of {self.material.name}",
                 "a material, or empty = true",
-                "nothing is left of an empty disc that could have a material",
+                "an empty disc has no material",
                 "leave one of the two out",
                 at="material",
             )
@@ -118,25 +118,25 @@ class Disc(Sectioned):
             )
 
     def text(self, thickness: float) -> str:
-        """The disc in words, for a plate of some thickness, m."""
+        """Description of the disc, for a plate of some thickness, m."""
         low, high = (format_quantity(end - thickness, "m") for end in self.ends(thickness))
         solid = "empty" if self.empty else self.material.name if self.material else "of the plate's material"
         return f"{self.section} disc {format_quantity(self.diameter, 'm')} wide from {low} to {high}, {solid}"
 
     def ends(self, thickness: float) -> tuple[float, float]:
-        """Lower and upper end above the plate's lower face, m."""
+        """Heights of lower and upper end above the plate's lower face, m."""
         low = -thickness if self.low is None else self.low
         return thickness + low, thickness + (self.high or 0.0)
 
     def is_image(self, other: Disc, turn: NDArray[np.float64]) -> bool:
-        """True if an orthogonal map (3, 3) that keeps the normal takes the disc to another one."""
+        """True if an orthogonal map (3, 3) that keeps the normal maps the disc to another one."""
         same = (self.low, self.high, self.material, self.empty)
         alike = same == (other.low, other.high, other.material, other.empty)
         alike &= abs(self.radius - other.radius) <= SAME * self.radius
         return alike and self.keeps_material(turn) and self.outline.image(turn[:2, :2]).is_same(other.outline)
 
     def scaled(self, factor: float) -> Disc:
-        """The same disc with every length multiplied by ``factor``."""
+        """A copy with every length multiplied by ``factor``."""
         return replace(
             self,
             diameter=self.diameter * factor,

@@ -1,7 +1,7 @@
-"""How a stack of discs is divided into blocks: how many, and where their borders lie.
+"""Division of a stack of discs into blocks: numbers of elements, and positions of their borders.
 
-Thin rings and layers grade the mesh towards every edge where stress is singular. From them on, and outwards
-from the axis, elements grow with the distance, beside which stress falls as a power of it.
+Thin rings and layers grade the mesh towards every edge with singular stress. Away from them, and outwards
+from the axis, elements grow with the distance, because stress decreases as a power of it.
 """
 
 from __future__ import annotations
@@ -20,19 +20,20 @@ from haptonic.cell.orders import ROUNDING
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape
 
-RING_GROWTH = 2.0  # of rings: outer over inner half-width
-# length of an element in the plate, and above it, in diameters of the narrowest disc, as of a pillar
+RING_GROWTH = 2.0  # ratio of outer to inner half-width of a ring
+# length of an element in the plate, and above it, in diameters of the narrowest disc, as for a pillar
 IN_PLATE, ABOVE_PLATE = 1.0, 1.4
-SAMPLES = 400  # of an interval, at which the density of elements is summed up
+SAMPLES = 400  # of an interval, for the sum of the element density
 
 
 @dataclass(frozen=True)
 class Interval:
-    """An annulus or a storey, m, and what its elements follow.
+    """An annulus or a storey, m, and rules for its elements.
 
-    low, high : its ends; near_low, near_high : reach of the thin elements there, farthest first
-    growth : largest ratio of the outer to the inner end of an element, as counted from zero; 0 means any
-    length : of the longest element
+    low, high : its ends
+    near_low, near_high : reach of the thin elements at each end, farthest first
+    growth : largest ratio of the outer to the inner end of an element, measured from zero; 0 for no limit
+    length : length of the longest element
     """
 
     low: float
@@ -44,13 +45,13 @@ class Interval:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """Ends of what lies between the thin elements."""
+        """Ends of the part between the thin elements."""
         return self.low + float(self.near_low.max(initial=0.0)), self.high - float(
             self.near_high.max(initial=0.0)
         )
 
     def _elements(self) -> tuple[Array, Array]:
-        """Places between the thin elements, and how many elements lie below each."""
+        """Positions between the thin elements, and number of elements below each position."""
         start, end = self.middle
         place = start + (end - start) * 0.5 * (1 - np.cos(np.linspace(0.0, np.pi, SAMPLES)))
         density = np.full(SAMPLES, 1 / self.length)
@@ -65,15 +66,15 @@ class Interval:
 
     @property
     def division(self) -> Division:
-        """How many elements there are."""
+        """Numbers of elements."""
         whole = float(self._elements()[1][-1])
-        # a single one reaches from the thin elements as far as `MOST_APART` times their width
+        # a single element extends from the thin elements up to `MOST_APART` times their width
         alone = math.log(MOST_APART) / math.log(BRIDGED) if len(self.near_low) + len(self.near_high) else 1.0
         between = 1 if whole <= alone * (1 + ROUNDING) else math.ceil(whole * (1 - ROUNDING))
         return Division(len(self.near_low), between, len(self.near_high))
 
     def borders(self, division: Division) -> list[float]:
-        """Places of the borders between elements, and of both ends, m."""
+        """Positions of the borders between elements, and of both ends, m."""
         place, below = self._elements()
         inner = np.interp(below[-1] * np.arange(division.between + 1) / division.between, below, place)
         thin_low = [self.low, *(self.low + self.near_low[::-1])] if division.low else [self.low]
@@ -95,7 +96,7 @@ def annuli_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
 
 
 def storeys_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
-    """The storeys of a stack with ``rings`` thin layers at every end where there is a singular edge."""
+    """The storeys of a stack with ``rings`` thin layers at every end with a singular edge."""
     near = _near_ends(tile, stack, rings)
     diameter = 2 * stack.borders[0].half_width
     return [
@@ -121,13 +122,13 @@ def blocks_of(tile: TileShape, stack: Stack, rings: int) -> StackBlocks:
 
 
 def borders(intervals: Sequence[Interval], divisions: Sequence[Division]) -> Array:
-    """Places of all borders of intervals that follow each other, each once, m."""
+    """Positions of all borders of consecutive intervals, each once, m."""
     places = [interval.borders(division) for interval, division in zip(intervals, divisions, strict=True)]
     return np.array([places[0][0], *(place for within in places for place in within[1:])])
 
 
 def edges_between(divisions: Sequence[Division]) -> tuple[int, ...]:
-    """Numbers of the elements that follow on a singular edge between two intervals."""
+    """Indices of the elements that follow on a singular edge between two intervals."""
     ends = np.cumsum([division.count for division in divisions])
     return tuple(int(end) for end, division in zip(ends[:-1], divisions[:-1], strict=True) if division.high)
 
@@ -145,7 +146,7 @@ def _near_ends(tile: TileShape, stack: Stack, rings: int) -> list[Array]:
 
 
 def _rooms(tile: TileShape, stack: Stack) -> Array:
-    """(borders, ends) the smallest length at each edge: of both annuli and both storeys beside it, m."""
+    """(borders, ends) smallest length at each edge: of both annuli and both storeys beside it, m."""
     radius = np.array([border.half_width for border in stack.borders])
     width = np.concatenate([[radius[0]], np.diff(radius), [2 * tile.clearance]])
     height = np.concatenate([[np.inf], np.diff(stack.heights), [np.inf]])
@@ -154,7 +155,7 @@ def _rooms(tile: TileShape, stack: Stack) -> Array:
 
 
 def _reach(rooms: Array, singular: Bools, rings: int) -> Array:
-    """How far from an edge the borders of thin elements lie, farthest first, m; none without an edge."""
+    """Distances from an edge to the borders of thin elements, farthest first, m; empty without an edge."""
     if not singular.any():
         return np.empty(0)
     return np.asarray(EDGE_WIDTH * rooms[singular].min() * EDGE_GRADING ** np.arange(rings))

@@ -1,4 +1,4 @@
-"""Re-entrant edges of a cell, where stress is singular, and how a mesh is graded towards them."""
+"""Re-entrant edges of a cell, at which stress is singular, and grading of a mesh towards them."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from haptonic.arrays import Array
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import TileShape
 
-CORE_RADIUS = 0.55  # core square's corners, as a share of the curve around it
-FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot die out in it
-# and its least height, in diameters, where a step is near: polynomials over sections 0.17 from either edge
-# lost 8e-5, over those 0.11 from it 2e-3
+CORE_RADIUS = 0.55  # distance of the core square's corners, as a share of the curve around it
+FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses of the foot decay in it
+# its least height, in diameters, near a step: errors with polynomials over sections 0.17 from either edge
+# were 8e-5, 0.11 from it 2e-3
 LEAST_LAYER = 0.15
 EDGE_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the edge
-EDGE_GRADING = 0.2  # each further ring reaches to this share of the one before
-MOST_APART = 16.0  # largest ratio of the far border of an element beside the thin ones to its near one
-BRIDGED = 6.0  # and about what it becomes once there are further elements
+EDGE_GRADING = 0.2  # ratio of each further ring's reach to that of the ring before
+MOST_APART = 16.0  # largest ratio of the far to the near border of an element beside the thin ones
+BRIDGED = 6.0  # approximate ratio with further elements
 
 
 def foot_reach(cell: TileShape, rings: int) -> Array:
-    """How far from the foot the borders of the thin rings lie, outermost first, m."""
+    """Distances from the foot to the borders of the thin rings, outermost first, m."""
     pillar = cell.pillar
     if pillar is None:
         return np.empty(0)
@@ -34,7 +34,7 @@ def foot_reach(cell: TileShape, rings: int) -> Array:
 
 
 def step_reach(pillar: Pillar, rings: int) -> Array:
-    """The same from the edge of the step, at whose height the ledge is as wide as it is."""
+    """Distances from the edge of the step to the borders of the thin rings, outermost first, m."""
     (start, low, _), (_, high, width) = pillar.stages
     return _reach(min(width, pillar.half_width(low, 0) - width, low - start, high - low), rings)
 
@@ -44,15 +44,15 @@ def _reach(room: float, rings: int) -> Array:
 
 
 def step_share(pillar: Pillar) -> float:
-    """Half-width above the step as a share of that below it; the border that ends there keeps this share."""
+    """Half-width above the step as a share of that below it; the border that ends there has this share."""
     low, _, width = pillar.stages[-1]
     return width / pillar.half_width(low, 0)
 
 
 def between_edges(tile: TileShape) -> tuple[float, float] | None:
-    """Ends of the prism between what is about the foot and about the step, m above the plate.
+    """Ends of the prism between the neighbourhoods of foot and step, m above the plate.
 
-    None where there is none: no step or one too near, a pillar with draft, or one on either face.
+    None without such a prism: no step or one too near, a pillar with draft, or pillars on both faces.
     """
     pillar = tile.pillar
     if pillar is None or pillar.step is None or pillar.draft or tile.is_mirrored:
@@ -63,25 +63,25 @@ def between_edges(tile: TileShape) -> tuple[float, float] | None:
 
 
 def within_foot(pillar: Pillar) -> float:
-    """Half-width of the border next to the foot's thin rings inside, as a share of the foot's."""
+    """Half-width of the border next to the foot's thin rings on the inside, as a share of the foot's."""
     return step_share(pillar) if pillar.step else CORE_RADIUS
 
 
 def beside_foot(cell: TileShape) -> float:
-    """How far rings beside the foot have to lead, m: to where a plate bends, in a sheet to the neck's middle.
+    """Distance that rings beside the foot have to cover, m: to where a plate bends, in a sheet half the neck.
 
-    A sheet bends as powers of the distance from a pillar that is as thick as it. A single ring of order 7
-    from 0.15 to 16 thicknesses lost 0.2 %, one more than that left a third of it.
+    A sheet bends as powers of the distance from a pillar as thick as itself. The error with a single ring of
+    order 7 from 0.15 to 16 thicknesses was 0.2 %, with one more a third of that.
     """
     return cell.clearance if cell.is_sheet else min(cell.clearance, cell.thickness)
 
 
 def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
-    """Elements to put between the foot's thin ones and the rest: rings inside, outside, layers above, below.
+    """Numbers of elements between the foot's thin ones and the rest: rings inside, outside, layers up, down.
 
-    A pillar on a thin plate, or next to its neighbour, has thin rings much smaller than itself. From them to
-    its own size stress falls as a power of the distance: elements that grow with it resolve that at any
-    ratio, a single one does not.
+    A pillar on a thin plate, or near its neighbour, has thin rings much smaller than itself. From them to its
+    own size, stress decreases as a power of the distance: elements that grow with the distance resolve that
+    at any ratio, a single element does not.
     """
     if cell.pillar is None or cell.pillar.fillet or not rings:
         return 0, 0, 0, 0
@@ -89,7 +89,7 @@ def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
 
 
 def is_unbridged(cell: TileShape, rings: int) -> bool:
-    """Whether such elements are left out for the sake of a fillet, whose arc the rings follow."""
+    """True if such elements are left out because of a fillet, whose arc the rings follow."""
     pillar = cell.pillar
     return pillar is not None and bool(pillar.fillet) and rings > 0 and any(_needed(cell, pillar, rings))
 
@@ -108,7 +108,7 @@ def _between(ratio: float) -> int:
 
 
 def bridged(reach: Array, far: float, count: int) -> Array:
-    """Borders of the thin rings, and before them those of ``count`` rings that grow evenly up to ``far``."""
+    """Borders of the thin rings, preceded by those of ``count`` rings that grow evenly up to ``far``."""
     if not count:
         return reach
     growth = (far / reach[0]) ** (np.arange(count, 0, -1) / (count + 1))

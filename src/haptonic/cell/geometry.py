@@ -1,4 +1,4 @@
-"""The unit cell in the words of the field: a plate of some thickness, pillars on it."""
+"""Unit cell of a lattice: a plate of some thickness, with pillars, discs or other solids on it."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
 from haptonic.units import format_quantity
 
-# of the pitch: usual ratios of sizes, whatever the size of the cell; a slip of a prefix is a factor of 1000
+# of the pitch: usual ratios of sizes, for cells of any size; a wrong prefix is a factor of 1000
 USUAL_THICKNESS, USUAL_HEIGHT, USUAL_DIAMETER = (0.01, 3.0), (0.02, 8.0), (0.03, 1.0)
 
 
@@ -59,14 +59,14 @@ USUAL_THICKNESS, USUAL_HEIGHT, USUAL_DIAMETER = (0.01, 3.0), (0.02, 8.0), (0.03,
 class UnitCell(TileShape):
     """One period of the plate between z = 0 and z = ``thickness``, with pillars or discs on its sites.
 
-    With pillars or discs on both ``faces`` those below are the images of those above the middle plane.
+    With pillars or discs on both ``faces``, those below are the mirror images of those above.
 
-    A cell of one site, in its middle, is a tile itself; one of several consists of their `tiles`.
+    A cell of one site, in its middle, is a single tile; a cell of several sites consists of their `tiles`.
 
     Raises
     ------
-    GeometryError : sizes that are not positive, a pillar that does not fit into the period or its tile, sites
-        that do not fit together, or a material that half a turn about the normal does not leave as it is
+    GeometryError : sizes that are not positive, a pillar that is too wide for the period or its tile, sites
+        that contradict each other, or a material that half a turn about the normal changes
     """
 
     aliases: ClassVar[Aliases] = {
@@ -144,7 +144,7 @@ class UnitCell(TileShape):
         check_cell(self)
 
     def doubtful(self) -> dict[str, str]:
-        """Words, by path below the cell, on sizes that are unusual for its pitch."""
+        """Sentences, by path below the cell, on sizes that are unusual for its pitch."""
         pitch = self.lattice.pitch
         words = f"for a pitch of {format_quantity(pitch, 'm')}"
         sizes = {"thickness": (self.thickness, USUAL_THICKNESS)}
@@ -160,12 +160,12 @@ class UnitCell(TileShape):
 
     @property
     def is_simple(self) -> bool:
-        """Whether the cell has one site, in its middle, and so is a tile itself."""
+        """True if the cell has one site, in its middle, and therefore is a tile itself."""
         return not self.site and self.lattice.name not in SITES
 
     @cached_property
     def shares(self) -> Array:
-        """(n, 2) places of the sites in shares of the translations, empty ones included."""
+        """(n, 2) positions of the sites in shares of the translations, including empty sites."""
         if self.is_simple:
             return np.zeros((1, 2))
         return shares_of(self.site, self.lattice)
@@ -177,23 +177,23 @@ class UnitCell(TileShape):
 
     @cached_property
     def stack(self) -> Stack | None:  # type: ignore[override]
-        """The discs on every site, if the sites have no tables; None without any."""
+        """The discs on every site, if the sites have no tables; None without discs."""
         return self._stack(self.disc)
 
     def _stack(self, discs: tuple[Disc, ...]) -> Stack | None:
         return Stack(discs, self.thickness, self.is_mirrored) if discs else None
 
     def pillar_path(self, number: int) -> str:
-        """Of the table in a study that gives the pillar of a site, counted from 0."""
+        """Path of the table in a study that gives the pillar of a site, counted from 0."""
         return f"{self.table_of(number)}pillar"
 
     def table_of(self, number: int) -> str:
-        """Path of the table that gives what is on a site, counted from 0, with a dot at its end."""
+        """Path of the table that gives the feature of a site, counted from 0, with a dot at its end."""
         return f"cell.site[{number + 1}]." if self.site else "cell."
 
     @property
     def materials(self) -> dict[str, Material]:
-        """Materials of the plate, and of pillars and discs with one of their own, by their key in [cell]."""
+        """Materials of the plate, and of pillars and discs with a material, by their key in [cell]."""
         solids = {"material": self.material}
         for table, (number, *_) in self.pillar_tables.items():
             pillar = self.pillars[number]
@@ -208,7 +208,7 @@ class UnitCell(TileShape):
 
     @property
     def discs(self) -> dict[str, Disc]:
-        """All discs of the study by the path of their table below [cell]."""
+        """All discs of the study, by the path of their table below [cell]."""
         return {
             f"{table}disc[{number}]": disc
             for table, discs in self.disc_tables.items()
@@ -217,27 +217,27 @@ class UnitCell(TileShape):
 
     @property
     def disc_tables(self) -> dict[str, tuple[Disc, ...]]:
-        """The lists of discs that a study gives, by the path of what has them, from [cell] on."""
+        """Lists of discs in a study, by the path of their site or cell, below [cell]."""
         lists = {"": self.disc} | {f"site[{n}].": site.disc for n, site in enumerate(self.site, start=1)}
         return {table: discs for table, discs in lists.items() if discs}
 
     @property
     def loss_factors(self) -> tuple[float, ...]:
-        """Loss factors of the cell's materials, ascending, equal ones once."""
+        """Loss factors of the cell's materials, ascending, without repetitions."""
         return tuple(sorted({solid.loss_factor for solid in self.materials.values()}))
 
     @property
     def pillar_tables(self) -> dict[str, list[int]]:
-        """Numbers, from 0, of the sites whose pillar a table of the study gives, by the table's path."""
-        found: dict[str, list[int]] = {}
+        """Indices, from 0, of the sites whose pillar a table of the study gives, by the table's path."""
+        sites_of_table: dict[str, list[int]] = {}
         for number, pillar in enumerate(self.pillars):
             if pillar is not None:
-                found.setdefault(self.pillar_path(number), []).append(number)
-        return found
+                sites_of_table.setdefault(self.pillar_path(number), []).append(number)
+        return sites_of_table
 
     @property
     def hole_below(self) -> str | None:
-        """Path below [cell] of a disc that leaves a hole in the lower face; None where that is whole."""
+        """Path below [cell] of a disc that makes a hole in the lower face; None without a hole."""
         for table, discs in self.disc_tables.items():
             stack = Stack(discs, self.thickness, self.is_mirrored)
             if VOID in stack.grid[stack.in_plate - 1 if self.is_mirrored else 0]:
@@ -246,7 +246,7 @@ class UnitCell(TileShape):
         return None
 
     def ways(self, numbers: Iterable[int]) -> Iterator[float]:
-        """Widths of the ways between the pillars of some sites and their neighbours, m."""
+        """Widths of the gaps between the pillars of some sites and their neighbours, m."""
         steps = np.array(list(product((-1, 0, 1), repeat=2)))
         for number, (beside, other) in product(numbers, enumerate(self.pillars)):
             pillar = self.pillars[number]
@@ -260,23 +260,23 @@ class UnitCell(TileShape):
         if self.is_simple:
             return (self.feature,)
         named = len(SITES.get(self.lattice.name, ()))
-        own = [site.pillar or self._stack(site.disc) for site in self.site] or [self.feature] * named
-        return (*own, *[None] * (len(self.shares) - len(own)))
+        given = [site.pillar or self._stack(site.disc) for site in self.site] or [self.feature] * named
+        return (*given, *[None] * (len(self.shares) - len(given)))
 
     @property
     def parts(self) -> str:
-        """What is on the sites, in a word: pillars, discs or both; or solids."""
+        """Kinds of features on the sites, as text: pillars, discs or both; or solids."""
         kinds = dict.fromkeys(feature.noun for feature in self.features if feature is not None)
         return "solids" if self.solid else " and ".join(f"{kind}s" for kind in kinds)
 
     @property
     def has_features(self) -> bool:
-        """True if the cell is no plain plate."""
+        """True unless the cell is plain plate."""
         return any(self.features) or self.solid is not None
 
     @cached_property
     def solid_period(self) -> SolidPeriod:
-        """The solids of the CAD file as one period of the plate; errors as of `Solid.period`."""
+        """The solids of the CAD file as one period of the plate; for errors see `Solid.period`."""
         assert self.solid is not None
         group = self.lattice.point_group
         turns = [group.turn(operation)[:2, :2] for operation in group.operations]
@@ -284,7 +284,7 @@ class UnitCell(TileShape):
 
     @cached_property
     def tiles(self) -> tuple[PlacedTile, ...]:
-        """What the cell consists of, a tile for each site; equal ones are one object."""
+        """Tiles of the cell, one for each site; equal tiles are the same object."""
         if self.is_simple:
             return (PlacedTile(self, np.eye(3), np.zeros(2)),)
         return placed_tiles(
@@ -296,7 +296,7 @@ class UnitCell(TileShape):
         )
 
     def tile_like(self, number: int, placed: PlacedTile) -> TileShape:
-        """The tile of a site in the axes of another, of whose corners its own are numbered alike."""
+        """The tile of a site in the axes of another tile, with corners numbered like those of the other."""
         if self.is_simple:
             return self
         outline, turn = self.outlines[number], placed.turn
@@ -310,7 +310,7 @@ class UnitCell(TileShape):
 
     @cached_property
     def outlines(self) -> list[Array]:
-        """(sides, 2) what lies nearer to each site than to any other, about the site, m."""
+        """(sides, 2) polygon about each site, nearer to it than to any other site, m."""
         return polygons(self.shares, self.lattice)
 
     @property
@@ -320,12 +320,12 @@ class UnitCell(TileShape):
 
     @property
     def free_edges(self) -> tuple[FreeEdge, ...]:
-        """None: it goes on all around."""
+        """Free edges of the cell: none."""
         return ()
 
     @cached_property
     def area(self) -> float:
-        """m^2."""
+        """Area of the cell, m^2."""
         return self.lattice.area
 
     @property
@@ -345,40 +345,40 @@ class UnitCell(TileShape):
     @cached_property
     def inradius(self) -> float:
         """Distance from the centre of the cell, or from a site, to the nearest side of its tile, m."""
-        return self.lattice.inradius if self.is_simple else min(one.tile.inradius for one in self.tiles)
+        return self.lattice.inradius if self.is_simple else min(placed.tile.inradius for placed in self.tiles)
 
     @cached_property
     def point_group(self) -> PointGroup:
-        """The turns and mirrors that leave lattice, pillars and material as they are.
+        """Rotations and mirrors that leave lattice, pillars and material unchanged.
 
-        Where there are several sites a move may belong to them, see `site_map`.
+        With several sites, a translation may belong to an operation, see `site_map`.
         """
         group = self.lattice.point_group
-        kept = [op for op in group.operations if self.site_map(op) is not None]
+        operations = [op for op in group.operations if self.site_map(op) is not None]
         if self.solid is not None:
-            kept = [op for op, keeps in zip(kept, self.solid_period.kept, strict=True) if keeps]
-        return PointGroup(group.vectors, tuple(kept)).kept(
+            operations = [op for op, keeps in zip(operations, self.solid_period.kept, strict=True) if keeps]
+        return PointGroup(group.vectors, tuple(operations)).kept(
             lambda turn: all(is_symmetry(solid.stiffness, turn) for solid in self.materials.values())
         )
 
     def site_map(self, operation: Operation) -> SiteMap | None:
-        """Where an operation of the lattice takes the sites; None if not to others that are alike."""
+        """Map of the sites by an operation of the lattice; None if a site would meet a different one."""
         return site_map(self.shares, self.features, operation, self.lattice.point_group.turn(operation))
 
     @cached_property
     def zone(self) -> IrreducibleZone:
-        """The part of the Brillouin zone that these operations and time reversal do not repeat."""
+        """Part of the Brillouin zone that these operations and time reversal do not repeat."""
         return IrreducibleZone.of(self.lattice, self.point_group)
 
     def scaled(self, factor: float) -> UnitCell:
-        """The same cell with every length multiplied by ``factor``."""
+        """A copy with every length multiplied by ``factor``."""
         return replace(
             self,
             lattice=self.lattice.scaled(factor),
             thickness=self.thickness * factor,
             pillar=self.pillar and self.pillar.scaled(factor),
             disc=tuple(disc.scaled(factor) for disc in self.disc),
-            site=tuple(one.scaled(factor) for one in self.site),
+            site=tuple(site.scaled(factor) for site in self.site),
         )
 
     def numbers(self) -> dict[str, float]:
@@ -386,15 +386,15 @@ class UnitCell(TileShape):
         return numbers(self, "cell.")
 
     def with_numbers(self, changes: Mapping[str, float]) -> UnitCell:
-        """The cell with some of its `numbers` changed, all at once.
+        """A copy with some of its `numbers` changed, all at once.
 
         Raises
         ------
-        GeometryError : sizes that do not make a body
+        GeometryError : sizes that do not form a body
         """
         return with_numbers(self, changes, "cell.")
 
     def without_pillar(self) -> UnitCell:
-        """The plain plate of the same period and sites."""
-        site = tuple(replace(one, pillar=None, disc=()) for one in self.site)
+        """Plain plate with the same period and sites."""
+        site = tuple(replace(place, pillar=None, disc=()) for place in self.site)
         return replace(self, pillar=None, disc=(), solid=None, site=site)

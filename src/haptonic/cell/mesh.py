@@ -1,6 +1,6 @@
-"""Block-structured hexahedral meshes of a unit cell: numbers from the plan, points from the sizes.
+"""Block-structured hexahedral meshes of a unit cell: topology from the plan, points from the sizes.
 
-A sweep changes numbers, not topology.
+A sweep changes sizes, not topology.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class HexMesh:
 
     @property
     def rim_points(self) -> Array:
-        """(around, 3) of the lateral faces' lowest nodes, anticlockwise from the first corner, m."""
+        """(around, 3) lowest nodes of the lateral faces, anticlockwise from the first corner, m."""
         return np.asarray(self.points[self.topology.rim[0]])
 
     @property
@@ -40,13 +40,13 @@ class HexMesh:
         return 3 * len(self.points)
 
     def grids(self) -> list[tuple[int, ...]]:
-        """(elements, p1, p2, p3) for each family: how many elements of which orders."""
+        """(elements, p1, p2, p3) for each family: number of elements and their orders."""
         return [(len(family), *(n - 1 for n in family.nodes.shape[1:])) for family in self.topology.families]
 
     def linear_subcells(self) -> Ints:
         """(cells, 8) corners of the small hexahedra between neighbouring nodes, in VTK's order.
 
-        Family by family, element by element, the last of the three local axes running fastest.
+        They are listed by family and element, with the last of the three local axes running fastest.
         """
         low, high = slice(None, -1), slice(1, None)
         turn = [(low, low), (high, low), (high, high), (low, high)]
@@ -58,11 +58,13 @@ class HexMesh:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceMesh:
-    """The surface of a tile of which the inside is not shown.
+    """Surface of a tile whose inside is not shown.
 
-    points : (nodes, 3) m; cells : (m, 4) quadrilaterals, anticlockwise as seen from outside
-    rim_points : (around, 3) see `HexMesh`; unknowns : of the elements inside
-    topology : of a plate in blocks with the same lateral faces
+    points : (nodes, 3) m
+    cells : (m, 4) quadrilaterals, anticlockwise as seen from outside
+    rim_points : (around, 3) see `HexMesh`
+    unknowns : number of displacement components of the elements inside
+    topology : topology of a plate in blocks with the same lateral faces
     """
 
     points: Array
@@ -72,24 +74,24 @@ class SurfaceMesh:
     topology: Topology
 
     def grids(self) -> list[tuple[int, ...]]:
-        """(cells,): they belong to no element."""
+        """(cells,), because the cells belong to no element."""
         return [(len(self.cells),)]
 
     def linear_subcells(self) -> Ints:
-        """(cells, 8) flat hexahedra, of which the lower face is seen and the upper one has no extent."""
+        """(cells, 8) flat hexahedra; the lower face is visible and the upper one has no extent."""
         return np.hstack([self.cells[:, ::-1], np.repeat(self.cells[:, -1:], 4, axis=1)])
 
 
 def side_shares(plan: MeshPlan) -> Array:
-    """(side,) where the nodes lie along a side of a tile, from 0 on; the last corner belongs to the next."""
+    """(side,) positions of the nodes along a side of a tile, from 0, without the last corner."""
     along = 0.5 * (1 + lobatto(plan.order)[0])
     return np.asarray((np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks)
 
 
 def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
-    """Mesh of a unit cell: its topology from the plan, its points from the sizes.
+    """Mesh a unit cell: topology from the plan, points from the sizes.
 
-    Where a cell is its own image in the middle plane, the plan is that of the half above it.
+    If a cell is its own image in the middle plane, the plan is that of the half above it.
     """
     profile, outlines = Profile.of(cell, plan), _Outlines.of(cell, plan)
     levels = []
@@ -112,8 +114,8 @@ class _Outlines:
 
     core : around the core, for a half-width of 1
     width, rings : half-widths of the borders about the axis, m, and each border for a half-width of 1
-    rim : around the cell, or around the pillar that it is a piece of, m
-    shares : where the nodes lie along a side of a patch of the core
+    rim : around the cell, or around the pillar for a piece of a pillar, m
+    shares : positions of the nodes along a side of a patch of the core
     """
 
     core: Array
@@ -136,7 +138,7 @@ class _Outlines:
         return cls(core=core, width=width, rings=rings, rim=rim, shares=shares)
 
     def ring(self, width: float) -> Array:
-        """The curve of a half-width, m: between two borders in proportion, elsewhere like the nearest."""
+        """Curve for a half-width, m: interpolated between two borders, beyond them like the nearest one."""
         number = int(np.searchsorted(self.width, width))
         if len(self.rings) == 1 or number in (0, len(self.rings)):
             return width * self.rings[min(number, len(self.rings) - 1)]
@@ -146,7 +148,7 @@ class _Outlines:
 
 
 def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> Array:
-    """(nodes, 3) positions of all nodes that a level can have, m; a pillar's has the first of them only."""
+    """(nodes, 3) positions of all possible nodes of a level, m; a pillar's level has only the first ones."""
     plan = profile.plan
     widths, heights = profile.between(layer, share)
     edge = widths[0][0] * outlines.core
@@ -160,7 +162,7 @@ def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> A
     for ring, (width, height) in enumerate(zip(widths, heights, strict=True)):
         along = profile.ring_shares[ring]
         for s, w, z in list(zip(along, width, height, strict=True))[1:]:
-            if ring == 0:  # from the core's outline to that of the others
+            if ring == 0:  # from the core's outline to that of the other rings
                 curve = outlines.ring(w) + (1 - s) * (width[0] * outlines.core - outlines.ring(width[0]))
             elif ring == len(widths) - 1:
                 curve = (1 - s) * outlines.ring(w) + s * outlines.rim

@@ -1,4 +1,4 @@
-"""Orders, elements and layers that a tile's lengths ask for, which `MeshPlan` puts together."""
+"""Orders, elements and layers that a tile's lengths require, for `MeshPlan`."""
 
 from __future__ import annotations
 
@@ -10,24 +10,25 @@ from haptonic.cell.pillar import Pillar
 from haptonic.cell.stack import Feature
 from haptonic.cell.tile import TileShape, sides_of
 
-ROUNDING = 1e-9  # of a ratio of lengths, which must not change the plan of a scaled cell
-# Length of an element along a prism, and along other pillars, whose order is higher, in diameters: of one of
-# 1 deg draft, twelve diameters high, 1.4 and order 6 lost 1e-7, 2.8 lost 1e-5.
+ROUNDING = 1e-9  # tolerance of ratios of lengths, so that a scaled cell has the same plan
+# Length of an element along a prism, and along other pillars, whose order is higher, in diameters. For a
+# pillar with 1 deg draft, twelve diameters high, the error was 1e-7 with 1.4 and order 6, and 1e-5 with 2.8.
 PRISM_LAYER, LAYER_LENGTH = 1.4, 2.8
-SHORT_STAGE = 1.4  # diameters up to which two layers lead from the foot to a step
-# Levels more through the rim, by the width of plate between it and the foot, in thicknesses. At 0.1 the cubic
-# of order 4 lost 0.18 % that no other direction mended and no lower order told, two more mended it;
-# at 0.4 one more took 0.05 % to 0.03 %, and from 0.48 on they brought nothing.
+SHORT_STAGE = 1.4  # diameters; up to this length, two layers are enough between foot and step
+# Additional levels through the rim, by the width of plate between it and the foot, in thicknesses. At 0.1 the
+# error with the cubic of order 4 was 0.18 %, which no other direction reduced and no lower order showed; two
+# more levels removed it. At 0.4 one more reduced 0.05 % to 0.03 %, and from 0.48 on they had no effect.
 NEAR_RIM = {0.2: 2, 0.45: 1}
-# Bands whose waves the orders of an accuracy were chosen for, and the most that a single element should have
-# around a quarter turn: two of half as much, and one more, cost a third of it.
+# Bands whose waves determined the orders of an accuracy, and the highest order of a single element around a
+# quarter turn: two elements of half the order plus one cost a third.
 USUAL_BANDS, MOST_AROUND = 10, 10
 
 
 def layers_along(pillar: Pillar) -> list[int]:
     """Layers of each of a pillar's stages, the lowest of them short, and the highest below a step.
 
-    Without that one 2.8 diameters below a step's edge lost 0.06 %, of which no lower order told.
+    Without a short layer, the error of one 2.8 diameters below a step's edge was 0.06 %, not shown by lower
+    orders.
     """
     longest = PRISM_LAYER if pillar.is_prism else LAYER_LENGTH
     lengths = [(high - low) / (2 * width) for low, high, width in pillar.stages]
@@ -38,11 +39,11 @@ def layers_along(pillar: Pillar) -> list[int]:
 
 
 def neck_of(cell: TileShape, pillar: Feature, least: float = 0.0) -> float:
-    """Half the length on which two pillars are near each other, as a share of half the side it lies on.
+    """Half the length over which two pillars are near each other, as a share of half the side it lies on.
 
-    That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter one nine orders
-    around, a square's, lost 3 %.
-    A pillar of a radius below ``least`` (m) is taken for one of that radius.
+    That is the longer side. On a cell of 1 to 1.7 whose pillar leaves 0.15 of the shorter side, the error
+    with nine orders around, as for a square, was 3 %. A radius of a pillar below ``least`` (m) is replaced by
+    ``least``.
     """
     normal, away = sides_of(cell.corners)
     free = np.maximum(away - pillar.widest * pillar.outline.support(normal), ROUNDING * cell.extent)
@@ -51,15 +52,15 @@ def neck_of(cell: TileShape, pillar: Feature, least: float = 0.0) -> float:
 
 
 def levels_near_rim(cell: TileShape) -> int:
-    """Levels more on the rim for what the foot does there."""
+    """Additional levels on the rim because of the foot's stress."""
     share = cell.clearance / cell.thickness
     return next((more for near, more in NEAR_RIM.items() if share < near * (1 - ROUNDING)), 0)
 
 
 def orders_for_bands(cell: TileShape, bands: float) -> float:
-    """Orders more than usual that so many bands need along the longer side of the cell.
+    """Additional orders for so many bands along the longer side of the cell.
 
-    They are pi for each wavelength that the last band of a plain plate has there beyond those of the usual
+    They are pi for each wavelength along this side by which the last band of a plain plate exceeds the usual
     bands. As many flexural waves fit into a circle about Gamma whose area is that of as many zones.
     """
     waves = math.sqrt(bands / math.pi * cell.elongation)
@@ -72,10 +73,10 @@ def around_quarter(turn: float, more: float) -> tuple[int, int]:
 
 
 def rounded(value: float) -> int:
-    """The nearest whole number; of a half the upper one, whatever rounding errors it has."""
+    """Nearest integer; a half is rounded up whatever its rounding error."""
     return round((1 + ROUNDING) * value)
 
 
 def divided_order(order: int) -> tuple[int, int]:
-    """Order and number of the elements that resolve as much as a single one of ``order``."""
+    """Order and number of elements with the resolution of a single element of ``order``."""
     return (order, 1) if order <= MOST_AROUND else ((order + 1) // 2 + 1, 2)

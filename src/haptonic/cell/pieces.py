@@ -1,4 +1,4 @@
-"""A tile whose pillar has a step, taken apart: the plate with the pillar's foot, and what is about the step.
+"""Division of a tile whose pillar has a step, into plate with foot and the part about the step.
 
 Each is graded towards its own edge only. Between them the pillar is a prism, which needs no mesh.
 """
@@ -20,7 +20,7 @@ from haptonic.materials import Material
 class Piece(TileShape):
     """A tile with another pillar, or the part of its pillar about a step, as a tile of its own.
 
-    whole : what it is a piece of
+    whole : tile that it is a piece of
     """
 
     whole: TileShape
@@ -62,25 +62,25 @@ class Piece(TileShape):
 
 @dataclass(frozen=True)
 class Meshed:
-    """What is meshed by itself: a tile, its plan, and the height of its lower end, m."""
+    """Part with a mesh of its own: a tile, its plan, and the height of its lower end, m."""
 
     tile: TileShape
     plan: MeshPlan
     base: float = 0.0
 
     def without_body(self) -> Meshed:
-        """The same up to where a pillar that is a prism needs no mesh."""
+        """A copy up to where a pillar that is a prism needs no mesh."""
         if self.tile.pillar is None or not self.tile.pillar.is_prism:
             return self
         return replace(self, plan=self.plan.foot)
 
     def boundary(self, levels: int) -> int:
-        """Unknowns of a trace of some levels; either end of a pillar's piece follows about as many as one."""
+        """Unknowns of a trace of some levels; either end of a pillar's piece counts as about one level."""
         return 3 * self.plan.around * (levels if self.tile.free_width is None else 2)
 
 
 def pieces_of(tile: TileShape, plan: MeshPlan) -> tuple[Meshed, ...]:
-    """What is meshed of a tile on a plan, from below: itself, or two pieces of it."""
+    """Meshed parts of a tile on a plan, from below: the tile itself, or two pieces of it."""
     pillar, prism = tile.pillar, between_edges(tile)
     if prism is None:
         return (Meshed(tile, plan),)
@@ -90,14 +90,14 @@ def pieces_of(tile: TileShape, plan: MeshPlan) -> tuple[Meshed, ...]:
     lower = Piece(tile, tile.thickness, replace(pillar, height=cut, step=None))
     upper = Piece(tile, step - cut, pillar.above_step, pillar.radius)
     along = max(plan.upward, plan.thin)
-    own = replace(plan, step_layers=0, step_rings=0, along=along)
+    shared = replace(plan, step_layers=0, step_rings=0, along=along)
     return (
-        Meshed(lower, _fitted(own, lower)),
-        Meshed(upper, _fitted(replace(own, plate_layers=1, upward=along), upper), tile.thickness + cut),
+        Meshed(lower, _fitted(shared, lower)),
+        Meshed(upper, _fitted(replace(shared, plate_layers=1, upward=along), upper), tile.thickness + cut),
     )
 
 
 def _fitted(plan: MeshPlan, piece: Piece) -> MeshPlan:
-    """With the elements that lead from the edge of a piece, and along it."""
+    """The plan with the elements that lead away from the edge of a piece, and along it."""
     layers, rings = layers_along(piece.pillar)[0], bridges(piece, plan.foot_rings)
     return replace(plan, pillar_layers=layers, bridges=rings)

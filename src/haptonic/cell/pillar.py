@@ -1,4 +1,4 @@
-"""The pillar: a family of bodies that an end mill can leave standing on a plate."""
+"""Pillar: a family of bodies that an end mill can produce on a plate."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ from haptonic.units import format_quantity
 
 Faces = Literal["one", "both"]
 
-LEAST_SHARE = 0.05  # of the width at the foot that the narrowest section keeps
+LEAST_SHARE = 0.05  # smallest width of a section, relative to the width at the foot
 STEEPEST = math.radians(40)  # draft
 ALONG_STAGE = 12  # order of the points along a stage: exact for straight sides, and curves of degree 11
 USUAL_DRAFT = (0.0, math.radians(10))
@@ -54,11 +54,11 @@ USUAL_DRAFT = (0.0, math.radians(10))
 
 @described("cell.pillar", GeometryError)
 class Pillar(Sectioned):
-    """Pillar centred on the cell. All lengths in m, angles in rad.
+    """Pillar at the centre of the cell. All lengths in m, angles in rad.
 
     Raises
     ------
-    GeometryError : sizes that do not make a body
+    GeometryError : sizes that do not form a body
     """
 
     noun: ClassVar[str] = "pillar"
@@ -125,7 +125,7 @@ class Pillar(Sectioned):
         self._check_sides()
         if self.material is not None and self.fillet:
             # No mesh is graded towards the fillet's rim, where the materials meet: errors of steel on
-            # aluminium were up to six times what is stated.
+            # aluminium were up to six times the estimate.
             raise problem(
                 "conflict",
                 f"a fillet of {_text(self.fillet)} on a pillar of {self.material.name}",
@@ -182,7 +182,7 @@ class Pillar(Sectioned):
                 )
 
     def _check_step(self, step: Step) -> None:
-        """Refuse a step above the top, or one that leaves next to nothing above it."""
+        """Refuse a step above the top, or one that leaves almost nothing above it."""
         if not step.height < self.height:
             raise problem(
                 "out-of-range",
@@ -197,7 +197,7 @@ class Pillar(Sectioned):
                 "out-of-range",
                 _text(step.diameter),
                 f"at least {_text(LEAST_SHARE * self.diameter)}",
-                "above the step next to nothing would be left of the pillar",
+                "almost nothing of the pillar would be left above the step",
                 "choose a thicker upper part",
                 at="step.diameter",
             )
@@ -216,24 +216,25 @@ class Pillar(Sectioned):
         return width - (height - low) * math.tan(self.draft)
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
-        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the pillar as it is."""
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the pillar unchanged."""
         return self.keeps_material(turn) and self.outline.has_symmetry(turn[:2, :2])
 
     def is_image(self, other: object, turn: NDArray[np.float64]) -> bool:
-        """True if an orthogonal map (3, 3) that keeps the normal takes the pillar to another one."""
+        """True if an orthogonal map (3, 3) that keeps the normal maps the pillar to another one."""
         if not isinstance(other, Pillar):
             return False
         if len(self.stages) != len(other.stages) or self.material != other.material:
             return False
-        mine, its = (np.array([*np.ravel(p.stages), p.draft, p.fillet]) for p in (self, other))
-        alike = self == other or bool((np.abs(mine - its) <= SAME * np.abs(mine)).all())
+        own_sizes, other_sizes = (np.array([*np.ravel(p.stages), p.draft, p.fillet]) for p in (self, other))
+        alike = self == other or bool((np.abs(own_sizes - other_sizes) <= SAME * np.abs(own_sizes)).all())
         return alike and self.keeps_material(turn) and self.outline.image(turn[:2, :2]).is_same(other.outline)
 
     @cached_property
     def _outline(self) -> Array:
-        """(stage, point) half-widths along the height of every stage, m; what follows reads this only.
+        """(stage, point) half-widths along the height of every stage, m; the properties below use only these.
 
-        At Gauss-Lobatto points: the ends of the stages are among them, and so are bulges and waists between.
+        The points are Gauss-Lobatto points: they include the ends of the stages, and bulges and waists
+        between.
         """
         share = 0.5 * (1 + lobatto(ALONG_STAGE)[0])
         return np.array(
@@ -250,37 +251,37 @@ class Pillar(Sectioned):
 
     @property
     def broadest(self) -> float:
-        """Largest half-width, the fillet not counted, m."""
+        """Largest half-width, without the fillet, m."""
         return float(self._outline.max())
 
     @property
     def widest(self) -> float:
-        """Largest half-width, the fillet counted, m."""
+        """Largest half-width, including the fillet, m."""
         return max(self.broadest, self.arc.centre[0] if self.arc else 0.0)
 
     @property
     def solids(self) -> tuple[Material, ...]:
-        """Its own material, if it has one."""
+        """The pillar's own material, if it has one."""
         return (self.material,) if self.material is not None else ()
 
     @property
     def borders(self) -> tuple[Scaled]:
-        """Its section where it is widest."""
+        """The section at its widest place."""
         return (Scaled(self.outline, self.widest),)
 
     @property
     def is_prism(self) -> bool:
-        """Whether all sections above the foot, and its fillet, are one and the same."""
+        """True if all sections above the foot and its fillet are equal."""
         return self.narrowest == self.broadest
 
     @property
     def is_cylinder(self) -> bool:
-        """True if the pillar is a plain round one, of whatever material."""
+        """True for a plain round pillar of any material."""
         return self == Pillar(self.diameter, self.height, material=self.material)
 
     @cached_property
     def arc(self) -> Fillet | None:
-        """The fillet, if there is one."""
+        """The fillet, or None."""
         if not self.fillet:
             return None
         cosine, slope = math.cos(self.draft), math.tan(self.draft)
@@ -289,13 +290,13 @@ class Pillar(Sectioned):
 
     @property
     def volume(self) -> float:
-        """m^3, the fillet counted."""
+        """Volume including the fillet, m^3."""
         lengths = np.array([high - low for low, high, _ in self.stages])
         squares = 0.5 * lengths @ (self._outline**2 @ lobatto(ALONG_STAGE)[1])
         return self.outline.area * (float(squares) + self._fillet_squares())
 
     def _fillet_squares(self) -> float:
-        """Integral over height of what the fillet adds to the square of the half-width, m^3."""
+        """Integral over height of the increase of the squared half-width by the fillet, m^3."""
         if self.arc is None:
             return 0.0
         points, weights = np.polynomial.legendre.leggauss(40)
@@ -307,7 +308,7 @@ class Pillar(Sectioned):
         return float(((width**2 - side**2) * dz).sum())
 
     def scaled(self, factor: float) -> Pillar:
-        """The same pillar with every length multiplied by ``factor``."""
+        """A copy with every length multiplied by ``factor``."""
         step = self.step and Step(self.step.diameter * factor, self.step.height * factor)
         return replace(
             self,
@@ -320,7 +321,7 @@ class Pillar(Sectioned):
 
     @property
     def above_step(self) -> Pillar:
-        """What stands on the ledge of the step, as a pillar with upright sides."""
+        """The part above the step, as a pillar with upright sides."""
         assert self.step is not None
         share = self.step.diameter / self.diameter
         return replace(
@@ -334,7 +335,7 @@ class Pillar(Sectioned):
         )
 
     def _steepest(self) -> float:
-        """Largest slope of the sides, inwards, that leaves something of each part, and a step at the step."""
+        """Largest inward slope of the sides that leaves something of each part, and a ledge at the step."""
         least = LEAST_SHARE * self.radius
         slopes = [(width - least) / (high - low) for low, high, width in self.stages]
         if self.step is not None:

@@ -26,7 +26,7 @@ class Corner:
 
 @described("cell.pillar.step", GeometryError)
 class Step:
-    """Where a pillar becomes narrower, m. The section above is a scaled copy of that below."""
+    """Step at which a pillar becomes narrower, m. The section above is a scaled copy of that below."""
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
         "Smaller than below it by more than 5 %.", title="Diameter above the step"
@@ -38,9 +38,9 @@ class Step:
 
 @dataclass(frozen=True)
 class Fillet:
-    """The arc between the plate's top and the pillar's side, in (half-width, height above the plate), m.
+    """Arc between the plate's top and the pillar's side, in (half-width, height above the plate), m.
 
-    It touches both. Angles count from the direction to the plate, up to ``opening``.
+    It touches both. Angles are measured from the direction to the plate, up to ``opening``.
     """
 
     radius: float

@@ -23,46 +23,50 @@ from haptonic.cell.sectors import least_blocks
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape
 
-# Times the orders around the pillar beside a thin plate: waves between pillars are shorter. Eight left 2.5 %
-# of a tenth band that nine leave 0.2 % of: fields of its parity gain nothing from an even order.
+# Factor on the orders around the pillar on a thin plate, because waves between pillars are shorter. With
+# eight orders the error of a tenth band was 2.5 %, with nine 0.2 %: fields of its parity gain nothing from an
+# even order.
 SHORT_WAVES = 3 / 2
 SHEET_WAVES = 5 / 3  # the same on a sheet
-SHEET_NECK = 0.7  # what `WIDE_NECK` is on a sheet
-THIN_NECK = 0.46  # and on a thin plate: one order fewer told 0.7 % where 0.3 % are told
-# Length of the neck between two pillars, in half pitches, that a quarter turn's order suits. At 0.36 seven
-# orders left 0.2 %, of which no lower order told a third; eight left 0.07 %.
+SHEET_NECK = 0.7  # like `WIDE_NECK`, on a sheet
+THIN_NECK = 0.46  # and on a thin plate: with one order fewer the error was 0.7 %, for an estimate of 0.3 %
+# Length of the neck between two pillars, in half pitches, that a quarter turn's order is enough for. At 0.36
+# the error with seven orders was 0.2 %, of which no lower order showed a third; with eight 0.07 %.
 WIDE_NECK = 0.5
-# Orders more along a pillar that is meshed to its top. The lower mesh loses two and has three, which leave at
-# most 0.015 %. With fewer there the estimate is the lower mesh's error along the pillar, 20 to 50 times what
-# the finer mesh leaves.
+# Additional orders along a pillar that is meshed to its top. The coarser mesh has two fewer, that is three,
+# with errors of at most 0.015 %. With fewer the estimate would be the coarser mesh's error along the pillar,
+# 20 to 50 times the error of the finer mesh.
 ALONG_MORE = 5
-# Most of the same through the plate, whose strain below the foot dies out over the pillar's width. A plate of
-# 1.8 diameters in one layer lost 0.1 % at orders 3 and 4, which no lower order told; two layers leave 0.03 %.
-# Where layers grow from the foot's thin ones on down, two leave 3e-5 of a plate of six diameters.
+# Largest length of an element through the plate, whose strain below the foot decays over the pillar's width,
+# in diameters. With one layer in a plate of 1.8 diameters the error at orders 3 and 4 was 0.1 %, which no
+# lower order showed, with two 0.03 %. If layers grow from the foot's thin ones downwards, the error of
+# two is 3e-5 for six diameters.
 PLATE_LAYER, MOST_BELOW_BRIDGES = 1.0, 2
-HOLE_NECK = 0.8  # what `WIDE_NECK` is between two holes, where all the plate bends
-LEAST_DIVIDED = 3  # order of elements that an outline's corners divide: with one less linear ones stay usable
+HOLE_NECK = 0.8  # like `WIDE_NECK`, between two holes, where the whole plate bends
+LEAST_DIVIDED = 3  # order of elements divided at an outline's corners; estimates use one lower
 
 
 @dataclass(frozen=True)
 class MeshPlan:
-    """Resolution and topology of a mesh, free of any length.
+    """Resolution and topology of a mesh, without any lengths.
 
     order : polynomial order of each element around the pillar and in the core; see `per_quarter`
     foot_rings : thin rings on either side of the pillar's foot, and as many thin layers
     pillar_layers : layers of elements along the pillar above the thin ones, up to its step if it has one; 0
-        means no pillar
-    step_layers : layers above the step; 0 means no step
+        for no pillar
+    step_layers : layers above the step; 0 for no step
     step_rings : thin rings on either side of the step's edge, and as many thin layers
-    bridges : rings inside and outside, layers above and below that lead from the foot's thin ones to the rest
+    bridges : rings inside and outside, layers above and below, between the foot's thin ones and the rest
     blocks : elements along each side of the cell, and along each quarter of every ring
     plate_layers : layers through the plate below the thin ones
-    near_rim : levels more than elsewhere that the trace on the rim has through the plate, see `trace_levels`
-    sides : of the polygon
-    stack : blocks of a stack of discs, in place of a pillar's
-    levels : nodes of the trace through the thickness where tiles of other plans have to meet; 0 means its own
-    outward : polynomial order across the rings; upward : along z through the plate; along : along z in the
-        pillar; thin : across thin rings and thin layers; 0 means as ``order``, along as ``upward``
+    near_rim : additional levels of the trace on the rim through the plate, see `trace_levels`
+    sides : number of sides of the polygon
+    stack : blocks of a stack of discs, instead of a pillar's
+    levels : nodes of the trace through the thickness, if tiles of other plans have to match; 0 for its own
+    outward : polynomial order across the rings; 0 for ``order``
+    upward : along z through the plate; 0 for ``order``
+    along : along z in the pillar; 0 for ``upward``
+    thin : across thin rings and thin layers; 0 for ``order``
     """
 
     order: int
@@ -89,15 +93,15 @@ class MeshPlan:
 
     @classmethod
     def suited(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None = None) -> MeshPlan:
-        """Plan for a cell of any number of sides.
+        """Choose a plan for a cell with any number of sides.
 
-        Where these are not four there are two blocks to each, because patches of the core end in the middle
-        of sides. They span less than a quarter turn, and a polynomial of one order more than their share of
-        a quarter's is as good along them.
+        If the cell does not have four sides, each has two blocks, because patches of the core end in the
+        middle of sides. They span less than a quarter turn, for which a polynomial of their share of a
+        quarter's order plus one has the same error.
         """
-        if cell.solid is not None:  # what the lateral faces have; the inside is meshed elsewhere
+        if cell.solid is not None:  # a plan of the lateral faces; the inside is meshed elsewhere
             sides = len(cell.corners)
-            if cell.solid.is_mesh:  # nothing is refined; elements may cross the middles of sides
+            if cell.solid.is_mesh:  # it is never refined; elements may cross the middles of sides
                 return cls(2 * order, 0, 0, upward=order, sides=sides, levels=order + 1)
             return cls(order, foot_rings, 0, blocks=2, sides=sides, levels=order + 1)
         plan = cls._of_quarters(cell, order, foot_rings, bands)
@@ -109,14 +113,14 @@ class MeshPlan:
 
     @property
     def foot(self) -> MeshPlan:
-        """The same with one layer along the pillar above the thin ones: a prism goes on without a mesh."""
+        """A copy with one layer along the pillar above the thin ones; a prism continues without a mesh."""
         return replace(self, pillar_layers=1)
 
     def divided(self, pieces: int, least: int) -> MeshPlan:
-        """The same with elements that end at every so many equal pieces of each side, of an order at least.
+        """A copy with elements that end at equal pieces of each side, with at least some order.
 
-        As where a cell has no four sides, a polynomial of one order more than their share is as good along
-        shorter ones.
+        As for cells without four sides, a polynomial of their share of the order plus one has the same error
+        along shorter elements.
         """
         blocks = math.lcm(self.blocks, pieces)
         if blocks == self.blocks:
@@ -125,33 +129,35 @@ class MeshPlan:
 
     @classmethod
     def _of_quarters(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None) -> MeshPlan:
-        """Plan of similar errors in all directions, its elements not much longer than the pillar is wide.
+        """Plan with similar errors in all directions, and elements not much longer than the pillar is wide.
 
-        More bands than usual are shorter waves: a polynomial needs pi orders for each wave along it before
+        More bands than usual have shorter waves: a polynomial needs pi orders for each wave along it before
         it resolves anything, and gets as many more. Across the rings it gets half of them, rounded up: with
-        one too few a tenth band on a thin rectangular plate lost 0.4 %, of which the lower order told a
-        third, because fields of one parity gain nothing from every other order.
+        one fewer, the error of a tenth band on a thin rectangular plate was 0.4 %, of which the lower order
+        showed a third, because fields of one parity gain nothing from every other order.
 
-        Around the pillar an element spans a quarter turn and gets two orders more, and still more where a
-        neck between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has
-        quartic elements: cubic ones are too stiff along a pillar that bends and across the plate beside it,
-        by more than all the rest together, and with five orders in place of six around it the tenth band of
-        every third design lost 0.7 to 3 %, of which a lower order told a quarter to a half; with six 0.2 to
-        0.5 %. On a thin plate quartic ones would lock in the lower order that tells the
-        error: there they are of one order more. Along a pillar that is no prism, and so is meshed to its
-        top, all get `ALONG_MORE` orders more: bending of a slender one would err most of all there.
+        Around the pillar an element spans a quarter turn and gets two orders more, and still more if a neck
+        between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has quartic
+        elements: cubic ones are too stiff along a pillar that bends and across the plate beside it, by more
+        than all other errors together. With five orders instead of six around it, the error of the tenth band
+        of every third design was 0.7 to 3 %, of which a lower order showed a quarter to a half; with six 0.2
+        to 0.5 %. On a thin plate quartic elements would lock in the lower order that estimates the error, so
+        they have one order more there. Along a pillar that is not a prism, and therefore is meshed to its
+        top, all elements get `ALONG_MORE` orders more, because bending of a slender pillar has the largest
+        error there.
         """
         shorter = orders_for_bands(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
         if cell.stack is not None:
             return cls._of_stack(cell, cell.stack, order, foot_rings, shorter)
         if cell.pillar is None:
-            sheet = cell.is_sheet  # in order 4 it lost 1.5 % where one more left 0.6 %
+            sheet = cell.is_sheet  # its error was 1.5 % in order 4, and 0.6 % in one more
             around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
             around, blocks = divided_order(around + more + bool(more))
             outward = (order + 3 if sheet else order) + more // 2
-            # Of a plate as thick as half its pitch, of Poisson ratio 0.44, order 3 through it left 2.8e-2, 4
-            # 6e-4, 5 2.4e-4, 6 nothing: what an odd one leaves, the lower one does not tell.
+            # For a plate as thick as half its pitch, with Poisson ratio 0.44, the error was 2.8e-2 with order
+            # 3 through it, 6e-4 with 4, 2.4e-4 with 5 and nothing with 6: the error of an odd order does not
+            # show in the lower one.
             upward = order + order % 2 if order > 4 else order
             return cls(around, 0, 0, blocks=blocks, outward=outward, upward=upward, thin=order)
         if cell.is_sheet:
@@ -184,14 +190,15 @@ class MeshPlan:
     def _of_sheet(
         cls, cell: TileShape, pillar: Pillar, order: int, foot_rings: int, shorter: float
     ) -> MeshPlan:
-        """Plan for a plate that is thin beside everything else: fine in its plane, coarse through it.
+        """Plan for a plate that is thin relative to everything else: fine in its plane, coarse through it.
 
-        What errs on the plans of thicker plates is the smooth part. On one of 1/200 of the pitch the plan of
-        order 4 with seven orders across the rings in place of five lost 0.1 % where that lost 0.3 %, ten
-        around in place of eight left 0.025 %. Thin rings and layers keep four: the lower orders that tell the
-        error would tell 0.4 % with three. So does the plate: on one of 0.04 pitches three left 0.04 %, and no
-        lower order told it, because quadratic ones lock. What ten orders around resolve of twenty bands lost
-        0.5 %, twice what was told; ``shorter`` is how many more their waves need.
+        With the plans of thicker plates, the smooth part has the error. On a plate of 1/200 of the pitch the
+        error of the plan of order 4 was 0.3 %, with seven orders across the rings instead of five 0.1 %, with
+        ten around instead of eight 0.025 %. Thin rings and layers keep order four: with three, the estimate
+        from lower orders would be 0.4 %. So does the plate: on one of 0.04 pitches the error with three was
+        0.04 %, which no lower order showed, because quadratic elements lock. The error of twenty bands with
+        ten orders around was 0.5 %, twice the estimate; ``shorter`` is the number of additional orders that
+        their waves need.
         """
         layers = layers_along(pillar)
         neck = neck_of(cell, pillar, 0.5 * cell.inradius)
@@ -237,21 +244,22 @@ class MeshPlan:
         )
 
     def lowered(self, cell: TileShape) -> MeshPlan:
-        """The same blocks with orders one lower, to tell the error by.
+        """The same blocks with orders one lower, for an estimate of the error.
 
-        A single element around a quarter turn loses two: a field that is even about its middle gains nothing
-        from an odd order, one that is odd nothing from an even one. With one order fewer a band that was
-        0.4 % off was told 0.1 %, with two 1.6 %. But the six orders of a thick plate lose one: at order 3 the
-        edge leaves more than they do, and four resolve too little of ten bands to tell anything by.
+        A single element around a quarter turn loses two orders: a field that is even about its middle gains
+        nothing from an odd order, an odd field nothing from an even one. With one order fewer, the estimate
+        for a band with an error of 0.4 % was 0.1 %, with two 1.6 %. But the six orders of a thick plate lose
+        one: at order 3 the edge has a larger error than they have, and four resolve too little of ten bands
+        for any estimate.
 
-        With a single thin ring the order along z stays through the plate and, where the pillar is a prism,
-        along it: what the foot leaves is most of the error then, the thin layer sees it, and thicker elements
-        of lower order would err by far more. A pillar with draft, or with a step near its foot, is meshed
-        along z up to its top, and what that leaves shows at a lower order only: two lower, for the same
-        reason as around. Nor is there a thin layer at such a step above a fillet: graded towards both,
-        elements of some designs had no volume at a corner. Where a fillet leaves out the elements that would
-        lead from a narrow neck to a thick plate, what the plate's own leave shows at a lower order only:
-        0.3 % were told 0.2 %.
+        With a single thin ring the order along z does not change through the plate and, if the pillar is a
+        prism, along it: the foot then has most of the error, which the thin layer shows, and thicker elements
+        of lower order would have far larger errors. A pillar with draft, or with a step near its foot, is
+        meshed along z up to its top, and its error shows at a lower order only: two lower, for the same
+        reason as around. There is no thin layer at such a step above a fillet either: with grading towards
+        both, elements of some designs had no volume at a corner. If a fillet removes the elements between a
+        narrow neck and a thick plate, the error of the plate's own elements shows at a lower order only: for
+        0.3 % the estimate was 0.2 %.
         """
         if cell.solid is not None:
             return MeshPlan.suited(cell, self.upward - 1, self.foot_rings)
@@ -279,9 +287,9 @@ class MeshPlan:
 
     @property
     def per_quarter(self) -> int:
-        """Order around a quarter turn: of the single element there that resolves as much as its blocks do.
+        """Order around a quarter turn of the single element there that resolves as much as its blocks.
 
-        The inverse of `suited`, `divided` and `divided_order`: blocks have one order more than their share.
+        It is the inverse of `suited`, `divided` and `divided_order`: blocks have their share of it plus one.
         """
         blocks = self.blocks * self.sides
         return self.order if blocks == 4 else (self.order - 1) * blocks // 4
@@ -352,7 +360,7 @@ class MeshPlan:
 
     @property
     def grid(self) -> Grid:
-        """(layers, 1 + rings) of every block; see `haptonic.cell.blocks`. A pillar's material is number 1."""
+        """(layers, 1 + rings) numbers of all blocks, see `haptonic.cell.blocks`; 1 is a pillar's material."""
         if self.stack:
             return self.stack.divided()
         count = len(self.rings)

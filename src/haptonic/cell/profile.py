@@ -1,10 +1,10 @@
-"""Where a mesh's blocks and nodes lie in a half-plane through the pillar's axis.
+"""Positions of a mesh's blocks and nodes in a half-plane through the pillar's axis.
 
-A place in the half-plane is a (half-width, height): outlines of that half-width are the curves that the
-blocks of rings lie between. Thin rings on both sides of the foot, and thin layers above and below
-the plate's top, grade the mesh towards the re-entrant edge, where stress is singular, and others towards the
-edge at a step. With a fillet the foot has no such edge: then it lies in the middle of the arc, whose halves
-the thin rings and layers follow.
+A place in the half-plane is a (half-width, height): outlines of that half-width are the borders between the
+blocks of rings. Thin rings on both sides of the foot, and thin layers above and below the plate's top, grade
+the mesh towards the re-entrant edge, where stress is singular, and others towards the edge at a step. With a
+fillet the foot has no such edge: it then lies in the middle of the arc, and the thin rings and layers follow
+the halves of the arc.
 """
 
 from __future__ import annotations
@@ -31,10 +31,10 @@ from haptonic.cell.quadrature import lobatto
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape
 
-EDGE_CROWDING = 0.35  # spacing of nodes next to an edge, as a share of an even one: stress is singular there
-BESIDE_FILLET = 0.6  # least width of all thin rings on the inner side of a fillet, in radii of the arc
+EDGE_CROWDING = 0.35  # spacing of nodes next to a singular edge, relative to an even one
+BESIDE_FILLET = 0.6  # smallest width of all thin rings on the inner side of a fillet, in radii of the arc
 MOST_BESIDE = 0.45  # and the largest, as a share of the room there
-PLAIN_RADIUS = 0.6  # circle that the ring follows where there is no pillar, as a share of the inradius
+PLAIN_RADIUS = 0.6  # circle that the ring follows without a pillar, as a share of the inradius
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Profile:
 
     width : (b, l) half-widths of the borders between rings where they meet those between layers, m
     height : (b, l) heights of these corners above z = 0, m; at the cell's sides as for the last b
-    ring_shares, layer_shares : where the nodes lie within each ring and each layer, from 0 to 1
+    ring_shares, layer_shares : positions of the nodes within each ring and each layer, from 0 to 1
     """
 
     plan: MeshPlan
@@ -89,7 +89,7 @@ class Profile:
     @classmethod
     def _of_stack(cls, cell: TileShape, stack: Stack, plan: MeshPlan) -> Profile:
         blocks = plan.stack
-        assert blocks is not None, "a plan for something else"
+        assert blocks is not None, "a plan without a stack"
         heights = borders(storeys_of(cell, stack, blocks.thin), blocks.storeys)
         widths = borders(annuli_of(cell, stack, blocks.thin), blocks.annuli)[
             :-1
@@ -102,10 +102,10 @@ class Profile:
         )  # fmt: skip
 
     def between(self, layer: int, share: float) -> tuple[list[Array], list[Array]]:
-        """Half-widths and heights on a level of nodes, which lies at a share of a layer.
+        """Half-widths and heights on a level of nodes at a share of a layer.
 
-        For each ring from its inner border (the first node is on it) to its outer one, which for the last
-        ring is the cell's side: its half-widths are those of the inner border then.
+        They are listed for each ring from its inner border (with the first node) to its outer border. The
+        outer border of the last ring is the cell's side; its half-widths are those of the inner border.
         """
         low, high = self.width[:, layer], self.width[:, layer + 1]
         width = low + share * (high - low)
@@ -120,7 +120,7 @@ class Profile:
         return widths, heights
 
     def _bulge(self, ring: int, layer: int, along: Array, share: float) -> Array:
-        """(nodes, 2) how far a block with a side on the fillet bulges from one with straight sides."""
+        """(nodes, 2) deviation of a block with a side on the fillet from one with straight sides."""
         foot, top = len(self.plan.disc_rings), len(self.plan.plate_layer_orders)
         arc, pieces = self.pillar.arc if self.pillar else None, self.plan.foot_rings
         if arc is None:
@@ -136,12 +136,12 @@ class Profile:
 
 
 def _from_chord(curve: Array, along: Array) -> Array:
-    """How far the points of a curve lie from its chord; the first and last are its ends."""
+    """Distances of the points of a curve from its chord; the first and last points are its ends."""
     return np.asarray(curve - (curve[0] + along[:, None] * (curve[-1] - curve[0])))
 
 
 def _widths(cell: TileShape, pillar: Pillar, plan: MeshPlan, levels: Array) -> Array:
-    """(b, l) half-widths of the borders between rings, m; not yet on a fillet's arc."""
+    """(b, l) half-widths of the borders between rings, m, before the fillet's arc is included."""
     reach = foot_reach(cell, plan.foot_rings)
     room = (1 - within_foot(pillar)) * pillar.radius
     inward = bridged(_beside_fillet(reach, room, pillar.fillet), room, plan.bridges[0])
@@ -190,7 +190,7 @@ def _levels(cell: TileShape, plan: MeshPlan) -> Array:
         return np.array([*breaks, *_upwards(top + lowest, top + high, plan.pillar_layers)])
     beside = step_reach(pillar, plan.step_rings)
     ledge, end, within = top + high, top + pillar.height, beside[0] if len(beside) else 0.0
-    if plan.pillar_layers > 2:  # a short one below the step as well
+    if plan.pillar_layers > 2:  # with a short layer below the step as well
         below = min(2 * FOOT_LAYER * pillar.half_width(high, 0), (high - lowest) / plan.pillar_layers)
         breaks += [*_upwards(top + lowest, ledge - below, plan.pillar_layers - 1), ledge - within]
     else:
@@ -201,12 +201,12 @@ def _levels(cell: TileShape, plan: MeshPlan) -> Array:
 
 
 def _upwards(first: float, last: float, layers: int) -> Array:
-    """Upper borders of some layers, the lowest one's and the highest one's given."""
+    """Upper borders of some layers, from those of the lowest and the highest layer."""
     return np.append(np.linspace(first, last, layers)[:-1], last)
 
 
 def _beside_fillet(reach: Array, room: float, fillet: float) -> Array:
-    """Reach of the thin rings on the side of a foot where the fillet is not: even and of its size."""
+    """Reach of the thin rings on the side of a foot without the fillet: even, and as large as the fillet."""
     if not fillet:
         return reach
     whole = min(max(reach[0], BESIDE_FILLET * fillet), MOST_BESIDE * room)
@@ -216,7 +216,7 @@ def _beside_fillet(reach: Array, room: float, fillet: float) -> Array:
 def _shares(orders: tuple[int, ...], edges: tuple[int, ...]) -> tuple[Array, ...]:
     """Positions of the nodes within intervals of some orders, 0 to 1.
 
-    On the two intervals that meet at a border with one of the numbers ``edges`` the nodes crowd towards it.
+    On the two intervals that meet at a border in ``edges``, the nodes are denser towards it.
     """
     shares = [0.5 * (1 + lobatto(order)[0]) for order in orders]
     for edge in edges:

@@ -1,4 +1,4 @@
-"""Gauss-Lobatto-Legendre points: nodes and quadrature of the spectral elements in one."""
+"""Gauss-Lobatto-Legendre points, which are both nodes and quadrature points of the spectral elements."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from haptonic.arrays import Array
 
 @cache
 def lobatto(order: int) -> tuple[Array, Array, Array]:
-    """Points and weights on [-1, 1] and the matrix of derivatives at the points.
+    """Points and weights on [-1, 1], and the matrix of derivatives at the points.
 
     Returns
     -------
@@ -24,7 +24,7 @@ def lobatto(order: int) -> tuple[Array, Array, Array]:
     top[order] = 1.0
     slope = legendre.legder(top)
     inner = np.sort(np.real(legendre.legroots(slope))) if order > 1 else np.empty(0)
-    for _ in range(2):  # polish the roots: the companion matrix loses digits at high order
+    for _ in range(2):  # refine the roots, because the companion matrix loses digits at high order
         inner = inner - legendre.legval(inner, slope) / legendre.legval(inner, legendre.legder(slope))
     points = np.concatenate([[-1.0], inner, [1.0]])
     points = 0.5 * (points - points[::-1])
@@ -41,7 +41,7 @@ def lobatto(order: int) -> tuple[Array, Array, Array]:
 
 
 def interpolation(points: Array, targets: Array) -> Array:
-    """(targets, points) values at ``targets`` of the Lagrange polynomials on ``points``, by barycentres."""
+    """(targets, points) Lagrange polynomials on ``points``, evaluated at ``targets`` (barycentric form)."""
     apart = points[:, None] - points[None, :]
     np.fill_diagonal(apart, 1.0)
     weights = 1.0 / np.prod(apart, axis=1)

@@ -1,7 +1,7 @@
-"""A ribbon: cells side by side in one direction, repeated along another; its outermost edges are free.
+"""Ribbon: cells side by side in one direction, repeated along another, with free outer edges.
 
-One line of cells is a guide, or the edge between two crystals. Several lines that are alike but for a cell
-are a crystal with a defect; the copies that the repetition makes of it are as far apart as there are lines.
+One line of cells is a guide, or the edge between two crystals. Several lines that differ in one cell are a
+crystal with a defect; its periodic copies are as far apart as the number of lines.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ RibbonKind = Literal["guide", "defect", "edge"]
 
 @dataclass(frozen=True, eq=False)
 class Ribbon(Directed):
-    """One period of a ribbon, as computed with.
+    """One period of a ribbon.
 
-    first : cells of the first line, from left to right, equal ones one object; plain plate is a cell without
-        pillars
-    along : how many of its cell's two translations lead from a line to the next
-    more : further lines, in the order in which they follow along the ribbon
+    first : cells of the first line, from left to right, with equal cells as the same object; plain plate is a
+        cell without pillars
+    along : numbers of the cells' two translations from a line to the next
+    more : further lines, in their order along the ribbon
 
     Raises
     ------
-    GeometryError : a single column, no shortest way from line to line, or cells that do not fit together
+    GeometryError : a single column, a translation that is not a shortest one, or cells that do not match
     """
 
     first: Line
@@ -49,31 +49,31 @@ class Ribbon(Directed):
                 argument="ribbon.map",
                 given=f"{len(self.first)} column",
                 allowed=f"at least {LEAST_COLUMNS}, side by side",
-                cause="a single column has no neighbour that a wave could be guided by",
+                cause="a single column has no neighbour that could guide a wave",
                 next_step="write the letters of all columns, such as ooo1111ooo",
             )
         check_along(self.along, "ribbon", "the ribbon")
         for column, top in enumerate(self.first):
             self._check_meets(self.first[0], top, column + 1, self.along == (0, 1))
             for line in self.more:
-                assert len(line) == len(self.first), "lines of several lengths"
+                assert len(line) == len(self.first), "lines of different lengths"
                 self._check_meets(top, line[column], column + 1, False)
 
-    def _check_meets(self, first: UnitCell, one: UnitCell, number: int, may_differ: bool) -> None:
-        """Refuse a cell of a column whose sides do not meet those of another cell; of rectangles the width
-        across the ribbon may differ."""
+    def _check_meets(self, first: UnitCell, other: UnitCell, number: int, may_differ: bool) -> None:
+        """Refuse a cell of a column whose sides do not match those of another cell; rectangles may have
+        different widths across the ribbon."""
         close = SAME * first.lattice.pitch
-        free = may_differ and all(cell.is_simple and cell.lattice.is_rectangular for cell in (first, one))
-        wanted, found = (
-            (cell.lattice.vectors[1:] if free else cell.lattice.vectors) for cell in (first, one)
+        free = may_differ and all(cell.is_simple and cell.lattice.is_rectangular for cell in (first, other))
+        vectors, other_vectors = (
+            (cell.lattice.vectors[1:] if free else cell.lattice.vectors) for cell in (first, other)
         )
-        alike = np.abs(wanted - found).max() < close and len(first.outlines) == len(one.outlines)
+        alike = np.abs(vectors - other_vectors).max() < close and len(first.outlines) == len(other.outlines)
         if alike and not free:
             alike = all(
-                len(mine) == len(other) and np.abs(mine - other).max() < close
-                for mine, other in zip(first.outlines, one.outlines, strict=True)
+                len(outline) == len(beside) and np.abs(outline - beside).max() < close
+                for outline, beside in zip(first.outlines, other.outlines, strict=True)
             )
-        if not alike or first.thickness != one.thickness or first.material != one.material:
+        if not alike or first.thickness != other.thickness or first.material != other.material:
             raise GeometryError.mismatch(
                 argument="ribbon.map",
                 given=f"column {number}, whose tiles have other edges than those of column 1"
@@ -81,7 +81,7 @@ class Ribbon(Directed):
                 else f"column {number}, of another thickness or material",
                 allowed="columns of one plate whose edges meet: of the same period along the ribbon, and of "
                 "the same sites, unless the cells are rectangles",
-                cause="a number of the cell was changed that moves its edges",
+                cause="a changed number of the cell moves its edges",
                 next_step="change sizes of pillars only, or of the pitch across the ribbon",
             )
 
@@ -96,13 +96,13 @@ class Ribbon(Directed):
 
     @cached_property
     def origins(self) -> Array:
-        """(columns, 2) of the first line's cells, the first one's at the origin, m."""
+        """(columns, 2) centres of the first line's cells, with the first one at the origin, m."""
         ways = 0.5 * (self.steps[1:] + self.steps[:-1])
         return np.concatenate([np.zeros((1, 2)), np.cumsum(ways, axis=0)])
 
     @property
     def lines(self) -> tuple[Line, ...]:
-        """All of one period."""
+        """All lines of one period."""
         return (self.first, *self.more)
 
     @property
@@ -112,12 +112,12 @@ class Ribbon(Directed):
 
     @cached_property
     def _placed(self) -> tuple[tuple[PlacedTile, int, int], ...]:
-        """All tiles with the line and the column of each, column by column from left to right."""
+        """All tiles with their line and column, column by column from left to right."""
         return tuple(
-            (PlacedTile(one.tile, one.turn, one.position + origin + line * self.way), line, column)
+            (PlacedTile(placed.tile, placed.turn, placed.position + origin + line * self.way), line, column)
             for column, origin in enumerate(self.origins)
             for line, cells in enumerate(self.lines)
-            for one in cells[column].tiles
+            for placed in cells[column].tiles
         )
 
     @property
@@ -126,38 +126,38 @@ class Ribbon(Directed):
 
     @cached_property
     def place_of_tile(self) -> Ints:
-        """(2, tiles) line and column of each."""
+        """(2, tiles) line and column of each tile."""
         return np.array([(line, column) for _, line, column in self._placed]).T
 
     @cached_property
     def reach(self) -> int:
-        """How many columns away the farthest tiles are that touch one."""
+        """Number of columns to the farthest tile that touches a tile."""
         normal = self.turn[0]
-        corners = np.concatenate([one.corners for one in self.first[0].tiles])
+        corners = np.concatenate([tile.corners for tile in self.first[0].tiles])
         wide = float(np.ptp(corners @ normal))
         return math.floor(wide / float(self.steps[0] @ normal) + SAME)
 
     @property
     def free_edges(self) -> tuple[FreeEdge, ...]:
-        """To the left of the first columns, and to the right of the last ones."""
+        """Free edges to the left of the first columns, and to the right of the last ones."""
         starts = np.searchsorted(self.place_of_tile[1], np.arange(len(self.first) + 1))
         last = len(self.first) - 1
-        found = []
+        edges = []
         for number, step in enumerate(self.steps):
             for ways in range(1, self.reach + 1):
-                own = int(starts[number]), int(starts[number + 1])
-                found += [FreeEdge(*own, -ways * step)] * (ways > number)
-                found += [FreeEdge(*own, ways * step)] * (ways > last - number)
-        return tuple(found)
+                tiles = int(starts[number]), int(starts[number + 1])
+                edges += [FreeEdge(*tiles, -ways * step)] * (ways > number)
+                edges += [FreeEdge(*tiles, ways * step)] * (ways > last - number)
+        return tuple(edges)
 
     @property
     def cells(self) -> tuple[UnitCell, ...]:
-        """Those that differ, each once, in the order of lines and columns."""
+        """Different cells, each once, in the order of lines and columns."""
         return tuple({id(cell): cell for line in self.lines for cell in line}.values())
 
     @property
     def area(self) -> float:
-        """Of the smallest cell, m^2."""
+        """Area of the smallest cell, m^2."""
         return min(cell.area for cell in self.cells)
 
     @property
@@ -166,7 +166,7 @@ class Ribbon(Directed):
 
     @cached_property
     def crystals(self) -> tuple[UnitCell, ...]:
-        """The cells with pillars that the first and the last column consist of, else all, each once."""
+        """Different cells with pillars in the first and the last column, or else in all columns."""
         ends = {id(line[end]): line[end] for end in (0, -1) for line in self.lines}
         return tuple(cell for cell in ends.values() if cell.has_features) or tuple(
             cell for cell in self.cells if cell.has_features
@@ -174,15 +174,16 @@ class Ribbon(Directed):
 
     @cached_property
     def _others(self) -> Bools:
-        """(lines, columns) plain cells, and those of no crystal."""
-        known = [id(cell) for cell in self.crystals]
-        return np.array([[id(cell) not in known for cell in line] for line in self.lines])
+        """(lines, columns) True for plain cells, and for cells that belong to no crystal."""
+        crystal_ids = [id(cell) for cell in self.crystals]
+        return np.array([[id(cell) not in crystal_ids for cell in line] for line in self.lines])
 
     @cached_property
     def guide(self) -> Bools:
-        """(lines, columns) cells that may hold waves.
+        """(lines, columns) True for cells that may guide waves.
 
-        They are plain ones and those of no crystal; else, where two crystals meet, those beside each other.
+        They are plain cells and those of no crystal; without such cells, those on either side of two
+        crystals' border.
         """
         if self._others.any():
             return self._others
@@ -193,7 +194,7 @@ class Ribbon(Directed):
 
     @property
     def kind(self) -> RibbonKind:
-        """What may hold waves: a guide; a defect, which changes along the ribbon; an edge of two crystals."""
+        """Kind of the ribbon: "guide", "defect" (it changes along the ribbon) or "edge" of two crystals."""
         if not self._others.any():
             return "edge"
         return "defect" if (self._others != self._others[0]).any() else "guide"
@@ -201,7 +202,7 @@ class Ribbon(Directed):
     def phases(self, along: float, across: Array) -> Array:
         """(lines n, 2) phases (k.a1, k.a2) of a crystal from those along (rad) and across (n,) the ribbon.
 
-        A period of several lines has waves of as many phases from line to line.
+        A period of several lines has as many phases from line to line.
         """
         per_line = (along + 2 * np.pi * np.arange(len(self.lines))) / len(self.lines)
-        return np.concatenate([Directed.phases(self, float(one), across) for one in per_line])
+        return np.concatenate([Directed.phases(self, float(phase), across) for phase in per_line])

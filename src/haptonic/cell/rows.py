@@ -1,8 +1,8 @@
-"""Rows of a lattice as a piece of plate between two equal faces, and plain plate that leads to straight ones.
+"""Rows of a lattice as a piece of plate between two equal faces, and plain plate up to straight lines.
 
-Sites belong to a row by their place across it. So each side of a tile on a face has neighbours of a tile
-farther left and one farther right, and lies between them: a face never turns back, and a trapezoid of plain
-plate fits between each of its sides and a straight line.
+Sites belong to a row by their position across it. Therefore each side of a tile on a face lies between
+neighbours, one of a tile farther left and one of a tile farther right: a face never turns back, and a
+trapezoid of plain plate fits between each of its sides and a straight line.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ MARGIN = 0.5  # of a face's longest side as seen along the rows: from its farthe
 
 @dataclass(frozen=True, eq=False)
 class Rows(Directed):
-    """One period of rows side by side, as many as the farthest that touch each other are apart.
+    """One period of rows side by side, as many as the distance of the farthest rows that touch each other.
 
-    filled : how many of them, from the left, are the lattice's; the rest is plain plate. 0 means all
-    table : of the study that gives their direction
+    filled : number of rows, from the left, with features; the others are plain plate. 0 means all
+    table : table of the study that gives their direction
 
     Raises
     ------
-    GeometryError : a period that is no shortest one
+    GeometryError : a period that is not a shortest one
     """
 
     cell: UnitCell
@@ -48,53 +48,55 @@ class Rows(Directed):
 
     @cached_property
     def step(self) -> Array:
-        """(2,) from a row to the next, m."""
+        """(2,) translation from a row to the next, m."""
         return np.asarray(np.array(self.across) @ self.translations)
 
     @cached_property
     def _moves(self) -> Array:
-        """(sites, 2) that bring the sites of a cell into one row, m.
+        """(sites, 2) translations that move the sites of a cell into one row, m.
 
-        A row begins behind the widest space between sites, seen across it.
+        A row begins after the widest gap between sites, seen across it.
         """
         basis = np.array([self.along, self.across], dtype=float)
-        ways = (self.cell.shares @ np.linalg.inv(basis))[:, 1]
-        own = (ways + SAME) % 1.0 - SAME
-        ordered = np.sort(own)
-        start = ordered[np.round(ordered - np.roll(ordered - [*[0.0] * (len(own) - 1), 1.0], 1), 9).argmax()]
-        moves = np.round(start + (own - start + SAME) % 1.0 - SAME - ways)
+        across = (self.cell.shares @ np.linalg.inv(basis))[:, 1]
+        fractions = (across + SAME) % 1.0 - SAME
+        ordered = np.sort(fractions)
+        start = ordered[
+            np.round(ordered - np.roll(ordered - [*[0.0] * (len(fractions) - 1), 1.0], 1), 9).argmax()
+        ]
+        moves = np.round(start + (fractions - start + SAME) % 1.0 - SAME - across)
         return np.asarray(moves[:, None] * self.step)
 
     def _row(self, cell: UnitCell, number: int) -> list[PlacedTile]:
         return [
-            PlacedTile(one.tile, one.turn, one.position + move + number * self.step)
-            for one, move in zip(cell.tiles, self._moves, strict=True)
+            PlacedTile(placed.tile, placed.turn, placed.position + move + number * self.step)
+            for placed, move in zip(cell.tiles, self._moves, strict=True)
         ]
 
     def _apart(self, corners: Array) -> tuple[Array, Bools]:
-        """(n, n) rows from each corner to each other one, and whether these are a whole number of them."""
+        """(n, n) rows from each corner to each other corner, and True for whole numbers of rows."""
         steps = corners[:, None] - corners
         basis = np.array([self.vectors[0], self.step])
-        found = np.round(steps @ np.linalg.inv(basis))
-        apart = np.linalg.norm(steps - found @ basis, axis=2)
-        return found[..., 1], np.asarray(apart < MEET * self.cell.lattice.pitch)
+        translations = np.round(steps @ np.linalg.inv(basis))
+        apart = np.linalg.norm(steps - translations @ basis, axis=2)
+        return translations[..., 1], np.asarray(apart < MEET * self.cell.lattice.pitch)
 
     @cached_property
     def reach(self) -> int:
-        """How many rows away the farthest tiles are that touch one."""
+        """Number of rows to the farthest tile that touches a tile."""
         rows, same = self._apart(_corners(self._row(self.cell, 0)))
         return int(rows[same].max())
 
     @cached_property
     def tiles(self) -> tuple[PlacedTile, ...]:
-        """Of all rows, from left to right."""
+        """Tiles of all rows, from left to right."""
         plain = self.cell.without_pillar() if self.filled else self.cell
         cells = [self.cell if n < self.filled else plain for n in range(self.reach)]
-        return tuple(one for n, cell in enumerate(cells) for one in self._row(cell, n))
+        return tuple(tile for n, cell in enumerate(cells) for tile in self._row(cell, n))
 
     @property
     def lossy(self) -> list[bool]:
-        """Of each tile, whether it belongs to the lattice."""
+        """For each tile, True if it belongs to the lattice."""
         filled, sites = self.filled or self.reach, len(self.cell.tiles)
         return [True] * filled * sites + [False] * (self.reach - filled) * sites
 
@@ -102,39 +104,39 @@ class Rows(Directed):
     def face(self) -> Array:
         """(s, 2) corners of the left face within a period, from one end to the other, m.
 
-        The right face is the same, `reach` steps on.
+        The right face is equal, translated by `reach` steps.
         """
         corners = _corners(self.tiles)
         rows, same = self._apart(corners)
-        found = corners[(same & (rows == -self.reach)).any(axis=1)]
-        along = found @ self.turn[1] / self.period
+        corners_on_face = corners[(same & (rows == -self.reach)).any(axis=1)]
+        along = corners_on_face @ self.turn[1] / self.period
         whole = np.floor(along + MEET)
-        found, along = found - whole[:, None] * self.vectors, along - whole
+        corners_on_face, along = corners_on_face - whole[:, None] * self.vectors, along - whole
         order = np.argsort(along)
-        found, along = found[order], along[order]
-        return np.asarray(found[np.diff(along, prepend=along[0] - 1.0) > MEET])
+        corners_on_face, along = corners_on_face[order], along[order]
+        return np.asarray(corners_on_face[np.diff(along, prepend=along[0] - 1.0) > MEET])
 
     @property
     def sides(self) -> Array:
-        """(s, 2, 2) the sides of the left face, from corner to corner, in axes (across, along), m."""
+        """(s, 2, 2) sides of the left face, from corner to corner, in axes (across, along), m."""
         ends = np.concatenate([self.face, self.face[:1] + self.vectors]) @ self.turn.T
         return np.stack([ends[:-1], ends[1:]], axis=1)
 
     @property
     def middle(self) -> float:
-        """Place across of the left face on average, m."""
+        """Mean position of the left face across the rows, m."""
         across, along = self.sides[..., 0], self.sides[..., 1]
         return float((across.mean(axis=1) * np.abs(np.diff(along, axis=1)[:, 0])).sum() / self.period)
 
     @property
     def depths(self) -> list[tuple[int, float]]:
-        """Sites with pillars and how far behind the left face on average these stand in the first row, m."""
-        places = [one.position @ self.turn[0] - self.middle for one in self._row(self.cell, 0)]
-        return [(k, float(places[k])) for k, one in enumerate(self.cell.pillars) if one is not None]
+        """Sites with features, and their mean distance behind the left face in the first row, m."""
+        places = [placed.position @ self.turn[0] - self.middle for placed in self._row(self.cell, 0)]
+        return [(k, float(places[k])) for k, pillar in enumerate(self.cell.pillars) if pillar is not None]
 
     @property
     def is_straight(self) -> bool:
-        """Whether the faces are planes."""
+        """True if the faces are planes."""
         return float(np.ptp(self.sides[..., 0])) < MEET * self.cell.lattice.pitch
 
     @property
@@ -144,7 +146,7 @@ class Rows(Directed):
 
     @property
     def area(self) -> float:
-        """Of a cell, m^2."""
+        """Area of a cell, m^2."""
         return self.cell.area
 
     @property
@@ -156,7 +158,7 @@ class Rows(Directed):
 class Filler:
     """Plain plate between a straight line and the left face of rows: a trapezoid for each of its sides.
 
-    way : -1 if it lies on the left of the face, 1 on the right
+    way : -1 on the left of the face, 1 on the right
     """
 
     rows: Rows
@@ -164,22 +166,22 @@ class Filler:
 
     @cached_property
     def line(self) -> float:
-        """Place of the straight line across the rows, m."""
+        """Position of the straight line across the rows, m."""
         sides = self.rows.sides
         margin = MARGIN * float(np.ptp(sides[..., 1], axis=1).max())
         return float((self.way * sides[..., 0]).max() + margin) * self.way
 
     @cached_property
     def tiles(self) -> tuple[PlacedTile, ...]:
-        """From one end of the period to the other."""
+        """Tiles from one end of the period to the other."""
         cell, outlines = self.rows.cell, []
         for low, high in self.rows.sides:
             corners = [low, high, [self.line, high[1]], [self.line, low[1]]]
             outlines.append(np.array(corners[:: -self.way]) @ self.rows.turn)
-        places = [one.mean(axis=0) for one in outlines]
+        places = [outline.mean(axis=0) for outline in outlines]
         return placed_tiles(
             np.array(places),
-            [one - place for one, place in zip(outlines, places, strict=True)],
+            [outline - place for outline, place in zip(outlines, places, strict=True)],
             [None] * len(places),
             (cell.thickness, cell.material, cell.faces),
             None,
@@ -187,7 +189,7 @@ class Filler:
 
     @property
     def vectors(self) -> Array:
-        """(1, 2) the period, m."""
+        """(1, 2) translation of one period, m."""
         return self.rows.vectors
 
     @property
@@ -197,7 +199,7 @@ class Filler:
 
     @property
     def area(self) -> float:
-        """Of a cell, m^2."""
+        """Area of a cell, m^2."""
         return self.rows.area
 
     @property
@@ -206,5 +208,5 @@ class Filler:
 
 
 def _corners(tiles: tuple[PlacedTile, ...] | list[PlacedTile]) -> Array:
-    """(n, 2) of all tiles, m."""
-    return np.concatenate([one.corners for one in tiles])
+    """(n, 2) corners of all tiles, m."""
+    return np.concatenate([tile.corners for tile in tiles])

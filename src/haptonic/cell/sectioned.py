@@ -1,4 +1,4 @@
-"""What pillars and discs share: a section about an axis, by its name and its numbers."""
+"""Common part of pillars and discs: a section about an axis, given by a name and numbers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from haptonic.materials import Material, is_symmetry
 
 MOST_CORNERS = 24  # of a section
 LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
-# declarations of the numbers of a section, which the classes with one take as theirs
+# declarations of the numbers of a section, shared by the classes with a section
 SECTION = setting("round", "Seen from above; before it is turned, sides of a square lie along x and y.")
 SectionLength = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
 LENGTH = setting(None, "Width of a rectangle or an ellipse along y.", title="Length of the section")
@@ -38,7 +38,7 @@ CORNERS = setting(
 
 
 class Sectioned:
-    """A prism, solid or empty, with one section about an axis; its classes declare these numbers.
+    """A prism, solid or empty, with one section about an axis; subclasses declare these numbers.
 
     diameter : width of the section along x, m; see `haptonic.cell.outlines` for the other numbers
     """
@@ -53,7 +53,7 @@ class Sectioned:
     material: Material | None
 
     def check_section(self) -> None:
-        """Refuse numbers that do not fit the section, or make no outline."""
+        """Refuse numbers that do not belong to the section, or form no outline."""
         takes = taken_by(SECTIONS[self.section])
         for name in NUMBERS:
             given = getattr(self, name)
@@ -90,51 +90,52 @@ class Sectioned:
 
     @cached_property
     def outline(self) -> Outline:
-        """Of every section, scaled to a smallest half-width of 1."""
+        """Outline of every section, scaled to a smallest half-width of 1."""
         outline = self.form.outline()
         return outline if self._least == 1.0 else outline.scaled(1 / self._least)
 
     @property
     def radius(self) -> float:
-        """Smallest half-width at the foot, the fillet not counted, m."""
+        """Smallest half-width at the foot, without the fillet, m."""
         return 0.5 * self.diameter * self._least
 
     def turned(self, angle: float) -> Self:
-        """The same turned anticlockwise about its axis, rad; itself if that leaves it as it is."""
+        """A copy turned anticlockwise about its axis, rad; itself if the rotation leaves it unchanged."""
         cosine, sine = math.cos(angle), math.sin(angle)
         if self.outline.has_symmetry(np.array([[cosine, -sine], [sine, cosine]])):
             return self
         whole = (self.turn or 0.0) + angle
-        made: Self = replace(self, turn=math.remainder(whole, 2 * math.pi))  # type: ignore[type-var]
-        return made
+        copy: Self = replace(self, turn=math.remainder(whole, 2 * math.pi))  # type: ignore[type-var]
+        return copy
 
     @property
     def widest(self) -> float:
-        """Largest of the smallest half-widths of its sections, m."""
+        """Largest half-width of its sections, in the direction of the smallest half-width, m."""
         return self.radius
 
     @property
     def broadest(self) -> float:
-        """The same without a fillet, m."""
+        """Like `widest`, without a fillet, m."""
         return self.radius
 
     def gap_to(self, other: Sectioned, away: Array) -> float:
-        """Width of the narrowest way between this and others, all alike, m.
+        """Width of the narrowest gap between this body and equal others, m.
 
-        Their axes are ``away`` (n, 2) from its own. Fillets are not counted. Negative where two overlap.
+        The axes of the others are ``away`` (n, 2) from its own. Fillets are not included. Negative for an
+        overlap.
         """
-        mine, beside = (Scaled(prism.outline, prism.broadest) for prism in (self, other))
-        return float(mine.gap_to(beside, away).min())
+        outline, beside = (Scaled(prism.outline, prism.broadest) for prism in (self, other))
+        return float(outline.gap_to(beside, away).min())
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
-        """True if an orthogonal map (3, 3) of space that keeps the normal leaves it as it is."""
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves it unchanged."""
         return self.outline.has_symmetry(turn[:2, :2])
 
     def keeps_material(self, turn: NDArray[np.float64]) -> bool:
-        """True if a map leaves the material of its own as it is; the tile checks that of the plate."""
+        """True if a map leaves its own material unchanged; the tile checks the plate's material."""
         return self.material is None or is_symmetry(self.material.stiffness, turn)
 
     def scaled_numbers(self, factor: float) -> dict[str, Any]:
-        """Lengths of the section beside the diameter, multiplied."""
+        """Lengths of the section beside the diameter, multiplied by a factor."""
         return {name: given and given * factor for name, given in
                 (("length", self.length), ("corner_radius", self.corner_radius))}  # fmt: skip

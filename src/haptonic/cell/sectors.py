@@ -1,9 +1,9 @@
-"""Where the blocks of a mesh end around a pillar, seen from above.
+"""Ends of the blocks of a mesh around a pillar, seen from above.
 
 Blocks lead from the pillar to the sides of its tile. At the sides they end at equal parts; at the pillar they
-have to end where its outline has a joint, so that every element has one smooth side. `least_blocks` finds the
-smallest number of blocks to a side for which each joint has a block's end near it, in an order that keeps
-every symmetry of the tile, and for which no element is inside out.
+have to end at the joints of its outline, so that every element has one smooth side. `least_blocks` finds the
+smallest number of blocks for each side with a block's end near each joint, in an order that keeps every
+symmetry of the tile, and with no element inside out.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from haptonic.arrays import Array, Ints
 from haptonic.cell.outlines import CIRCLE, Outline, Scaled
 from haptonic.cell.tile import TileShape, room_in
 
-MOST_BLOCKS = 8  # to a side
-SAME = 1e-6  # of a radius: places that coincide
-FARTHEST = 1.2  # shift of a block's end from its even place to a joint, in angles between two even places
-RINGS = 0.4  # of the clearance, that the rings about a pillar take up at most
-CORE_BULGE = 0.45  # edges of the core: 0 chords, 1 arcs
-TIE, SAME_COST = 1e-6, 1e-12  # of the square of a shift
-SHARES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])  # of a block, at which elements are checked
-# turns and mirrors that meshes are folded by: see `superelement.symmetry`
+MOST_BLOCKS = 8  # for each side
+SAME = 1e-6  # of a radius: closer places coincide
+FARTHEST = 1.2  # largest shift of a block's end from its even position to a joint, in even spacings
+RINGS = 0.4  # of the clearance, largest share of the rings about a pillar
+CORE_BULGE = 0.45  # edges of the core: 0 for chords, 1 for arcs
+TIE, SAME_COST = 1e-6, 1e-12  # relative to the square of a shift
+SHARES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])  # of a block, positions of the check of elements
+# rotations and mirrors by which meshes are folded, see `superelement.symmetry`
 OPERATIONS = tuple(
     np.array(op)
     for op in (
@@ -39,7 +39,7 @@ OPERATIONS = tuple(
 
 
 def corner_angles(tile: TileShape) -> Array:
-    """(sides + 1,) directions of the corners, the first repeated; a rectangle has even quarters."""
+    """(sides + 1,) directions of the corners, the first one repeated; even quarters for a rectangle."""
     corners = np.sign(tile.corners) if tile.is_upright else tile.corners
     angles = np.unwrap(np.arctan2(corners[:, 1], corners[:, 0]))
     return np.append(angles, angles[0] + 2 * np.pi)
@@ -49,8 +49,9 @@ def corner_angles(tile: TileShape) -> Array:
 class Sectors:
     """Ends of the blocks around a pillar.
 
-    outline : of the pillar; place : (all blocks + 1,) parameters on it, rising by its period
-    blocks : to each side of the tile
+    outline : outline of the pillar
+    place : (all blocks + 1,) parameters on it, increasing by its period
+    blocks : number of blocks for each side of the tile
     """
 
     outline: Outline
@@ -59,25 +60,26 @@ class Sectors:
 
     @property
     def sides(self) -> int:
-        """Of the tile."""
+        """Number of sides of the tile."""
         return (len(self.place) - 1) // self.blocks
 
     @property
     def is_aligned(self) -> bool:
-        """True if all corners lie where the tile's do, so that the core of the mesh may have them, too."""
+        """True if the outline has its corners in the directions of the tile's; so may the core."""
         place = self.place[:: self.blocks]
         return self.sides == self.outline.joints and bool(np.array_equal(place, np.round(place)))
 
     def points(self, share: Array) -> Array:
-        """(blocks n, 2) of the curve at shares (n,) of every block."""
+        """(blocks n, 2) points of the curve at shares (n,) of every block."""
         start, step = self.place[:-1, None], np.diff(self.place)[:, None]
         return self.outline.at((start + share * step).ravel())
 
     def core(self, share: Array) -> Array:
-        """The same of the outline of the mesh's core, for a half-width of 1.
+        """(blocks n, 2) points of the outline of the mesh's core, for a half-width of 1.
 
-        It lies between chords of a curve and the curve itself. The curve is smooth, unless its corners are
-        those of the outline: a core with a corner where a patch has none, or none where it has, would fold.
+        It lies between chords of a curve and the curve itself. The curve is smooth unless its corners are
+        those of the outline: the core would fold with a corner where a patch has none, or none where it has
+        one.
         """
         curve = self.points(share)
         if self.outline.joints and not self.is_aligned:
@@ -91,20 +93,20 @@ class Sectors:
 
 
 def sectors(tile: TileShape, blocks: int) -> tuple[Sectors, ...]:
-    """Sectors of each border of a tile with so many blocks to each side, see `least_blocks`."""
+    """Sectors of each border of a tile with ``blocks`` blocks for each side, see `least_blocks`."""
     suited = [_sectors(seen, blocks) for seen in _Seen.of(tile.above)]
     return tuple(around for around in suited if around is not None)
 
 
 def least_blocks(tile: TileShape, blocks: int) -> int | None:
-    """Smallest multiple of a number of blocks to each side that suits all borders; None if there is none."""
+    """Smallest multiple of a number of blocks for each side that suits all borders; None if there is none."""
     borders, most = _Seen.of(tile.above), max(MOST_BLOCKS, blocks)
     suited = (n for n in range(blocks, most + 1, blocks) if all(_sectors(seen, n) for seen in borders))
     return next(suited, None)
 
 
 def unmeshed(tile: TileShape) -> dict[str, str] | None:
-    """Parts of the error for a pillar that no blocks suit; None if it can be meshed."""
+    """Parts of the error for a feature that no blocks suit; None if it can be meshed."""
     if tile.feature is None or least_blocks(tile, 1 if len(tile.corners) == 4 else 2) is not None:
         return None
     return {
@@ -117,11 +119,11 @@ def unmeshed(tile: TileShape) -> dict[str, str] | None:
 
 @dataclass(frozen=True)
 class _Seen:
-    """What decides about the blocks: the outline, the polygon around it in its half-widths, and the symmetry.
+    """Input for the choice of blocks: the outline, the polygon around it in half-widths, and the symmetry.
 
     angles : of `corner_angles`
-    beyond : half-width of the last ring, which is a copy of the outline
-    operations : of `OPERATIONS` that leave the tile as it is
+    beyond : half-width of the last ring, which is a scaled copy of the outline
+    operations : indices in `OPERATIONS` of those that leave the tile unchanged
     """
 
     outline: Outline
@@ -132,7 +134,7 @@ class _Seen:
 
     @classmethod
     def of(cls, tile: TileShape) -> list[_Seen]:
-        """For each border of what is about the axis; where nothing is, for a circle."""
+        """Inputs for each border of the feature about the axis; for a circle if there is none."""
         borders = tile.feature.borders if tile.feature else (Scaled(CIRCLE, 0.6 * tile.inradius),)
         operations = []
         if any(border.outline.joints for border in borders):
@@ -160,7 +162,7 @@ class _Seen:
 
 @lru_cache(maxsize=256)
 def _sectors(seen: _Seen, blocks: int) -> Sectors | None:
-    """Of so many blocks, by themselves or as parts of fewer that suit."""
+    """Sectors of ``blocks`` blocks, computed directly or by subdivision of fewer blocks that suit."""
     around = _of_blocks(seen, blocks)
     for fewer in range(blocks // 2, 0, -1):
         if around is None and not blocks % fewer and (coarse := _of_blocks(seen, fewer)) is not None:
@@ -188,9 +190,9 @@ def _of_blocks(seen: _Seen, blocks: int) -> Sectors | None:
 
 @lru_cache(maxsize=32)
 def _group(numbers: tuple[int, ...]) -> list[Array]:
-    """Turns and mirrors, all products of some of `OPERATIONS`."""
+    """Group of rotations and mirrors generated by some of `OPERATIONS`."""
     group = [np.eye(2)]
-    for turn in group:  # it grows meanwhile
+    for turn in group:  # the list grows in the loop
         for number in numbers:
             product = OPERATIONS[number] @ turn
             if not any(np.abs(product - other).max() < SAME for other in group):
@@ -201,8 +203,8 @@ def _group(numbers: tuple[int, ...]) -> list[Array]:
 def _ends(outline: Outline, even: Array, blocks: int, rim: Array, operations: list[Array]) -> Ints | None:
     """(joints,) number of the block's end for each joint, counted on over a whole turn; None without any.
 
-    They keep the order and have the least squares of shifts. A joint on the axis of a mirror gets an end
-    there, and no other joint gets one.
+    They keep the order and have the least squares of shifts. A joint on the axis of a mirror has an end on
+    it, and no other joint has one.
     """
     count, joints = len(even) - 1, outline.joints
     if joints > count:
@@ -222,7 +224,7 @@ def _ends(outline: Outline, even: Array, blocks: int, rim: Array, operations: li
         number = np.arange(start, start + count)
         direction = even[number % count] + 2 * np.pi * (number // count + turns)
         shift = (direction - angle[:, None]) / gap
-        # of two ends equally near the one nearer to a corner of the tile: all images choose alike
+        # of two equally near ends, the one nearer to a corner of the tile, so that all images agree
         cost = shift**2 + TIE * np.minimum(number % blocks, -number % blocks)
         cost[np.abs(shift) > FARTHEST] = np.inf
         cost[(on_joint[:, :, None] != on_end[:, None, number % count]).any(axis=0)] = np.inf
@@ -238,7 +240,7 @@ def _on_axis(points: Array, turn: Array) -> Array:
 
 
 def _cheapest(cost: Array) -> tuple[float, list[int]] | None:
-    """Column of each row, rising, with the least sum of costs; None if all are infinite."""
+    """Increasing columns, one for each row, with the least sum of costs; None if all are infinite."""
     rows, columns = cost.shape
     total = np.full((rows, columns), np.inf)
     total[0] = cost[0]
@@ -260,17 +262,17 @@ def _cheapest(cost: Array) -> tuple[float, list[int]] | None:
 
 def _filled(joints: int, ends: Ints, count: int) -> Array:
     """(count + 1,) parameters of all ends from those (joints,) at joints: even between two of them."""
-    known, place = np.append(ends, ends[0] + count), np.arange(joints + 1, dtype=float)
+    fixed, place = np.append(ends, ends[0] + count), np.arange(joints + 1, dtype=float)
     number = np.arange(count + 1)
-    below = number < known[0]
-    place_of = np.interp(number + count * below, known, place) - joints * below
-    beyond = number > known[-1]
-    place_of[beyond] = np.interp(number[beyond] - count, known, place) + joints
+    below = number < fixed[0]
+    place_of = np.interp(number + count * below, fixed, place) - joints * below
+    beyond = number > fixed[-1]
+    place_of[beyond] = np.interp(number[beyond] - count, fixed, place) + joints
     return np.asarray(place_of)
 
 
 def _keeps(around: Sectors, rim: Array, operations: list[Array]) -> bool:
-    """True if every operation takes the ends at the pillar as it takes those at the tile's sides."""
+    """True if every operation maps the ends at the pillar like those at the tile's sides."""
     ends = around.points(np.zeros(1))
     for turn in operations:
         apart = np.linalg.norm((rim @ turn.T)[:, None] - rim, axis=2)
@@ -310,7 +312,7 @@ def _is_core_sound(around: Sectors) -> bool:
 
 
 def _coons(low: Array, right: Array, high: Array, left: Array) -> Array:
-    """(n, n, 2) a grid within four edges (n, 2), the first index along the low and the high one."""
+    """(n, n, 2) grid within four edges (n, 2), with the first index along the low and the high edge."""
     n = len(low)
     grid = np.empty((n, n, 2))
     grid[:, 0], grid[:, -1], grid[0], grid[-1] = low, high, left, right
@@ -341,13 +343,13 @@ def transfinite(square: Array, share: Array) -> Array:
 
 
 def along_sides(corners: Array, share: Array) -> Array:
-    """Points on the sides of a polygon, each side from its corner on."""
+    """Points on the sides of a polygon, each side from its first corner."""
     sides = np.roll(corners, -1, axis=0) - corners
     return np.asarray((corners[:, None] + share[:, None] * sides[:, None]).reshape(-1, 2))
 
 
 def _along(corners: Array, blocks: int) -> Array:
-    """(sides blocks, shares, 2) of the tile's sides."""
+    """(sides blocks, shares, 2) points of the tile's sides."""
     share = (np.arange(blocks)[:, None] + SHARES) / blocks
     step = np.roll(corners, -1, axis=0) - corners
     return np.asarray(corners[:, None, None] + share[..., None] * step[:, None, None])

@@ -1,4 +1,4 @@
-"""Sites: where pillars stand in a cell, and the tile of each, what lies nearer to it than to any other."""
+"""Sites of a cell, and the tile of each: the polygon nearer to it than to any other site."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from haptonic.lattice import LEAST_SIDE, Lattice, Operation
 from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
 
-Plate = tuple[float, Material, Faces]  # thickness, m, and the faces that pillars stand on
+Plate = tuple[float, Material, Faces]  # thickness, m, material, and faces with pillars
 SHARE = Quantity("", at_least=0.0, below=1.0, hint="take whole translations off it")
 PLACE = Quantity("m")
 MIRRORS = (np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]))
 MOST_SITES, MOST_DISCS = 12, 12  # of one cell, and of one site
-# Of a site's tile, from the site to its farthest corner, in radii of the circle within: beside pillars whose
-# neighbours are that much nearer on one side, elements were turned inside out from 9.9 on.
+# For a site's tile, distance from the site to its farthest corner, in radii of the circle within: beside
+# pillars with neighbours nearer by that factor on one side, elements were turned inside out from 9.9 on.
 MOST_POINTED = 8.0
-# sites of lattices that are named after them, in shares of a1 and a2, and places between them that stay empty
+# sites of lattices that are named after them, in shares of a1 and a2, and empty places between them
 SITES: dict[str, tuple[tuple[float, float], ...]] = {
     "honeycomb": ((1 / 3, 1 / 3), (2 / 3, 2 / 3)),
     "kagome": ((0.5, 0.0), (0.0, 0.5), (0.5, 0.5)),
@@ -43,10 +43,10 @@ EMPTY: dict[str, tuple[tuple[float, float], ...]] = {"lieb": ((0.5, 0.5),)}
 
 @described("cell.site", GeometryError, kw_only=True)
 class Site:
-    """A place in the cell and the pillar that stands there, or the discs in its place.
+    """A place in the cell with a pillar or discs.
 
-    ``at`` counts in the lattice's translations, ``position`` in metres along x and y, both from a corner of
-    the cell that they span.
+    ``at`` is in translations of the lattice, ``position`` in metres along x and y, both from a corner of the
+    cell that the translations span.
     """
 
     at: tuple[Annotated[float, SHARE], Annotated[float, SHARE]] | None = setting(
@@ -68,21 +68,21 @@ class Site:
     @field_validator("at", mode="before")
     @classmethod
     def _fractions(cls, given: object) -> object:
-        """Texts such as "1/3" are numbers: no row of digits is a third."""
-        return [_number(one) for one in given] if isinstance(given, list | tuple) else given
+        """Accept texts such as "1/3" as numbers, because no decimal number is a third."""
+        return [_number(share) for share in given] if isinstance(given, list | tuple) else given
 
     def scaled(self, factor: float) -> Site:
-        """The same with every length multiplied by ``factor``."""
+        """A copy with every length multiplied by ``factor``."""
         place = self.position and (self.position[0] * factor, self.position[1] * factor)
         discs = tuple(disc.scaled(factor) for disc in self.disc)
         return replace(self, position=place, pillar=self.pillar and self.pillar.scaled(factor), disc=discs)
 
     def shares(self, vectors: Array) -> Array | None:
-        """(2,) of the translations; None where the lattice is named after its sites."""
+        """(2,) position in shares of the translations; None for a lattice that is named after its sites."""
         if self.position is not None:
-            found = np.linalg.solve(vectors.T, np.array(self.position))
-            rounded = (np.abs(found - np.round(found)) < SAME) & (found < 1)
-            return np.where(rounded, np.round(found) % 1.0, found)
+            position = np.linalg.solve(vectors.T, np.array(self.position))
+            rounded = (np.abs(position - np.round(position)) < SAME) & (position < 1)
+            return np.where(rounded, np.round(position) % 1.0, position)
         return None if self.at is None else np.array(self.at)
 
 
@@ -95,9 +95,9 @@ def _number(given: object) -> object:
 
 @dataclass(frozen=True, eq=False)
 class SiteMap:
-    """A turn or mirror of a cell: site s goes to site ``image[s]``, ``shift[s]`` translations on.
+    """Map of sites by a rotation or mirror of a cell: s goes to ``image[s]``, ``shift[s]`` translations on.
 
-    move : (2,) translation that follows the turn about the origin, in shares of the lattice's
+    move : (2,) translation after the rotation about the origin, in shares of the lattice's
     """
 
     move: Array
@@ -108,16 +108,16 @@ class SiteMap:
 def site_map(
     shares: Array, features: Sequence[Feature | None], operation: Operation, turn: Array
 ) -> SiteMap | None:
-    """How a turn of a lattice, perhaps with a move, takes sites (n, 2) to others that are alike, if so."""
+    """Map of sites (n, 2) by an operation of a lattice, perhaps with a translation; None if they differ."""
     turned = shares @ np.array(operation).T
-    moves = [np.zeros(2), *(one - turned[0] for one in shares)]
+    moves = [np.zeros(2), *(share - turned[0] for share in shares)]
     for move in moves:
         steps = (turned + move)[:, None] - shares
         whole = np.round(steps)
         fits = np.abs(steps - whole).max(axis=2) < SAME
         for s, t in np.argwhere(fits):
-            mine, other = features[s], features[t]
-            fits[s, t] = mine is other is None or bool(mine and other and mine.is_image(other, turn))
+            feature, other = features[s], features[t]
+            fits[s, t] = feature is other is None or bool(feature and other and feature.is_image(other, turn))
         if fits.any(axis=1).all():
             image = fits.argmax(axis=1)
             return SiteMap(move, image, whole[np.arange(len(shares)), image].astype(np.int64))
@@ -125,18 +125,18 @@ def site_map(
 
 
 def shares_of(sites: Sequence[Site], lattice: Lattice) -> Array:
-    """(n, 2) shares of the translations, of every site with what stays empty between them."""
+    """(n, 2) positions of all sites in shares of the translations, including empty places between them."""
     if lattice.name in SITES:
         return np.array(SITES[lattice.name] + EMPTY.get(lattice.name, ()))
-    return np.array([lattice.counted(np.asarray(one.shares(lattice.given))) for one in sites])
+    return np.array([lattice.counted(np.asarray(site.shares(lattice.given))) for site in sites])
 
 
 def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> None:
-    """Refuse places that a study may give and no cell can have.
+    """Refuse positions that no cell can have.
 
     Raises
     ------
-    PydanticCustomError : too few or too many places, one outside the cell, two that are one
+    PydanticCustomError : too few or too many positions, one outside the cell, or two equal ones
     """
     named = SITES.get(lattice)
     if named is not None:
@@ -144,35 +144,35 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> None:
             raise problem(
                 "conflict",
                 f"{len(sites)} of them",
-                f"{len(named)}, one for each site of a {lattice} lattice, or none for pillars all alike",
+                f"{len(named)}, one for each site of a {lattice} lattice, or none for equal pillars",
                 "a table is missing, or there is one too many",
                 "give every site its table; one without a pillar stays empty",
                 at="site",
             )
-        for number, one in enumerate(sites, start=1):
-            if one.at is not None or one.position is not None:
+        for number, site in enumerate(sites, start=1):
+            if site.at is not None or site.position is not None:
                 raise problem(
                     "conflict",
                     "a place",
-                    f"none: the sites of a {lattice} lattice have theirs",
+                    f"none: the sites of a {lattice} lattice are fixed",
                     "the place of a site was given twice",
                     'leave it out, or write lattice = "triangular" or "square"',
-                    at=f"site[{number}].{'at' if one.at is not None else 'position'}",
+                    at=f"site[{number}].{'at' if site.at is not None else 'position'}",
                 )
         return
-    for number, one in enumerate(sites, start=1):
-        if (one.at is None) == (one.position is None):
+    for number, site in enumerate(sites, start=1):
+        if (site.at is None) == (site.position is None):
             raise problem(
-                "missing" if one.at is None else "conflict",
-                "neither" if one.at is None else "both",
+                "missing" if site.at is None else "conflict",
+                "neither" if site.at is None else "both",
                 "at (shares of the translations) or position (lengths), one of the two",
-                f"a {lattice} lattice does not say where its sites are"
-                if one.at is None
+                f"a {lattice} lattice does not define its sites"
+                if site.at is None
                 else "the place of a site was given twice",
                 'write at = [0, 0] or position = ["0 mm", "0 mm"]',
                 at=f"site[{number}].at",
             )
-        shares = one.shares(vectors)
+        shares = site.shares(vectors)
         assert shares is not None
         if not ((shares >= 0) & (shares < 1)).all():
             raise problem(
@@ -186,42 +186,42 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> None:
 
 
 def polygons(shares: Array, lattice: Lattice) -> list[Array]:
-    """What lies nearer to each site (n, 2) of a lattice than to any other: corners (sides, 2) about it, m."""
+    """Polygon of each site (n, 2) of a lattice, nearer to it than to any other: (sides, 2) about it, m."""
     if len(shares) == 1:
         return [lattice.corners]
     vectors, pitch = lattice.vectors, float(np.linalg.norm(lattice.vectors, axis=1).max())
     steps = np.array(list(product(range(-2, 3), repeat=2)))
-    made = []
-    for number, own in enumerate(shares):
+    outlines = []
+    for number, site in enumerate(shares):
         corners = lattice.corners  # nearer to the site than to its own images
-        away = ((np.delete(shares, number, axis=0) - own)[:, None] + steps).reshape(-1, 2) @ vectors
+        away = ((np.delete(shares, number, axis=0) - site)[:, None] + steps).reshape(-1, 2) @ vectors
         distance = np.linalg.norm(away, axis=1)
         for nearest in np.argsort(distance):
             if distance[nearest] > 2 * np.linalg.norm(corners, axis=1).max():
-                break  # it and all that follow are beyond the polygon
+                break  # this site and all following ones are beyond the polygon
             if distance[nearest] <= SAME * pitch:
-                continue  # two sites that are one, which a cell refuses
+                continue  # two coinciding sites, which a cell refuses
             corners = _cut(corners, away[nearest], SAME * pitch)
-        made.append(
+        outlines.append(
             np.roll(corners, -int(np.lexsort((corners[:, 0], np.round(corners[:, 1], 12)))[0]), axis=0)
         )
-    return made
+    return outlines
 
 
 def _cut(corners: Array, other: Array, same: float) -> Array:
-    """The part of a convex polygon that lies nearer to the origin than to another point."""
+    """Part of a convex polygon that is nearer to the origin than to another point."""
     beyond = corners @ (other / np.linalg.norm(other)) - 0.5 * np.linalg.norm(other)
     if beyond.max() <= same:
         return corners
-    kept: list[Array] = []
+    points: list[Array] = []
     for k in range(len(corners)):
         here, following = beyond[k], beyond[(k + 1) % len(corners)]
         if here <= same:
-            kept.append(corners[k])
+            points.append(corners[k])
         if (here < -same and following > same) or (here > same and following < -same):
             share = here / (here - following)
-            kept.append(corners[k] + share * (corners[(k + 1) % len(corners)] - corners[k]))
-    return np.array(kept)
+            points.append(corners[k] + share * (corners[(k + 1) % len(corners)] - corners[k]))
+    return np.array(points)
 
 
 def placed_tiles(
@@ -231,28 +231,28 @@ def placed_tiles(
     plate: Plate,
     half_turn: SiteMap | None,
 ) -> tuple[PlacedTile, ...]:
-    """A tile for each site, in its place; equal ones are one object, turned.
+    """A tile for each site, at its position; equal tiles are the same object, turned.
 
-    A turned tile has its own axes, along its mirrors where it has any, if the material allows for it. The
-    half-turn of the cell takes a tile to the same one turned by just that.
+    A turned tile has its own axes, along its mirrors if it has any, if the material allows for it. The
+    half-turn of the cell maps a tile to the same tile turned by a half-turn.
     """
-    made: list[PlacedTile] = []
+    tiles: list[PlacedTile] = []
     for number, (outline, position) in enumerate(zip(outlines, positions, strict=True)):
         if half_turn is not None and half_turn.image[number] < number:
-            other = made[half_turn.image[number]]
-            made.append(PlacedTile(other.tile, HALF_TURNED @ other.turn, position))
+            other = tiles[half_turn.image[number]]
+            tiles.append(PlacedTile(other.tile, HALF_TURNED @ other.turn, position))
             continue
         feature = features[number]
-        alike = _like(outline, feature, [other.tile for other in made], plate[1])
+        alike = _like(outline, feature, [other.tile for other in tiles], plate[1])
         tile, turn = alike or _upright(outline, plate, feature)
-        made.append(PlacedTile(tile, turn, position))
-    return tuple(made)
+        tiles.append(PlacedTile(tile, turn, position))
+    return tuple(tiles)
 
 
 def _like(
     outline: Array, feature: Feature | None, tiles: Sequence[TileShape], material: Material
 ) -> tuple[TileShape, Array] | None:
-    """The tile, and the turn, that a polygon with a feature is the image of, if there is one."""
+    """The tile and the rotation whose image is a polygon with a feature; None without one."""
     for tile in tiles:
         if len(tile.corners) != len(outline):
             continue
@@ -260,16 +260,16 @@ def _like(
             turn = _turn(math.atan2(*corner[::-1]) - math.atan2(*tile.corners[0][::-1]))
             image = tile.corners @ turn[:2, :2].T
             apart = np.linalg.norm(image[:, None] - outline, axis=2).min(axis=1).max()
-            stands = tile.feature is feature is None or (
+            same_feature = tile.feature is feature is None or (
                 tile.feature is not None and feature is not None and tile.feature.is_image(feature, turn)
             )
-            if apart < SAME * tile.extent and stands and is_symmetry(material.stiffness, turn):
+            if apart < SAME * tile.extent and same_feature and is_symmetry(material.stiffness, turn):
                 return tile, turn
     return None
 
 
 def _upright(outline: Array, plate: Plate, feature: Feature | None) -> tuple[SiteTile, Array]:
-    """The tile of a polygon in axes along its mirrors, and the turn from these axes to the cell's."""
+    """Tile of a polygon in axes along its mirrors, and the rotation from these axes to the cell's."""
     best: tuple[int, SiteTile, Array] | None = None
     for angle in _axes(outline):
         turn = _turn(angle)
@@ -279,19 +279,19 @@ def _upright(outline: Array, plate: Plate, feature: Feature | None) -> tuple[Sit
         mirrors = sum(tile.has_symmetry(mirror) for mirror in MIRRORS)
         if best is None or mirrors > best[0]:
             best = mirrors, tile, turn
-    assert best is not None, "axes that are not turned are always possible"
+    assert best is not None, "the axes of the cell are always possible"
     return best[1:]
 
 
 def site_tile(outline: Array, turn: Array, plate: Plate, feature: Feature | None) -> SiteTile:
-    """The tile of a polygon (sides, 2) in axes turned (3, 3) against the cell's."""
+    """Tile of a polygon (sides, 2) in axes turned (3, 3) against the cell's."""
     thickness, material, faces = plate
-    own = outline @ turn[:2, :2]
+    points = outline @ turn[:2, :2]
     feature = feature and feature.turned(-math.atan2(turn[1, 0], turn[0, 0]))
-    following = np.roll(own, -1, axis=0)
-    across = own[:, 0] * following[:, 1] - own[:, 1] * following[:, 0]
-    reach = float((across / np.linalg.norm(following - own, axis=1)).max())
-    corners = tuple((float(x), float(y)) for x, y in own)
+    following = np.roll(points, -1, axis=0)
+    across = points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0]
+    reach = float((across / np.linalg.norm(following - points, axis=1)).max())
+    corners = tuple((float(x), float(y)) for x, y in points)
     return SiteTile(
         outline=corners,
         period=2 * reach,
@@ -303,14 +303,14 @@ def site_tile(outline: Array, turn: Array, plate: Plate, feature: Feature | None
 
 
 def _axes(outline: Array) -> Iterator[float]:
-    """Angles, rad, of the lines about which a polygon may be its own image; first that of the x axis."""
+    """Angles, rad, of possible mirror axes of a polygon; the first is that of the x axis."""
     yield 0.0
     for point in np.concatenate([outline, 0.5 * (outline + np.roll(outline, -1, axis=0))]):
         yield math.atan2(point[1], point[0])
 
 
 def _turn(angle: float) -> Array:
-    """(3, 3) turn about the normal; by right angles exactly."""
+    """(3, 3) rotation about the normal; exact for right angles."""
     cosine, sine = math.cos(angle), math.sin(angle)
     turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
     near = np.round(turn)
@@ -318,9 +318,9 @@ def _turn(angle: float) -> Array:
 
 
 def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: float) -> None:
-    """Refuse sites that are one, sides of tiles that are next to nothing, and pillars that touch a side.
+    """Refuse sites that coincide, very short sides of tiles, and pillars that touch a side.
 
-    given : tables of sites in the study, 0 where all pillars are one
+    given : number of tables of sites in the study, 0 if all pillars are given by one
     least : free width between a pillar and the sides of its tile, m
     """
     for number, tile in enumerate((placed.tile for placed in tiles), start=1):
@@ -336,7 +336,7 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 at=f"{table}at" if table else "site",
             )
         feature = tile.feature
-        if feature is not None and tile.clearance < least:  # before what follows from it
+        if feature is not None and tile.clearance < least:  # before the checks that need a clearance
             per_half = feature.diameter / feature.radius
             beyond = per_half * (feature.widest - feature.radius)
             room = per_half * (tile.room - least) - beyond
@@ -365,11 +365,11 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
 
 
 def apart(shares: Array, vectors: Array, least: float) -> tuple[int, int] | None:
-    """Numbers of two sites that are nearer than a length (m), if there are such."""
-    for one, other in product(range(len(shares)), repeat=2):
-        if one < other:
-            steps = shares[one] - shares[other]
+    """Indices of two sites that are nearer than a length (m), or None."""
+    for first, second in product(range(len(shares)), repeat=2):
+        if first < second:
+            steps = shares[first] - shares[second]
             steps = (steps - np.round(steps)) + np.array(list(product((-1, 0, 1), repeat=2)))
             if np.linalg.norm(steps @ vectors, axis=1).min() < least:
-                return one, other
+                return first, second
     return None

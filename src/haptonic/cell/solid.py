@@ -1,4 +1,4 @@
-"""Solids of a CAD program, or a mesh, in place of pillars and discs: the file, and materials of its parts."""
+"""Solids of a CAD program, or a mesh, instead of pillars and discs: the file, and materials of its parts."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from haptonic.materials import GIVEN, Material
 LARGEST_FILE = 200_000_000  # bytes
 DRAWN = (".step", ".stp")
 MESHES = (".msh", ".bdf", ".nas", ".inp", ".vtu", ".vtk")  # see `haptonic.foreign.elements`
-SECONDS, MEMORY = 600.0, 12 * 2**30  # of the processor, and bytes, that a file may take
+SECONDS, MEMORY = 600.0, 12 * 2**30  # limits for a file: processor time, and bytes
 MOST_PARTS = 64
 
 
 @described("cell.solid.part", GeometryError)
 class SolidPart:
-    """What a solid, or a group of a mesh, consists of."""
+    """Material of a solid, or of a group of a mesh."""
 
     name: str = needed(
         "Name of the solid in the file; unnamed ones are called solid1, solid2, ... in order. In a mesh, the "
@@ -41,16 +41,16 @@ class SolidPart:
 
 @described("cell.solid", GeometryError)
 class Solid:
-    """One period of a plate as a CAD program drew it, in a STEP file, or as a mesh of another program.
+    """One period of a plate from a STEP file of a CAD program, or from a mesh of another program.
 
-    A STEP file may have any part of the lattice that fills the plane when it is repeated: a hexagon or a
-    rhombus, with a pillar in its middle or at its corners. A mesh is taken as it is and has to fill the cell
-    itself: a rectangle, or on a triangular lattice a hexagon. The plate has to be whole along the sides of
-    the cell, of one material, and as thick as ``[cell]`` says.
+    A STEP file may have any part of the lattice that fills the plane by repetition: a hexagon or a rhombus,
+    with a pillar in its middle or at its corners. A mesh is used unchanged, and has to fill the cell: a
+    rectangle, or on a triangular lattice a hexagon. The plate has to be complete along the sides of the cell,
+    of one material, and as thick as in ``[cell]``.
 
     Raises
     ------
-    GeometryError : a file that is not there, of another format, or of other content than ``sha256`` says
+    GeometryError : a missing file, one of another format, or one whose content contradicts ``sha256``
     """
 
     aliases: ClassVar[Aliases] = {
@@ -97,17 +97,17 @@ class Solid:
             size = path.stat().st_size if path.is_file() else -1
             content = path.read_bytes() if 0 <= size <= LARGEST_FILE else b""
         except OSError as error:
-            raise _unread(self.file, f"the system says: {error.strerror}") from None
+            raise _unread(self.file, f"the system reports: {error.strerror}") from None
         if size < 0:
             raise _unread(self.file, "there is no such file")
         if size > LARGEST_FILE:
             raise _unread(self.file, f"it is larger than {LARGEST_FILE // 10**6} MB")
-        found = hashlib.sha256(content).hexdigest()
-        if self.sha256 and self.sha256 != found:
+        digest = hashlib.sha256(content).hexdigest()
+        if self.sha256 and self.sha256 != digest:
             raise problem(
                 "mismatch",
                 shown(self.sha256, 80),
-                found,
+                digest,
                 "the file was changed after its hash was written down",
                 "leave sha256 out to take the file as it is, or bring the older file back",
                 at="sha256",
@@ -118,57 +118,61 @@ class Solid:
                 "repeated", shown(twice), "a table for each solid", "a solid has two materials",
                 "leave one of the tables out", at="part",
             )  # fmt: skip
-        object.__setattr__(self, "sha256", found)
+        object.__setattr__(self, "sha256", digest)
 
     def period(self, tile: Array, vectors: Array, thickness: float, turns: Array) -> SolidPeriod:
-        """The solids as one period of a plate.
+        """Read the solids as one period of a plate.
 
         Parameters
         ----------
-        tile : (sides, 2) corners of the polygon that repeats, m; vectors : (2, 2) translations, m
-        thickness : of the plate, m; turns : (n, 2, 2) maps of the plane that may leave the solids as they are
+        tile : (sides, 2) corners of the repeated polygon, m
+        vectors : (2, 2) translations, m
+        thickness : of the plate, m
+        turns : (n, 2, 2) maps of the plane that may leave the solids unchanged
 
         Raises
         ------
-        GeometryError : solids that make no period of such a plate
+        GeometryError : solids that form no period of such a plate
         ChannelError, ResourceError : the file cannot be read, or the libraries for it are not installed
         """
-        found = self.ask("inspected", tile, vectors, thickness, turns=turns)
-        names = list(found["names"])
+        answer = self.ask("inspected", tile, vectors, thickness, turns=turns)
+        names = list(answer["names"])
         unknown = {part.name for part in self.part}.difference(names)
-        if unknown and (names or not found["problem"]):
-            what = "group" if self.is_mesh else "solid"
+        if unknown and (names or not answer["problem"]):
+            noun = "group" if self.is_mesh else "solid"
             raise GeometryError.unknown(
                 known=names,
                 argument="cell.solid.part.name",
                 given=min(unknown),
-                allowed=f"a {what} of the file: {', '.join(map(shown, names)) or 'it has none'}",
-                cause=f"no {what} has this name",
+                allowed=f"a {noun} of the file: {', '.join(map(shown, names)) or 'it has none'}",
+                cause=f"no {noun} has this name",
                 next_step="write one of these names; the program that made the file may show others",
             )
-        if found["problem"]:
-            raise no_period(found, thickness, self.unit if self.is_mesh else "")
-        kept = np.asarray(found["kept"], dtype=bool)
-        return SolidPeriod(tuple(found["parts"]), np.array(found["volumes"]), kept, float(found["elements"]))
+        if answer["problem"]:
+            raise no_period(answer, thickness, self.unit if self.is_mesh else "")
+        unchanged = np.asarray(answer["kept"], dtype=bool)
+        return SolidPeriod(
+            tuple(answer["parts"]), np.array(answer["volumes"]), unchanged, float(answer["elements"])
+        )
 
     @property
     def is_mesh(self) -> bool:
-        """Whether the file is a mesh, which is taken as it is."""
+        """True for a mesh, which is used unchanged."""
         return Path(self.file).suffix.lower() in MESHES
 
     @property
     def materials(self) -> dict[str, Material]:
-        """Materials of the solids that have their own, by their key in [cell]."""
+        """Materials of the solids that have one, by their key in [cell]."""
         return {f"solid.part[{n}].material": part.material for n, part in enumerate(self.part, start=1)}
 
     def material_of(self, name: str, plate: Material) -> Material:
-        """What the solid of a name consists of."""
+        """Material of the solid with a name; by default the plate's."""
         return next((part.material for part in self.part if part.name == name), plate)
 
     def ask(
         self, question: str, tile: Array, vectors: Array, thickness: float, **arguments: object
     ) -> dict[str, Any]:
-        """The answer of `haptonic.foreign.solids` about the file in a tile; see `period`."""
+        """Answer of `haptonic.foreign.solids` for the file in a tile; see `period`."""
         if importlib.util.find_spec("ngsolve") is None:
             raise ResourceError.not_installed(
                 argument="cell.solid",
@@ -194,10 +198,11 @@ class Solid:
 
 @dataclass(frozen=True, eq=False)
 class SolidPeriod:
-    """What a file has for one period.
+    """Content of a file for one period.
 
-    names, volumes : of its solids or the parts of a mesh, m^3; kept : which maps leave them as they are
-    elements : of their mesh, as many tetrahedra have its unknowns
+    names, volumes : of its solids or the parts of a mesh, m^3
+    kept : True for maps that leave them unchanged
+    elements : number of tetrahedra with as many unknowns as their mesh
     """
 
     names: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""The errors for files of solids and meshes that make no period of a plate."""
+"""Errors for files of solids and meshes that form no period of a plate."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def metres_of(unit: str) -> float:
 
 
 def other_format(file: str, ending: str, endings: Sequence[str]) -> Exception:
-    """The error for a file of a format that is not read."""
+    """The error for a file of an unknown format."""
     return problem(
         "unsupported",
         shown(file, 100),
@@ -39,15 +39,16 @@ def other_format(file: str, ending: str, endings: Sequence[str]) -> Exception:
     )
 
 
-def no_period(found: dict[str, Any], thickness: float, unit: str) -> GeometryError:
-    """The error for a file that makes no period of a plate.
+def no_period(answer: dict[str, Any], thickness: float, unit: str) -> GeometryError:
+    """The error for a file that forms no period of a plate.
 
     Parameters
     ----------
-    found : the answer of `haptonic.foreign.solids.inspected`; thickness : of the plate, m
+    answer : result of `haptonic.foreign.solids.inspected`
+    thickness : of the plate, m
     unit : of a mesh; empty for solids
     """
-    kind, share, length = found["problem"], found["number"], format_quantity(found["number"], "m")
+    kind, share, length = answer["problem"], answer["number"], format_quantity(answer["number"], "m")
     if kind == "thickness":
         return GeometryError.mismatch(
             argument="cell.thickness",
@@ -56,7 +57,7 @@ def no_period(found: dict[str, Any], thickness: float, unit: str) -> GeometryErr
             cause="the plate of the file has another thickness along the sides of the cell",
             next_step=f'write thickness = "{length}" in [cell], or check the unit of the file',
         )
-    words = _of_mesh(found, unit) if unit else {
+    words = _of_mesh(answer, unit) if unit else {
         "empty": (
             "a file without a solid", "at least one solid",
             "it has surfaces or curves only", "export the cell as solids",
@@ -94,11 +95,11 @@ def no_period(found: dict[str, Any], thickness: float, unit: str) -> GeometryErr
     )
 
 
-def _of_mesh(found: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str, str]]:
-    """What each kind of problem of a mesh was given, allows, is caused by, and what to do."""
-    number, text, place = found["number"], found["text"], np.asarray(found["place"])
+def _of_mesh(answer: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str, str]]:
+    """Parts of the error for each kind of problem of a mesh: given, allowed, cause, next step."""
+    number, text, place = answer["number"], answer["text"], np.asarray(answer["place"])
     count, at = f"{number:.0f}", _places(place)
-    sizes = place if found["problem"] == "extent" else np.zeros((2, 2))
+    sizes = place if answer["problem"] == "extent" else np.zeros((2, 2))
     of_mesh, of_cell = (" x ".join(format_quantity(each, "m") for each in row) for row in sizes.tolist())
     again = "mesh the cell again as one body, or join the nodes in the program that made the mesh"
     return {
@@ -193,7 +194,7 @@ def _of_mesh(found: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str,
 
 
 def _places(places: Array) -> str:
-    """Places (..., 3) in m, in words."""
+    """Places (..., 3) in m, as text."""
     rows = places.reshape(-1, 3) if places.size % 3 == 0 else np.zeros((0, 3))
     texts = [
         "(" + ", ".join(format_quantity(round(x, 9) + 0.0, "m") for x in row) + ")" for row in rows.tolist()
@@ -202,7 +203,7 @@ def _places(places: Array) -> str:
 
 
 def _fitting(extents: Array, unit: str) -> str:
-    """What to do about a mesh of another extent than the cell: (2, 2) m, in a unit."""
+    """Next step for a mesh of another extent than the cell: (2, 2) m, in a unit."""
     for other in get_args(Unit):
         if np.allclose(extents[0] / metres_of(unit) * metres_of(other), extents[1], rtol=1e-3):
             return f'write unit = "{other}" in [cell.solid]: the sizes agree then'

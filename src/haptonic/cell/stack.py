@@ -1,7 +1,7 @@
-"""A stack: discs about one axis as a grid of storeys and annuli, each part of one material or empty.
+"""Stack of discs about one axis, as a grid of storeys and annuli, each of one material or empty.
 
-The borders of all discs, seen from above, divide a tile into annuli; their ends divide it into storeys. So a
-hole, an inclusion and its coating, a pillar on glue and a cap wider than its shaft are grids of a few parts.
+The borders of all discs, seen from above, divide a tile into annuli; their ends divide it into storeys. A
+hole, an inclusion with a coating, a pillar on glue, or a cap wider than its pillar is a grid of a few parts.
 """
 
 from __future__ import annotations
@@ -24,16 +24,17 @@ from haptonic.fields import problem
 from haptonic.materials import Material
 from haptonic.units import format_quantity
 
-LEAST_APART = 1e-3  # of the widest disc's half-width, or of the plate's thickness: borders that are two
-TURNS = 360  # directions in which borders are compared
+LEAST_APART = 1e-3  # smallest distance of different borders, over the widest half-width or the thickness
+TURNS = 360  # directions for the comparison of borders
 
 
 @dataclass(frozen=True)
 class Stack:
-    """Discs about the axis of a tile, put in one after the other.
+    """Discs about the axis of a tile, added in order.
 
     thickness : of the plate, m
-    mirrored : whether the tile is its own image in the plate's middle plane; then the upper half counts
+    mirrored : True if the tile is its own image in the plate's middle plane; the discs then give the upper
+        half
     """
 
     noun: ClassVar[str] = "disc"
@@ -43,14 +44,14 @@ class Stack:
 
     @cached_property
     def heights(self) -> Array:
-        """(storeys + 1,) ends of the storeys above the plate's lower face, m, rising."""
+        """(storeys + 1,) ends of the storeys above the plate's lower face, m, ascending."""
         floor = 0.5 * self.thickness if self.mirrored else 0.0
         ends = [end for disc in self.discs for end in disc.ends(self.thickness) if end > floor]
         return _distinct([floor, self.thickness, *ends], self.thickness)
 
     @cached_property
     def borders(self) -> tuple[Scaled, ...]:
-        """Borders of the annuli, from the innermost one on."""
+        """Borders of the annuli, from the innermost outwards."""
         scale = self._widest_disc.radius
         borders: list[Scaled] = []
         for disc in sorted(self.discs, key=lambda disc: disc.radius * disc.outline.reach):
@@ -64,17 +65,17 @@ class Stack:
 
     @cached_property
     def in_plate(self) -> int:
-        """Number of storeys that the plate consists of."""
+        """Number of storeys that form the plate."""
         return int(np.argmin(np.abs(self.heights - self.thickness)))
 
     @cached_property
     def solids(self) -> tuple[Material, ...]:
-        """Materials of discs that have their own; in the grid they have the numbers 1, 2, ..."""
+        """Materials of discs that have one; their numbers in the grid are 1, 2, ..."""
         return tuple(dict.fromkeys(disc.material for disc in self.discs if disc.material is not None))
 
     @cached_property
     def grid(self) -> Grid:
-        """(storeys, annuli) number of each part's material: 0 is the plate's, `VOID` nothing."""
+        """(storeys, annuli) number of each part's material: 0 for the plate's, `VOID` for empty parts."""
         return self._grid_of(self.discs)
 
     def _grid_of(self, discs: tuple[Disc, ...]) -> Grid:
@@ -93,8 +94,9 @@ class Stack:
     def singular(self) -> Bools:
         """(borders, ends of storeys) True where stress is singular.
 
-        It is where a re-entrant edge is, or where materials meet in a corner. It is not at an edge that juts
-        out, nor along a straight surface or interface; where an interface ends at a level surface it is weak.
+        That is at re-entrant edges, and where materials meet in a corner. It is not at convex edges, nor
+        along a straight surface or interface; at the end of an interface on a level surface the singularity
+        is weak.
         """
         grid = np.array(self.grid)
         below = grid[:1] if self.mirrored else np.full_like(grid[:1], VOID)
@@ -109,9 +111,9 @@ class Stack:
         return np.asarray(~(upright | level | juts_out | ends_at_surface).T)
 
     def check(self, table: str) -> None:
-        """Refuse discs that make no body with the plate, or of which one changes nothing.
+        """Refuse discs that form no body with the plate, or one that changes nothing.
 
-        table : of the study that has the discs, with a dot at its end; errors name a disc by its number
+        table : table of the study with the discs, with a dot at its end; errors give a disc by its number
         """
         self._check_ends(table)
         self._check_borders(table)
@@ -162,10 +164,10 @@ class Stack:
     def _check_borders(self, table: str) -> None:
         """Refuse borders that cross or touch, or are nearly the same."""
         angle = 2 * np.pi * np.arange(TURNS) / TURNS
-        way = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        directions = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
         least = LEAST_APART * self.borders[-1].half_width
         for inner, outer in pairwise(self.borders):
-            reach = [border.half_width * radii(border.outline, way) for border in (inner, outer)]
+            reach = [border.half_width * radii(border.outline, directions) for border in (inner, outer)]
             if (reach[1] - reach[0]).min() < least:
                 raise problem(
                     "out-of-range",
@@ -178,7 +180,7 @@ class Stack:
                 )
 
     def _check_joined(self, table: str) -> None:
-        """Refuse parts that hang in the air, or touch the rest along an edge only."""
+        """Refuse parts without contact to the rest, or with contact along an edge only."""
         solid = np.array(self.grid) != VOID
         joined = np.zeros_like(solid)
         joined[: self.in_plate, -1] = True
@@ -216,7 +218,7 @@ class Stack:
 
     @property
     def outline(self) -> Outline:
-        """Of the widest disc."""
+        """Outline of the widest disc."""
         return self.borders[-1].outline
 
     @property
@@ -226,12 +228,12 @@ class Stack:
 
     @property
     def widest(self) -> float:
-        """The same, m."""
+        """Smallest half-width of the widest disc, m; the same as `radius`."""
         return self.radius
 
     @property
     def broadest(self) -> float:
-        """The same, m."""
+        """Smallest half-width of the widest disc, m; the same as `radius`."""
         return self.radius
 
     @property
@@ -240,12 +242,12 @@ class Stack:
 
     @property
     def table(self) -> str:
-        """Of the study that gives the widest disc."""
+        """Table of the study that gives the widest disc."""
         return f"disc[{1 + self.discs.index(self._widest_disc)}]"
 
     @property
     def diameter(self) -> float:
-        """Of the widest disc, m."""
+        """Diameter of the widest disc, m."""
         return self._widest_disc.diameter
 
     @property
@@ -255,7 +257,7 @@ class Stack:
 
     @property
     def height(self) -> float:
-        """Of the highest part above the plate, m; 0 without any."""
+        """Height of the highest part above the plate, m; 0 without such a part."""
         return float(self.heights[-1]) - self.thickness
 
     @property
@@ -264,27 +266,27 @@ class Stack:
         return all(row[-2] == VOID for row in self.grid[: self.in_plate])
 
     def keeps_material(self, turn: NDArray[np.float64]) -> bool:
-        """True if a map leaves the materials of all discs as they are."""
+        """True if a map leaves the materials of all discs unchanged."""
         return all(disc.keeps_material(turn) for disc in self.discs)
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
-        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the stack as it is."""
+        """True if an orthogonal map (3, 3) of space that keeps the normal leaves the stack unchanged."""
         return self.is_image(self, turn)
 
     def is_image(self, other: object, turn: NDArray[np.float64]) -> bool:
-        """True if an orthogonal map (3, 3) that keeps the normal takes the stack to another one."""
+        """True if an orthogonal map (3, 3) that keeps the normal maps the stack to another one."""
         return (
             isinstance(other, Stack)
             and len(self.discs) == len(other.discs)
-            and all(mine.is_image(its, turn) for mine, its in zip(self.discs, other.discs, strict=True))
+            and all(disc.is_image(image, turn) for disc, image in zip(self.discs, other.discs, strict=True))
         )
 
     def turned(self, angle: float) -> Stack:
-        """The same turned anticlockwise about its axis, rad."""
+        """A copy turned anticlockwise about its axis, rad."""
         return replace(self, discs=tuple(disc.turned(angle) for disc in self.discs))
 
     def gap_to(self, other: Feature, away: Array) -> float:
-        """Width of the narrowest way between this and others, all alike; see `Pillar.gap_to`."""
+        """Width of the narrowest gap between this stack and equal others; see `Pillar.gap_to`."""
         return float(self.borders[-1].gap_to(Scaled(other.outline, other.broadest), away).min())
 
 
@@ -292,7 +294,7 @@ Feature = Pillar | Stack
 
 
 def _is_border_of(border: Scaled, disc: Disc, scale: float) -> bool:
-    """True if a border is that of a disc but for rounding; ``scale`` is a length of the stack, m."""
+    """True if a border is that of a disc up to rounding; ``scale`` is a length of the stack, m."""
     return border.outline.is_same(disc.outline) and abs(border.half_width - disc.radius) < SAME * scale
 
 
@@ -304,11 +306,11 @@ def radii(outline: Outline, way: Array) -> Array:
     curve = outline.polygon(4 * TURNS, 8)
     angle = np.unwrap(np.arctan2(curve[:, 1], curve[:, 0]))
     distance = np.linalg.norm(curve, axis=1)
-    asked = np.arctan2(way[:, 1], way[:, 0])
-    return np.asarray(np.interp(asked, angle, distance, period=2 * np.pi))
+    angles = np.arctan2(way[:, 1], way[:, 0])
+    return np.asarray(np.interp(angles, angle, distance, period=2 * np.pi))
 
 
 def _distinct(values: list[float], scale: float) -> Array:
-    """Values in rising order; those that differ by rounding only once."""
+    """Values in ascending order; those that differ only by rounding are listed once."""
     ordered: Ints | Array = np.sort(values)
     return np.asarray(ordered[np.append(True, np.diff(ordered) > SAME * scale)])

@@ -1,6 +1,6 @@
-"""A tile: a convex polygon of plate about a point, with a pillar or a stack of discs there, or nothing.
+"""Tile: a convex polygon of plate about a point, with a pillar, a stack of discs, or nothing there.
 
-Every cell is put together from tiles, edge to edge; a cell of one site is a tile itself.
+Every cell consists of tiles, edge to edge; a cell of one site is a single tile.
 """
 
 from __future__ import annotations
@@ -19,19 +19,20 @@ from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
 
-Sides = tuple[int, int]  # where a turn or mirror of a polygon takes its first two sides
+Sides = tuple[int, int]  # images of a polygon's first two sides by a rotation or mirror
 
 HALF_TURNED = np.diag([-1.0, -1.0, 1.0])  # about the normal
-MEET = 1e-6  # of the pitch: places of two tiles that are one
+MEET = 1e-6  # of the pitch: closer places of two tiles coincide
 # Thickness, in half pitches, below which elements beside a pillar bend like a plate's. At 0.17 to 0.25 the
-# six orders around the pillar of thicker plates left 1.4 to 6 % of a tenth band, two more 0.3 to 0.7 %.
+# error of a tenth band with the six orders around the pillar of thicker plates was 1.4 to 6 %, with two more
+# 0.3 to 0.7 %.
 THIN = 0.3
-SHEET = 0.08  # and below which it may be a sheet
-SHEET_CLEARANCE = 3.0  # and so narrow a neck, in thicknesses, that it is none
+SHEET = 0.08  # thickness, in half pitches, below which the plate may be a sheet
+SHEET_CLEARANCE = 3.0  # width of the neck, in thicknesses, below which it is not a sheet
 
 
 def enclosed(loop: Array) -> float:
-    """Area that a closed line through corners (n, 2) encloses to its left; negative if it runs clockwise."""
+    """Area that a closed line through corners (n, 2) encloses on its left; negative for a clockwise line."""
     following = np.roll(loop, -1, axis=0)
     return float(0.5 * (loop[:, 0] * following[:, 1] - loop[:, 1] * following[:, 0]).sum())
 
@@ -51,18 +52,18 @@ def sides_of(loop: Array) -> tuple[Array, Array]:
 
 
 def room_in(loop: Array, outline: Outline) -> float:
-    """Largest scale of an outline that fits into a polygon (sides, 2), anticlockwise about the origin."""
+    """Largest scale at which an outline fits into a polygon (sides, 2), anticlockwise about the origin."""
     normal, away = sides_of(loop)
     return float((away / outline.support(normal)).min())
 
 
 class TileShape:
-    """What a mesh has to know of a piece of plate; the pillar's axis is the origin.
+    """Shape of a piece of plate for a mesh; the pillar's axis is the origin.
 
     corners : (sides, 2) of the polygon, anticlockwise, m
-    extent : m, the period of what stands around it: necks between pillars and waves are counted on it
-    faces : of the plate that the pillar stands on
-    free_width : half-width of the pillar that it is a piece of, m; None of a piece of plate
+    extent : period of the surroundings, m, for necks between pillars and for waves
+    faces : faces of the plate with pillars
+    free_width : half-width of the pillar for a piece of a pillar, m; None for a piece of plate
     """
 
     thickness: float
@@ -75,7 +76,7 @@ class TileShape:
 
     @property
     def feature(self) -> Feature | None:
-        """What is about the axis: the pillar, or the stack of discs."""
+        """Feature about the axis: the pillar, or the stack of discs; None without one."""
         return self.pillar or self.stack
 
     @property
@@ -93,19 +94,19 @@ class TileShape:
 
     @property
     def pillar_material(self) -> Material:
-        """What the pillar consists of: a material of its own, or the plate's."""
+        """Material of the pillar: its own, or the plate's."""
         if self.pillar is None or self.pillar.material is None:
             return self.material
         return self.pillar.material
 
     @property
     def solids(self) -> tuple[Material, ...]:
-        """Materials by the numbers that blocks of the mesh have: the plate's, then those of the feature."""
+        """Materials by their numbers in the blocks of the mesh: the plate's, then those of the feature."""
         return (self.material, *(self.stack.solids if self.stack else (self.pillar_material,)))
 
     @property
     def elongation(self) -> float:
-        """Square of the extent over the area; of a lattice's cell as though its angles were right ones."""
+        """Square of the extent over the area; a lattice's cell is treated as rectangular."""
         return self.extent**2 / self.area
 
     @cached_property
@@ -115,71 +116,71 @@ class TileShape:
 
     @cached_property
     def area(self) -> float:
-        """Of the polygon, m^2."""
+        """Area of the polygon, m^2."""
         return enclosed(self.corners)
 
     @property
     def is_mirrored(self) -> bool:
-        """Whether it is its own image in the plate's middle plane, and half of it is meshed."""
+        """True if the tile is its own image in the plate's middle plane; only half of it is then meshed."""
         return self.faces == "both"
 
     @property
     def copies(self) -> int:
-        """Of each pillar: itself, and its image if there is one."""
+        """Number of copies of each pillar: 1, or 2 with an image on the other face."""
         return 2 if self.is_mirrored else 1
 
     @property
     def depth(self) -> float:
-        """How far below the plate's top its mesh reaches: through the plate, or to its middle plane, m."""
+        """Depth of its mesh below the plate's top: the thickness, or half of it for a mirrored tile, m."""
         return 0.5 * self.thickness if self.is_mirrored else self.thickness
 
     @cached_property
     def room(self) -> float:
-        """Half-width up to which a pillar or stack of this outline fits into the polygon, m."""
+        """Largest half-width of a feature with this outline that fits into the polygon, m."""
         return room_in(self.corners, self.feature.outline) if self.feature else self.inradius
 
     @property
     def clearance(self) -> float:
         """Free width of plate between the feature and the nearest side, m.
 
-        Where the feature is wider than its smallest half-width, in proportion less.
+        It is less if the feature is wider than its smallest half-width.
         """
         return self.room - (self.feature.widest if self.feature else 0.0)
 
     @property
     def is_smooth(self) -> bool:
-        """Whether no edge or interface makes stress singular."""
+        """True if stress is singular at no edge or interface."""
         if self.stack is not None:
             return not (self.stack.has_corners or self.stack.singular.any() or self.stack.solids)
         return self.pillar is None and self.solid is None
 
     @property
     def is_thin(self) -> bool:
-        """Whether the plate is so thin for its pitch that many of its waves lie below those of its pillar."""
+        """True for a plate so thin for its pitch that many of its waves lie below its pillar's."""
         return self.thickness < THIN * self.inradius
 
     @property
     def is_sheet(self) -> bool:
-        """Whether the plate is so thin that it bends like a sheet everywhere but at the foot.
+        """True for a plate so thin that it bends like a sheet everywhere but at the foot.
 
-        Its waves are as long as those of a thicker one, so that it needs many orders in its plane and few
-        through it. With a fillet the foot's rings follow the arc, and there it is none.
+        Its waves are as long as those of a thicker plate, so it needs many orders in its plane and few
+        through it. A tile with a fillet is not a sheet, because the foot's rings follow the arc.
         """
         wide = SHEET_CLEARANCE * self.thickness < self.clearance
         return self.thickness < SHEET * self.inradius and wide and not (self.pillar and self.pillar.fillet)
 
     @property
     def is_upright(self) -> bool:
-        """Whether it is a rectangle along x and y about its middle."""
+        """True for a rectangle along x and y about its middle."""
         corners = self.corners
         return len(corners) == 4 and bool(
             np.abs(np.abs(corners) - np.abs(corners[0])).max() < SAME * self.extent
         )
 
     def moved_sides(self, turn: Array) -> Sides | None:
-        """Where an orthogonal map of space (3, 3) that keeps the normal takes the first two sides.
+        """Images of the first two sides by an orthogonal map of space (3, 3) that keeps the normal.
 
-        None if it does not leave the polygon as it is.
+        None if it changes the polygon.
         """
         plane = turn[:2, :2].T
         images = self.corners @ plane
@@ -191,7 +192,7 @@ class TileShape:
         return int(moved[0]), int(moved[1])
 
     def has_symmetry(self, turn: Array) -> bool:
-        """Whether such a map leaves polygon, feature and material as they are."""
+        """True if such a map leaves polygon, feature and material unchanged."""
         return (
             (self.feature is None or self.feature.has_symmetry(turn))
             and is_symmetry(self.material.stiffness, turn)
@@ -201,7 +202,7 @@ class TileShape:
 
 @dataclass(frozen=True)
 class SiteTile(TileShape):
-    """What lies nearer to one site of a cell than to any other, in axes of its own; see `TileShape`."""
+    """Polygon nearer to one site of a cell than to any other, in its own axes; see `TileShape`."""
 
     outline: tuple[tuple[float, float], ...]
     period: float
@@ -229,9 +230,10 @@ class SiteTile(TileShape):
 
 @dataclass(frozen=True, eq=False)
 class PlacedTile:
-    """A tile in its place in a cell: turned about the normal, then moved.
+    """A tile at its position in a cell: rotated about the normal, then moved.
 
-    turn : (3, 3) from the tile's axes to the cell's; position : (2,) of the tile's origin, m
+    turn : (3, 3) from the tile's axes to the cell's
+    position : (2,) of the tile's origin, m
     """
 
     tile: TileShape
@@ -244,18 +246,18 @@ class PlacedTile:
 
     @property
     def corners(self) -> Array:
-        """(n, 2) of the tile in its place, m."""
+        """(n, 2) corners of the tile at its position, m."""
         return np.asarray(self.tile.corners @ self.turn[:2, :2].T + self.position)
 
-    def points(self, own: Array) -> Array:
+    def points(self, local: Array) -> Array:
         """(n, 3) points of the cell from those of the tile, m."""
-        return np.asarray(own @ self.turn.T + np.append(self.position, 0.0))
+        return np.asarray(local @ self.turn.T + np.append(self.position, 0.0))
 
 
 @dataclass(frozen=True, eq=False)
 class FreeEdge:
-    """Where a period has no neighbour: of tiles first, ..., beyond - 1, the sides that meet their own images
-    a step (2,) away, m; of any without a step."""
+    """Free edges of a period: sides of tiles first, ..., beyond - 1 that would meet their own images a step
+    (2,) away, m; without a step, all sides that meet none."""
 
     first: int
     beyond: int
@@ -263,10 +265,12 @@ class FreeEdge:
 
 
 class Period(Protocol):
-    """What is repeated: a cell in two directions, one of a ribbon in one.
+    """A repeated unit: a cell in two directions, a ribbon in one.
 
-    tiles : that it consists of; vectors : (d, 2) translations, m; free_edges : where nothing follows
-    area : of plate that as many bands belong to as are asked for, m^2
+    tiles : its tiles
+    vectors : (d, 2) translations, m
+    free_edges : edges without a neighbour
+    area : area of plate for the requested number of bands, m^2
     """
 
     @property

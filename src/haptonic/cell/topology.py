@@ -1,12 +1,12 @@
-"""Numbers of the nodes and elements of a unit cell's mesh; they do not depend on any size.
+"""Numbering of the nodes and elements of a unit cell's mesh, independent of all sizes.
 
-A cell is a polygon. Seen from above, a curved core sits in its middle: one square patch in a cell of four
-sides, else a patch for each corner, and these meet at the centre. Rings of blocks, as many to each side of
-the cell, lead from it to the pillar's foot and on to the sides. The grid of the plan says which of these
-blocks each layer has, and of which material: a pillar goes on with the inner ones, above a step with the
-innermost. Where a cell is its own image in the plate's middle plane, all this is its upper half; the nodes of
-the lower one follow, and its elements. A piece of a pillar about its step is meshed alike: what is below the
-step in place of the plate, with free sides.
+A cell is a polygon. Seen from above, a curved core is in its middle: one square patch in a cell of four
+sides, else a patch for each corner, and these meet at the centre. Rings of blocks, as many for each side of
+the cell, lead from the core to the pillar's foot and on to the sides. The grid of the plan gives the blocks
+of each layer and their materials: a pillar continues the inner blocks, above a step the innermost. For a cell
+that is its own image in the plate's middle plane, all this is its upper half; the nodes and elements of the
+lower half follow. A piece of a pillar about its step is meshed like a cell: the part below the step replaces
+the plate, and its sides are free.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from haptonic.cell.blocks import VOID, level_positions
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.tile import Sides
 
-SAME = 1e-9  # of a polygon whose corners lie on the unit circle: places that are one
+SAME = 1e-9  # of a polygon with corners on the unit circle: closer places coincide
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,22 +43,22 @@ class Elements:
         return len(self.nodes)
 
     def with_images(self, image: Ints) -> Elements:
-        """These elements, then their images; upside down, so that their frames are right-handed as well."""
+        """These elements and their images, upside down, so that their frames are right-handed."""
         nodes = np.concatenate([self.nodes, image[self.nodes][..., ::-1]])
         return Elements(nodes, np.concatenate([self.in_pillar] * 2), np.concatenate([self.region] * 2))
 
 
 @dataclass(frozen=True, eq=False)
 class Topology:
-    """All of a mesh that the sizes do not touch; one object for each plan.
+    """All of a mesh that is independent of sizes; one object for each plan.
 
     The nodes of a level run from the core outwards.
 
-    plan : what it was made from
+    plan : plan of the mesh
     core : (patches, m + 1, m + 1) numbers of the core's nodes; patches that meet at the centre begin there
-    mirrored : whether a lower half follows, the image of all this in the lowest level
-    free : whether it is a piece of a pillar, which has no lateral faces, and an open end below
-    level_start : (levels + 1,) number of the first node of each level, and how many they have
+    mirrored : True if a lower half follows, the image of all this in the lowest level
+    free : True for a piece of a pillar, which has no lateral faces, and an open end below
+    level_start : (levels + 1,) number of the first node of each level, and number of all nodes
     families : all elements, grouped by their orders
     rim : (plate levels, around) nodes on the lateral faces, anticlockwise from the first corner; the lowest
         level first
@@ -78,24 +78,24 @@ class Topology:
 
     @cached_property
     def image(self) -> Ints:
-        """(nodes,) the image of each node in the middle plane, of a mesh without a lower half itself."""
+        """(nodes,) image of each node in the middle plane; itself without a lower half."""
         return _images(self.level_start) if self.mirrored else np.arange(self.level_start[-1])
 
     @cached_property
     def positions(self) -> tuple[Ints, ...]:
-        """Numbers that the nodes of each level have among all that a level could have; rising."""
+        """For each level, indices of its nodes among all possible nodes of a level, ascending."""
         return tuple(
             level_positions(curves, self.plan.core_size, self.plan.around) for curves in self.plan.curves
         )
 
     @property
     def faces(self) -> int:
-        """Of the plate that pillars may stand on."""
+        """Number of faces of the plate with pillars."""
         return 2 if self.mirrored else 1
 
     @property
     def upper_rim(self) -> Ints:
-        """(levels, around) the part of the rim on the meshed half, from the middle plane up, or all of it."""
+        """(levels, around) rim of the meshed half, from the middle plane up, or the whole rim."""
         return self.rim[len(self.rim) // 2 :] if self.mirrored else self.rim
 
     @property
@@ -105,17 +105,17 @@ class Topology:
 
     @property
     def pillar_start(self) -> Ints:
-        """(levels + 1,) numbers of the first nodes of levels above the plate's top, and how many in all."""
+        """(levels + 1,) numbers of the first nodes of levels above the plate's top, and of all nodes."""
         return self.level_start[0 if self.free else self.plan.plate_levels :]
 
     @property
     def foot(self) -> Topology:
-        """What is below the second of the pillar's layers above its thin ones."""
+        """Part below the second of the pillar's layers above its thin ones."""
         return topology_of(self.plan.foot, mirrored=self.mirrored, free=self.free)
 
     @property
     def top(self) -> Ints:
-        """Numbers of the nodes of the highest level, and of the lowest one of a lower half."""
+        """Numbers of the nodes of the highest level, and of the lowest level of a lower half."""
         top = np.arange(self.level_start[-2], self.level_start[-1])
         return np.unique(np.concatenate([top, self.image[top]]))
 
@@ -126,11 +126,11 @@ class Topology:
         return np.concatenate([upper, self.image[upper[self.level_start[1] :]]]) if self.mirrored else upper
 
     def permutation(self, moved: Sides) -> Ints:
-        """(nodes,) where a turn or mirror of the polygon, known by the first two sides, takes each node."""
+        """(nodes,) image of each node by a rotation or mirror, given by the images of the first two sides."""
         inner, around = self.plan.core_size, self.plan.around
         points = np.concatenate([_core_points(self.plan)[:inner], _rim_points(self.plan)])
         sides = _middles(self.plan.sides)
-        turn = sides[list(moved)].T @ np.linalg.inv(sides[:2].T)  # of the polygon that stands for the cell
+        turn = sides[list(moved)].T @ np.linalg.inv(sides[:2].T)  # of the regular polygon
         distance, level = scipy.spatial.cKDTree(points).query(points @ turn.T)
         assert distance.max() < SAME, "the operation does not leave the mesh as it is"
         for start in range(inner + around, inner + around * (self.plan.curves.shape[1] - 1), around):
@@ -146,14 +146,14 @@ class Topology:
 
 @lru_cache(maxsize=64)
 def topology_of(plan: MeshPlan, *, mirrored: bool = False, free: bool = False) -> Topology:
-    """The topology that a plan describes, or of which it does the upper half; one object for each plan."""
+    """Topology of a plan, which for a mirrored mesh is that of the upper half; one object for each plan."""
     p, inner, around = plan.order, plan.core_size, plan.around
     tree = scipy.spatial.cKDTree(np.concatenate([_core_points(plan), _rim_points(plan)]))
     core = np.stack([_numbers(tree, patch) for patch in _patches(plan)])
-    # quadrilaterals seen from above: (n1, n2) node numbers each, and the ring that they lie in
+    # quadrilaterals seen from above: (n1, n2) node numbers of each, and its ring
     step, blocks = np.arange(p + 1), range((core.shape[1] - 1) // p)
     pieces = [(patch, a * p + step, b * p + step) for patch in core for a in blocks for b in blocks]
-    faces = [(patch[np.ix_(one, other)], -1) for patch, one, other in pieces]
+    faces = [(patch[np.ix_(first, second)], -1) for patch, first, second in pieces]
     start = inner
     for ring, order in enumerate(plan.rings):
         across = start + np.arange(order + 1)[:, None] * around
@@ -185,7 +185,7 @@ def topology_of(plan: MeshPlan, *, mirrored: bool = False, free: bool = False) -
     if mirrored:
         image = _images(level_start)
         rim = np.concatenate([image[rim[:0:-1]], rim])
-        grouped = [one.with_images(image) for one in grouped]
+        grouped = [family.with_images(image) for family in grouped]
     return Topology(
         plan=plan,
         core=core,
@@ -211,23 +211,23 @@ def _corners(sides: int) -> Array:
 
 
 def _middles(sides: int) -> Array:
-    """(sides, 2) middles of its sides."""
+    """(sides, 2) middles of the sides of this polygon."""
     corners = _corners(sides)
     return np.asarray(0.5 * (corners + np.roll(corners, -1, axis=0)))
 
 
 def _rim_points(plan: MeshPlan) -> Array:
-    """(around, 2) places of the rim of a regular polygon that stands for the cell, evenly spaced."""
+    """(around, 2) positions of the rim on a regular polygon that replaces the cell, evenly spaced."""
     corners = _corners(plan.sides)
     along = np.arange(plan.side)[:, None] / plan.side
     following = np.roll(corners, -1, axis=0)
     return np.concatenate([
-        one + along * (other - one) for one, other in zip(corners, following, strict=True)
+        first + along * (second - first) for first, second in zip(corners, following, strict=True)
     ])  # fmt: skip
 
 
 def _patches(plan: MeshPlan) -> list[Array]:
-    """(m + 1, m + 1, 2) places of the nodes of each patch of the core, in the same polygon."""
+    """(m + 1, m + 1, 2) positions of the nodes of each patch of the core, in the same polygon."""
     corners, middles = _corners(plan.sides), _middles(plan.sides)
     if len(corners) == 4:
         outlines, steps = [corners], plan.side
@@ -242,7 +242,7 @@ def _patches(plan: MeshPlan) -> list[Array]:
 
 
 def _core_points(plan: MeshPlan) -> Array:
-    """(core, 2) places of the core's nodes within its outline, in the order of their numbers."""
+    """(core, 2) positions of the core's nodes within its outline, in the order of their numbers."""
     points = np.concatenate([patch.reshape(-1, 2) for patch in _patches(plan)])
     away, _ = scipy.spatial.cKDTree(_rim_points(plan)).query(points)
     points = points[away > SAME]

@@ -1,9 +1,9 @@
-"""Files of signals: channels with a name, a unit, a rate and samples, from and to the formats of others.
+"""Files of signals in many formats: channels with a name, a unit, a rate and samples.
 
-`haptonic.vibrometry` and `haptonic.friction` begin where this ends: `opened` gives the channels of a file,
-whatever its format, and they know what the channels mean.
+`opened` reads the channels of a file in any of these formats; `haptonic.vibrometry` and `haptonic.friction`
+interpret them.
 
-docs/channels.md says how to add a format.
+docs/channels.md explains how to add a format.
 """
 
 import lazy_loader as lazy

@@ -1,4 +1,4 @@
-"""Cells of text tables: the numbers that programs write, and the words for a missing one."""
+"""Cells of text tables: the numbers that programs write, and the words for a missing number."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MISSING = frozenset(
      "-nan(ind)", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind")
 )  # fmt: skip
 _INFINITE = {"1.#inf": "inf", "-1.#inf": "-inf", "+1.#inf": "inf", "∞": "inf", "-∞": "-inf", "+∞": "inf"}
-# "D" is Fortran's exponent of double precision, "*^" Mathematica's
+# "D" is the exponent of double precision in Fortran, "*^" the exponent in Mathematica
 _PART = r"(?:(?:\d+(?:\.\d*)?|\.\d+)(?:(?:[ed]|\*\^)[+-]?\d+)?|inf(?:inity)?|nan)"
 # Fortran leaves the letter out of 1.5-101; with an "i" behind it that is a complex number
 _REAL = re.compile(rf"[+-]?(?:{_PART}|\d+\.\d*[+-]\d{{3}})")
@@ -24,7 +24,7 @@ _SUM = re.compile(
 )
 _PAIR = re.compile(rf"\((?P<real>[+-]?{_PART})[,;](?P<imaginary>[+-]?{_PART})\)")
 _AROUND_SIGNS = re.compile(r"\s*([+-])\s*")
-# complex numbers with blanks or a comma in them, where blanks or commas part the columns
+# complex numbers with blanks or a comma inside, in tables whose columns are separated by the same sign
 _SPACED = re.compile(
     rf"(?P<real>(?<![\w.]){_PART})\s+(?P<sign>[+-])\s+(?P<imaginary>{_PART}\s*\*?\s*[ij])(?!\w)",
     re.IGNORECASE,
@@ -36,19 +36,19 @@ LONGEST = 80  # characters of a number
 
 
 def is_missing(cell: str) -> bool:
-    """True for an empty cell and for the words for a missing number."""
+    """True for an empty cell, and for a word that means a missing number."""
     return cell.strip().lower() in MISSING
 
 
 def number_of(cell: str, decimal: str = ".") -> complex | None:
-    """The number in a cell: a float, or a complex number where the cell has an imaginary part; else None.
+    """Number in a cell: a float, or a complex number for a cell with an imaginary part; else None.
 
     A missing number is NaN.
     """
     if decimal == ".":
         try:
             value = float(cell)
-            if "_" not in cell:  # Python reads 1_000; no table means that
+            if "_" not in cell:  # Python reads 1_000, which no table means as a number
                 return value
         except ValueError:
             pass
@@ -70,11 +70,11 @@ def number_of(cell: str, decimal: str = ".") -> complex | None:
         text = text[1:-1].strip()
     if _REAL.fullmatch(text):
         return _float(text)
-    if found := _IMAGINARY.fullmatch(text):
-        return complex(0.0, _float(found["sign"] + (found["before"] or found["behind"])))
-    if found := _SUM.fullmatch(text):
+    if match := _IMAGINARY.fullmatch(text):
+        return complex(0.0, _float(match["sign"] + (match["before"] or match["behind"])))
+    if match := _SUM.fullmatch(text):
         return complex(
-            _float(found["real"]), _float(found["sign"] + (found["before"] or found["behind"] or "1"))
+            _float(match["real"]), _float(match["sign"] + (match["before"] or match["behind"] or "1"))
         )
     return None
 
@@ -88,39 +88,39 @@ def _float(text: str) -> float:
 
 
 def joined(line: str) -> str:
-    """A line in which complex numbers hold no blanks or commas: ``1 + 2i`` and ``(1, 2)`` are ``1+2i``."""
+    """A line with complex numbers without blanks or commas: ``1 + 2i`` and ``(1, 2)`` become ``1+2i``."""
     if "(" in line:
         line = _SPACED_PAIR.sub(_as_sum, line)
-    return _SPACED.sub(lambda found: re.sub(r"\s+", "", found[0]), line)
+    return _SPACED.sub(lambda match: re.sub(r"\s+", "", match[0]), line)
 
 
-def _as_sum(found: re.Match[str]) -> str:
-    imaginary = found["imaginary"]
-    return f"{found['real']}{'' if imaginary[0] in '+-' else '+'}{imaginary}i"
+def _as_sum(match: re.Match[str]) -> str:
+    imaginary = match["imaginary"]
+    return f"{match['real']}{'' if imaginary[0] in '+-' else '+'}{imaginary}i"
 
 
 def numbers_in(cells: Sequence[str], decimal: str) -> tuple[Array | np.ndarray, int | None]:
-    """Numbers of cells, float or complex, and the place of the first cell that has none.
+    """Numbers of cells, float or complex, and the index of the first cell without one; None if all have one.
 
-    Where a cell has no number, the array has NaN.
+    The array has NaN for a cell without a number.
     """
     try:
         return _quick(cells, decimal), None
     except ValueError:
         pass
-    found = [number_of(cell, decimal) for cell in cells]
-    bad = next((k for k, value in enumerate(found) if value is None), None)
-    values = [float("nan") if value is None else value for value in found]
+    numbers = [number_of(cell, decimal) for cell in cells]
+    bad = next((k for k, value in enumerate(numbers) if value is None), None)
+    values = [float("nan") if value is None else value for value in numbers]
     dtype = complex if any(isinstance(value, complex) for value in values) else float
     return np.array(values, dtype=dtype), bad
 
 
 def _quick(cells: Sequence[str], decimal: str) -> Array:
-    """The same for cells that Python itself reads.
+    """`numbers_in` for cells that Python itself reads.
 
     Raises
     ------
-    ValueError : a cell that Python does not read, or reads where `number_of` would not
+    ValueError : a cell that Python cannot read, or reads differently from `number_of`
     """
     if decimal == ",":
         text = "\n".join(cells)

@@ -1,6 +1,6 @@
 """Text tables (CSV) as channels, and as columns of words and numbers; `text_table` reads them.
 
-A file is simulated if a comment above its rows, or a column ``origin``, says so.
+A file is simulated if a comment above its rows, or a column ``origin``, contains "simulated".
 """
 
 from __future__ import annotations
@@ -18,25 +18,25 @@ from haptonic.channels.signals import ORIGIN, SIMULATED, Channel, Group, Kind, S
 from haptonic.channels.text_table import TextColumn, TextTable, missing_as_nan, read_table
 from haptonic.names import cell
 
-HEAD = 20  # lines in which a comment marks a file
+HEAD = 20  # lines in which a comment may mark a file as simulated
 UNEVEN = "uneven_line"  # property: number of the first line with fewer cells than columns
-NAMES_LINE = "names_line"  # property: number of the line of names; absent where the columns are only numbered
-FIRST_ROW = "first_row"  # property: cells of the first row, as the file writes them
+NAMES_LINE = "names_line"  # property: number of the line of names; missing for a table without names
+FIRST_ROW = "first_row"  # property: cells of the first row, as in the file
 TITLES = "titles"  # property: lines above the table
 
 
 def read(path: Path, notes: Notebook, texts: Collection[str] = (), skip: int = 0) -> dict[str, Group]:
-    """The columns as channels of the one group ""; without names they are called 1, 2, ...
+    """Read the columns as channels of a single group ""; without names they are called 1, 2, ...
 
     Parameters
     ----------
-    texts : names of columns that hold words, whatever these look like
-    skip : lines at the top that are no part of the table
+    texts : names of columns that contain words, even if these look like numbers
+    skip : number of lines at the top before the table
 
     Raises
     ------
-    ChannelError : no table, or bytes that no text has
-    OSError : there is no such file, or it may not be read
+    ChannelError : no table, or bytes that are not text
+    OSError : no such file, or no right to read it
     """
     table = read_table(path, texts=texts, skip=skip)
     for remark in table.remarks:
@@ -61,7 +61,7 @@ def _channel(table: TextTable, name: str, column: TextColumn) -> Channel:
 
 
 def _rows(table: TextTable, column: TextColumn) -> Callable[[int, int], Samples]:
-    # words in a column are a fault of its numbers, which whoever asks for them hears of
+    # a word in a column of numbers raises an error when the numbers are used, not before
     def rows(first: int, last: int) -> Samples:
         return (column.values if column.is_text else table.numbers(column))[first:last]
 
@@ -69,24 +69,24 @@ def _rows(table: TextTable, column: TextColumn) -> Callable[[int, int], Samples]
 
 
 def columns(path: Path, texts: Collection[str], skip: int = 0) -> dict[str, Samples]:
-    """Columns of a table of words and numbers, by the whole text of their heading.
+    """Read columns of words and numbers, by the full text of their headings.
 
-    Those in ``texts`` hold words, whatever these look like; in others an empty cell is NaN.
+    Columns in ``texts`` contain words, even if these look like numbers; in others an empty cell is NaN.
 
     Raises
     ------
-    ChannelError : no table, or bytes that no text has
-    OSError : there is no such file, or it may not be read
+    ChannelError : no table, or bytes that are not text
+    OSError : no such file, or no right to read it
     """
     table = read_table(path, texts=texts, skip=skip)
-    # a column of numbers in which a cell is a word is one of words
+    # a column of numbers with a word in a cell becomes a column of words
     mixed = [column.heading.text for column in table.columns if column.bad]
     if mixed:
         table = read_table(path, texts=[*texts, *mixed], skip=skip)
-    known = {text.casefold() for text in texts}
+    text_names = {text.casefold() for text in texts}
     return {
         name if column.name == name and not column.unit else column.heading.text or name: _plain_column(
-            column, known
+            column, text_names
         )
         for name, column in table.columns_by_name.items()
     }
@@ -104,7 +104,7 @@ def _plain_column(column: TextColumn, texts: Collection[str]) -> Samples:
 
 
 def write(path: Path, table: Mapping[str, Sequence[Any] | Samples]) -> None:
-    """Write columns below their names; text that a spreadsheet would compute is made safe."""
+    """Write columns below their names; text that a spreadsheet would evaluate is escaped."""
     rows = zip(*(_plain(column) for column in table.values()), strict=True)
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")

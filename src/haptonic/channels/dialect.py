@@ -1,4 +1,4 @@
-"""What parts the columns of a text table, and which sign numbers have before their decimals."""
+"""Dialect of a text table: separator of the columns, and decimal sign of the numbers."""
 
 from __future__ import annotations
 
@@ -12,18 +12,20 @@ from fractions import Fraction
 from haptonic.channels.cells import is_missing, joined, number_of
 from haptonic.channels.headings import COMMENT, could_be_names
 
-# Where several read every row, the first is meant: a semicolon is no part of a number, a comma may be one.
+# The first of several that read every row is used: a semicolon is never part of a number, a comma may be.
 SEPARATORS = ("\t", ";", "|", ",", "")
-TAIL, SPREAD = 24, 12  # lines at the end and between, which show what the table is like
+TAIL, SPREAD = 24, 12  # lines of the sample: at the end, and spread over the file
 
 
 @dataclass(frozen=True)
 class Dialect:
-    """How rows are written.
+    """Dialect of the rows of a table.
 
-    separator : "" for blanks; decimal : "." or ","
-    cells : of a row; empty : how many of them, at its end, are empty in all rows
-    numeric : for each cell, True if its column holds numbers
+    separator : "" for blanks
+    decimal : "." or ","
+    cells : number of cells in a row
+    empty : number of cells at the end that are empty in all rows
+    numeric : for each cell, True if its column contains numbers
     """
 
     separator: str
@@ -33,7 +35,7 @@ class Dialect:
     numeric: tuple[bool, ...]
 
     def split(self, line: str) -> list[str]:
-        """The cells of a line."""
+        """Split a line into cells."""
         return split(line, self.separator)
 
     def is_row(self, cells: Sequence[str]) -> bool:
@@ -41,12 +43,12 @@ class Dialect:
         if not self.cells - self.empty <= len(cells) <= self.cells:
             return False
         pairs = zip(cells, self.numeric, strict=False)
-        found = [number_of(cell, self.decimal) for cell, numeric in pairs if numeric]
-        return None not in found and any(value == value for value in found)
+        numbers = [number_of(cell, self.decimal) for cell, numeric in pairs if numeric]
+        return None not in numbers and any(value == value for value in numbers)
 
 
 def split(line: str, separator: str) -> list[str]:
-    """The cells of a line."""
+    """Split a line into cells."""
     if "(" in line or "i" in line or "j" in line or "I" in line:
         line = joined(line)
     if not separator:
@@ -55,7 +57,7 @@ def split(line: str, separator: str) -> list[str]:
     if '"' in line:
         try:
             rows = list(csv.reader([line], delimiter=separator, skipinitialspace=True))
-        except csv.Error:  # a cell of more than 131072 characters, which is none
+        except csv.Error:  # a cell of more than 131072 characters, which no table has
             rows = [line.split(separator)]
         return [cell.strip() for cell in rows[0]] if rows else []
     return [cell.strip() for cell in line.split(separator)]
@@ -68,7 +70,7 @@ def is_comment(line: str) -> bool:
 
 
 def sample_of(lines: Sequence[str]) -> list[str]:
-    """Lines with text that are no comments: some of all, then the last ones."""
+    """Lines with text that are not comments: some of all, then the last ones."""
     tail: list[str] = []
     for line in reversed(lines):
         if len(tail) == TAIL:
@@ -80,9 +82,9 @@ def sample_of(lines: Sequence[str]) -> list[str]:
 
 
 def dialect_of(sample: Sequence[str]) -> Dialect | None:
-    """The dialect in which most lines are rows of as many cells; None without lines.
+    """The dialect in which most lines are rows with equal numbers of cells; None without lines.
 
-    Rows in which every cell is a number show a dialect better than words that are parted alike.
+    Rows of numbers only are better evidence for a dialect than words with the same separators.
     """
     best: tuple[tuple[Fraction, Fraction, int], Dialect] | None = None
     late = sample[len(sample) // 2 :]
@@ -92,20 +94,27 @@ def dialect_of(sample: Sequence[str]) -> Dialect | None:
         rows = [split(line, separator) for line in sample]
         for decimal in (".", ","):
             for cells, count in Counter(map(len, rows)).most_common(2):
-                alike = [row for row in rows if len(row) == cells]
-                held = [[number_of(cell, decimal) is not None for cell in row] for row in alike]
-                filled = [[not is_missing(cell) for cell in row] for row in alike]
-                part = len(alike) // 2  # titles and names lie above it
+                equal = [row for row in rows if len(row) == cells]
+                has_number = [[number_of(cell, decimal) is not None for cell in row] for row in equal]
+                filled = [[not is_missing(cell) for cell in row] for row in equal]
+                part = len(equal) // 2  # titles and names are above it
                 numeric = tuple(
-                    2 * sum(row[k] for row in held[part:]) >= len(held) - part for k in range(cells)
+                    2 * sum(row[k] for row in has_number[part:]) >= len(has_number) - part
+                    for k in range(cells)
                 )
-                whole = sum(all(h) and any(f) for h, f in zip(held, filled, strict=True)) if cells > 1 else 0
+                whole = (
+                    sum(all(h) and any(f) for h, f in zip(has_number, filled, strict=True))
+                    if cells > 1
+                    else 0
+                )
                 numbers = sum(
-                    a and b for h, f in zip(held, filled, strict=True) for a, b in zip(h, f, strict=True)
+                    a and b
+                    for h, f in zip(has_number, filled, strict=True)
+                    for a, b in zip(h, f, strict=True)
                 )
                 score = (
                     Fraction(whole, len(rows)) if all(numeric) else Fraction(0),
-                    # blanks are within words too, and lines of a single cell show nothing
+                    # blanks also occur within words, and lines of a single cell prove nothing
                     Fraction(count, len(rows) * (1 if cells > 1 and separator else 2))
                     * (1 + Fraction(numbers, max(1, sum(map(sum, filled))))),
                     -rank,
@@ -128,9 +137,9 @@ def dialect_of(sample: Sequence[str]) -> Dialect | None:
 def with_rare_commas(
     lines: Sequence[str], sample: Sequence[str], dialect: Dialect
 ) -> tuple[Dialect, list[str]]:
-    """The dialect with decimal commas if lines beyond the sample have them; these lines join the sample.
+    """The dialect with decimal commas if lines outside of the sample have them; these lines join the sample.
 
-    A table of whole numbers shows no sign before decimals; a rare number such as 1,01e+06 does.
+    A table of whole numbers does not show its decimal sign; a rare number such as 1,01e+06 does.
     """
     sample = list(sample)
     if dialect.decimal == "," or dialect.separator == ",":
@@ -151,16 +160,16 @@ def with_rare_commas(
 
 
 def comma_meaning(sample: Sequence[str], dialect: Dialect) -> str:
-    """What is unsure about the commas of a table, in words; "" if they have one meaning only."""
+    """Ambiguity of the commas of a table, as a sentence; "" if their meaning is clear."""
     rows = [dialect.split(line) for line in sample]
     rows = [row for row in rows if len(row) == dialect.cells]
     cells = [cell for row in rows for cell, numeric in zip(row, dialect.numeric, strict=True) if numeric]
     if dialect.decimal == ",":
         commas = [cell.lstrip("+-") for cell in cells if "," in cell]
-        sure = any(
+        is_clear = any(
             not re.fullmatch(r"[1-9]\d{0,2}(,\d{3})+", cell) and cell.count(",") == 1 for cell in commas
         )
-        if commas and not sure:
+        if commas and not is_clear:
             return f'"{commas[0]}" may be {commas[0].replace(",", "")} or {commas[0].replace(",", ".", 1)}'
     elif dialect.separator == "," and not any("." in cell or "e" in cell.lower() for cell in cells):
         zeros = [cell for cell in cells if re.fullmatch(r"[+-]?0\d+", cell)]
@@ -170,16 +179,18 @@ def comma_meaning(sample: Sequence[str], dialect: Dialect) -> str:
 
 
 def is_unclear_title(cells: Sequence[str], dialect: Dialect) -> bool:
-    """True for a line above the numbers that looks like a row of them and is none."""
-    found = [number_of(cell, dialect.decimal) is not None and not is_missing(cell) for cell in cells]
-    if len(cells) < 2 or not any(found):
+    """True for a line above the numbers that looks like a row but is not one."""
+    has_number = [number_of(cell, dialect.decimal) is not None and not is_missing(cell) for cell in cells]
+    if len(cells) < 2 or not any(has_number):
         return False
     if dialect.cells - dialect.empty <= len(cells) <= dialect.cells:
-        return (found[0] or 2 * sum(found) >= len(cells)) and not could_be_names(cells, dialect.decimal)
-    return found[0] and 2 * sum(found) > len(cells)
+        return (has_number[0] or 2 * sum(has_number) >= len(cells)) and not could_be_names(
+            cells, dialect.decimal
+        )
+    return has_number[0] and 2 * sum(has_number) > len(cells)
 
 
 def comment_text(line: str) -> str:
-    """A line without the marks of a comment."""
+    """A line without comment marks."""
     mark = COMMENT.match(line)
     return line[mark.end() :].strip() if mark else line.strip()

@@ -1,4 +1,4 @@
-"""The formats that are read, and how a file tells which one it is: to add one, see `haptonic.channels`."""
+"""Formats of signal files, and their detection; see `haptonic.channels` for adding one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from haptonic.errors import ChannelError, ResourceError
 
 @dataclass(frozen=True)
 class Format:
-    """A format. read : gives the groups of a file; tells : whether a file is one, by its first bytes"""
+    """A format. read : function that reads the groups; tells : True for the first bytes of such a file."""
 
     name: str
     suffixes: tuple[str, ...]
@@ -23,11 +23,11 @@ class Format:
     tells: Callable[[bytes], bool] = lambda head: False
 
 
-HEAD = 4096  # bytes that tell
+HEAD = 4096  # bytes for the detection
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _DELIMITER = re.compile(rb"^    -1 *\r?$", re.MULTILINE)
 
-# In this order: a MATLAB file of version 7.3 is HDF5 behind a block of its own.
+# The order matters: a MATLAB file of version 7.3 is HDF5 behind a block of its own.
 FORMATS = (
     Format("TDMS", (".tdms",), tdms.read, lambda head: head.startswith(b"TDSm")),
     Format("MATLAB", (".mat",), matlab.read, lambda head: head.startswith(b"MATLAB 5.0")),
@@ -36,35 +36,35 @@ FORMATS = (
     Format("CSV", (".csv",), delimited.read),
     Format("UFF", (".uff", ".unv", ".uf"), uff.read, lambda head: bool(_DELIMITER.search(head))),
 )
-SUFFIXES = sorted(suffix for one in FORMATS for suffix in one.suffixes)
+SUFFIXES = sorted(suffix for form in FORMATS for suffix in form.suffixes)
 
 
 def format_of(path: Path) -> Format | None:
-    """The format of a file, by its suffix or its first bytes; None for one that is not known.
+    """Format of a file, by its suffix or its first bytes; None if it is unknown.
 
     Raises
     ------
-    OSError : there is no such file, or it may not be read
+    OSError : no such file, or no right to read it
     """
     with path.open("rb") as file:
         head = file.read(HEAD)
     suffix = path.suffix.lower()
-    return next((one for one in FORMATS if suffix in one.suffixes or one.tells(head)), None)
+    return next((form for form in FORMATS if suffix in form.suffixes or form.tells(head)), None)
 
 
 def opened(path: Path) -> SignalFile:
-    """What is in a file of signals.
+    """Open a file of signals.
 
     Raises
     ------
-    ChannelError : there is no such file, it cannot be read, is damaged or of another format
+    ChannelError : no such file, or one that cannot be read, is damaged or of another format
     """
     try:
-        if not path.is_file():  # a name that is too long for any file raises an error
+        if not path.is_file():  # raises an error for a name that is too long for any file
             raise _refused(path, "no such file", "check its name", code="not-found")
         form = format_of(path)
         if form is None:
-            raise _refused(path, f'"{path.suffix}" is no ending of a format that is read', "save it as CSV")
+            raise _refused(path, f'"{path.suffix}" is not the ending of a known format', "save it as CSV")
         notes = Notebook(path, form.name)
         return SignalFile(path, form.read(path, notes), notes)
     except (MemoryError, ResourceError) as error:
@@ -72,8 +72,8 @@ def opened(path: Path) -> SignalFile:
             raise
         raise _refused(path, "it does not fit into memory, or is damaged", "divide it") from error
     except OSError as error:
-        found = f"it cannot be read ({type(error).__name__})"
-        raise _refused(path, found, "check your right to read it, and the disk") from error
+        given = f"it cannot be read ({type(error).__name__})"
+        raise _refused(path, given, "check your right to read it, and the disk") from error
 
 
 def _refused(path: Path, given: str, next_step: str, code: str = "unreadable") -> ChannelError:

@@ -1,4 +1,4 @@
-"""HDF5 files, and NetCDF 4 files, which are HDF5 with conventions, by h5py in the process that reads."""
+"""HDF5 files, and NetCDF 4 files, which are HDF5 with conventions, read by h5py in the reader process."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "dtype",
 
 
 def read(path: Path, notes: Notebook) -> dict[str, Group]:
-    """Groups, by "group/name" in depth; a channel has the unit of its attribute ``units``.
+    """Read the groups, by "group/name" with depth; the unit of a channel is its attribute ``units``.
 
     Raises
     ------
     ChannelError : the file is damaged
-    OSError : it may not be read
+    OSError : no right to read it
     """
     content = ask("hdf5.tree", path)
     for name in content["elsewhere"]:
@@ -37,23 +37,23 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
         if form["kind"] != "other":
             inside[group][name] = _channel(path, label, name, form)
     of_file = content["attributes"]
-    says = {"": of_file} | content["groups"]
-    return {name: Group(name, channels, says[name], of_file) for name, channels in inside.items()}
+    attributes = {"": of_file} | content["groups"]
+    return {name: Group(name, channels, attributes[name], of_file) for name, channels in inside.items()}
 
 
 def set_name(name: str) -> str:
-    """What a data set is called among what was dropped."""
+    """Name of a data set in the list of dropped content."""
     return f'the data set "{name}"'
 
 
 def _channel(path: Path, label: str, name: str, form: Mapping[str, Any]) -> Channel:
-    says, shape = form["attributes"], tuple(form["shape"])
-    written = {word.lower(): value for word, value in says.items()}
+    attributes, shape = form["attributes"], tuple(form["shape"])
+    written = {word.lower(): value for word, value in attributes.items()}
     unit = written.get("units", written.get("unit"))
-    in_parts = form["kind"] == "number" and shape and not any(word in says for word in PACKING)
+    in_parts = form["kind"] == "number" and shape and not any(word in attributes for word in PACKING)
     rows = partial(_rows, path, label, shape) if in_parts else partial(_whole, path, label, form)
     unit = unit if isinstance(unit, str) else ""
-    return Channel(name=name, shape=shape, rows=rows, kind=form["kind"], unit=unit, properties=says)
+    return Channel(name=name, shape=shape, rows=rows, kind=form["kind"], unit=unit, properties=attributes)
 
 
 def _rows(path: Path, name: str, shape: tuple[int, ...], first: int, last: int) -> Samples:
@@ -67,12 +67,12 @@ def _whole(path: Path, name: str, form: Mapping[str, Any], first: int, last: int
 
 
 def arrays_of(path: Path, content: Mapping[str, Any], names: Sequence[str]) -> dict[str, NDArray[Any]]:
-    """Numbers, unpacked, and texts by name, of a file of which ``content`` is the "hdf5.tree".
+    """Numbers, unpacked, and texts by name, of a file with the given "hdf5.tree" in ``content``.
 
     Raises
     ------
-    ChannelError : the data or what is said of their packing is damaged
-    ResourceError : they take more memory than a file of this size may
+    ChannelError : the data or their packing attributes are damaged
+    ResourceError : more memory than a file of this size may need
     """
     refuse_larger(path, sum(math.prod(content["sets"][name]["shape"]) for name in names))
     read = ask("hdf5.read", path, names=list(names))
@@ -85,14 +85,14 @@ def arrays_of(path: Path, content: Mapping[str, Any], names: Sequence[str]) -> d
 def refuse_sizes(
     path: Path, sets: Mapping[str, Mapping[str, Any]], dimensions: Mapping[str, Sequence[str]]
 ) -> None:
-    """Refuse sets of other sizes than their dimensions have, before any of them is read.
+    """Refuse sets whose sizes contradict their dimensions, before any of them is read.
 
-    A compressed set of some kB may unfold to a gigabyte, which takes seconds.
+    A compressed set of some kB may expand to a gigabyte, which takes seconds.
 
     Parameters
     ----------
-    sets : of the "hdf5.tree"; those that are not there are passed over
-    dimensions : names of the dimensions of each set; the first set with a dimension gives its size
+    sets : of the "hdf5.tree"; missing ones are ignored
+    dimensions : names of the dimensions of each set; the first set with a dimension defines its size
 
     Raises
     ------
@@ -110,9 +110,9 @@ def refuse_sizes(
             raise damaged(path, f"{name} is {sets[name]['kind']} of shape {shape}")
 
 
-def _unpacked(path: Path, name: str, values: Any, says: Mapping[str, Any]) -> NDArray[Any]:
+def _unpacked(path: Path, name: str, values: Any, attributes: Mapping[str, Any]) -> NDArray[Any]:
     array = np.asarray(values, dtype=None if isinstance(values, np.ndarray) else object)
-    packed = {word: says[word] for word in PACKING if word in says}
+    packed = {word: attributes[word] for word in PACKING if word in attributes}
     if not packed or array.dtype == object:
         return array
     variable = xr.Variable([f"axis {i}" for i in range(array.ndim)], array, packed)
@@ -122,11 +122,11 @@ def _unpacked(path: Path, name: str, values: Any, says: Mapping[str, Any]) -> ND
         )
         return np.asarray(decoded.values)
     except (TypeError, ValueError, LookupError, AttributeError, ArithmeticError) as error:
-        raise damaged(path, f"{name}: {', '.join(packed)} make no sense") from error
+        raise damaged(path, f"{name}: invalid {', '.join(packed)}") from error
 
 
 def write(path: Path, channels: Sequence[Channel], properties: Mapping[str, Any]) -> None:
-    """A data set for each channel, with its unit."""
+    """Write a data set for each channel, with its unit."""
     with hdf5.written(path) as raw, h5py.File(raw, "w") as file:
         file.attrs.update(properties)
         for channel in channels:

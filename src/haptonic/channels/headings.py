@@ -1,4 +1,4 @@
-"""Names of columns and their units, as programs write them above a table."""
+"""Names and units of columns, from the headings that programs write above a table."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from haptonic.units import TYPOGRAPHIC
 LONGEST = 300  # characters of one name; longer ones have no unit
 LONGEST_LINE = 8_000  # characters of a line whose names may have several words
 COMMENT = re.compile(r"\s*(?:%|#|!|//)+\s?")
-# the last pair of brackets, which may hold others: "Fz (mN)", "real ((m/s)/V)"; behind it COMSOL's parameter
+# the last pair of brackets, which may contain others: "Fz (mN)", "real ((m/s)/V)"; then COMSOL's parameter
 _BRACKETED = re.compile(
     r"(?P<name>[^\[\]]*?[^\s\[\]]|)(?P<gap>\s*)"
     r"(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>(?:[^()\[\]]|\([^()]*\))*)\))"
@@ -32,9 +32,11 @@ _RULE = re.compile(r"[\s\-=_*+|#%.]*")
 
 @dataclass(frozen=True)
 class Heading:
-    """What stands above a column.
+    """Heading of a column.
 
-    text : all of it; name : without unit; unit : as the file writes it, "" where it does not say
+    text : full text
+    name : without the unit
+    unit : as in the file, "" if missing
     """
 
     text: str
@@ -43,16 +45,16 @@ class Heading:
 
     @classmethod
     def of(cls, cell: str) -> Heading:
-        """The heading in a cell: "Fz (mN)", "freq [Hz] @ k=0.1", "f / Hz", "Zeit in s", "f, kHz", "f_Hz"."""
+        """Parse a cell: "Fz (mN)", "freq [Hz] @ k=0.1", "f / Hz", "Zeit in s", "f, kHz", "f_Hz"."""
         text = cell.strip().strip('"').strip()
         if len(text) > LONGEST:
             return cls(text, text, "")
-        found = _BRACKETED.fullmatch(text)
-        if found:
-            unit = (found["square"] if found["square"] is not None else found["round"]).strip()
-            # "max(w)" is a name; "max (w)" has a unit that nobody knows, which is refused where it matters
-            if is_unit(unit) or found["gap"] or found["square"] is not None or not found["name"]:
-                return cls(text, " ".join(f"{found['name']} {found['behind']}".split()), plain_unit(unit))
+        match = _BRACKETED.fullmatch(text)
+        if match:
+            unit = (match["square"] if match["square"] is not None else match["round"]).strip()
+            # "max(w)" is a name; "max (w)" has an unknown unit, which is an error only where a unit is needed
+            if is_unit(unit) or match["gap"] or match["square"] is not None or not match["name"]:
+                return cls(text, " ".join(f"{match['name']} {match['behind']}".split()), plain_unit(unit))
         if is_unit(text):
             return cls(text, text, plain_unit(text) if re.search("hz|rad/s", text, re.IGNORECASE) else "")
         base, at, behind = text.partition(" @ ")
@@ -60,25 +62,25 @@ class Heading:
             name, _, unit = base.partition(part) if part != " in " else base.rpartition(part)
             if name.strip() and is_unit(unit.strip()) and not unit.strip().isdigit():
                 return cls(text, f"{name.strip()}{at}{behind}", plain_unit(unit.strip()))
-        found = _HERTZ.fullmatch(base)
-        if found and found["name"]:
-            return cls(text, f"{found['name']}{at}{behind}", plain_unit(found["unit"]))
+        match = _HERTZ.fullmatch(base)
+        if match and match["name"]:
+            return cls(text, f"{match['name']}{at}{behind}", plain_unit(match["unit"]))
         return cls(text, text, "")
 
 
 def plain_unit(unit: str) -> str:
-    """A unit with the capitals that it should have: "khz", "KHZ" and "kHz" are one."""
+    """A unit with its usual capitals: "khz", "KHZ" and "kHz" are the same."""
     hertz = re.fullmatch(r"([kKMGT]?)hz", unit, re.IGNORECASE) if not unit.startswith("m") else None
     return f"{hertz[1].replace('K', 'k')}Hz" if hertz else unit
 
 
 def is_unit(text: str) -> bool:
-    """True if a text is a unit as instruments write it: "Hz", "(m/s)/V", "rad s^-1"."""
+    """True for a unit as instruments write it: "Hz", "(m/s)/V", "rad s^-1"."""
     return len(text) <= LONGEST and bool(_UNIT.fullmatch(text.translate(TYPOGRAPHIC)))
 
 
 def is_title(line: str) -> bool:
-    """True for a line such as "Force Units: N" or "rate = 500 Hz", which names no columns."""
+    """True for a line such as "Force Units: N" or "rate = 500 Hz", which does not name columns."""
     return bool(_KEY.match(line.lstrip(' "')))
 
 
@@ -88,21 +90,21 @@ def is_rule(line: str) -> bool:
 
 
 def units_in(cells: Sequence[str]) -> list[str] | None:
-    """The units of a line that has nothing else, without their brackets; else None."""
-    units, known = [], False
+    """Units of a line that has only units, without their brackets; None for other lines."""
+    units, has_unit = [], False
     for cell in cells:
         text = cell.strip().strip('"').strip()
         inner = text[1:-1].strip() if re.fullmatch(r"\[.*\]|\((?:[^()]|\([^()]*\))*\)", text) else None
         if inner is None and text not in ("", "-") and not is_unit(text):
             return None
         unit = plain_unit(text if inner is None else inner)
-        known |= unit not in ("", "-", "1")
+        has_unit |= unit not in ("", "-", "1")
         units.append("" if unit == "-" else unit)
-    return units if known else None
+    return units if has_unit else None
 
 
 def could_be_names(cells: Sequence[str], decimal: str = ".") -> bool:
-    """False if a cell is a number that numbers no band: names are words, or whole numbers behind a word."""
+    """False if a cell is a number that cannot be a name: names are words, or whole numbers after a word."""
     filled = [cell.strip() for cell in cells if not is_missing(cell)]
     numbers = [cell for cell in filled if number_of(cell, decimal) is not None]
     return (
@@ -115,12 +117,12 @@ def could_be_names(cells: Sequence[str], decimal: str = ".") -> bool:
 def names_by_blanks(
     line: str, count: int, starts: Sequence[int] | None = None, ends: Sequence[int] | None = None
 ) -> list[str] | None:
-    """As many names as columns in a line that blanks part, or None.
+    """As many names as columns from a line of words separated by blanks, or None.
 
     Parameters
     ----------
-    starts, ends : places of the first character of the cells below, and behind their last one, where all rows
-        have the same ones
+    starts, ends : positions of the first character of the cells below, and after their last one; given if all
+        rows have the same ones
     """
     mark = COMMENT.match(line)
     plain = " " * mark.end() + line[mark.end() :] if mark else line
@@ -131,9 +133,9 @@ def names_by_blanks(
         cells = [cell.strip() for cell in text.split(part)]
         if len(cells) == count > 1 and all(cells):
             return cells
-    # two blanks part names of two words, and so does the bracket that ends a unit
+    # two blanks separate names of two words, and so does the bracket at the end of a unit
     wide = re.split(r"\s{2,}(?![\[(@])|(?<=[\])])\s+(?![\[(@])", text)
-    if len(wide) == count and not any(_holds_wavevector(cell) for cell in wide):
+    if len(wide) == count and not any(_has_wavevector(cell) for cell in wide):
         return wide
     ended = _ENDED.findall(text)
     if len(ended) == count and "".join(ended).replace(" ", "") == text.replace(" ", ""):
@@ -157,13 +159,13 @@ def names_by_blanks(
     return None
 
 
-# names that end with a unit in brackets, and what COMSOL writes behind it
+# names that end with a unit in brackets, and COMSOL's parameter after it
 _ENDED = re.compile(r"\S[^()\[\]]*[\[(][^()\[\]]*[\])](?:\s*@\s*[^\s,]+(?:,\s*[^\s,]+=[^\s,]+)*)?(?:\s+|$)")
 _WAVEVECTOR = re.compile(r"[kqβκ](?:_?[xyz12])?|kappa|beta|wavevector|wavenumber|segment|path", re.IGNORECASE)
 
 
-def _holds_wavevector(cell: str) -> bool:
-    """True if the name of a wavevector and the next one may have been taken for one name."""
+def _has_wavevector(cell: str) -> bool:
+    """True if the name of a wavevector and the next name may have been read as one name."""
     words = cell.split()
     return (
         len(words) > 1
@@ -174,14 +176,14 @@ def _holds_wavevector(cell: str) -> bool:
 
 
 def _cut(line: str, cuts: Sequence[int], beside: int) -> list[str] | None:
-    """Pieces of a line between places where no word is cut in two; None if there are none such.
+    """Pieces of a line between positions that cut no word in two; None if there are no such positions.
 
-    A name that is longer than its column shifts those behind it, and a blank within it may lie at a cut by
-    chance. So two blanks part a name of several words from its neighbours.
+    A name that is longer than its column shifts the following ones, and a blank within it may lie at a cut by
+    chance. Therefore two blanks have to separate a name of several words from its neighbours.
 
     Parameters
     ----------
-    beside : of the blank that lies at each cut: -1 where pieces begin there, 0 where they end
+    beside : offset of the blank at each cut: -1 where pieces begin there, 0 where they end
     """
     texts = [line[a:b] for a, b in zip([0, *cuts], [*cuts, len(line)], strict=True)]
     pieces = [" ".join(text.split()) for text in texts]

@@ -1,4 +1,4 @@
-"""Units as instruments write them, such as ``mm/s``, ``(m/s)/V`` or ``g``, turned into SI."""
+"""Units as instruments write them, such as ``mm/s``, ``(m/s)/V`` or ``g``, converted to SI."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ _ANGULAR = re.compile(r"(?P<angle>[kMG]?rad|deg|turn)(?:/s(?:ec)?|\*?s\^?-1)|rpm
 
 @dataclass(frozen=True)
 class UnitLabel:
-    """What a written unit means.
+    """Meaning of a written unit.
 
-    motion : what moves, or None when it is no motion
-    unit : in SI, such as "V"; as it was written if it is not known
-    factor : value in SI of one of the written unit
+    motion : measured motion, or None for other quantities
+    unit : in SI, such as "V"; as written if it is unknown
+    factor : SI value of one written unit
     """
 
     motion: Motion | None
@@ -40,7 +40,7 @@ class UnitLabel:
 
 @dataclass(frozen=True)
 class Ratio:
-    """A numerator and what it is divided by; the denominator's unit is empty if there is none."""
+    """A unit with its numerator and denominator; the denominator's unit is empty if there is none."""
 
     over: UnitLabel
     under: UnitLabel
@@ -51,7 +51,7 @@ class Ratio:
 
 
 def label_of(text: str) -> UnitLabel:
-    """Meaning of one unit without a denominator of its own: "mm/s", "g", "mV"."""
+    """Meaning of one unit without a denominator: "mm/s", "g", "mV"."""
     plain = re.sub(r"[\s()\[\]]", "", text.translate(TYPOGRAPHIC))
     if plain.upper() in ("", "NONE", "-"):
         return UnitLabel(None, "", 1.0)
@@ -75,12 +75,12 @@ def label_of(text: str) -> UnitLabel:
 
 
 def ratio_of(text: str) -> Ratio:
-    """Meaning of a unit that may hold its own denominator: "(m/s)/V", "m/s/V", "mm/s per V"."""
+    """Meaning of a unit that may contain a denominator: "(m/s)/V", "m/s/V", "mm/s per V"."""
     plain = re.sub(r"\s+per\s+", "/", text.strip())
     bracketed = re.fullmatch(r"\(1/(?P<under>[^()]+)\)\*\(?(?P<over>[^()]+)\)?", re.sub(r"\s", "", plain))
     if bracketed:
         return Ratio(label_of(bracketed["over"]), label_of(bracketed["under"]))
-    cuts = [found.start() for found in re.finditer("/", plain)]
+    cuts = [match.start() for match in re.finditer("/", plain)]
     for cut in [len(plain), *reversed(cuts)]:
         over = label_of(plain[:cut])
         if over.motion is not None:
@@ -89,16 +89,16 @@ def ratio_of(text: str) -> Ratio:
 
 
 def factor_of(text: str, si: str) -> float:
-    """One of a written unit in an SI unit: as instruments write it, or else any unit that `to_si` knows.
+    """Value of a written unit in an SI unit: as instruments write it, or any unit that `to_si` reads.
 
     Raises
     ------
-    HaptonicError : no unit of this kind
+    HaptonicError : not a unit of this dimension
     """
     label = label_of(text)
     return label.factor if label.unit == si else to_si(f"1 {text}", si, "unit")
 
 
 def steps(source: Motion, target: Motion) -> int:
-    """How often a quantity is multiplied by i omega to become another one."""
+    """Number of multiplications by i omega that convert a motion into another."""
     return ORDER.index(target) - ORDER.index(source)

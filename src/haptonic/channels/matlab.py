@@ -1,6 +1,6 @@
 """MATLAB files: version 5, and version 7.3, which is HDF5.
 
-Variables of version 5 are compressed as a whole and read so; large ones of version 7.3 stay in the file.
+Variables of version 5 are compressed as a whole and read at once; large ones of version 7.3 stay in the file.
 """
 
 from __future__ import annotations
@@ -19,32 +19,32 @@ from haptonic.channels.signals import ORIGIN, Channel, Group, Samples
 from haptonic.foreign.process import ask
 from haptonic.later import h5py
 
-LARGE = 16_000_000  # numbers, from which a variable of version 7.3 stays in the file until it is asked for
+LARGE = 16_000_000  # numbers; a larger variable of version 7.3 stays in the file until it is used
 HEADER = b"MATLAB 7.3 MAT-file, written by haptonic"
 USER_BLOCK = 512  # bytes before the HDF5 part of a MATLAB file
 
 
 def read(path: Path, notes: Notebook, large: int = LARGE) -> dict[str, Group]:
-    """Variables of numbers and texts. A structure is a group; the group "" has all, its fields as
-    ``structure.field``.
+    """Read variables of numbers and texts. A structure is a group; the group "" contains all variables, and
+    fields of structures as ``structure.field``.
 
     Single numbers and single texts are properties as well.
 
     Raises
     ------
     ChannelError : the file is of neither version, or damaged
-    OSError : it may not be read
+    OSError : no right to read it
     """
-    found = ask("matlab.variables", path, large=large)
-    notes.unread.update(found["others"])
-    for name, what in found["others"].items():
-        notes.remark(f'the variable "{name}" was not read: it is {what}')
-    for name in found["elsewhere"]:
+    content = ask("matlab.variables", path, large=large)
+    notes.unread.update(content["others"])
+    for name, kind in content["others"].items():
+        notes.remark(f'the variable "{name}" was not read: it is {kind}')
+    for name in content["elsewhere"]:
         notes.drop(f'the variable "{name}"', ELSEWHERE)
-    every = {name: Channel.of(name, array) for name, array in found["arrays"].items()}
-    for name, (inside, shape) in found["stored"].items():
+    every = {name: Channel.of(name, array) for name, array in content["arrays"].items()}
+    for name, (inside, shape) in content["stored"].items():
         every[name] = Channel(name, tuple(shape), partial(_rows, path, inside))
-    for name, text in found["texts"].items():
+    for name, text in content["texts"].items():
         every[name] = Channel.of(name, np.array(text, dtype=object))
     whole = _group("", every, {})
     starts = {name[: i + 1] for name in every for i, letter in enumerate(name) if letter == "."}
@@ -53,21 +53,23 @@ def read(path: Path, notes: Notebook, large: int = LARGE) -> dict[str, Group]:
 
 
 def _group(start: str, every: Mapping[str, Channel], of_file: Mapping[str, Any]) -> Group:
-    inside = {name.removeprefix(start): one for name, one in every.items() if name.startswith(start)}
+    inside = {name.removeprefix(start): channel for name, channel in every.items() if name.startswith(start)}
     single = {
-        name: one.__array__().item() for name, one in inside.items() if one.size == 1 and "." not in name
+        name: channel.__array__().item()
+        for name, channel in inside.items()
+        if channel.size == 1 and "." not in name
     }
     return Group(start.removesuffix("."), inside, single, of_file)
 
 
 def _rows(path: Path, name: str, first: int, last: int) -> Samples:
-    """Of the first axis in MATLAB's order, which is the last one in the file."""
+    """Rows of the first axis in MATLAB's order, which is the last axis in the file."""
     (part,) = ask("hdf5.rows", path, names=[name], start=first, stop=last, last=True)
     return np.asarray(part).T
 
 
 def write(path: Path, variables: Mapping[str, Any], origin: str) -> None:
-    """Arrays and texts as variables of version 5, arrays of one axis as columns."""
+    """Write arrays and texts as variables of version 5, arrays of one axis as columns."""
     content = {**variables, ORIGIN: origin}
     scipy.io.savemat(path, content, appendmat=False, oned_as="column", do_compression=True)
 
@@ -79,12 +81,13 @@ def write_rows(
     portions: Iterable[tuple[int, Mapping[str, Samples]]],
     origin: str,
 ) -> None:
-    """Variables of version 7.3, large ones a few rows of their first axis at a time, in single precision.
+    """Write variables of version 7.3 in single precision, large ones a few rows at a time.
 
     Parameters
     ----------
-    small : (n,) arrays that are written whole, as columns
-    shapes : of the large ones; portions : number of the first row, and the next rows of some of them
+    small : (n,) arrays that are written at once, as columns
+    shapes : shapes of the large ones
+    portions : number of the first row, and the next rows of some of them
     """
     with hdf5.written(path) as raw, h5py.File(raw, "w", userblock_size=USER_BLOCK) as file:
         for name, values in small.items():
@@ -95,7 +98,7 @@ def write_rows(
         file[ORIGIN].attrs["MATLAB_class"] = np.bytes_("char")
         file[ORIGIN].attrs["MATLAB_int_decode"] = np.int32(2)
         for name, shape in shapes.items():
-            turned = shape[::-1]  # MATLAB's axes run the other way in HDF5
+            turned = shape[::-1]  # MATLAB's axes are in reverse order in HDF5
             file.create_dataset(name, turned, np.float32, chunks=(*turned[:-1], 1))
             file[name].attrs["MATLAB_class"] = np.bytes_("single")
         for first, parts in portions:

@@ -1,4 +1,4 @@
-"""What a reader left out: nothing is left out of a file without being named."""
+"""Notes of a reader on all content of a file that it leaves out."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 MOST_KINDS = 3  # of reasons, in a message
-NUMBER = re.compile(r"[\d.]+")  # by which reasons of one kind differ
+NUMBER = re.compile(r"[\d.]+")  # numbers do not distinguish kinds of reasons
 ELSEWHERE = "it lies in another file, and such links are not followed"
 
 
 @dataclass(frozen=True)
 class Dropped:
-    """Something in the file that is not in the result.
+    """Content of the file that is not in the result.
 
     what : such as "point 17" or "dataset 12"
-    reason : why it is not, in words
+    reason : reason for dropping it, as text
     """
 
     what: str
@@ -29,16 +29,16 @@ class Dropped:
 
 @dataclass
 class Notebook:
-    """Collects what is dropped and what is assumed while a reader works.
+    """Dropped content and assumptions, collected while a reader works.
 
-    unread : what is in the file and cannot be read, by name
+    unread : content of the file that cannot be read, by name
     """
 
     path: Path
     format: str
     dropped: list[Dropped] = field(default_factory=list)
     missing: list[str] = field(default_factory=list)
-    remarks: dict[str, None] = field(default_factory=dict)  # each once, found again at once
+    remarks: dict[str, None] = field(default_factory=dict)  # a set that keeps the order
     unread: dict[str, str] = field(default_factory=dict)
 
     def drop(self, what: str, reason: str) -> None:
@@ -48,15 +48,15 @@ class Notebook:
         self.remarks[text] = None
 
     def first_reasons(self) -> str:
-        """The kinds of what was dropped, for the error of a file of which nothing is left."""
-        return "; ".join(by_kind(self.dropped)[:MOST_KINDS]) or "it holds no measured curve"
+        """Kinds of dropped content, for the error of a file without any usable content."""
+        return "; ".join(by_kind(self.dropped)[:MOST_KINDS]) or "it has no measured curve"
 
 
 def by_kind(dropped: Sequence[Dropped]) -> list[str]:
-    """A line for each kind of reason: the first thing dropped for it, and how many others."""
+    """A line for each kind of reason: its first dropped item, and the number of others."""
     kinds: dict[str, list[Dropped]] = {}
-    for one in dropped:
-        kinds.setdefault(NUMBER.sub("#", one.reason), []).append(one)
+    for item in dropped:
+        kinds.setdefault(NUMBER.sub("#", item.reason), []).append(item)
     return [
         str(first) if not others else f"{first.what} and {len(others)} more: {first.reason}"
         for first, *others in kinds.values()

@@ -1,4 +1,4 @@
-"""What a file of signals holds: channels with a name, a unit, a rate and samples, in groups."""
+"""Content of a file of signals: channels with a name, a unit, a rate and samples, in groups."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ Origin = Literal["measured", "simulated"]
 
 ORIGIN = "origin"  # a property of every format
 SIMULATED: Literal["simulated"] = "simulated"  # and its value
-RATES = ("sample_rate", "sampling_rate", "fs", "rate")  # Hz: properties that may say it
+RATES = ("sample_rate", "sampling_rate", "fs", "rate")  # Hz: properties for the rate
 KINDS: dict[str, Kind] = {"c": "complex", "O": "text", "U": "text", "S": "text"}
 
 
 @dataclass(frozen=True, eq=False)
 class Channel:
-    """A signal, or a table of them. Its numbers may stay in the file until somebody asks for them.
+    """A signal, or a table of signals. Its numbers may stay in the file until they are used.
 
-    name : without the unit that a column such as "Fz (mN)" ends with
-    shape : samples last
-    rows : those of the first axis from a start up to a stop, in the unit of the file
-    unit : as the file writes it; empty where it does not say
-    rate : Hz; 0 where the file does not say
+    name : without the unit at the end of a column's heading such as "Fz (mN)"
+    shape : with samples along the last axis
+    rows : function that reads rows of the first axis, from a start up to a stop, in the unit of the file
+    unit : as in the file; empty if missing
+    rate : Hz; 0 if the file does not give it
     start : time of the first sample, s
-    streamed : whether the numbers are in the file still, so that a part of them is cheaper than all
-    properties : what else the file says of it
+    streamed : True if the numbers are still in the file, so that reading a part is cheaper than reading all
+    properties : further properties in the file
     """
 
     name: str
@@ -52,7 +52,7 @@ class Channel:
 
     @classmethod
     def of(cls, name: str, values: Samples, unit: str = "", rate: float = 0.0, start: float = 0.0) -> Channel:
-        """A channel whose numbers are in memory."""
+        """Make a channel of numbers in memory."""
 
         def rows(first: int, last: int) -> Samples:
             return values[first:last] if values.ndim else values
@@ -71,17 +71,17 @@ class Channel:
 
     @property
     def size(self) -> int:
-        """How many numbers it has."""
+        """Number of values."""
         return math.prod(self.shape)
 
     @property
     def is_signal(self) -> bool:
-        """Whether it has numbers along one axis, whatever axes of length one are beside it."""
+        """True for numbers along one axis; further axes of length one do not matter."""
         long = len(self.shape) == 1 or self.size == max(self.shape, default=0) > 1
         return self.kind == "number" and long
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Samples:
-        """All of it, in the unit of the file."""
+        """All values, in the unit of the file."""
         return np.asarray(self.rows(0, self.shape[0] if self.shape else 1), dtype=dtype)
 
 
@@ -89,33 +89,33 @@ class Channel:
 class Group:
     """Channels that belong together.
 
-    properties : what the file says of them
-    of_file : what it says of all groups
+    properties : properties of the group
+    of_file : properties of the whole file
     """
 
     name: str
     channels: Mapping[str, Channel]
     properties: Mapping[str, Any] = field(default_factory=dict)
     of_file: Mapping[str, Any] = field(default_factory=dict)
-    _kept: dict[str, Array] = field(default_factory=dict, repr=False)
+    _read_signals: dict[str, Array] = field(default_factory=dict, repr=False)
 
     @cached_property
     def signals(self) -> dict[str, Channel]:
-        """The channels that are signals."""
+        """Channels that are signals."""
         return {name: channel for name, channel in self.channels.items() if channel.is_signal}
 
     def __getitem__(self, name: str) -> Array:
-        """(sample,) one signal, in the unit of the file; read once, then kept.
+        """(sample,) one signal, in the unit of the file; read once, then stored.
 
         Raises
         ------
-        ChannelError : no such signal, or it holds text
+        ChannelError : no such signal, or a signal that contains text
         """
-        if name not in self._kept:
+        if name not in self._read_signals:
             if name not in self.signals:
                 raise self._lacks(name)
             try:
-                self._kept[name] = np.asarray(self.signals[name], dtype=float).ravel()
+                self._read_signals[name] = np.asarray(self.signals[name], dtype=float).ravel()
             except (TypeError, ValueError):
                 raise ChannelError.malformed(
                     argument=f"channel {name}",
@@ -124,21 +124,21 @@ class Group:
                     cause="a line of text within the data, or decimal commas",
                     next_step="look at the file in a text editor",
                 ) from None
-        return self._kept[name]
+        return self._read_signals[name]
 
     @property
     def rate(self) -> float | None:
-        """Sampling rate that the file gives, Hz; None if it gives none."""
-        says = {**self.of_file, **self.properties}
-        said = [number_of(says[name]) for name in RATES if name in says]
-        rates = [*said, *(channel.rate for channel in self.signals.values())]
+        """Sampling rate from the file, Hz; None if it has none."""
+        properties = {**self.of_file, **self.properties}
+        given = [number_of(properties[name]) for name in RATES if name in properties]
+        rates = [*given, *(channel.rate for channel in self.signals.values())]
         return next((rate for rate in rates if math.isfinite(rate) and rate > 0), None)
 
     @property
     def simulated(self) -> bool:
-        """Whether the file says that it is."""
-        says = {**self.of_file, **self.properties}
-        flag, origin = says.get(SIMULATED, False), says.get(ORIGIN)
+        """True if the file is marked as simulated."""
+        properties = {**self.of_file, **self.properties}
+        flag, origin = properties.get(SIMULATED, False), properties.get(ORIGIN)
         # an attribute of a damaged file may be an array
         return (isinstance(origin, str) and origin == SIMULATED) or (
             isinstance(flag, int | float) and bool(flag)
@@ -151,9 +151,9 @@ class Group:
 
 @dataclass(frozen=True, eq=False)
 class SignalFile:
-    """What is in a file. Channels outside of any group are in the group "".
+    """Content of a file. Channels outside of any group are in the group "".
 
-    notes : what was not read, and why
+    notes : content that was not read, with reasons
     """
 
     path: Path
@@ -161,24 +161,24 @@ class SignalFile:
     notes: Notebook
 
     def group(self, name: str) -> Group:
-        """A group by its name; "" is what lies outside of all, or else the only group.
+        """A group by its name; "" is the group of channels outside of any, or else the only group.
 
         Raises
         ------
-        ChannelError : there is no such group
+        ChannelError : no such group
         """
-        named = [one for one in self.groups if one]
+        named = [group_name for group_name in self.groups if group_name]
         if not name and "" not in self.groups and len(named) == 1:
             return self.groups[named[0]]
-        found = self.groups.get(name)
-        if found is not None and (name or found.signals or not named):
-            return found
+        group = self.groups.get(name)
+        if group is not None and (name or group.signals or not named):
+            return group
         cause = "the column group of the table of trials is missing, or a name in it is misspelt"
         raise ChannelError.unknown(f"group in {self.path.name}", name, named[:10], cause)
 
 
 def number_of(given: object) -> float:
-    """A property as a number; a text that is none is NaN."""
+    """Number in a property; NaN for a text that is not a number."""
     try:
         return float(str(given))
     except ValueError:

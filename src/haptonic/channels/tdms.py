@@ -1,4 +1,4 @@
-"""NI TDMS files, by npTDMS in the process that reads; samples stay in the file until they are asked for."""
+"""NI TDMS files, by npTDMS in the reader process; samples stay in the file until they are used."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from haptonic.foreign.process import ask
 
 
 def read(path: Path, notes: Notebook) -> dict[str, Group]:
-    """Groups of a file; the rate of a channel is that of its waveform (``wf_increment``).
+    """Read the groups of a file; the rate of a channel is that of its waveform (``wf_increment``).
 
     Raises
     ------
     ChannelError : npTDMS is not installed, or the file is damaged
     """
     nptdms_for(path)
-    found = ask("tdms.tree", path)
+    tree = ask("tdms.tree", path)
     return {
-        one["name"]: Group(
-            one["name"],
-            {channel["name"]: _channel(path, one["name"], **channel) for channel in one["channels"]},
-            one["properties"],
-            found["properties"],
+        group["name"]: Group(
+            group["name"],
+            {channel["name"]: _channel(path, group["name"], **channel) for channel in group["channels"]},
+            group["properties"],
+            tree["properties"],
         )
-        for one in found["groups"]
+        for group in tree["groups"]
     }
 
 
@@ -56,7 +56,7 @@ def _channel(
 
 
 def samples(path: Path, names: Sequence[tuple[str, str]]) -> list[Samples]:
-    """(sample,) of each channel, named by its group and its own name: many at once, in one question.
+    """(sample,) arrays of channels, each given by group and name, in one call of the reader process.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def samples(path: Path, names: Sequence[tuple[str, str]]) -> list[Samples]:
 
 
 def write(path: Path, properties: Mapping[str, Any], segments: Iterable[Sequence[Group]]) -> None:
-    """Write groups, a segment of the file after the other, so that they need not be in memory together.
+    """Write groups, one segment of the file after the other, so that they need not be in memory together.
 
     Raises
     ------
@@ -91,11 +91,11 @@ def _written(nptdms: ModuleType, group: str, channel: Channel) -> Any:
 
 
 def nptdms_for(path: Path) -> ModuleType:
-    """The package npTDMS, which is needed to read or write a file.
+    """The package npTDMS, which reads and writes TDMS files.
 
     Raises
     ------
-    ChannelError : it is not installed
+    ChannelError : npTDMS is not installed
     """
     try:
         return importlib.import_module("nptdms")

@@ -1,4 +1,4 @@
-"""The text of a file, whatever program wrote it."""
+"""Text of a file from any program."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from haptonic.paths import source
 
 
 def text_of(path: Path) -> str:
-    """The text of a file, which names or units in the code page of an older program do not spoil.
+    """Text of a file in UTF-8, UTF-16, or the code page of an older program.
 
     Raises
     ------
-    ChannelError : it holds bytes that no text has, or is no file that ends
-    OSError : there is no such file, or it may not be read
+    ChannelError : bytes that are not text, or a special file such as a device
+    OSError : no such file, or no right to read it
     """
     try:
         content = source(path, path.name, ChannelError).read_bytes()
@@ -29,17 +29,17 @@ def text_of(path: Path) -> str:
         except UnicodeDecodeError:
             text = content.decode("latin-1")
     if "\0" in text:
-        raise refused(path, "bytes that no text has")
+        raise refused(path, "bytes that are not text")
     return text
 
 
 def refused(path: Path, given: str, next_step: str = "open it in a text editor to see") -> ChannelError:
-    """The error of a file that is no table."""
+    """The error for a file that is not a table."""
     return ChannelError.unreadable(
         argument=path.name,
         given=given,
-        allowed="a text table: rows of as many cells each, parted by commas, semicolons, tabs, bars or "
+        allowed="a text table: rows of as many cells each, separated by commas, semicolons, tabs, bars or "
         "blanks, perhaps below a line of names",
-        cause="it is damaged, or saved in another format than its name says",
+        cause="it is damaged, or its ending does not match its content",
         next_step=next_step,
     )

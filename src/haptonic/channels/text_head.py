@@ -1,4 +1,4 @@
-"""What lies above the rows of a text table: titles, the line of names, a line of units."""
+"""Lines above the rows of a text table: titles, the line of names, a line of units."""
 
 from __future__ import annotations
 
@@ -12,18 +12,19 @@ from haptonic.channels.headings import Heading, could_be_names, is_rule, is_titl
 from haptonic.channels.text_file import refused
 from haptonic.errors import shown
 
-ROWS = 5  # that show where the cells of a table in blanks begin and end
+ROWS = 5  # that give the positions of the cells of a table with blanks
 
 
 @dataclass
 class Head:
-    """What lies above the rows.
+    """Lines above the rows.
 
-    first : place of the first row among the lines, from 0
+    first : index of the first row among the lines, from 0
     line, text : number of the line of names, from 1, and the line; None and "" without one
-    names, units : of the columns, or nothing
-    unmatched : number of a line that may have names, but not as many as there are columns
-    titles : other lines; remarks : what was assumed, in words
+    names, units : of the columns, may be empty
+    unmatched : number of a line that may contain names, but not as many as columns
+    titles : other lines
+    remarks : assumptions, as text
     """
 
     first: int
@@ -37,14 +38,14 @@ class Head:
 
 
 class _Names:
-    """Finds as many names in a line as the rows below have cells."""
+    """Function that finds as many names in a line as the rows below have cells."""
 
     def __init__(self, rows: Sequence[str], dialect: Dialect) -> None:
         self.dialect = dialect
         self.starts = self.ends = None
         if not dialect.separator:
             places = [[(f.start(), f.end()) for f in re.finditer(r"\S+", line)] for line in rows[:ROWS]]
-            starts, ends = ({tuple(one[k] for one in row) for row in places} for k in (0, 1))
+            starts, ends = ({tuple(place[k] for place in row) for row in places} for k in (0, 1))
             self.starts = starts.pop() if len(starts) == 1 else None
             self.ends = ends.pop() if len(ends) == 1 else None
 
@@ -58,17 +59,17 @@ class _Names:
             cells.pop()
         if least <= len(cells) <= most and len(cells) > 0:
             return cells
-        # names in commas or blanks above rows in semicolons; units show that they are names
+        # names with commas or blanks above rows with semicolons; units prove that they are names
         others = None if self.dialect.separator in plain else names_by_blanks(line, least)
         return others if others and any(Heading.of(name).unit for name in others) else None
 
 
 def head_of(path: Path, lines: Sequence[str], dialect: Dialect, skip: int, option: str) -> Head:
-    """Where the rows begin, and what their columns are called.
+    """Find the first row and the names of the columns.
 
     Raises
     ------
-    ChannelError : no row, a line above the rows that may be one of them, or names that belong to no columns
+    ChannelError : no row, a line above the rows that may be a row, or fewer names than columns
     """
     if not any(dialect.numeric):
         return _of_words(path, lines, dialect, skip)
@@ -110,7 +111,7 @@ def head_of(path: Path, lines: Sequence[str], dialect: Dialect, skip: int, optio
             _refuse_rows(path, [(k, line)], dialect, option)
             head.unmatched = k + 1
             head.remarks.append(
-                f"line {k + 1} holds no {dialect.cells} names that can be matched with the columns, which "
+                f"line {k + 1} does not have {dialect.cells} names that match the columns, which "
                 f"are called 1 to {dialect.cells}: {shown(line.strip(), 60)}"
             )
             break
@@ -120,19 +121,23 @@ def head_of(path: Path, lines: Sequence[str], dialect: Dialect, skip: int, optio
 
 
 def leave_out(line: int, option: str) -> str:
-    """The next step where a line above the numbers is not understood."""
+    """The next step for a line above the numbers that cannot be read."""
     if option:
         return f"leave out the lines above the names: {option}={line}"
     return f"put # before line {line}, or complete it"
 
 
 def _of_words(path: Path, lines: Sequence[str], dialect: Dialect, skip: int) -> Head:
-    """The head of a table without numbers: its first line of as many cells has the names."""
+    """The head of a table without numbers: its first line with the right number of cells has the names."""
     for k, line in enumerate(lines[skip:], start=skip):
         cells = dialect.split(line)
         if len(cells) == dialect.cells and not is_comment(line):
             return Head(
-                k + 1, k + 1, line.strip(), cells, titles=[one.strip() for one in lines[:k] if one.strip()]
+                k + 1,
+                k + 1,
+                line.strip(),
+                cells,
+                titles=[title.strip() for title in lines[:k] if title.strip()],
             )
     raise refused(path, "no row of numbers", "export it as text, a row of numbers a line")
 
@@ -145,11 +150,11 @@ def _is_free(plain: str, line: str, dialect: Dialect) -> bool:
 
 
 def _refuse_rows(path: Path, above: Sequence[tuple[int, str]], dialect: Dialect, option: str) -> None:
-    """Refuse a line that begins as a row of numbers and is none."""
+    """Refuse a line that begins like a row of numbers but is not one."""
     for k, line in above:
         if not is_comment(line) and is_unclear_title(dialect.split(line), dialect):
             raise refused(
                 path,
-                f"line {k + 1} begins as a row of the table and is none: {shown(line.strip(), 40)}",
+                f"line {k + 1} begins like a row of the table but is not one: {shown(line.strip(), 40)}",
                 leave_out(k + 1, option),
             )

@@ -1,9 +1,10 @@
-"""The one reader of text tables: CSV files, exports of other programs, tables of trials and of points.
+"""Reader of all text tables: CSV files, exports of other programs, tables of trials and of points.
 
-Columns are parted by tabs, semicolons, bars, commas or blanks; numbers have a decimal point or comma, may be
-complex, infinite or missing. Lines that begin with %, #, ! or // are comments. The line of names is the last
-line above the numbers that has as many cells, a comment or not; a line of units may lie below it. Without one
-columns have numbers, from 1. Every line that is left out is counted or refused, never passed over.
+Columns are separated by tabs, semicolons, bars, commas or blanks; numbers have a decimal point or comma, and
+may be complex, infinite or missing. Lines that begin with %, #, ! or // are comments. The line of names is
+the last line above the numbers with as many cells, even if it is a comment; a line of units may be below it.
+Without a line of names, columns have numbers, from 1. Every line that is left out is counted, or the file is
+refused.
 """
 
 from __future__ import annotations
@@ -35,17 +36,17 @@ from haptonic.names import from_cell
 
 PORTION = 20_000  # lines that are read at a time
 MOST_COLUMNS = 20_000  # each takes time: a million of them in 2 MB took minutes
-MOST_NOTED = 5  # comments among the rows that are named
+MOST_NOTED = 5  # comments among the rows that a remark lists
 
 
 @dataclass(frozen=True, eq=False)
 class TextColumn:
-    """A column.
+    """A column of a table.
 
-    heading : its name and unit; both empty where the file has no names
+    heading : its name and unit; both empty if the file has no names
     number : of the column, from 1
     values : (row,) float, complex, or texts (object)
-    bad : line and text of its first cell that is no number, if it is a column of numbers
+    bad : line and text of its first cell that is not a number, for a column of numbers
     """
 
     heading: Heading
@@ -55,7 +56,7 @@ class TextColumn:
 
     @property
     def name(self) -> str:
-        """Its name without the unit, or its number."""
+        """The name without the unit, or the number."""
         return self.heading.name or str(self.number)
 
     @property
@@ -69,15 +70,16 @@ class TextColumn:
 
 @dataclass(frozen=True, eq=False)
 class TextTable:
-    """A table.
+    """A text table.
 
-    lines : (row,) number of the line in the file that each row is in, from 1
-    blocks : (row,) 0, 1, ...: how many empty lines, or groups of them, lie above the row within the table
-    names_line : number of the line of names, None without one; names_text : this line
-    unmatched : number of a line above the rows whose names belong to no columns, or None
+    lines : (row,) number of the row's line in the file, from 1
+    blocks : (row,) 0, 1, ...: number of empty lines, or groups of them, above the row within the table
+    names_line : number of the line of names, None without one
+    names_text : this line
+    unmatched : number of a line above the rows with names that match no columns, or None
     titles : lines above the table, comments among them
     short : lines with fewer cells than columns, which are filled with missing numbers
-    remarks : what was left out or assumed, in words
+    remarks : omissions and assumptions, as text
     """
 
     path: Path
@@ -102,23 +104,23 @@ class TextTable:
 
     @cached_property
     def columns_by_name(self) -> dict[str, TextColumn]:
-        """The columns by their names; the second of two of one name gets ".1" behind it."""
-        known: dict[str, TextColumn] = {}
+        """The columns by their names; the second of two equal names gets ".1" appended."""
+        by_name: dict[str, TextColumn] = {}
         again: Counter[str] = Counter()
         for column in self.columns:
             name = column.name
-            while name in known:
+            while name in by_name:
                 again[column.name] += 1
                 name = f"{column.name}.{again[column.name]}"
-            known[name] = column
-        return known
+            by_name[name] = column
+        return by_name
 
     def numbers(self, column: TextColumn) -> NDArray[Any]:
         """(row,) float or complex numbers of a column.
 
         Raises
         ------
-        ChannelError : a cell of it is no number; the line is named
+        ChannelError : a cell that is not a number; the error gives its line
         """
         line, text = column.bad or (0, "")
         if column.is_text and len(column.values):
@@ -128,13 +130,13 @@ class TextTable:
                 argument=f"{self.path.name}, column {column.name}",
                 given=f"line {line}: {shown(text, 40)}",
                 allowed="a number in every row, or an empty cell",
-                cause="a title or a note among the rows, or a number in a form that is not read",
+                cause="a title or a note among the rows, or a number in an unknown form",
                 next_step=f"correct line {line} of {self.path.name}, or put # before it",
             )
         return column.values
 
     def without_names(self) -> str:
-        """What to say of a table that has no names: its first row and how its columns are called."""
+        """Sentence about a table without names: names given to its columns, and its first row."""
         first = shown(", ".join(self.first_row), 80)
         return f"no line of names; its columns are called 1 to {len(self.columns)}, and begin with {first}"
 
@@ -142,20 +144,19 @@ class TextTable:
 def read_table(
     path: Path, *, texts: Collection[str] = (), skip: int = 0, option: str = "", largest: int | None = None
 ) -> TextTable:
-    """The table of a text file.
+    """Read the table of a text file.
 
     Parameters
     ----------
-    texts : names of columns that hold words, whatever these look like; capitals make no difference
-    skip : lines at the top that are no part of the table
-    option : how the user sets ``skip``, such as "--skip-lines"; it is named where it may help
-    largest : bytes of a file that is still read
+    texts : names of columns that contain words, even if these look like numbers; capitals do not matter
+    skip : number of lines at the top before the table
+    option : name of the user's option for ``skip``, such as "--skip-lines", for error messages
+    largest : largest size of a file that is read, bytes
 
     Raises
     ------
-    ChannelError : no text, no rows, a line that is neither a row nor a title, or commas that may be either of
-        two things
-    OSError : there is no such file, or it may not be read
+    ChannelError : no text, no rows, a line that is neither a row nor a title, or ambiguous commas
+    OSError : no such file, or no right to read it
     """
     if largest is not None and path.is_file() and path.stat().st_size > largest:
         raise refused(path, f"more than {largest // 10**6} MB", "export fewer columns or rows")
@@ -176,8 +177,8 @@ def read_table(
         headings[k] = replace(headings[k], unit=headings[k].unit or unit)
     words = {text.casefold() for text in texts}
     numeric = [
-        dialect.numeric[k] and words.isdisjoint((one.name.casefold(), one.text.casefold()))
-        for k, one in enumerate(headings)
+        dialect.numeric[k] and words.isdisjoint((heading.name.casefold(), heading.text.casefold()))
+        for k, heading in enumerate(headings)
     ]
     body = _Body(path, dialect, numeric)
     for first in range(head.first, len(lines), PORTION):
@@ -211,7 +212,7 @@ class _Body:
         self.block, self.apart = 0, False
 
     def add(self, first: int, portion: Sequence[str]) -> None:
-        """Take lines, of which the first has this number."""
+        """Add lines; the first has this number."""
         rows = self._regular(portion)
         if rows is None:
             numbers, rows = self._one_by_one(first, portion)
@@ -236,7 +237,7 @@ class _Body:
         return [self.block] * count
 
     def _regular(self, portion: Sequence[str]) -> list[list[str]] | None:
-        """Cells of lines that are all rows, without comments and quotes; else None."""
+        """Cells of lines if all are rows, without comments and quotes; else None."""
         text = "\n".join(portion)
         if any(mark in text for mark in ("%", "#", "!", '"', "(", "//")):
             return None
@@ -281,7 +282,7 @@ class _Body:
             )
             if bad is not None or not self.dialect.separator or len(cells) == 1:
                 raise self._refused(
-                    f"line {number} is no row of {self.count} cells: {shown(line.strip(), 40)}", number
+                    f"line {number} is not a row of {self.count} cells: {shown(line.strip(), 40)}", number
                 )
             self.short.append(number)
         return [*cells, *[""] * (self.count - len(cells))]
@@ -296,7 +297,7 @@ class _Body:
         return TextColumn(heading, k + 1, np.concatenate(parts) if parts else empty, self.bad[k])
 
     def remarks(self) -> list[str]:
-        """Comments among the rows, which are no part of the table."""
+        """Remarks on comments among the rows, which are not part of the table."""
         if not self.comments:
             return []
         named = "; ".join(f"line {number}: {shown(text, 40)}" for number, text in self.comments[:MOST_NOTED])
@@ -305,5 +306,5 @@ class _Body:
 
 
 def missing_as_nan(column: TextColumn) -> NDArray[Any]:
-    """Texts of a column, with NaN for a cell that has no text or a word for a missing number."""
+    """Texts of a column, with NaN for an empty cell or a word for a missing number."""
     return np.array([np.nan if is_missing(text) else text for text in column.values], dtype=object)

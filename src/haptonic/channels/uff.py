@@ -1,7 +1,7 @@
 """Universal files (UFF): curves (data sets 58 and 58b), points, shapes, units and lines.
 
-pyuff 2.5 reads all but the curves: of 1,993 curves in 800 files that had lost one line it gives 427 with too
-few or too many values and does not say so; here such a curve is refused by name. See `uff_blocks` for more.
+pyuff 2.5 reads all but the curves: of 1,993 curves in 800 files that had lost one line, it returned 427 with
+too few or too many values without an error; here such a curve is refused by name. See `uff_blocks` for more.
 """
 
 from __future__ import annotations
@@ -32,26 +32,26 @@ from haptonic.channels.uff_blocks import (
 )
 from haptonic.foreign.process import damaged
 
-# Data sets that pyuff reads, each by a function of its text. pyuff.UFF takes the text from a file only: one
-# file for each of thousands of data sets would take half a minute.
+# Data sets read by pyuff, each by a function of its text. pyuff.UFF reads text from a file only: one file for
+# each of thousands of data sets would take half a minute.
 READERS = {
     kind: getattr(importlib.import_module(f"pyuff.datasets.dataset_{kind}"), f"_extract{kind}")
     for kind in (15, 55, 82, 151, 164, 2411, 2412)
 }
-PASSED_OVER = {18, 1858, 2400, 2420, 2429, 2467, 58259}  # known, and nothing that a scan needs
+PASSED_OVER = {18, 1858, 2400, 2420, 2429, 2467, 58259}  # known types that a scan does not need
 NAMES = {
     0: "general function", 1: "time record", 2: "auto spectrum", 3: "cross spectrum",
     4: "frequency response", 5: "transmissibility", 6: "coherence", 7: "auto correlation",
     9: "power spectral density", 12: "spectrum",
 }  # fmt: skip
 TIME = 1  # the function of a time record
-LARGEST_NUMBER = 1e10  # of a point: a field of ten columns holds no larger one
+LARGEST_NUMBER = 1e10  # of a point: a field of ten columns has no larger one
 SAYS_SIMULATED = "origin: simulated"  # a line of a curve's header
 
 
 @dataclass(frozen=True, eq=False)
 class Function:
-    """A curve of a file. Its numbers stay there, in the units of the file, until `values` reads them."""
+    """A curve of a file. Its numbers stay in the file, in the file's units, until `values` reads them."""
 
     path: Path
     block: DataSet
@@ -63,7 +63,7 @@ class Function:
         return self.block.name
 
     def values(self) -> tuple[Array, NDArray[Any]]:
-        """Abscissa and ordinate.
+        """Read abscissa and ordinate.
 
         Raises
         ------
@@ -73,11 +73,11 @@ class Function:
             return values_of(self.block, self.header, self.begin, data)
 
     def rows(self, first: int, last: int) -> Samples:
-        """Some of the ordinate.
+        """Read a part of the ordinate.
 
         Raises
         ------
-        ChannelError : it cannot be read
+        ChannelError : the curve cannot be read
         """
         try:
             return self.values()[1][first:last]
@@ -91,14 +91,14 @@ class Function:
 
 @dataclass(frozen=True, eq=False)
 class UffContents:
-    """All that was read of a universal file.
+    """Content of a universal file.
 
     functions : curves, data sets 58 and 58b
     nodes : positions, (3,) m, by number; data sets 15 and 2411
-    shapes : as pyuff gives them, data set 55
+    shapes : as pyuff returns them, data set 55
     lines : numbers of points to join, data set 82
-    length, force : units of the file in one SI unit, from data set 164; None if it has none
-    notes : what was not read
+    length, force : units of the file in one SI unit, from data set 164; None without one
+    notes : content that was not read
     """
 
     functions: tuple[Function, ...]
@@ -112,12 +112,12 @@ class UffContents:
 
     @property
     def simulated(self) -> bool:
-        """Whether a curve says so."""
-        return any(SAYS_SIMULATED in line for one in self.functions for line in one.header.lines)
+        """True if a curve is marked as simulated."""
+        return any(SAYS_SIMULATED in line for function in self.functions for line in function.header.lines)
 
 
 def uff_contents(path: Path, notes: Notebook | None = None) -> UffContents:
-    """Everything that a universal file holds. A data set that cannot be read is named in the notes."""
+    """Read all content of a universal file. The notes list data sets that cannot be read."""
     notes = Notebook(path, "UFF") if notes is None else notes
     functions: list[Function] = []
     small: dict[int, list[dict[str, Any]]] = {kind: [] for kind in READERS}
@@ -128,7 +128,7 @@ def uff_contents(path: Path, notes: Notebook | None = None) -> UffContents:
                     header, begin = header_of(block, data)
                     functions.append(Function(path, block, header, begin))
                 elif block.kind in READERS and _is_empty(block, data):
-                    continue  # vendors write it where there is nothing to say: nothing is lost
+                    continue  # vendors write an empty one if they have nothing for it
                 elif block.kind in READERS:
                     small[block.kind].append(_by_pyuff(block, data))
                     if not block.closed:
@@ -161,15 +161,15 @@ def uff_contents(path: Path, notes: Notebook | None = None) -> UffContents:
 
 
 def read(path: Path, notes: Notebook) -> dict[str, Group]:
-    """The time records as channels of the one group "", named by their response or by their data set.
+    """Read the time records as channels of a single group "", named by response or by data set.
 
     Raises
     ------
-    OSError : there is no such file, or it may not be read
+    OSError : no such file, or no right to read it
     """
     contents = uff_contents(path, notes)
-    records = [one for one in contents.functions if one.header.function == TIME and one.header.even]
-    names = [one.header.response_name or one.header.over.label for one in records]
+    records = [curve for curve in contents.functions if curve.header.function == TIME and curve.header.even]
+    names = [record.header.response_name or record.header.over.label for record in records]
     single = {name for name, times in Counter(names).items() if times == 1 and name}
     channels = {}
     for function, name in zip(records, names, strict=True):
@@ -182,9 +182,9 @@ def read(path: Path, notes: Notebook) -> dict[str, Group]:
 
 
 def scaled(contents: UffContents, length_unit: float) -> UffContents:
-    """The same with coordinates taken in another unit, given in m."""
+    """A copy with coordinates read in another unit, given in m."""
     factor = length_unit * (contents.length or 1.0)
-    contents.notes.remark(f"coordinates taken in units of {length_unit:g} m, as asked")
+    contents.notes.remark(f"coordinates were read in units of {length_unit:g} m, as requested")
     return replace(contents, nodes={number: factor * place for number, place in contents.nodes.items()})
 
 
@@ -193,26 +193,26 @@ def _is_empty(block: DataSet, data: Buffer) -> bool:
 
 
 def _by_pyuff(block: DataSet, data: Buffer) -> dict[str, Any]:
-    """One small data set, read by pyuff; node by node where pyuff gives up."""
+    """Read one small data set by pyuff; node by node if pyuff fails."""
     if not block.closed and block.kind not in (15, 2411):
         raise UnreadableError("its end is missing")
     content = data[block.begin : block.end]
     text = content.rstrip().decode("utf-8", "replace")
     try:
-        made = READERS[block.kind](f"    -1\n{block.kind:6d}\n{text}\n")
-    except Exception as error:  # pyuff turns whatever happens to it into a plain Exception
-        _raise_what_no_file_is_to_blame_for(error)
+        fields = READERS[block.kind](f"    -1\n{block.kind:6d}\n{text}\n")
+    except Exception as error:  # pyuff converts every error into a plain Exception
+        _raise_unrelated_cause(error)
         if block.kind in (15, 2411):
             return _nodes_line_by_line(block, content)
         raise UnreadableError("pyuff cannot read it: it is damaged, or not of the standard form") from error
-    lengths = {len(made[name]) for name in ("node_nums", "x", "y", "z") if name in made}
+    lengths = {len(fields[name]) for name in ("node_nums", "x", "y", "z") if name in fields}
     if block.kind in (15, 2411) and len(lengths) > 1:
         return _nodes_line_by_line(block, content)
-    return dict(made)
+    return dict(fields)
 
 
-def _raise_what_no_file_is_to_blame_for(error: BaseException) -> None:
-    """Raise what pyuff's exception hides, if it is no fault of the text that it read."""
+def _raise_unrelated_cause(error: BaseException) -> None:
+    """Raise the cause of pyuff's exception if it is not a fault of the text."""
     cause: BaseException | None = error
     while cause is not None:
         if isinstance(cause, MemoryError | OSError | KeyboardInterrupt):
@@ -221,7 +221,7 @@ def _raise_what_no_file_is_to_blame_for(error: BaseException) -> None:
 
 
 def _nodes_line_by_line(block: DataSet, content: bytes) -> dict[str, Any]:
-    """The nodes that are whole."""
+    """Read the complete nodes."""
     words = [line.decode("ascii", "replace").replace("D", "E").split() for line in content.splitlines()]
     if block.kind == 2411:
         words = [first + second for first, second in zip(words[::2], words[1::2], strict=False)]
@@ -233,7 +233,7 @@ def _nodes_line_by_line(block: DataSet, content: bytes) -> dict[str, Any]:
             rows.append(None)
     whole = [row for row in rows if row is not None and len(row) == 4]
     if not whole:
-        raise UnreadableError("no node of it is whole")
+        raise UnreadableError("it has no complete node")
     columns = dict(zip(("node_nums", "x", "y", "z"), zip(*whole, strict=True), strict=True))
     return columns | {"broken": len(rows) - len(whole)}
 
@@ -253,11 +253,11 @@ def _add_nodes(table: dict[str, Any], length: float, nodes: dict[int, Array], no
     rows = np.column_stack([np.asarray(table[name], dtype=float) for name in ("node_nums", "x", "y", "z")])
     for number, *place in rows:
         if not 0 <= number < LARGEST_NUMBER:
-            notes.drop(f"point {number:g} (geometry)", "no number that a point can have")
+            notes.drop(f"point {number:g} (geometry)", "not a possible number of a point")
         elif not np.isfinite(place).all():
             notes.drop(f"point {number:g} (geometry)", "coordinates that are not finite")
         elif int(number) in nodes and not np.allclose(nodes[int(number)], np.array(place) / length):
-            notes.drop(f"point {number:g} (geometry)", "a second place for it; the first is used")
+            notes.drop(f"point {number:g} (geometry)", "repeated at another position; the first is used")
         else:
             nodes.setdefault(int(number), np.array(place) / length)
 

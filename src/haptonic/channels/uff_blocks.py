@@ -1,9 +1,10 @@
-"""Data sets of a universal file: where they begin and end, and the curves (58, 58b) in them.
+"""Data sets of a universal file: their positions, and the curves (58, 58b) in them.
 
 pyuff reads the small data sets. Curves are read here: of 6,200 curves in 2,000 files that were cut, pyuff 2.5
-gave 459 with fewer values than they announce and did not say so, and of 8,800 in damaged files 175; here all
-of these are named. A curve takes it 2.4 times as long (0.6 ms of 1001 complex values), it needs the whole
-file in memory, and it knows neither Fortran's exponents (1.0D+00) nor the code page of older instruments.
+returned 459 with fewer values than they announce, without an error, and of 8,800 in damaged files 175; here
+each of these raises an error. pyuff needs 2.4 times as long for a curve (0.6 ms for 1001 complex values) and
+the whole file in memory, and reads neither Fortran's exponents (1.0D+00) nor the code page of older
+instruments.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ _EXPONENT = re.compile(r"(?<=[0-9.])[dD](?=[+-]?\d)|(?<=[0-9.])(?=[+-]\d{3}$)")
 
 @dataclass(frozen=True)
 class DataSet:
-    """One data set: its type, where its text begins, after the line of the type, and ends."""
+    """One data set: its type, and the start and the end of its text, after the line of the type."""
 
     number: int
     kind: int
@@ -50,7 +51,7 @@ class DataSet:
 
 @dataclass(frozen=True)
 class Axis:
-    """Records 8 to 11 of a curve: what an axis shows. ``kind`` is the specific data type, 11 for velocity."""
+    """Quantity of an axis, records 8 to 11 of a curve. ``kind`` is the data type, 11 for velocity."""
 
     kind: int
     label: str
@@ -59,7 +60,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Header:
-    """What a curve says of itself, records 1 to 11 of data set 58."""
+    """Header of a curve, records 1 to 11 of data set 58."""
 
     lines: tuple[str, ...]
     function: int
@@ -80,17 +81,17 @@ class Header:
 
 
 class UnreadableError(Exception):
-    """A data set cannot be read; the text says why."""
+    """A data set that cannot be read; the text gives the reason."""
 
 
 def blocks_of(data: Buffer) -> list[DataSet]:
-    """All data sets, also the ones that are cut short."""
-    found: list[DataSet] = []
+    """Find all data sets, including incomplete ones."""
+    blocks: list[DataSet] = []
     position = _delimiter(data, 0)
     while position >= 0:
         kind_line, begin = _line(data, _after(data, position))
         match = _KIND.match(kind_line)
-        if match is None or int(match[1]) == 0:  # the end of something whose beginning is lost
+        if match is None or int(match[1]) == 0:  # the end of a data set whose beginning is lost
             position = _delimiter(data, position + len(DELIMITER))
             continue
         binary = match[2] is not None
@@ -99,12 +100,12 @@ def blocks_of(data: Buffer) -> list[DataSet]:
         if closed and not binary:
             follows, _ = _line(data, _after(data, end))
             opens = _KIND.match(follows)
-            # two delimiters meet between data sets; one alone, with a type after it, begins the next
+            # two delimiters meet between data sets; a single one, followed by a type, begins the next
             closed = opens is None or follows.strip() == DELIMITER.strip()
         stop = end if end >= 0 else len(data)
-        found.append(
+        blocks.append(
             DataSet(
-                number=len(found) + 1,
+                number=len(blocks) + 1,
                 kind=int(match[1]),
                 binary=binary,
                 begin=begin,
@@ -116,15 +117,15 @@ def blocks_of(data: Buffer) -> list[DataSet]:
         if end < 0:
             break
         position = _delimiter(data, end + len(DELIMITER)) if closed else end
-    return found
+    return blocks
 
 
 def header_of(block: DataSet, data: Buffer) -> tuple[Header, int]:
-    """Header of a curve, and where its values begin.
+    """Read the header of a curve, and find the start of its values.
 
     Raises
     ------
-    UnreadableError : a record is cut short or holds text where numbers belong
+    UnreadableError : a record is cut short, or contains text instead of numbers
     """
     lines, position = [], block.begin
     for _ in range(HEADER_LINES):
@@ -154,7 +155,7 @@ def header_of(block: DataSet, data: Buffer) -> tuple[Header, int]:
 
 
 def values_of(block: DataSet, header: Header, begin: int, data: Buffer) -> tuple[Array, NDArray[Any]]:
-    """Abscissa and ordinate of a curve.
+    """Read abscissa and ordinate of a curve.
 
     Raises
     ------
@@ -170,7 +171,7 @@ def values_of(block: DataSet, header: Header, begin: int, data: Buffer) -> tuple
     if len(numbers) < expected:
         raise UnreadableError(f"cut short: {len(numbers) // columns} of {header.count} values")
     if header.count == 0:
-        raise UnreadableError("it holds no values")
+        raise UnreadableError("it has no values")
     table = numbers[:expected].reshape(-1, columns)
     ordinate = table[:, -2] + 1j * table[:, -1] if is_complex else table[:, -1]
     abscissa = header.first + header.step * np.arange(header.count) if header.even else table[:, 0]
@@ -188,7 +189,7 @@ def _binary(block: DataSet, header: Header, content: bytes, expected: int) -> Ar
 
 
 def _ascii(content: bytes, header: Header, expected: int) -> Array:
-    """Numbers separated by blanks; by their columns when some of them touch."""
+    """Numbers separated by blanks; split by column width if some of them touch."""
     text = content.decode("ascii", errors="replace")
     with warnings.catch_warnings():
         warnings.simplefilter("error", DeprecationWarning)  # how numpy reports text between numbers
@@ -199,7 +200,7 @@ def _ascii(content: bytes, header: Header, expected: int) -> Array:
         except (ValueError, DeprecationWarning):
             pass
     widths = _widths(header)
-    found: list[float] = []
+    values: list[float] = []
     for line in text.splitlines():
         at = 0
         for width in widths * 6:
@@ -207,11 +208,11 @@ def _ascii(content: bytes, header: Header, expected: int) -> Array:
             if not part.strip():
                 break
             try:
-                found.append(_number(part))
+                values.append(_number(part))
             except ValueError:
                 raise UnreadableError(f'the text "{part.strip()[:20]}" between its numbers') from None
             at += width
-    return np.array(found)
+    return np.array(values)
 
 
 def _widths(header: Header) -> tuple[int, ...]:
@@ -223,7 +224,7 @@ def _widths(header: Header) -> tuple[int, ...]:
 
 
 def _number(text: str) -> float:
-    """A number as Fortran writes it: 1.0D+00, 1.0+100, or blank for zero."""
+    """Number in Fortran's notation: 1.0D+00, 1.0+100, or blank for zero."""
     plain = text.strip()
     return float(_EXPONENT.sub("e", plain)) if plain else 0.0
 
@@ -233,7 +234,7 @@ def _fields(line: str, widths: tuple[int, ...]) -> list[str]:
     parts = [line[a:b].strip() for a, b in pairwise(edges)]
     numeric = [part for part, width in zip(parts, widths, strict=True) if width != 11]
     loose = line.split()
-    # columns that are not kept: as many words as there are fields still tell them apart
+    # the columns are shifted: as many words as fields still identify the fields
     if any(" " in part or not _is_number(part) for part in numeric if part) and len(loose) == len(widths):
         return loose
     return parts
@@ -266,7 +267,7 @@ def _decoded(raw: bytes) -> str:
 
 
 def _delimiter(data: Buffer, start: int) -> int:
-    """Where the next line begins that holds only -1 in columns 5 and 6, or -1."""
+    """Position of the next line with only -1 in columns 5 and 6; -1 if there is none."""
     while (at := data.find(DELIMITER, start)) >= 0:
         rest = data[at + len(DELIMITER) : at + 81]
         tail = re.match(rb"[ ]*(?=\r|\n|$)", rest)
@@ -281,7 +282,7 @@ def _after(data: Buffer, delimiter: int) -> int:
 
 
 def _line(data: Buffer, start: int) -> tuple[bytes, int]:
-    """A line without its end, and where the next one begins; past the data if the line is unfinished."""
+    """A line without its end, and the start of the next line; past the data if the line is unfinished."""
     stop = data.find(b"\n", start)
     if stop < 0:
         return data[start:].rstrip(b"\r"), len(data) + 1
@@ -290,7 +291,7 @@ def _line(data: Buffer, start: int) -> tuple[bytes, int]:
 
 
 def _beyond_bytes(data: Buffer, kind_line: bytes, begin: int) -> int:
-    """Where to look for the end of a binary data set: after as many bytes as it announces, if that is so."""
+    """Start of the search for the end of a binary data set: after its announced bytes, if plausible."""
     for _ in range(HEADER_LINES):
         begin = _line(data, begin)[1]
     announced = kind_line[31:43].strip()

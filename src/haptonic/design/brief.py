@@ -1,4 +1,4 @@
-"""What a designer asks for: a gap around the carrier, and what the workshop and the finger allow."""
+"""A designer's brief: a gap around the carrier, and the limits set by the workshop and the finger."""
 
 from __future__ import annotations
 
@@ -23,19 +23,20 @@ from haptonic.materials import IsotropicMaterial
 
 LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
-SLACK = 1e-6  # by which a limit may be missed
+SLACK = 1e-6  # by which a design may miss a limit
 MARGIN = 1e-3  # by which a starting point meets its limits
 
 
 @dataclass(frozen=True)
 class Brief:
-    """A gap that is to hold the carrier, and the designs that are allowed.
+    """A gap that has to contain the carrier, and the designs that are allowed.
 
-    cell : where the search starts, and what stays as it is
-    carrier : Hz; count : bands that are computed
-    bounds : by path, lowest and highest value (SI) of what may change
-    allowed : what the workshop can cut, and what the plate has to bear
-    held : by path, values (SI) instead of the cell's own; alone they need not make a possible cell
+    cell : start of the search; its other numbers do not change
+    carrier : Hz
+    count : number of computed bands
+    bounds : by path, lowest and highest value (SI) of the parameters
+    allowed : limits of the workshop, and the load on the plate
+    held : by path, fixed values (SI) instead of the cell's own; alone they need not make a possible cell
     """
 
     cell: UnitCell
@@ -55,38 +56,38 @@ class Brief:
         return np.reshape(list(self.bounds.values()), (-1, 2)).astype(float)
 
     def at(self, share: Array) -> UnitCell:
-        """The cell at a place in the box, given in shares of its sides.
+        """The cell at a position in the box, given in shares of its sides.
 
         Raises
         ------
-        GeometryError : sizes that do not make a body
+        GeometryError : sizes that do not form a body
         """
         return self.cell.with_numbers({**self.held, **dict(zip(self.paths, self.values(share), strict=True))})
 
     def values(self, share: Array) -> list[float]:
-        """Values of the parameters (SI) at a place in the box."""
+        """Values of the parameters (SI) at a position in the box."""
         low, high = self.box.T
         return [float(v) for v in low + np.clip(share, 0.0, 1.0) * (high - low)]
 
     def share(self, cell: UnitCell) -> Array:
-        """Where a cell lies in the box, put to its border if it lies outside."""
+        """Position of a cell in the box, moved to its border if it lies outside."""
         low, high = self.box.T
-        own = values_of(cell)
-        values = np.array([own[path] for path in self.paths])
+        numbers = values_of(cell)
+        values = np.array([numbers[path] for path in self.paths])
         return np.asarray(np.clip((values - low) / (high - low), 0.0, 1.0))
 
     def fixed(self, path: str, value: float) -> Brief:
-        """The same brief with one parameter held."""
+        """A copy of the brief with one parameter fixed."""
         bounds = {name: limits for name, limits in self.bounds.items() if name != path}
         return replace(self, bounds=bounds, held={**self.held, path: value})
 
     def limits(self, share: Array) -> dict[str, float]:
-        """Room left to each limit at a place in the box, by its name; negative where it is broken.
+        """Room left to each limit, by its name, at a position in the box; negative if the limit is broken.
 
-        Each is a share of a length of the design, so that their sizes compare.
+        Each is a share of a length of the design, so that they can be compared.
         """
-        own = {**self.held, **dict(zip(self.paths, self.values(share), strict=True))}
-        cell = with_numbers(self.cell, own, "cell.", checked=False)
+        values = {**self.held, **dict(zip(self.paths, self.values(share), strict=True))}
+        cell = with_numbers(self.cell, values, "cell.", checked=False)
         room: dict[str, float] = {}
         if self.allowed.finger_force is not None:
             assert isinstance(self.cell.material, IsotropicMaterial)
@@ -95,25 +96,25 @@ class Brief:
         if tables:
             room |= _of_lattice(cell)
         for path, numbers in tables.items():
-            found = self._of_pillar(cell, numbers)
-            of = f" of {path.removesuffix('.pillar')}" if len(tables) > 1 else ""
-            room |= {f"{name}{of}": value for name, value in found.items()}
+            limits_of_pillar = self._of_pillar(cell, numbers)
+            suffix = f" of {path.removesuffix('.pillar')}" if len(tables) > 1 else ""
+            room |= {f"{name}{suffix}": value for name, value in limits_of_pillar.items()}
         return room
 
     def _of_pillar(self, cell: UnitCell, numbers: Sequence[int]) -> dict[str, float]:
-        """What makes a body of the pillar on some sites, keeps it on their tiles, and can be cut."""
+        """Room left to limits of a pillar: it is a body, stays on the tiles of its sites, and can be cut."""
         pillar, lattice = cell.pillars[numbers[0]], cell.lattice
         assert pillar is not None
-        # from side to side of its tile where that is narrowest for its outline
+        # distance across its tile where the tile is narrowest for its outline
         pitch = 2 * min(room_in(cell.outlines[number], pillar.outline) for number in numbers)
         across = 2 * pillar.radius
-        ways = [1 - 2 * pillar.broadest / pitch - LEAST_GAP * lattice.pitch / pitch]
+        gaps = [1 - 2 * pillar.broadest / pitch - LEAST_GAP * lattice.pitch / pitch]
         if self.allowed.tool is not None:
-            ways += [(way - self.allowed.tool) / pitch for way in cell.ways(numbers)]
+            gaps += [(gap - self.allowed.tool) / pitch for gap in cell.ways(numbers)]
         foot = pillar.arc.centre[0] if pillar.arc is not None else pillar.radius
         top, upper = 2 * pillar.half_width(pillar.height, -1), 2 * pillar.stages[-1][2]
         room = {
-            "gap between pillars": min(ways),
+            "gap between pillars": min(gaps),
             "fillet": 1 - 2 * foot / pitch - LEAST_GAP * lattice.pitch / pitch,
             "tip": min(upper, top) / across - LEAST_TIP,
         } | pillar.form.room()
@@ -134,7 +135,7 @@ class Brief:
         return room
 
     def allows(self, share: Array) -> bool:
-        """Whether a place in the box meets all limits."""
+        """True if a position in the box meets all limits."""
         return min(self.limits(share).values(), default=0.0) >= -SLACK
 
     def check(self) -> None:
@@ -142,7 +143,7 @@ class Brief:
 
         Raises
         ------
-        StudyError : which limits cannot be met together, and by how much they miss
+        StudyError : limits that cannot be met together, with the amount by which they miss
         """
         start = self.feasible(np.full(len(self.bounds), 0.5))
         if not self.allows(start):
@@ -156,7 +157,7 @@ class Brief:
             )
 
     def feasible(self, share: Array) -> Array:
-        """A place in the box that meets all limits, near another one; or the one that breaks them least."""
+        """A position in the box that meets all limits, near a given one; else the least bad position."""
         if self.allows(share):
             return share
         count = len(share)
@@ -176,20 +177,22 @@ class Brief:
 
 
 def _of_lattice(cell: UnitCell) -> dict[str, float]:
-    """What keeps the tiles of the sites such that they can be meshed."""
+    """Room left to limits that keep the tiles of the sites fit for meshing."""
     room = {}
     if math.isfinite(cell.lattice.shortest_side):
         room["side of the cell"] = cell.lattice.shortest_side - LEAST_SIDE
     if len(cell.outlines) > 1:
-        within = np.array([inradius(one) for one in cell.outlines])
-        sides = [np.linalg.norm(one - np.roll(one, 1, axis=0), axis=1).min() for one in cell.outlines]
-        corners = [np.linalg.norm(one, axis=1).max() for one in cell.outlines]
+        within = np.array([inradius(outline) for outline in cell.outlines])
+        sides = [
+            np.linalg.norm(outline - np.roll(outline, 1, axis=0), axis=1).min() for outline in cell.outlines
+        ]
+        corners = [np.linalg.norm(outline, axis=1).max() for outline in cell.outlines]
         room["side of a tile"] = float((sides / within).min() - LEAST_SIDE)
         room["corner of a tile"] = float(1 - (corners / within).max() / MOST_POINTED)
         room["distance of the sites"] = float(within.min() / cell.lattice.pitch - LEAST_CLEARANCE)
-    placed = [one.shares(cell.vectors) for one in cell.site if one.position is not None]
-    # shares of exactly nothing stay so
-    beside = [share for one in placed if one is not None for share in one if share]
+    placed = [site.shares(cell.vectors) for site in cell.site if site.position is not None]
+    # shares of exactly zero do not change
+    beside = [share for shares in placed if shares is not None for share in shares if share]
     if beside:
         room["sites within the cell"] = float(min(min(share, 1 - share) for share in beside))
     return room

@@ -1,4 +1,4 @@
-"""What a designer can change in a cell, by the names that the study file has for it."""
+"""Numbers of a cell that a designer can change, with their names in the study file."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from haptonic.fields.keys import pattern_of
 
 UNITS = ByPattern({
     path: key.unit
-    for path, key in sorted(table(UnitCell, "cell.").items(), key=lambda one: one[0].startswith("material."))
-    # the bands are those without loss; one mesh is followed, so lattices and sites keep their symmetry
+    for path, key in sorted(table(UnitCell, "cell.").items(), key=lambda row: row[0].startswith("material."))
+    # the bands are lossless; designs follow one mesh, so lattices and sites keep their symmetry
     if key.quantity and key.kind != "quantities" and not path.endswith("material.loss_factor")
     and ".pillar.point[]" not in path and not path.endswith(".pillar.turn")
-    and ".disc[]" not in path  # their borders and ends must not pass each other
+    and ".disc[]" not in path  # their borders and ends must not cross
     and not path.startswith("cell.solid.")
 })  # fmt: skip
-"""Every number of a cell that its bands depend on, and its SI unit; the material's come last."""
+"""Every number of a cell that its bands depend on, and its SI unit; those of the material are last."""
 
 COORDINATE = re.compile(
     r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?|cell(\.site\[\d+\])?\."
@@ -29,7 +29,7 @@ COORDINATE = re.compile(
 PILLAR = ".pillar."
 HEIGHT = ".pillar.height"
 FILLET = ".pillar.fillet"
-"""In paths of the numbers of a pillar, be it of all sites or of one.
+"""Paths of the numbers of a pillar, whether of all sites or of one.
 
 A fillet's radius may vary, but not to zero: a sharp edge needs another mesh.
 """
@@ -37,11 +37,11 @@ A fillet's radius may vary, but not to zero: a sharp edge needs another mesh.
 
 @described("")
 class OfCell(OfNumber):
-    """A value about one number of the cell."""
+    """A value for one number of the cell."""
 
     @classmethod
     def unit_of(cls, path: str) -> str | None:
-        """SI unit of a number of the cell; None of any other."""
+        """SI unit of a number of the cell; None for any other path."""
         return UNITS.get(path)
 
     @classmethod
@@ -59,25 +59,25 @@ class OfCell(OfNumber):
                 "sizes and angles of the cell and of its pillars, and constants of the material",
                 "a coordinate or the turn of a section changes the symmetry, and with it mesh and zone, and "
                 "discs have no derivatives here",
-                "vary it in a [[sweep]]; of a lattice given by its name, cell.pitch, cell.pitch_y, "
+                "vary it in a [[sweep]]; for a lattice given by its name, cell.pitch, cell.pitch_y, "
                 "cell.pitch_2 and cell.angle can be named here",
             )
         return path
 
 
 def values_of(cell: UnitCell) -> dict[str, float]:
-    """All numbers of a cell that can be varied, in SI units and the order of `UNITS`.
+    """All numbers of a cell that can be varied, in SI units, in the order of `UNITS`.
 
-    A sharp edge cannot be varied into a fillet, nor a sharp corner into a round one; nor can an absent step.
-    Some sections have no draft, see `Pillar`.
+    A sharp edge cannot be varied into a fillet, nor a sharp corner into a round one; an absent step cannot be
+    varied. Some sections have no draft, see `Pillar`.
     """
-    found = cell.numbers()
+    numbers = cell.numbers()
     for number, pillar in enumerate(cell.pillars):
         if pillar is not None:
             absent = [name for name in ("fillet", "corner_radius") if not getattr(pillar, name)]
             absent += [] if pillar.outline.is_tangential else ["draft"]
             for name in absent:
-                found.pop(f"{cell.pillar_path(number)}.{name}", None)
+                numbers.pop(f"{cell.pillar_path(number)}.{name}", None)
     order = list(UNITS)
-    known = [path for path in found if path in UNITS]
-    return {path: found[path] for path in sorted(known, key=lambda path: order.index(pattern_of(path)))}
+    paths = [path for path in numbers if path in UNITS]
+    return {path: numbers[path] for path in sorted(paths, key=lambda path: order.index(pattern_of(path)))}

@@ -1,4 +1,4 @@
-"""One design as an optimiser sees it: a coarse model, its critical frequencies and where they would go."""
+"""Fast model of a design for the optimiser: coarse bands, critical frequencies and their slopes."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from haptonic.design.sensitivity import eigenvalue_derivatives
 from haptonic.parallel import one_thread
 from haptonic.superelement import TiledMesh, Tiling
 
-QUICK = Resolution(3, 1)  # frequencies a few tenths of a percent high, all of them alike
-APART = 0.3  # rad, between two extremes of a band that count as two
+QUICK = Resolution(3, 1)  # frequencies are a few tenths of a percent too high, nearly uniformly
+APART = 0.3  # rad, smallest distance between two extremes of a band
 CRITICAL = 3  # frequencies on either side of a gap that may become its edge
-GLANCE_DIVISIONS = 6  # of the irreducible zone's sides, for a first look at the edges
+GLANCE_DIVISIONS = 6  # of the irreducible zone's sides, for a first estimate of the edges
 
 
 @dataclass(frozen=True)
 class Side:
-    """The frequencies that limit a gap from one side, the most critical first.
+    """Frequencies that limit a gap on one side, the most critical first.
 
     frequency : (CRITICAL,) Hz; slopes : (CRITICAL, parameters) Hz per SI unit
     """
@@ -39,8 +39,8 @@ class Side:
 def edges_of(cell: UnitCell, count: int) -> Array:
     """(2, count - 1) highest frequency of each band but the last and lowest of the next, Hz.
 
-    They are those of a few wavevectors. The foot of the pillar is kept: a row of designs that differ in
-    height only has to make it once.
+    They are those of a few wavevectors. The condensed foot of the pillar is stored: a series of designs with
+    different heights computes it only once.
     """
     with one_thread():
         tiling = Tiling.condensed(cell, QUICK.plans(cell), QUICK.steps, QUICK.block, measured=False)
@@ -55,7 +55,9 @@ def edges_of(cell: UnitCell, count: int) -> Array:
 class QuickDesign:
     """Bands of a design in a coarse model.
 
-    shared : its meshes; model : its bands; zone : where they were sampled
+    shared : its meshes
+    model : its bands
+    zone : wavevectors at which they were sampled
     """
 
     shared: TiledMesh
@@ -78,12 +80,12 @@ class QuickDesign:
         return np.stack([frequency[:, :-1].max(axis=0), frequency[:, 1:].min(axis=0)])
 
     def sides(self, band: int, paths: Sequence[str]) -> tuple[Side, Side]:
-        """What limits the gap above a band, counted from 1, from below and from above."""
+        """Frequencies that limit the gap above a band, counted from 1, from below and from above."""
         for edge, sign in ((band - 1, +1), (band, -1)):
             self.zone.edge(edge, sign)
         chosen = self._critical(band - 1, +1) + self._critical(band, -1)
-        found = [self._mode(kappa, number) for kappa, number in chosen]
-        values, unknowns = np.array([value for value, _ in found]), np.hstack([mode for _, mode in found])
+        modes = [self._mode(kappa, number) for kappa, number in chosen]
+        values, unknowns = np.array([value for value, _ in modes]), np.hstack([mode for _, mode in modes])
         tiling = self.model.fine.tiling
         trace = unknowns[: tiling.trace_size]
         forms = eigenvalue_derivatives(self.shared, tiling.lifted(unknowns), trace, values, paths)
@@ -93,8 +95,8 @@ class QuickDesign:
         return Side(frequency[:CRITICAL], slopes[:CRITICAL]), Side(frequency[CRITICAL:], slopes[CRITICAL:])
 
     def _critical(self, band: int, sign: int) -> list[tuple[Array, int]]:
-        """Wavevectors and numbers (from 0) of what may become the edge that a band is: its own extremes, and
-        its neighbour at the first of them, which may cross it."""
+        """Wavevectors and numbers (from 0) of candidates for the edge of a band: the band's own extremes, and
+        the neighbouring band at the first of them, which may cross it."""
         value = sign * np.array(self.zone.frequency)[:, band]
         peaks: list[Array] = []
         for point in np.argsort(-value):
@@ -103,9 +105,9 @@ class QuickDesign:
             if apart and self._is_peak(int(point), value):
                 peaks.append(kappa)
         beside = band - sign
-        found = [(peaks[0], band)] + [(peaks[0], beside)] * (0 <= beside < self.model.count)
-        found += [(kappa, band) for kappa in peaks[1:]]
-        return (found * CRITICAL)[:CRITICAL]
+        candidates = [(peaks[0], band)] + [(peaks[0], beside)] * (0 <= beside < self.model.count)
+        candidates += [(kappa, band) for kappa in peaks[1:]]
+        return (candidates * CRITICAL)[:CRITICAL]
 
     def _is_peak(self, point: int, value: Array) -> bool:
         around = self.zone.triangles[(self.zone.triangles == point).any(axis=1)]

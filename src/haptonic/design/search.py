@@ -1,13 +1,13 @@
-"""Looking for the design whose gap holds the carrier with the widest margin.
+"""Search for the design whose gap contains the carrier with the widest margin.
 
 The margin is the distance of the carrier from the nearer edge, as a share of the carrier; negative if the
-carrier lies outside. It has kinks wherever one mode takes over from another as the edge, so that a smooth
-optimiser would stall. Sequential linear programming does not: every frequency that may become an edge is
-replaced by its tangent, and the margin of these is maximised exactly within a step that is trusted.
+carrier lies outside. It has kinks where another mode becomes the edge, so a smooth optimiser would stall.
+Sequential linear programming does not: it replaces every frequency that may become an edge by its tangent,
+and maximises the margin of the tangents exactly within a trust region.
 
-A climb ends at the nearest summit, and two bands that touch at the carrier are one, of margin zero. So
-designs spread over all that is allowed are looked at first, the brief's own being one of them, and climbs
-start from open gaps, each from another basin.
+A climb ends at the nearest maximum, and two bands that touch at the carrier are such a maximum, of margin
+zero. Therefore the search first tries designs spread over all that is allowed, including the brief's own, and
+climbs start from open gaps, each in another basin.
 """
 
 from __future__ import annotations
@@ -23,27 +23,29 @@ from haptonic.design.brief import Brief
 from haptonic.design.parameters import HEIGHT
 from haptonic.design.quick import CRITICAL, QuickDesign, Side, edges_of
 
-COLUMN = 6  # heights of a foot that are looked at: each costs a third of a new foot
+COLUMN = 6  # heights tried on each foot: each costs a third of a new foot
 LINES = 64  # heights from which those are chosen
-BETWEEN = 12  # heights for which edges are interpolated between two that were looked at
-TRIES = 64  # places of the box that are drawn for each column before one is moved to where it is allowed
-OPEN = 2e-3  # of the carrier: narrower gaps are bands that touch, seen at too few wavevectors
-BEHIND = 10.0  # by which pairs of bands without a gap stand behind all gaps
-PULL = 0.5  # how much of a gap's distance from the carrier counts before a climb, which shortens it
-DISTINCT = 0.15  # of the box in some parameter, between two starts in the same gap
+BETWEEN = 12  # interpolated heights between two computed ones
+TRIES = 64  # positions of the box drawn for each column, before one is moved to where it is allowed
+OPEN = 2e-3  # of the carrier: narrower gaps are touching bands, sampled at too few wavevectors
+BEHIND = 10.0  # penalty that ranks pairs of bands without a gap behind all gaps
+PULL = 0.5  # weight of a gap's distance from the carrier before a climb, which shortens it
+DISTINCT = 0.15  # of the box: smallest distance in some parameter between two starts in the same gap
 FIRST_STEP = 0.2  # of the box, in every parameter
-LAST_STEP = 4e-3  # of the box: a climb whose steps are shorter has ended
-TRUSTED = 0.3  # share of the promised gain from which a step may be longer the next time
-LEAST_GAIN = 2e-4  # promised, of the carrier, for which another step is worth its cost
+LAST_STEP = 4e-3  # of the box: a climb with shorter steps ends
+TRUSTED = 0.3  # share of the predicted gain from which the next step may be longer
+LEAST_GAIN = 2e-4  # of the carrier: a smaller predicted gain is not worth another step
 NUDGE = 1e-3  # of the box, for differences of the limits
 
 
 @dataclass(frozen=True)
 class Visited:
-    """A design on the way.
+    """A design that the search has computed.
 
-    share : (parameters,) where it lies in the brief's box; band : number of the band below the gap, from 1
-    lower, upper : edges, Hz (crossed over if there is no gap); margin : share of the carrier
+    share : (parameters,) position in the brief's box
+    band : number of the band below the gap, from 1
+    lower, upper : edges, Hz (in reverse order if there is no gap)
+    margin : share of the carrier
     """
 
     share: Array
@@ -53,12 +55,12 @@ class Visited:
     margin: float
 
     def is_open(self, carrier: float) -> bool:
-        """Whether there is a gap at all, and not only bands that touch."""
+        """True if there is a gap, and not only touching bands."""
         return self.upper - self.lower > OPEN * carrier
 
 
 def promise(lower: Array, upper: Array, pull: float) -> Array:
-    """How good gaps between edges (shares of the carrier) are to start from; bands that overlap come last.
+    """Rank of gaps between edges (shares of the carrier) as starts; overlapping bands come last.
 
     With a ``pull`` of 1 it is the margin of a gap.
     """
@@ -68,9 +70,10 @@ def promise(lower: Array, upper: Array, pull: float) -> Array:
 
 @dataclass(frozen=True)
 class HeightRow:
-    """Edges of designs that differ in the pillars' heights only, or of a single design.
+    """Edges of designs that differ only in the heights of the pillars, or of a single design.
 
-    shares : (designs, parameters); edges : (designs, 2, bands - 1) Hz, as of `edges_of`
+    shares : (designs, parameters)
+    edges : (designs, 2, bands - 1) Hz, from `edges_of`
     """
 
     shares: Array
@@ -78,136 +81,136 @@ class HeightRow:
 
     @classmethod
     def of(cls, brief: Brief, shares: Array) -> HeightRow:
-        """Look at the designs at some places in the box."""
+        """Compute the edges of the designs at some positions in the box."""
         return cls(shares, np.stack([edges_of(brief.at(share), brief.count) for share in shares]))
 
     def alone(self) -> list[HeightRow]:
-        """Each design as a column of its own."""
+        """Split into a row for each design."""
         return [HeightRow(s[None], e[None]) for s, e in zip(self.shares, self.edges, strict=True)]
 
     def finer(self) -> HeightRow:
-        """With designs between its own, whose edges are interpolated by their logarithms."""
-        own = np.arange(len(self.shares))
-        places = np.linspace(0, own[-1], BETWEEN * own[-1] + 1)
+        """Add designs between the computed ones, with edges interpolated by their logarithms."""
+        numbers = np.arange(len(self.shares))
+        places = np.linspace(0, numbers[-1], BETWEEN * numbers[-1] + 1)
 
         def between(values: Array) -> Array:
-            flat = values.reshape(len(own), -1)
-            found = [np.interp(places, own, one) for one in flat.T]
-            return np.stack(found, axis=1).reshape(len(places), *values.shape[1:])
+            flat = values.reshape(len(numbers), -1)
+            columns = [np.interp(places, numbers, column) for column in flat.T]
+            return np.stack(columns, axis=1).reshape(len(places), *values.shape[1:])
 
         return HeightRow(between(self.shares), np.exp(between(np.log(np.maximum(self.edges, 1.0)))))
 
     def best(self, carrier: float, pull: float = 1.0) -> list[tuple[float, Visited]]:
-        """What the best of the designs promises, and that design, for the gap above each band; best first."""
+        """Rank and design of the best start for the gap above each band; best first."""
         lower, upper = np.swapaxes(self.edges, 0, 1)
         promises = promise(lower / carrier, upper / carrier, pull)
         margins = np.minimum(carrier - lower, upper - carrier) / carrier
-        found = []
+        starts = []
         for band, row in enumerate(promises.argmax(axis=0)):
             low, high, margin = (float(values[row, band]) for values in (lower, upper, margins))
-            found.append(
+            starts.append(
                 (
                     float(promises[row, band]),
                     Visited(share=self.shares[row], band=band + 1, lower=low, upper=high, margin=margin),
                 )
             )
-        return sorted(found, key=lambda one: -one[0])
+        return sorted(starts, key=lambda start: -start[0])
 
 
 def spread(brief: Brief, count: int, own: Array | None = None) -> list[Array]:
-    """About ``count`` allowed designs to look at, as columns of places in the box (designs, parameters).
+    """About ``count`` allowed designs to try, as columns of positions in the box (designs, parameters).
 
-    ``own``, else the brief's own cell, is in the first; the others are spread evenly (Sobol) over what the
-    limits leave.
+    The first column contains ``own``, or else the brief's own cell; the others are spread evenly (Sobol) over
+    the allowed part of the box.
     """
     own = brief.feasible(brief.share(brief.cell)) if own is None else own
     if count == 1 or not brief.paths:
         return [own[None]]
     if len(brief.paths) == 1 and _heights(brief):
         return [_column(brief, own, count)]
-    found = [_column(brief, own, min(COLUMN, count - 1))]
-    left = max(count - len(found[0]), 0)
+    columns = [_column(brief, own, min(COLUMN, count - 1))]
+    left = max(count - len(columns[0]), 0)
     for share in _drawn(brief, -(-left // (COLUMN if _heights(brief) else 1))):
         column = _column(brief, share, min(left, COLUMN), own=False)
-        found.append(column)
+        columns.append(column)
         left -= len(column)
-    return found
+    return columns
 
 
 def _drawn(brief: Brief, count: int) -> Iterator[Array]:
-    """Evenly spread places with some allowed height; if there are too few, moved to where all is allowed."""
+    """Evenly spread positions with an allowed height; if too few, positions moved to allowed ones."""
     places = scipy.stats.qmc.Sobol(len(brief.bounds), scramble=False).fast_forward(1)
     tried = places.random(2 ** int(np.ceil(np.log2(max(count, 1) * TRIES))))
-    found = 0
+    accepted = 0
     for share in tried:
-        if found < count and _allowed(brief, share):
-            found += 1
+        if accepted < count and _allowed(brief, share):
+            accepted += 1
             yield share
-    yield from filter(brief.allows, map(brief.feasible, tried[: count - found]))
+    yield from filter(brief.allows, map(brief.feasible, tried[: count - accepted]))
 
 
 def _heights(brief: Brief) -> list[int]:
-    """Which of the parameters are heights of pillars."""
+    """Indices of the parameters that are heights of pillars."""
     return [row for row, path in enumerate(brief.paths) if path.endswith(HEIGHT)]
 
 
 def _allowed(brief: Brief, share: Array) -> list[Array]:
-    """The place itself, or all allowed heights upon the same feet, lowest first; nothing if none is.
+    """The position itself, or all allowed heights on the same feet, lowest first; may be empty.
 
     Heights of several pillars grow in proportion.
     """
     rows = _heights(brief)
     if not rows:
         return [share] if brief.allows(share) else []
-    (low, high), own = brief.box[rows].T, np.array(brief.values(share))[rows]
-    factors = np.geomspace(max(low / own), min(high / own), LINES)
-    lines = np.repeat(share[None], LINES, axis=0)
-    lines[:, rows] = (factors[:, None] * own - low) / (high - low)
-    return [line for line in np.clip(lines, 0.0, 1.0) if brief.allows(line)]
+    (low, high), heights = brief.box[rows].T, np.array(brief.values(share))[rows]
+    factors = np.geomspace(max(low / heights), min(high / heights), LINES)
+    places = np.repeat(share[None], LINES, axis=0)
+    places[:, rows] = (factors[:, None] * heights - low) / (high - low)
+    return [place for place in np.clip(places, 0.0, 1.0) if brief.allows(place)]
 
 
 def _column(brief: Brief, share: Array, count: int, *, own: bool = True) -> Array:
-    """Some allowed designs with the feet of one place, that place itself among them if it is asked for."""
+    """Some allowed designs with the feet of one position; with ``own``, the position itself too."""
     allowed, rows = _allowed(brief, share), _heights(brief)
     if not rows or not allowed:
         return share[None]
-    found = [allowed[i] for i in sorted(set(np.linspace(0, len(allowed) - 1, count).round().astype(int)))]
-    return np.array(sorted(found + [share] * own, key=lambda place: float(place[rows[0]])))
+    chosen = [allowed[i] for i in sorted(set(np.linspace(0, len(allowed) - 1, count).round().astype(int)))]
+    return np.array(sorted(chosen + [share] * own, key=lambda place: float(place[rows[0]])))
 
 
 def starts_of(columns: Sequence[HeightRow], carrier: float) -> list[Visited]:
-    """Where climbs may start, the most promising first: in every basin that was seen, once."""
-    promising = [one for column in columns for one in column.finer().best(carrier, PULL)]
-    return distinct([visit for _, visit in sorted(promising, key=lambda one: -one[0])], DISTINCT)
+    """Starts of climbs, the most promising first: one in every basin of the tried designs."""
+    promising = [start for column in columns for start in column.finer().best(carrier, PULL)]
+    return distinct([visit for _, visit in sorted(promising, key=lambda start: -start[0])], DISTINCT)
 
 
 def distinct(visits: Sequence[Visited], apart: float) -> list[Visited]:
-    """The visits but for those in the same gap as an earlier one and near it, in shares of the box."""
+    """The visits without those near an earlier one in the same gap; distances in shares of the box."""
     chosen: list[Visited] = []
     for visit in visits:
-        near = [one for one in chosen if np.abs(visit.share - one.share).max() < apart]
-        if all(visit.band != one.band for one in near):
+        near = [other for other in chosen if np.abs(visit.share - other.share).max() < apart]
+        if all(visit.band != other.band for other in near):
             chosen.append(visit)
     return chosen
 
 
 def climb(brief: Brief, start: Array, band: int, offset: tuple[float, float], most: int) -> Iterator[Visited]:
-    """Ever better designs from a start, each with the gap above one band; ends when no step helps.
+    """Yield better and better designs from a start, for the gap above one band, until no step helps.
 
     Parameters
     ----------
-    offset : Hz, what to add to the coarse model's edges, lower and upper, to get those of a finer one
-    most : designs to compute at most
+    offset : Hz, difference of a finer model's edges from the coarse model's, lower and upper
+    most : largest number of designs to compute
     """
     here, step = brief.feasible(start), FIRST_STEP
     best, sides = _evaluated(brief, here, band, offset)
     yield best
     for _ in range(most - 1):
-        ahead, promised = _best_within(brief, best.share, sides, step)
-        if promised - best.margin < LEAST_GAIN or step < LAST_STEP:
+        ahead, predicted = _best_within(brief, best.share, sides, step)
+        if predicted - best.margin < LEAST_GAIN or step < LAST_STEP:
             return
         tried, sides_there = _evaluated(brief, brief.feasible(ahead), band, offset)
-        gain = (tried.margin - best.margin) / (promised - best.margin)
+        gain = (tried.margin - best.margin) / (predicted - best.margin)
         step *= 1.6 if gain > TRUSTED else 0.35
         if gain > 0:
             best, sides = tried, sides_there
@@ -240,16 +243,16 @@ def _evaluated(
 
 
 def _best_within(brief: Brief, here: Array, sides: tuple[Array, Array], step: float) -> tuple[Array, float]:
-    """The place that the tangents prefer within a step, and the margin that they promise there."""
+    """The best position within a step by the tangents, and the margin that they predict there."""
     room, slopes = sides
     limits = np.array(list(brief.limits(here).values()))
     nudged = np.eye(len(here)) * np.where(here > 0.5, -NUDGE, NUDGE)[:, None]
-    turns = [np.array(list(brief.limits(here + n).values())) - limits for n in nudged]
-    bends = np.stack(turns, axis=1) / nudged.sum(axis=1) if len(limits) else np.empty((0, len(here)))
-    # unknowns: the step, and the margin t; room + slopes step >= t and limits + bends step >= 0
+    changes = [np.array(list(brief.limits(here + n).values())) - limits for n in nudged]
+    gradients = np.stack(changes, axis=1) / nudged.sum(axis=1) if len(limits) else np.empty((0, len(here)))
+    # unknowns: the step, and the margin t; room + slopes step >= t and limits + gradients step >= 0
     rows = np.vstack([
         np.column_stack([-slopes, np.ones(len(room))]),
-        np.column_stack([-bends, np.zeros(len(limits))]),
+        np.column_stack([-gradients, np.zeros(len(limits))]),
     ])  # fmt: skip
     ceiling = np.concatenate([room, np.maximum(limits, 0.0)])
     bounds = [(max(-step, -x), min(step, 1 - x)) for x in here]

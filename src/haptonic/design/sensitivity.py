@@ -1,4 +1,4 @@
-"""Exact derivatives of frequencies with respect to everything that can be changed in a cell.
+"""Exact derivatives of frequencies with respect to all variable numbers of a cell.
 
 For a mode u of unit mass and eigenvalue L = omega^2 the derivative with respect to a parameter is
 ``u* (K' - L M') u``. Sizes move the nodes of the mesh. With their velocity V (m per unit of the parameter)
@@ -6,9 +6,9 @@ the derivative of the discrete energies is, point by point of the quadrature,
 
     [s(u): grad u] div V - 2 s(u): (grad u grad V)     and     density |u|^2 div V,
 
-because K and M depend on the nodes through the Jacobian at these points alone. The trace may have fewer
-levels than the mesh; the map between the two changes with the sizes as well, which adds ``2 v* (K - L M) u``
-with the change v of the displacement at the lateral faces.
+because K and M depend on the nodes only through the Jacobian at these points. The trace may have fewer levels
+than the mesh; the map between the two changes with the sizes as well, which adds ``2 v* (K - L M) u`` with
+the change v of the displacement at the lateral faces.
 """
 
 from __future__ import annotations
@@ -29,17 +29,17 @@ from haptonic.errors import GeometryError
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
 from haptonic.superelement import FoldedMesh, TiledMesh, through_levels
 
-MATERIAL = "material."  # begins the last part of a path that names a constant of a material
-SAME_BLOCKS = 1e-2  # of a piece of an outline, by which the ends of blocks move at most between two meshes
+MATERIAL = "material."  # in a path, before the name of a constant of a material
+SAME_BLOCKS = 1e-2  # of a piece of an outline: largest shift of the ends of blocks between two meshes
 STEP = 1e-5  # of differences of the nodes' positions, relative to the parameter's scale
 
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """How the frequency of degenerate modes changes with the numbers of a cell.
+    """Derivatives of the frequency of degenerate modes with respect to numbers of a cell.
 
     frequency : Hz
-    slopes : by path, (k,) Hz per SI unit, ascending: as the parameter grows degenerate modes part, each with
+    slopes : by path, (k,) Hz per SI unit, ascending: degenerate modes split as the parameter grows, each with
         its own slope
     """
 
@@ -63,38 +63,39 @@ def eigenvalue_derivatives(
 ) -> dict[str, Fields]:
     """``u_i* (K' - L_j M') u_j`` by path, (k, k) each in (rad/s)^2 per SI unit.
 
-    The diagonal holds the derivatives of the eigenvalues; between degenerate modes the whole block counts.
+    The diagonal contains the derivatives of the eigenvalues; for degenerate modes the whole block matters.
 
     Parameters
     ----------
     shared : the meshes of the tiles
-    fields : (nodes, 3, k) modes of unit mass; trace : (t, k) the unknowns behind their sides
-    values : (k,) their eigenvalues L, (rad/s)^2, or (1,) for all alike
+    fields : (nodes, 3, k) modes of unit mass
+    trace : (t, k) the unknowns on their sides
+    values : (k,) their eigenvalues L, (rad/s)^2, or (1,) if all are equal
     """
     joint, start, cell = shared.joint, 0, shared.cell
-    found = {path: np.zeros((fields.shape[2],) * 2, dtype=complex) for path in paths}
-    there = {path: _beside(cell, path) for path in paths if MATERIAL not in path}
+    derivatives = {path: np.zeros((fields.shape[2],) * 2, dtype=complex) for path in paths}
+    cells_beside = {path: _beside(cell, path) for path in paths if MATERIAL not in path}
     for number, mesh in enumerate(shared.meshes):
         end = start + mesh.mesh.topology.nodes
-        own = joint.placed[number].turn.T @ fields[start:end]
-        own_trace = joint.turned(number, trace[joint.of_tile(number)], back=True)
-        energies = _Energies.of(mesh.mesh, mesh.cell, own, values)
+        tile_fields = joint.placed[number].turn.T @ fields[start:end]
+        tile_trace = joint.turned(number, trace[joint.of_tile(number)], back=True)
+        energies = _Energies.of(mesh.mesh, mesh.cell, tile_fields, values)
         for path in paths:
             if MATERIAL in path:
                 table, _, constant = path.rpartition(".")
                 form = energies.by_constant(constant, _regions(cell, number, table))
             else:
-                velocity, of_trace = _velocities(mesh, joint.placed[number], number, *there[path])
+                velocity, of_trace = _velocities(mesh, joint.placed[number], number, *cells_beside[path])
                 form = energies.by_motion(velocity)
                 if np.abs(of_trace).max() > 0:
-                    form = form + energies.by_displacement(_on_rim(mesh, of_trace, own_trace))
-            found[path] = found[path] + form
+                    form = form + energies.by_displacement(_on_rim(mesh, of_trace, tile_trace))
+            derivatives[path] = derivatives[path] + form
         start = end
-    return found
+    return derivatives
 
 
 def _regions(cell: UnitCell, number: int, table: str) -> set[bool]:
-    """Regions of a tile, False its plate and True its pillar, whose material a table of the study gives."""
+    """Regions of a tile, False for plate and True for pillar, whose material is in a table of the study."""
     pillar = cell.pillars[number]
     if table == "material":
         return {False, True} if pillar is None or pillar.material is None else {False}
@@ -102,11 +103,11 @@ def _regions(cell: UnitCell, number: int, table: str) -> set[bool]:
 
 
 def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
-    """Cells in which a parameter is a little larger and smaller, and how far the two are apart.
+    """Cells with a slightly larger and a slightly smaller parameter, and the difference of the two.
 
     Raises
     ------
-    GeometryError : one of them is not possible, such as where four tiles meet in a point no more
+    GeometryError : one of them is not possible, for example because four tiles no longer meet in a point
     """
     here = values_of(cell)[path]
     step = STEP * (1.0 if UNITS[path] == "rad" else here)
@@ -117,7 +118,7 @@ def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
             argument=path,
             given=error.given,
             allowed=f"a number that can be a little larger and smaller; {error.allowed}",
-            cause=f"there is no slope with it: {error.cause}",
+            cause=f"it has no slope: {error.cause}",
             next_step="leave it out, or move the design away from this limit by a hundredth",
         ) from None
     return ahead, behind, 2 * step
@@ -126,9 +127,9 @@ def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
 def _velocities(
     shared: FoldedMesh, placed: PlacedTile, number: int, ahead: UnitCell, behind: UnitCell, apart: float
 ) -> tuple[Array, Array]:
-    """Of the nodes (nodes, 3) of a tile and of the map from its trace to its levels, per unit of a parameter.
+    """Derivatives of the nodes (nodes, 3) of a tile, and of the map from its trace to its levels.
 
-    Differences of smooth closed formulas, good to ten digits; the tile keeps its axes.
+    They are differences of smooth closed formulas, accurate to ten digits; the tile keeps its axes.
     """
     plan = shared.mesh.topology.plan
     meshes, ends = [], list[Array]()
@@ -142,7 +143,7 @@ def _velocities(
     if np.abs(ends[0] - ends[1]).max() > SAME_BLOCKS:
         raise GeometryError.unsupported(
             argument="cell.pillar.section",
-            given="a size beside which the mesh changes its blocks",
+            given="a size near which the mesh changes its blocks",
             allowed="a design around which one mesh can be followed",
             cause="the corners of the section are equally near to two ends of blocks",
             next_step="change the size by a hundredth, or vary it in a [[sweep]]",
@@ -151,7 +152,7 @@ def _velocities(
 
 
 def _on_rim(shared: FoldedMesh, of_trace: Array, trace: Fields) -> Fields:
-    """(nodes, 3, k) displacement that follows from a change of the map from the trace to the rim."""
+    """(nodes, 3, k) displacement from a change of the map from the trace to the rim."""
     rim = shared.mesh.topology.rim
     moved = np.zeros((shared.mesh.topology.nodes, 3, trace.shape[1]), dtype=complex)
     moved[rim] = np.tensordot(of_trace, trace.reshape(shared.levels, rim.shape[1], 3, -1), axes=1)
@@ -160,11 +161,14 @@ def _on_rim(shared: FoldedMesh, of_trace: Array, trace: Fields) -> Fields:
 
 @dataclass(frozen=True)
 class _Energies:
-    """Modes seen at the quadrature points of every family of elements, its plate and pillar apart:
-    (points, 3, 3, k) gradients, stresses times volume, (points, 3, k) momenta (density times volume times
-    displacement).
+    """Modes at the quadrature points of every family of elements, plate and pillar separately.
 
-    solids : material of each part; in_pillar : whether it belongs to the pillar
+    gradient : (points, 3, 3, k)
+    stress : the same, times volume
+    momentum : (points, 3, k) density times volume times displacement
+
+    solids : material of each part
+    in_pillar : True for parts of the pillar
     """
 
     frames: tuple[_Frame, ...]
@@ -249,7 +253,8 @@ class _Energies:
 class _Frame:
     """Geometry of one family of elements at all its points, elements one after the other.
 
-    nodes : (elements, n1, n2, n3); inverse : (points, 3, 3) d(local)/d(space), first axis of space
+    nodes : (elements, n1, n2, n3)
+    inverse : (points, 3, 3) d(local)/d(space), first axis of space
     volume : (points,) of each point's share, m^3
     """
 
@@ -291,7 +296,7 @@ def _stress(tensor: Array, gradient: Fields, frame: _Frame) -> Fields:
 
 
 def _product(left: Fields, right: Fields) -> Fields:
-    """(k, k) sums of conj(left_i) right_j over everything but the last axis."""
+    """(k, k) sums of conj(left_i) right_j over all axes but the last."""
     return np.asarray(left.reshape(-1, left.shape[-1]).conj().T @ right.reshape(-1, right.shape[-1]))
 
 

@@ -1,4 +1,4 @@
-"""What a design may change, and what the workshop and the finger allow."""
+"""Settings of a design search: parameters, and limits of the workshop and the finger."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Variable(OfCell, NumberRange):
 
 @described("design", kw_only=True)
 class DesignLimits:
-    """What the workshop can cut, and what the plate has to bear; None where nothing is asked."""
+    """Limits of the workshop, and the load on the plate; None for no limit."""
 
     slenderness: Annotated[float, Quantity("", at_least=0.1, at_most=100.0, typical=(1.0, 10.0))] | None = (
         setting(None, "Largest height of a pillar over its diameter.")
@@ -31,13 +31,15 @@ class DesignLimits:
     tool: Length | None = setting(
         None, "Diameter of the end mill: the least gap between two pillars.", title="End mill"
     )
-    reach: Length | None = setting(None, "How deep the end mill can cut: the largest height of a pillar.")
+    reach: Length | None = setting(
+        None, "Largest depth of the end mill's cut: the largest height of a pillar."
+    )
     finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = (
-        setting(None, "In the middle of a waveguide of the span given.", title="Force of a finger")
+        setting(None, "Force in the middle of a waveguide of the given span.", title="Force of a finger")
     )
     finger_span: Length | None = setting(None, "Width of the waveguide under the finger.", title="Span")
     finger_deflection: Length | None = setting(
-        None, "How far the plate may give way; limits its thickness.", title="Deflection"
+        None, "Largest deflection of the plate; limits its thickness.", title="Deflection"
     )
 
     def __post_init__(self) -> None:
@@ -53,7 +55,7 @@ class DesignLimits:
             )
 
     def least_thickness(self, material: IsotropicMaterial) -> float:
-        """Thickness of the plate that is just stiff enough for the finger, m; 0 without a finger.
+        """Smallest thickness of the plate that is stiff enough for the finger, m; 0 without a finger.
 
         The waveguide is long and its sides are clamped, so that its deflection w and bending stiffness D are
         ``w = STRIP_FACTOR F span^2 / D``, ``D = E h^3 / (12 (1 - nu^2))``.
@@ -67,11 +69,13 @@ class DesignLimits:
 
 @described("design", kw_only=True)
 class DesignSettings:
-    """What a design may change, and how long it is looked for."""
+    """Parameters of a design, and the effort of the search."""
 
-    vary: tuple[Variable, ...] = setting((), "What the design may change.", title="Parameters", max_length=12)
+    vary: tuple[Variable, ...] = setting(
+        (), "Parameters that the design may change.", title="Parameters", max_length=12
+    )
     starts: Annotated[int, Field(ge=1, le=1024, strict=True)] = setting(
-        48, "Designs, the study's own among them, that are looked at first."
+        48, "Designs, the study's own among them, that the search tries first."
     )
     climbs: Annotated[int, Field(ge=1, le=64, strict=True)] = setting(
         3, "How many of the best starts are improved; more while none reaches the carrier."
@@ -80,10 +84,10 @@ class DesignSettings:
         12, "Designs computed in each climb at most."
     )
     limits: Annotated[DesignLimits, INLINE] = setting(
-        DesignLimits(), "What the workshop and the finger allow."
+        DesignLimits(), "Limits of the workshop and the finger."
     )
     pitches: Annotated[int, Field(ge=2, le=40, strict=True)] = setting(
-        6, "How many are compared between the bounds of the pitch for the front."
+        6, "Number of pitches that are compared for the front."
     )
 
     def __post_init__(self) -> None:

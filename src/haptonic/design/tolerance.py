@@ -1,12 +1,13 @@
-"""How sure a gap is to hold the carrier when no two plates, and no two pillars, are alike.
+"""Probability that a gap contains the carrier when plates and pillars differ.
 
-The two bands beside the gap are fitted, at every wavevector of a sampling of the zone, by a quadratic in
-everything that varies, on designs of a quasi-random sequence that are computed in full; the edges are the
-highest and the lowest of the fits, so that one wavevector may take over from another. Designs left out tell
-how good the fit is. Chances, indices and the loosest tolerance are then asked of it.
+The two bands next to the gap are fitted, at every wavevector of a sampling of the zone, by a quadratic in all
+varying parameters, on fully computed designs of a quasi-random sequence. The edges are the highest and the
+lowest of the fits, so that the wavevector of an edge may change. Designs left out of the fit give its error.
+Probabilities, indices and the loosest tolerance are computed from the fit.
 
-What varies from pillar to pillar is judged pillar by pillar: each is given the gap of a lattice of its like,
-and every one on the plate has to keep the margin. That is stricter than an average over pillars would be.
+A number that varies between pillars is treated pillar by pillar: each pillar has the gap of a lattice of
+equal pillars, and every one on the plate has to keep the margin. That is stricter than an average over
+pillars.
 """
 
 from __future__ import annotations
@@ -27,14 +28,14 @@ from haptonic.fields import FASTEST, Quantity, described, needed, once, problem,
 from haptonic.units import format_quantity
 
 CUT = 3.0  # standard deviations at which normal spreads are cut off
-REACH = 2.0  # the fit holds for spreads up to this many times those given
-DRAWS = 2**14  # of the quasi-random sequence, for chances
-PILLAR_DRAWS, PLATE_DRAWS = 2**10, 2**8  # of pillars, for each of fewer draws of what a plate has in common
+REACH = 2.0  # the fit is valid for spreads up to this many times those given
+DRAWS = 2**14  # of the quasi-random sequence, for probabilities
+PILLAR_DRAWS, PLATE_DRAWS = 2**10, 2**8  # draws of pillars, for each of fewer draws of the plate's numbers
 
 
 @described("tolerance.of")
 class Spread(OfCell):
-    """How much a number of the cell differs from one plate, or one pillar, to the next."""
+    """Variation of a number of the cell between plates, or between pillars."""
 
     spread: float = needed(
         "Standard deviation of a normal, half-width of a uniform distribution.", examples=["20 um"]
@@ -43,7 +44,7 @@ class Spread(OfCell):
         "normal", "Normal ones are cut off at three deviations."
     )
     per: Literal["batch", "pillar"] = setting(
-        "batch", "Whether all pillars of a plate differ alike, or each by itself."
+        "batch", "batch: all pillars of a plate vary together; pillar: each varies by itself."
     )
 
     def __post_init__(self) -> None:
@@ -60,7 +61,7 @@ class Spread(OfCell):
             raise problem(
                 "conflict",
                 self.parameter,
-                'per = "batch" for whatever is not of the pillar',
+                'per = "batch" for a number that is not of the pillar',
                 "pillars of one plate have it in common",
                 'write per = "batch"',
                 at="per",
@@ -68,7 +69,7 @@ class Spread(OfCell):
 
     @property
     def is_machined(self) -> bool:
-        """Whether the workshop decides it: sizes and angles."""
+        """True for sizes and angles, which depend on the workshop."""
         return self.unit in ("m", "rad")
 
     @property
@@ -78,7 +79,7 @@ class Spread(OfCell):
 
     @property
     def variance(self) -> float:
-        """SI squared."""
+        """Variance of the deviation, SI squared."""
         return float(self.frozen.var()) * self.spread**2
 
     @property
@@ -93,9 +94,11 @@ class Spread(OfCell):
 
 @described("tolerance", kw_only=True)
 class ToleranceSettings:
-    """How much the parts differ, and how sure the gap has to hold the carrier."""
+    """Spreads of the parts, and the share of plates whose gap has to contain the carrier."""
 
-    of: tuple[Spread, ...] = setting((), "What differs, and how much.", title="Spreads", max_length=12)
+    of: tuple[Spread, ...] = setting(
+        (), "Numbers that vary, and by how much.", title="Spreads", max_length=12
+    )
     margin: Annotated[float, Quantity("Hz", at_least=0.0, at_most=FASTEST)] = setting(
         0.0, "Least distance of the carrier from the gap's edges."
     )
@@ -103,7 +106,7 @@ class ToleranceSettings:
         0.99, "Share of plates that have to keep the margin."
     )
     pillars: Annotated[int, Field(ge=1, le=10**7, strict=True)] = setting(
-        180, "On a plate; each of them has to keep the margin."
+        180, "Number of pillars on a plate; each has to keep the margin."
     )
     samples: Annotated[int, Field(ge=16, le=4096, strict=True)] = setting(64, "Designs that are computed.")
 
@@ -112,27 +115,27 @@ class ToleranceSettings:
 
 
 def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitCell]:
-    """Designs (a scrambled Sobol sequence of a fixed seed) that fill `REACH` times the ranges evenly.
+    """Designs that fill `REACH` times the ranges evenly, a scrambled Sobol sequence of a fixed seed.
 
     Raises
     ------
-    GeometryError : a spread so large that some of them are no body
+    GeometryError : a spread so large that some designs are not possible
     """
-    own, names = values_of(cell), [spread.parameter for spread in spreads]
+    values, names = values_of(cell), [spread.parameter for spread in spreads]
     places = REACH * (2 * _sobol(len(spreads), count) - 1)
     rows = places * [spread.half_range for spread in spreads]
     return [
-        cell.with_numbers({name: own[name] + float(d) for name, d in zip(names, row, strict=True)})
+        cell.with_numbers({name: values[name] + float(d) for name, d in zip(names, row, strict=True)})
         for row in rows
     ]
 
 
 @dataclass(frozen=True)
 class Surface:
-    """The bands beside a gap as quadratics of deviations in units of the spreads' widths.
+    """The bands next to a gap as quadratics of deviations in units of the spreads' widths.
 
     coefficients : (terms, 2, k) Hz, of the band below and the band above at k wavevectors
-    doubt : (2,) Hz, by how much (root of the mean square) the edges of designs left out of the fit differ
+    doubt : (2,) Hz, rms difference between the edges of designs left out of the fit and their fitted edges
     """
 
     coefficients: Array
@@ -163,7 +166,7 @@ def edges_of(frequency: Array) -> Array:
 
 
 def terms_needed(parameters: int) -> int:
-    """Coefficients of a quadratic."""
+    """Number of coefficients of a quadratic."""
     return (parameters + 1) * (parameters + 2) // 2
 
 
@@ -176,9 +179,10 @@ def _terms(deviations: Array) -> Array:
 
 @dataclass(frozen=True)
 class Chances:
-    """What a fitted gap says about a carrier.
+    """Probabilities of a fitted gap for a carrier.
 
-    carrier, margin : Hz; pillars : on a plate
+    carrier, margin : Hz
+    pillars : number on a plate
     """
 
     surface: Surface
@@ -203,24 +207,24 @@ class Chances:
         return np.asarray(np.minimum(self.carrier - lower, upper - self.carrier) - self.margin)
 
     def of_one_pillar(self) -> float:
-        """Chance that a lattice made of any one pillar of any one plate keeps the margin."""
+        """Probability that a lattice of any one pillar of any one plate keeps the margin."""
         return float((self.room(self._draws) >= 0).mean())
 
     def of_a_plate(self, scale: float = 1.0) -> float:
-        """Chance that all pillars of a plate keep the margin, machined spreads ``scale`` times as large."""
+        """Probability that all pillars of a plate keep the margin, with machined spreads times ``scale``."""
         scales = np.array([scale if s.is_machined else 1.0 for s in self.spreads])
-        own = np.array([s.per == "pillar" for s in self.spreads])
-        if not own.any():
+        by_pillar = np.array([s.per == "pillar" for s in self.spreads])
+        if not by_pillar.any():
             return float((self.room(self._draws * scales) >= 0).mean())
         plates, pillars = self.drawn(PLATE_DRAWS), self.drawn(PILLAR_DRAWS, seed=2)
-        kept = []
+        probabilities = []
         for plate in plates:
-            share = (self.room(np.where(own, pillars, plate) * scales) >= 0).mean()
-            kept.append(share**self.pillars)
-        return float(np.mean(kept))
+            share = (self.room(np.where(by_pillar, pillars, plate) * scales) >= 0).mean()
+            probabilities.append(share**self.pillars)
+        return float(np.mean(probabilities))
 
     def loosest(self, confidence: float) -> float:
-        """Largest factor on all machined spreads, up to `REACH`, at which plates keep the margin; else 0."""
+        """Largest factor on all machined spreads, up to `REACH`, at which plates keep the margin, or 0."""
         if self.of_a_plate(0.0) < confidence or not any(s.is_machined for s in self.spreads):
             return 0.0
         if self.of_a_plate(REACH) >= confidence:

@@ -1,5 +1,6 @@
-"""Friction: from the plate's vibration to what the finger feels, and the trials that prove it.
+"""Friction: from the plate's vibration to the friction under a finger, and trials that measure it.
 
-``lubrication`` predicts, ``signals`` turns force records into a table of trials, ``statistics`` says what the
-table proves, ``simulation`` makes trials up to test the others with.
+``lubrication`` predicts friction, ``signals`` turns force records into a table of trials, ``statistics``
+tests differences between conditions, ``simulation`` simulates trials with known ground truth to test the
+others.
 """

@@ -1,4 +1,4 @@
-"""What is assumed of people, to plan an experiment and to simulate one."""
+"""Assumptions about participants, for planning an experiment and for simulating one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Reduction = Annotated[float, Quantity("", above=0.0, below=1.0)]
 
 @described("participants", FrictionError, kw_only=True)
 class Participants:
-    """What is assumed of people, to plan an experiment and to make one up; nobody has measured it."""
+    """Assumptions about participants, for planning and simulating an experiment; none of them is measured."""
 
     driven: Reduction = setting(
         0.55, "Reduction of friction in the population; as published.", title="Reduction, driven"
@@ -48,7 +48,7 @@ class Participants:
         21e-3, "Root mean square of each force; as published.", title="Noise of the sensor"
     )
     bias: Annotated[float, Quantity("N", at_least=-10.0, at_most=10.0)] = setting(
-        0.3, "What it shows without a finger; assumed.", title="Bias of the sensor"
+        0.3, "Output of the sensor without a finger; assumed.", title="Bias of the sensor"
     )
 
     def __post_init__(self) -> None:

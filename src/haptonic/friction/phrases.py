@@ -1,19 +1,19 @@
-"""A reduction of friction, and two averages of it, in words."""
+"""Text for a reduction of friction, and for two averages of it."""
 
 from __future__ import annotations
 
 import math
 
 AVERAGES = {
-    "reduction": "1 - (friction on) / (friction off), each first averaged over the participants: one whose "
-    "friction is high counts for more",
-    "equivalence": "the mean of every participant's own 1 - on / off: all count the same, and a test over "
+    "reduction": "1 - (friction on) / (friction off), each first averaged over the participants: a person "
+    "whose friction is high counts for more",
+    "equivalence": "the mean over participants of 1 - on / off: all count the same, and a test over "
     "participants needs one number of each",
 }
 
 
 def averages() -> str:
-    """Why a reduction and the mean of an idle waveguide's test differ."""
+    """Text that explains why a reduction and the mean of an idle waveguide's test differ."""
     return (
         "Two averages of the same trials, which differ a little: the reduction is "
         f"{AVERAGES['reduction']}; in the test of an idle waveguide it is {AVERAGES['equivalence']}."
@@ -21,8 +21,8 @@ def averages() -> str:
 
 
 def change(value: float, low: float = math.nan, high: float = math.nan, digits: int = 0) -> str:
-    """What a reduction, 0.55 for 55 %, and its interval say of friction: that it falls, or that it rises."""
+    """Text for a reduction (0.55 for 55 %) and its interval: friction "falls by ..." or "rises by ..."."""
     word, ends = ("falls", (low, high)) if round(100 * value, digits) >= 0 else ("rises", (-high, -low))
-    numbers = [f"{100 * one + 0.0:.{digits}f}" for one in (abs(value), *ends)]
+    numbers = [f"{100 * share + 0.0:.{digits}f}" for share in (abs(value), *ends)]
     interval = f" ({numbers[1]} to {numbers[2]} %)" if math.isfinite(low) and math.isfinite(high) else ""
     return f"friction {word} by {numbers[0]} %{interval}"

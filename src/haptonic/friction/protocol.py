@@ -1,4 +1,4 @@
-"""The order of trials: blocks in which a waveguide is stroked with the vibration on and off in turn."""
+"""Order of trials: blocks of strokes on one waveguide, with the vibration on and off in turn."""
 
 from __future__ import annotations
 
@@ -15,16 +15,17 @@ from haptonic.friction.signals import Label
 class Protocol:
     """Blocks of trials that alternate between on and off; the published one has 8 blocks of 30.
 
-    Even blocks of the published experiment alternate C1 and C3, odd ones C2 and C4 [daunizeau-haptics]; what
-    these stand for is not said. This is the reading in which every block compares on with off: even blocks
+    The published experiment has conditions C1 and C3 in turn in even blocks, C2 and C4 in odd ones
+    [daunizeau-haptics]; it does not define the conditions. Here every block compares on with off: even blocks
     are strokes on the driven waveguide, odd ones on the idle one.
 
-    waveguides : names of the driven and of the idle one
-    blocks : for each participant, an even number
-    trials : in a block, an even number
-    counterbalanced : whether every second participant starts with the other waveguide, and every second block
+    waveguides : names of the driven and of the idle waveguide
+    blocks : number of blocks for each participant, even
+    trials : number of trials in a block, even
+    counterbalanced : True if every second participant starts with the other waveguide, and every second block
         of a waveguide with the other actuation; the published order does not change
-    seed : draws, in every pair of neighbouring trials, whether on or off comes first; None keeps the turn
+    seed : for the random order of on and off in every pair of neighbouring trials; None for strict
+        alternation
     """
 
     blocks: int = 8
@@ -55,15 +56,15 @@ class Protocol:
 
     @property
     def pairs(self) -> int:
-        """How often one participant strokes one waveguide with the vibration on, and off."""
+        """Number of strokes of one participant on one waveguide with vibration on; as many with it off."""
         return self.blocks * self.trials // 4
 
     def order(self, participants: int) -> list[Label]:
-        """Every trial in its order, for participants P1, P2, ...
+        """List every trial in its order, for participants P1, P2, ...
 
         Raises
         ------
-        FrictionError : no participant
+        FrictionError : the number of participants is not a positive integer
         """
         if not isinstance(participants, int) or isinstance(participants, bool) or participants < 1:
             raise FrictionError.out_of_range(
@@ -73,47 +74,48 @@ class Protocol:
                 cause="the number was left out",
                 next_step="give how many people take part",
             )
-        made = [
+        labels = [
             Label(f"P{person + 1}", block + 1, trial + 1, *self._condition(person, block, trial))
             for person in range(participants)
             for block in range(self.blocks)
             for trial in range(self.trials)
         ]
-        return made if self.seed is None else _shuffled(made, np.random.default_rng(self.seed))
+        return labels if self.seed is None else _shuffled(labels, np.random.default_rng(self.seed))
 
     def _condition(self, person: int, block: int, trial: int) -> tuple[str, str]:
-        """Waveguide and actuation."""
+        """Waveguide and actuation of a trial."""
         driven = block % 2 == 1
         if not self.counterbalanced:
             return self.waveguides[not driven], ("on", "off")[trial % 2]
-        driven = driven != bool(person % 2)  # the waveguide changes places from one participant to the next
+        driven = driven != bool(person % 2)  # every second participant starts with the other waveguide
         turned = trial + block // 2 + person // 2
         return self.waveguides[not driven], ("on", "off")[turned % 2]
 
 
 def _shuffled(plain: list[Label], rng: Generator) -> list[Label]:
-    """The same trials, but which of two neighbours has the vibration on is drawn at random.
+    """Draw at random which of two neighbouring trials has the vibration on.
 
-    As many of a participant's pairs on one waveguide begin with on as with off (one more or less if their
-    number is odd), so that a steady drift cancels.
+    On each waveguide, as many of a participant's pairs begin with on as with off (one more or less for an odd
+    number of pairs), so that a steady drift cancels.
     """
-    made = list(plain)
+    labels = list(plain)
     pairs: dict[tuple[str, str], list[int]] = {}  # first trial of each
-    for row in range(0, len(made), 2):
-        pairs.setdefault((made[row].participant, made[row].waveguide), []).append(row)
+    for row in range(0, len(labels), 2):
+        pairs.setdefault((labels[row].participant, labels[row].waveguide), []).append(row)
     for rows in pairs.values():
         spare = rng.permutation(("on", "off"))[: len(rows) % 2]
         firsts = rng.permutation([*("on", "off") * (len(rows) // 2), *spare])
         for row, first in zip(rows, firsts, strict=True):
-            made[row] = replace(made[row], actuation=str(first))
-            made[row + 1] = replace(made[row + 1], actuation="off" if first == "on" else "on")
-    return made
+            labels[row] = replace(labels[row], actuation=str(first))
+            labels[row + 1] = replace(labels[row + 1], actuation="off" if first == "on" else "on")
+    return labels
 
 
 def imbalance(labels: list[Label]) -> float:
-    """Largest difference of the mean position in the session between on and off of one waveguide, in trials.
+    """Largest difference, in trials, of the mean position in the session between on and off of one waveguide.
 
-    What a drift along the session (moisture, fatigue, learning) adds to a difference is this times its slope.
+    A drift along the session (moisture, fatigue, learning) biases a difference by this number times its
+    slope.
     """
     places: dict[tuple[str, str, str], list[int]] = {}
     count: dict[str, int] = {}

@@ -1,4 +1,4 @@
-"""``trials.csv``, which trial is in which file: protocols and simulations write it, the analysis reads it."""
+"""``trials.csv``, the list of trials and their files: written by protocols, read by the analysis."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ Per = Literal["trial", "block"]
 
 NAME = "trials.csv"
 HEAD = ("participant", "block", "trial", "waveguide", "actuation", "file", "order", "direction", "origin")
-DIRECTION = "ulnar"  # all strokes go one way, as published [daunizeau-haptics]
+DIRECTION = "ulnar"  # all strokes go in one direction, as published [daunizeau-haptics]
 
 
 def file_of(label: Label, suffix: str = ".csv", per: Per = "trial") -> str:
-    """Name of the file that holds a trial, beside the list."""
+    """Name of the file with a trial's record, in the folder of the list."""
     trial = f"-T{label.trial:02d}" if per == "trial" else ""
     return f"{label.participant}-B{label.block:02d}{trial}{suffix}"
 
@@ -36,8 +36,8 @@ def write_list(
 
     Parameters
     ----------
-    suffix, per : of the files, and whether each holds a trial or a block
-    lasting : length of a trial, s, where the trials of a block follow each other in one file: then there are
+    suffix, per : suffix of the files, and "trial" or "block" for the content of each file
+    lasting : length of a trial, s, if one file contains the trials of a block one after the other; adds
         columns ``start`` and ``stop``
     """
     with path.open("w", newline="", encoding="utf-8") as file:
@@ -52,7 +52,7 @@ def write_list(
 
 
 def _places(labels: Sequence[Label]) -> list[int]:
-    """Of every trial in the session of its participant, from 1."""
+    """Position of every trial in the session of its participant, from 1."""
     count: dict[str, int] = {}
     places = []
     for label in labels:

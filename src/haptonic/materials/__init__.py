@@ -1,4 +1,4 @@
-"""Materials: elastic constants, density and loss, each with its source and what is known of its spread."""
+"""Materials: elastic constants, density and loss, with sources and uncertainties."""
 
 from haptonic.materials.common import elasticity_tensor, is_symmetry
 from haptonic.materials.isotropic import IsotropicMaterial

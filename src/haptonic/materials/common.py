@@ -1,4 +1,4 @@
-"""What all materials share: checks at construction, an immutable mapping, matrices as nested tuples."""
+"""Common parts of all materials: checks at construction, an immutable mapping, matrices as nested tuples."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def elasticity_tensor(stiffness: Array) -> Array:
 
 
 def is_symmetry(stiffness: Array, operation: Array) -> bool:
-    """Whether an orthogonal map (3, 3) of space leaves a stiffness (6, 6) as it is."""
+    """True if an orthogonal map (3, 3) of space leaves a stiffness (6, 6) unchanged."""
     return _is_symmetry(tuple(np.ravel(stiffness)), tuple(np.ravel(operation)))
 
 
@@ -60,25 +60,25 @@ def require_between(
     below: float = math.inf,
     hint: str = "",
 ) -> None:
-    """Refuse anything but a finite number in the interval; ``hint`` says what to do about it."""
+    """Refuse anything but a finite number in the interval; ``hint`` is the next step of the error."""
     number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
     if number and above < value and at_least <= value < below:  # type: ignore[operator]
         return
     limits = {"above": above, "at least": at_least, "below": below}
-    words = [
-        f"{word} {format_quantity(limit, unit)}" for word, limit in limits.items() if math.isfinite(limit)
+    bounds = [
+        f"{bound} {format_quantity(limit, unit)}" for bound, limit in limits.items() if math.isfinite(limit)
     ]
     raise StudyError.out_of_range(
         argument=f"material.{name}",
         given=format_quantity(float(value), unit) if number else shown(value),  # type: ignore[arg-type]
-        allowed="a finite number" + (f" {' and '.join(words)}" if words else f" in {unit}" * bool(unit)),
-        cause="outside what a stable solid can have" if number else "it is not a finite number",
+        allowed="a finite number" + (f" {' and '.join(bounds)}" if bounds else f" in {unit}" * bool(unit)),
+        cause="no stable solid has this value" if number else "it is not a finite number",
         next_step=hint or f"check the value and its unit{f' ({unit})' if unit else ''}",
     )
 
 
 def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -> Entries[float]:
-    """Checked copy of ``uncertainty``: half-widths of the intervals in which properties plausibly lie.
+    """Check and copy ``uncertainty``: half-widths of the plausible intervals of properties.
 
     ``properties`` maps each allowed name to its SI unit.
     """
@@ -91,7 +91,7 @@ def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -
 
 
 def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:
-    """A matrix as nested tuples, its shape and numbers checked."""
+    """Nested tuples of a matrix, with its shape and numbers checked."""
     try:
         array = np.asarray(matrix, dtype=float)
     except (TypeError, ValueError):
@@ -108,7 +108,7 @@ def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:
 
 
 def require_positive_definite(name: str, rows: Rows) -> None:
-    """Refuse a matrix that is not symmetric, or that lets some deformation cost no energy or gain it."""
+    """Refuse a matrix that is not symmetric, or whose energy is zero or negative for some deformation."""
     array = np.array(rows)
     scale = float(np.abs(array).max())
     if float(np.abs(array - array.T).max()) > SYMMETRY_TOLERANCE * scale:
@@ -119,7 +119,7 @@ def require_positive_definite(name: str, rows: Rows) -> None:
         )
     elif (smallest := float(np.linalg.eigvalsh(array).min())) <= SYMMETRY_TOLERANCE * scale:
         given = f"a smallest eigenvalue of {smallest:.3g}"
-        cause = "these constants together would let the solid deform by itself"
+        cause = "with these constants the solid would deform by itself"
         next_step = "check the signs, the order of the entries and which of them are compliances"
     else:
         return

@@ -29,14 +29,14 @@ from haptonic.materials.common import DENSITY, spread_of
 
 INCOMPRESSIBLE = (
     "a solid with a Poisson ratio of 0.5 is incompressible and has no finite bulk modulus; write 0.49 for "
-    "something close to it, such as rubber"
+    "nearly incompressible solids, such as rubber"
 )
 PROPERTIES = {"youngs_modulus": "Pa", "poisson_ratio": "", "density": "kg/m^3", "loss_factor": ""}
 
 
 @described("material")
 class IsotropicMaterial:
-    """A solid that is the same in every direction.
+    """A solid with equal properties in every direction.
 
     Raises
     ------
@@ -86,7 +86,7 @@ class IsotropicMaterial:
         examples=["data sheet"],
     )
     uncertainty: Entries[float] = setting(Entries(), "Half-widths of the plausible intervals, by property.")
-    note: str = setting("", "What else is known of the constants.", strict=True, examples=["rolled"])
+    note: str = setting("", "Further facts on the constants.", strict=True, examples=["rolled"])
 
     def __post_init__(self) -> None:
         if not self.name.strip():
@@ -118,7 +118,7 @@ class IsotropicMaterial:
 
     @property
     def shear_modulus(self) -> float:
-        """Pa."""
+        """Shear modulus, Pa."""
         return self.youngs_modulus / (2 * (1 + self.poisson_ratio))
 
     @property
@@ -129,7 +129,7 @@ class IsotropicMaterial:
 
     @property
     def stiffness(self) -> Array:
-        """(6, 6), Pa, in Voigt order 11, 22, 33, 23, 13, 12 with engineering shear strains."""
+        """(6, 6) stiffness, Pa, in Voigt order 11, 22, 33, 23, 13, 12 with engineering shear strains."""
         stiffness = np.zeros((6, 6))
         stiffness[:3, :3] = self.lame
         stiffness[np.arange(6), np.arange(6)] += self.shear_modulus * np.array([2, 2, 2, 1, 1, 1])

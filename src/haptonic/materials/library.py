@@ -1,4 +1,4 @@
-"""The built-in materials, read from ``library.toml`` beside this file."""
+"""Built-in materials, read from ``library.toml`` beside this file."""
 
 from __future__ import annotations
 
@@ -34,43 +34,43 @@ def library() -> Mapping[str, Material]:
 
 
 def built_in_name(solid: Material) -> str | None:
-    """The name by which the library holds this very material; None if it does not."""
+    """Name of this very material in the library; None if it is not built in."""
     return solid.name if library().get(solid.name) == solid else None
 
 
 def material(name: str) -> Material:
-    """The built-in material of that name.
+    """Built-in material with a name.
 
     Raises
     ------
-    StudyError : unknown name; the nearest known one is named
+    StudyError : unknown name; the error gives the nearest known one
     """
     if name in library():
         return library()[name]
     raise StudyError.unknown(
-        "material", name, library(), "the library does not hold this material",
+        "material", name, library(), "the library does not have this material",
         allowed=f"one of {', '.join(library())}, or a [material] table",
         next_step="give its constants in a [material] table",
     )  # fmt: skip
 
 
 def built_in(name: str, *, piezoelectric: bool = False) -> Material:
-    """A material of the library, whatever the case of its name and the blanks in it.
+    """Material of the library; case and blanks of the name do not matter.
 
     Raises
     ------
-    StudyError : no such material, or one that is not piezoelectric where it has to be
+    StudyError : no such material, or one that is not piezoelectric although it has to be
     """
-    known = ceramics() if piezoelectric else library()
+    materials = ceramics() if piezoelectric else library()
     key = re.sub(r"[\s_-]+", "-", name.strip().lower())
-    if key in known:
-        return known[key]
-    cause = "it is not piezoelectric" if key in library() else "the library does not hold this material"
-    raise StudyError.unknown("material", name, known, cause)
+    if key in materials:
+        return materials[key]
+    cause = "it is not piezoelectric" if key in library() else "the library does not have this material"
+    raise StudyError.unknown("material", name, materials, cause)
 
 
 def ceramics() -> Mapping[str, Material]:
-    """The piezoelectric ones of the library."""
+    """Piezoelectric materials of the library."""
     return {key: solid for key, solid in library().items() if isinstance(solid, PiezoelectricMaterial)}
 
 
@@ -81,7 +81,7 @@ GIVEN = Named(
     table=IsotropicMaterial,
     others=(OrthotropicMaterial, PiezoelectricMaterial),
 )
-"""How a study gives a material: by the name of a built-in one or by a table of constants."""
+"""Forms of a material in a study: name of a built-in one, or a table of constants."""
 SOLID = Named(
     find=built_in,
     name_of=built_in_name,
@@ -89,7 +89,7 @@ SOLID = Named(
     table=None,
     others=(IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial),
 )
-"""By the name of a built-in one only."""
+"""A material given by the name of a built-in one only."""
 CERAMIC = Named(
     find=partial(built_in, piezoelectric=True),
     name_of=built_in_name,
@@ -97,4 +97,4 @@ CERAMIC = Named(
     table=None,
     others=(PiezoelectricMaterial,),
 )
-"""By the name of a built-in piezoelectric one."""
+"""A material given by the name of a built-in piezoelectric one."""

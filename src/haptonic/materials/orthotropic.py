@@ -32,7 +32,7 @@ class OrthotropicMaterial:
 
     Raises
     ------
-    StudyError : constants that no stable solid has
+    StudyError : constants of an unstable solid
     """
 
     name: str

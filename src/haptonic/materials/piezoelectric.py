@@ -24,7 +24,7 @@ PROPERTIES = {"density": "kg/m^3", "loss_factor": "", "dielectric_loss": ""}
 
 @dataclass(frozen=True)
 class PiezoelectricMaterial:
-    """A solid that couples strain and electric field; a poled ceramic is poled along axis 3.
+    """A solid with coupled strain and electric field; a poled ceramic is poled along axis 3.
 
     elastic : (6, 6) rows, stiffness at constant electric field c^E, Pa, positive definite
     coupling : (3, 6) rows, piezoelectric stress constants e, C/m^2

@@ -1,4 +1,4 @@
-"""The frequency response: velocity against frequency, point and direction. Simulation and scan meet here."""
+"""Frequency response: velocity against frequency, point and direction, from a simulation or a scan."""
 
 import lazy_loader as lazy
 

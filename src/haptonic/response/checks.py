@@ -1,4 +1,4 @@
-"""What the arrays and words of a frequency response must be like."""
+"""Checks of the arrays and names of a frequency response."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from haptonic.errors import ResponseError
 from haptonic.response.reference import Reference
 
 DIRECTIONS = ("x", "y", "z")
-REST = "rest"  # what is not in a region; see `haptonic.response.contrast`
-THE_REST = "the rest"  # the same in words
+REST = "rest"  # all points outside of a region; see `haptonic.response.contrast`
+THE_REST = "the rest"  # the same in prose
 SLACK = 1e-6  # by which a coherence may exceed 1: rounding in single precision
 
 Numbers = NDArray[Any]
 
 
 def one_of(given: str, allowed: tuple[str, ...], argument: str) -> None:
-    """Refuse a word that is none of the allowed ones."""
+    """Refuse a word that is not an allowed one."""
     if given not in allowed:
         cause = "the word is misspelt, or haptonic does not know such a response"
         raise ResponseError.unknown(f"response.{argument}", given, allowed, cause)
@@ -28,8 +28,8 @@ def one_of(given: str, allowed: tuple[str, ...], argument: str) -> None:
 
 def directions(given: Sequence[str]) -> None:
     """Refuse directions other than x, y and z, and repeated ones."""
-    known = not isinstance(given, str) and all(name in DIRECTIONS for name in given)
-    if not (known and given and len(set(given)) == len(given)):
+    all_known = not isinstance(given, str) and all(name in DIRECTIONS for name in given)
+    if not (all_known and given and len(set(given)) == len(given)):
         raise ResponseError.malformed(
             argument="response.direction",
             given=repr(given),
@@ -47,7 +47,7 @@ def reference(given: Reference) -> None:
             given=f'"{given}"',
             allowed='a name and a unit, such as "A1, V", or nothing',
             cause="the unit is missing",
-            next_step="add the unit of what the response was divided by",
+            next_step="add the unit of the quantity that the response was divided by",
         )
 
 
@@ -123,7 +123,7 @@ def coherence(given: Numbers, shape: tuple[int, int]) -> None:
 
 
 def regions(given: Sequence[str], points: int) -> None:
-    """Refuse names of regions that are not one for each point."""
+    """Refuse names of regions unless each point has one."""
     if len(given) != points or isinstance(given, str):
         raise ResponseError.mismatch(
             argument="response.region",
@@ -137,13 +137,13 @@ def regions(given: Sequence[str], points: int) -> None:
             argument="response.region",
             given=f'"{min(taken)}"',
             allowed="any other name",
-            cause="this word stands for all points outside of a region",
+            cause="this word means all points outside of a region",
             next_step="leave the name of these points empty, or choose another one",
         )
 
 
 def one_point_each(place: NDArray[np.int64], points: NDArray[np.float64]) -> None:
-    """Refuse two points on one place of a grid."""
+    """Refuse two points at one position of a grid."""
     _, first, times = np.unique(place, return_index=True, return_counts=True)
     if times.max() > 1:
         x, y = points[first[times.argmax()]] * 1e3

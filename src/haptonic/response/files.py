@@ -1,7 +1,7 @@
 """Frequency responses in NetCDF files.
 
-NetCDF has no complex numbers, so a file holds ``response_real`` and ``response_imag``; any NetCDF reader
-understands it.
+NetCDF has no complex numbers, so a file contains ``response_real`` and ``response_imag``, which any NetCDF
+reader understands.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def plain(response: FrequencyResponse) -> xr.Dataset:
 
 
 def write(response: FrequencyResponse, path: Path) -> None:
-    """Write a response as NetCDF 4. `haptonic.store.write_atomically` makes the file whole or not at all."""
+    """Write a response as NetCDF 4. `haptonic.store.write_atomically` writes a complete file or none."""
     data = passed(plain(response))
     numbers = [name for name, variable in data.variables.items() if variable.dtype.kind == "f"]
     encoding = {name: {"_FillValue": None} for name in numbers}
@@ -55,25 +55,27 @@ def write(response: FrequencyResponse, path: Path) -> None:
 
 
 def read(path: Path | str) -> FrequencyResponse:
-    """A response, in memory, from a file that `write` made.
+    """Read a response into memory, from a file written by `write`.
 
     Raises
     ------
-    ResourceError : there is no such file, or it cannot be read
+    ResourceError : no such file, or one that cannot be read
     ResponseError : the file is of another kind, or damaged
     """
     path = source(path, "file of a frequency response")
     try:
         content = ask("hdf5.tree", path, deep=False)
-        says = content["attributes"]
-        if not is_response(says):
+        attributes = content["attributes"]
+        if not is_response(attributes):
             raise _foreign(path, "a NetCDF file of another kind")
-        if int(says["form"]) > FORM:
-            raise _foreign(path, f"form {says['form']} of the file, from a later haptonic")
+        if int(attributes["form"]) > FORM:
+            raise _foreign(path, f"form {attributes['form']} of the file, from a later haptonic")
         if any(name in content["elsewhere"] for name in PARTS):
             raise _foreign(path, "links to another file, which are not followed")
         _check_sizes(path, content["sets"])
-        return _made(arrays_of(path, content, [name for name in PARTS if name in content["sets"]]), says)
+        return _assembled(
+            arrays_of(path, content, [name for name in PARTS if name in content["sets"]]), attributes
+        )
     except FileNotFoundError as error:
         next_step = "check the name and the folder"
         raise _refused("not-found", path, "there is no such file", next_step) from error
@@ -90,32 +92,32 @@ def read(path: Path | str) -> FrequencyResponse:
 
 
 def is_response(attributes: Mapping[str, Any]) -> bool:
-    """True for attributes of a file that `write` made."""
+    """True for attributes of a file written by `write`."""
     kind = attributes.get("kind")
     return isinstance(kind, str) and kind == KIND
 
 
 def _check_sizes(path: Path, sets: Mapping[str, Mapping[str, Any]]) -> None:
-    """Refuse parts of other kinds or sizes than a response has, before any of them is read."""
+    """Refuse parts whose kinds or sizes are not those of a response, before any of them is read."""
     refuse_sizes(path, sets, DIMENSIONS)
     for name in DIMENSIONS:
         kind = "text" if name in ("direction", "region") else "number"
         if name in sets and sets[name]["kind"] != kind:
-            raise _foreign(path, f"{name} is {sets[name]['kind']}, where {kind} belongs")
+            raise _foreign(path, f"{name} is {sets[name]['kind']}, not {kind}")
     if "direction" in sets and sets["direction"]["shape"][0] > len(DIRECTIONS):
         raise _foreign(path, f"{sets['direction']['shape'][0]} directions")
 
 
 def from_plain(data: xr.Dataset) -> FrequencyResponse:
-    """The response of a dataset that `plain` made."""
-    return _made({name: data[name].values for name in PARTS if name in data.variables}, data.attrs)
+    """Make the response of a dataset from `plain`."""
+    return _assembled({name: data[name].values for name in PARTS if name in data.variables}, data.attrs)
 
 
-def _made(parts: Mapping[str, NDArray[Any]], notes: Mapping[Any, Any]) -> FrequencyResponse:
+def _assembled(parts: Mapping[str, NDArray[Any]], notes: Mapping[Any, Any]) -> FrequencyResponse:
     real, imaginary = parts["response_real"], parts["response_imag"]
     values = np.empty(real.shape, dtype=np.result_type(real.dtype, np.complex64))
     values.real, values.imag = real, imaginary
-    made = FrequencyResponse.of(
+    assembled = FrequencyResponse.of(
         values,
         frequency=parts["frequency"],
         x=parts["x"],
@@ -129,13 +131,13 @@ def _made(parts: Mapping[str, NDArray[Any]], notes: Mapping[Any, Any]) -> Freque
         title=notes["title"],
         inputs=json_from(notes["inputs"]),
     )
-    return FrequencyResponse(made.dataset.assign_attrs(haptonic_version=notes["haptonic_version"]))
+    return FrequencyResponse(assembled.dataset.assign_attrs(haptonic_version=notes["haptonic_version"]))
 
 
-def _foreign(path: Path, found: str) -> ResponseError:
+def _foreign(path: Path, given: str) -> ResponseError:
     return ResponseError.unreadable(
         argument="file of a frequency response",
-        given=f"{path}: {found}",
+        given=f"{path}: {given}",
         allowed="a file that haptonic wrote, or made from a scan",
         cause="the wrong file was chosen, or a copy was interrupted",
         next_step="choose another file, or import the scan again",

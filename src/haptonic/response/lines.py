@@ -1,4 +1,4 @@
-"""Numbers of rows and columns of points that lie on a regular grid, all but a little."""
+"""Numbers of rows and columns of points on a nearly regular grid."""
 
 from __future__ import annotations
 
@@ -7,22 +7,23 @@ import numpy as np
 from haptonic.arrays import Array, Ints
 from haptonic.errors import ResponseError
 
-SAME = 2e-4  # of the extent of all points, within which coordinates belong to one row or column
-OFF = 0.05  # of the step, that a row or column may lie beside its place
+SAME = 2e-4  # of the extent of all points: closer coordinates belong to one row or column
+OFF = 0.05  # of the step, largest distance of a row or column from its regular position
 
 
 def regular_line(coordinate: Array, extent: float, name: str) -> tuple[Ints, Array]:
-    """Numbers of the rows (columns) that points belong to, and where these lie.
+    """Numbers of the rows (columns) that points belong to, and positions of these.
 
     Parameters
     ----------
     coordinate : (n,) m
-    extent : of all points along x or y, whichever is larger, m
+    extent : of all points along x or y, the larger one, m
     name : "x" or "y", for the error
 
     Returns
     -------
-    number : (n,) counted from 0; place : (rows,) evenly spaced, m
+    number : (n,) counted from 0
+    place : (rows,) evenly spaced positions, m
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""How alike two vibrations are, and how much of one stays where it should.
+"""Similarity of two vibrations, and levels of regions.
 
-Shapes and responses hold one point after the other in their last axis. Amplitudes are peak values, as in the
-response itself; a root mean square is one over points, never over time.
+Shapes and responses have the points in their last axis. Amplitudes are peak values, as in the response
+itself; a root mean square is taken over points, never over time.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from haptonic.later import sparse as sp, xarray as xr
 from haptonic.response.checks import REST
 from haptonic.response.value import FrequencyResponse
 
-ROUNDING = 1e-9  # of a disc's radius, within which a point on its rim counts
+ROUNDING = 1e-9  # of a disc's radius: tolerance for points on its rim
 AT_ONCE = 2_000_000  # numbers that are converted to double precision at a time
 
 
@@ -30,7 +30,7 @@ def mac(a: AnyComplex, b: AnyComplex) -> Array:
 
     Returns
     -------
-    (m, n) from 0, orthogonal, to 1, the same but for a complex factor
+    (m, n) from 0, orthogonal, to 1, equal up to a complex factor
 
     Raises
     ------
@@ -42,9 +42,10 @@ def mac(a: AnyComplex, b: AnyComplex) -> Array:
 
 
 def frac(a: AnyComplex, b: AnyComplex) -> Array:
-    """Frequency response assurance criterion of two responses, point by point [allemang2003].
+    """Frequency response assurance criterion of two responses, at each point [allemang2003].
 
-    |sum a* b|^2 / (sum |a|^2 sum |b|^2), the sums over the lines: blind to one complex factor for each point.
+    |sum a* b|^2 / (sum |a|^2 sum |b|^2), with sums over the lines: independent of a complex factor at each
+    point.
 
     Parameters
     ----------
@@ -56,7 +57,7 @@ def frac(a: AnyComplex, b: AnyComplex) -> Array:
 
     Raises
     ------
-    ResponseError : responses of different shapes, or a point that does not move at all
+    ResponseError : responses of different shapes, or a point without motion
     """
     if a.ndim != 2 or a.shape != b.shape:
         raise _unlike(a, b, "two responses (frequency, point) on the same lines and points")
@@ -67,11 +68,11 @@ def frac(a: AnyComplex, b: AnyComplex) -> Array:
 def rms(response: FrequencyResponse, region: str) -> xr.DataArray:
     """Root mean square over the points of a region, against frequency, in the units of the response.
 
-    At a point the amplitudes in all directions count together, as the length of a vector.
+    The amplitudes of all directions at a point are combined like the components of a vector.
 
     Raises
     ------
-    ResponseError : no point lies in that region
+    ResponseError : no point in that region
     """
     return spectrum(response, _mean_square(response, response.inside(region)) ** 0.5, response.units)
 
@@ -83,7 +84,7 @@ def average_spectrum(response: FrequencyResponse) -> xr.DataArray:
 
 
 def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray:
-    """By how much a region vibrates more than another one, see `power_contrast`.
+    """Level of a region over another one, see `power_contrast`.
 
     Parameters
     ----------
@@ -95,28 +96,28 @@ def contrast(response: FrequencyResponse, over: str, under: str) -> xr.DataArray
 
     Raises
     ------
-    ResponseError : no point lies in one of them
+    ResponseError : a region without points
     """
     upper, lower = (_mean_square(response, mask) for mask in sides(response, over, under))
     return spectrum(response, power_contrast(upper, lower), "dB")
 
 
 def power_contrast(over: Array, under: Array) -> Array:
-    """The contrast of two mean squares: 10 log10(over / under), that is 20 log10 of their root's ratio, dB.
+    """Contrast of two mean squares: 10 log10(over / under), that is 20 log10 of the ratio of their roots, dB.
 
-    It is infinite where one of them is zero, and NaN where both are or one is negative. Levels of regions
-    are compared by this one formula, whether computed, measured or freed from noise.
+    It is infinite where one of them is zero, and NaN where both are zero or one is negative. This is the only
+    formula for levels of regions, whether they are computed, measured or corrected for noise.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(10 * np.log10(over) - 10 * np.log10(under))
 
 
 def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bools]:
-    """(points,) each: those of two regions that are compared; one of them may be "rest", see `contrast`.
+    """(points,) masks of the two regions that are compared; one of them may be "rest", see `contrast`.
 
     Raises
     ------
-    ResponseError : no point lies in one of them
+    ResponseError : a region without points
     """
     upper, lower = (
         ~response.inside(other) if name == REST else response.inside(name)
@@ -135,7 +136,7 @@ def sides(response: FrequencyResponse, over: str, under: str) -> tuple[Bools, Bo
 
 
 def along(values: Mapping[str, xr.DataArray], dimension: str) -> xr.DataArray:
-    """Arrays of the same axes along a dimension of their names."""
+    """Concatenate arrays with equal axes along a dimension of their names."""
     names = xr.DataArray(np.array(list(values), dtype=str), dims=dimension, name=dimension)
     return xr.concat(list(values.values()), names, combine_attrs="drop_conflicts").rename(None)
 
@@ -144,12 +145,12 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
     """Amplitude under a finger: root mean square over the disc around every point.
 
     The finger is wider than the lobes of the vibration. The film of air below it depends on the square of the
-    local amplitude and not on its sign, so amplitudes are averaged, not the vibration itself, of which
-    neighbouring lobes would cancel. At the plate's edge only those points count that there are.
+    local amplitude and not on its sign, so amplitudes are averaged, not the vibration itself, whose
+    neighbouring lobes would cancel. At the plate's edge, only points on the plate count.
 
     Parameters
     ----------
-    diameter : of the disc, m; its rim belongs to it
+    diameter : diameter of the disc, m; the rim belongs to the disc
 
     Returns
     -------
@@ -185,7 +186,7 @@ def disc_average(response: FrequencyResponse, diameter: float) -> xr.DataArray:
 
 
 def discs(points: Array, diameter: float) -> list[list[int]]:
-    """For each of points (k, 2), m, the numbers of those on a disc around it; its rim belongs to it."""
+    """For each of points (k, 2), m, the indices of points on a disc around it, its rim included."""
     near: list[list[int]] = (
         scipy.spatial.cKDTree(points)
         .query_ball_point(points, 0.5 * diameter * (1 + ROUNDING), return_sorted=True)
@@ -197,7 +198,7 @@ def discs(points: Array, diameter: float) -> list[list[int]]:
 def cmif(responses: Sequence[FrequencyResponse]) -> xr.DataArray:
     """Complex mode indication function: squared singular values of the response matrix [shih1988].
 
-    Its peaks show modes; as many values are large at a peak as modes lie there together.
+    Its peaks are modes; as many values are large at a peak as modes coincide there.
 
     Parameters
     ----------
@@ -205,7 +206,7 @@ def cmif(responses: Sequence[FrequencyResponse]) -> xr.DataArray:
 
     Returns
     -------
-    (frequency, value) the values in descending order, as many as there are references
+    (frequency, value) in descending order, as many values as references
 
     Raises
     ------
@@ -233,17 +234,17 @@ def cmif(responses: Sequence[FrequencyResponse]) -> xr.DataArray:
 
 
 def _unit(shapes: AnyComplex, axis: int) -> AnyComplex:
-    """Shapes of length 1, in double precision, or an error if one is zero."""
+    """Shapes of unit length, in double precision; refuses a zero shape."""
     largest = np.abs(shapes).max(axis=axis, keepdims=True)
     if not (largest > 0).all():
         raise ResponseError.no_answer(
             argument="shape",
             given=f"zero everywhere, in {np.count_nonzero(largest == 0)} of {largest.size}",
             allowed="a shape that is not zero",
-            cause="points that are held, or a line at 0 Hz",
+            cause="points that are clamped, or a line at 0 Hz",
             next_step="leave these points or lines out",
         )
-    scaled = (shapes / largest).astype(np.complex128)  # first, so that no square under- or overflows
+    scaled = (shapes / largest).astype(np.complex128)  # scaled first, so that no square over- or underflows
     return np.asarray(scaled / np.linalg.norm(scaled, axis=axis, keepdims=True))
 
 

@@ -1,4 +1,4 @@
-"""What a response is divided by, or what a channel records."""
+"""Reference of a response: the quantity that it is divided by, with its unit."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Reference:
-    """A drive. name : as its maker called it, commas and all; unit : of its amplitude, such as V
+    """A drive. name : as in its source, including commas; unit : of its amplitude, such as V.
 
-    Both are empty for a response that is divided by nothing.
+    Both are empty for a response that is not divided by anything.
     """
 
     name: str = ""
@@ -17,7 +17,7 @@ class Reference:
 
     @classmethod
     def parse(cls, text: str) -> Reference:
-        """From "A1, V", as files and people write it: no unit holds a comma, so the last one is the border.
+        """Parse "A1, V": a unit never contains a comma, so the last comma ends the name.
 
         A text without a comma, or that ends with one, is a name without a unit.
         """
@@ -28,7 +28,7 @@ class Reference:
         return self != Reference()
 
     def __str__(self) -> str:
-        """What `parse` takes apart again."""
+        """Text that `parse` reads."""
         if self.unit:
             return f"{self.name}, {self.unit}"
         return f"{self.name}," if "," in self.name else self.name

@@ -1,6 +1,6 @@
-"""The frequency response as a value: what a simulation computes and a laser vibrometer measures.
+"""Frequency response as a value: the result of a simulation and of a laser vibrometer's scan.
 
-Time runs as exp(+i omega t): a velocity is i omega times the displacement. Amplitudes are peak values.
+The time factor is exp(+i omega t): a velocity is i omega times the displacement. Amplitudes are peak values.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Quantity = Literal["velocity", "displacement"]
 Origin = Literal["simulated", "measured"]
 
 UNITS: dict[Quantity, str] = {"velocity": "m/s", "displacement": "m"}
-ROUNDING = 1e-9  # of a frequency, within which it counts as one of the lines
+ROUNDING = 1e-9  # of a frequency: closer frequencies are the same line
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +57,7 @@ class FrequencyResponse:
         title: str = "",
         inputs: Mapping[str, Any] | None = None,
     ) -> FrequencyResponse:
-        """A response from its arrays, which are not copied.
+        """Make a response from its arrays, which are not copied.
 
         Parameters
         ----------
@@ -65,19 +65,19 @@ class FrequencyResponse:
             the reference
         frequency : (frequency,) ascending, Hz
         x, y : (point,) positions on the plate, m
-        reference : what the response is divided by, and its unit: ``"A1, V"`` for the voltage of actuator A1,
-            ``"F1, N"`` for a force; empty if it is divided by nothing
+        reference : quantity that the response is divided by, and its unit: ``"A1, V"`` for the voltage of
+            actuator A1, ``"F1, N"`` for a force; empty for none
         origin : "simulated" or "measured"
         direction : (direction,) of "x", "y", "z"; z is normal to the plate
         quantity : "velocity" (m/s) or "displacement" (m)
         coherence : (frequency, point) between 0 and 1
-        region : (point,) name of the region that a point lies in, empty outside of any
-        title : for people
-        inputs : all that made the response, in JSON types
+        region : (point,) name of each point's region, empty outside of any
+        title : text for readers
+        inputs : all inputs of the response, in JSON types
 
         Raises
         ------
-        ResponseError : arrays that do not fit together, numbers that are not finite, unknown words
+        ResponseError : arrays of contradicting shapes, numbers that are not finite, unknown words
         """
         checks.one_of(quantity, tuple(UNITS), "quantity")
         checks.one_of(origin, ("simulated", "measured"), "origin")
@@ -135,12 +135,12 @@ class FrequencyResponse:
 
     @property
     def units(self) -> str:
-        """Of the response, such as "m/s/V"."""
+        """Unit of the response, such as "m/s/V"."""
         return str(self.dataset["response"].attrs["units"])
 
     @property
     def reference(self) -> Reference:
-        """What the response is divided by."""
+        """Quantity that the response is divided by."""
         return Reference.parse(str(self.dataset.attrs["reference"]))
 
     @property
@@ -151,11 +151,11 @@ class FrequencyResponse:
         return tuple(dict.fromkeys(str(name) for name in self.dataset["region"].values if name))
 
     def at(self, frequency: float) -> FrequencyResponse:
-        """The one line nearest to a frequency (Hz).
+        """Select the line nearest to a frequency (Hz).
 
         Raises
         ------
-        ResponseError : the frequency lies outside of the range
+        ResponseError : the frequency is out of range
         """
         lines = self.frequency
         slack = ROUNDING * lines[-1]
@@ -170,11 +170,11 @@ class FrequencyResponse:
         return self._with_lines(slice(line := int(np.abs(lines - frequency).argmin()), line + 1))
 
     def between(self, low: float, high: float) -> FrequencyResponse:
-        """The lines from ``low`` to ``high`` (Hz), both included.
+        """Select the lines from ``low`` to ``high`` (Hz), both included.
 
         Raises
         ------
-        ResponseError : there is no line
+        ResponseError : no line in this range
         """
         lines = self.frequency
         slack = ROUNDING * lines[-1]
@@ -190,21 +190,21 @@ class FrequencyResponse:
         return self._with_lines(slice(int(start), int(stop)))
 
     def of_region(self, name: str) -> FrequencyResponse:
-        """The points of one region.
+        """Select the points of one region.
 
         Raises
         ------
-        ResponseError : no point lies in a region of that name
+        ResponseError : no point in a region of that name
         """
         inside = self.inside(name)
         return FrequencyResponse(_locked(self.dataset.isel(point=np.flatnonzero(inside))))
 
     def inside(self, name: str) -> NDArray[np.bool_]:
-        """(point,) which points lie in a region.
+        """(point,) True for points in a region.
 
         Raises
         ------
-        ResponseError : no point lies in a region of that name
+        ResponseError : no point in a region of that name
         """
         if name not in self.regions:
             cause = "the name is misspelt, or no point lies there"
@@ -212,7 +212,7 @@ class FrequencyResponse:
         return np.asarray(self.dataset["region"].values == name)
 
     def displacement(self) -> FrequencyResponse:
-        """Displacement (m): a velocity divided by i omega. A line at 0 Hz, which has none, is left out."""
+        """Displacement (m): a velocity divided by i omega. A line at 0 Hz is left out."""
         if self.dataset.attrs["quantity"] == "displacement":
             return self
         moving = self._with_lines(slice(int(self.frequency[0] == 0), None))
@@ -234,7 +234,7 @@ class FrequencyResponse:
 
         Raises
         ------
-        ResponseError : the points do not lie on a regular grid, or two of them on one place
+        ResponseError : the points do not lie on a regular grid, or two of them coincide
         """
         extent = float(np.ptp(self.points, axis=0).max())
         columns, x = regular_line(self.dataset["x"].values, extent, "x")
@@ -258,13 +258,13 @@ class FrequencyResponse:
         return FrequencyResponse(_locked(self.dataset.isel(frequency=lines)))
 
     def _converted(self, quantity: Quantity, factor: AnyComplex) -> FrequencyResponse:
-        """The response times a factor for each line, in the precision that it has."""
+        """The response times a factor for each line, in its own precision."""
         old = self.dataset["response"]
         values = old.values * factor.astype(old.dtype)[:, None, None]
         unit = self.units.replace(UNITS[self.dataset.attrs["quantity"]], UNITS[quantity], 1)
         notes = {"units": unit, "long_name": f"complex {quantity}, exp(+i omega t)"}
-        made = self.dataset.assign(response=(old.dims, _frozen(values), notes))
-        return FrequencyResponse(made.assign_attrs(quantity=quantity))
+        converted = self.dataset.assign(response=(old.dims, _frozen(values), notes))
+        return FrequencyResponse(converted.assign_attrs(quantity=quantity))
 
 
 def _frozen(array: NDArray[Any]) -> NDArray[Any]:
@@ -275,7 +275,7 @@ def _frozen(array: NDArray[Any]) -> NDArray[Any]:
 
 
 def _locked(dataset: xr.Dataset) -> xr.Dataset:
-    """The same dataset; its arrays cannot be written to any more."""
+    """The same dataset, with its arrays locked against writing."""
     for variable in dataset.variables.values():
         variable.values.setflags(write=False)
     return dataset

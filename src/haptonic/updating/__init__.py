@@ -1,1 +1,1 @@
-"""A plate's model against its measurement: how alike they are, and which numbers make them more alike."""
+"""Comparison of a plate's model with its measurement, and a fit of its unknown numbers."""

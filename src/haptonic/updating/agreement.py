@@ -1,4 +1,4 @@
-"""How alike a measured and a computed response are."""
+"""Agreement of a measured and a computed response."""
 
 from __future__ import annotations
 
@@ -14,18 +14,20 @@ from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse, frac, mac
 from haptonic.updating.shapes import How, Pair, Shapes, pairs, shapes_of
 
-NEAR = 0.25  # of the distance of neighbouring points, within which two points are one
-UNRESOLVED = dict.fromkeys(("measured_damping", "computed_damping"), "the lines are too far apart to tell")
-SAME = 1e-6  # of a frequency, within which two lines are one
+NEAR = 0.25  # of the distance of neighbouring points: points closer than this are the same
+UNRESOLVED = dict.fromkeys(("measured_damping", "computed_damping"), "the lines are too far apart")
+SAME = 1e-6  # of a frequency: lines closer than this are the same
 
 
 @dataclass(frozen=True, eq=False)
 class Agreement:
-    """Two responses at the same points and lines.
+    """Agreement of two responses at the same points and lines.
 
     frac : (points,) frequency response assurance criterion; NaN at points that do not move
-    unexplained : share of the measured energy that the computed response does not have
-    measured, computed : shapes; mac : of each with each; pairs : which of them belong together
+    unexplained : share of the measured energy that the computed response lacks
+    measured, computed : shapes
+    mac : modal assurance criterion of each measured with each computed shape
+    pairs : corresponding shapes
     """
 
     frac: Array
@@ -37,18 +39,22 @@ class Agreement:
 
 
 def agreement(measured: FrequencyResponse, computed: FrequencyResponse, how: How) -> Agreement:
-    """Of the normal motion; see `together`."""
+    """Compare the normal motion of two responses; see `together`."""
     velocity = measured.dataset.attrs["quantity"] == "velocity"
-    one = normal_of(measured)
-    other = normal_of(computed.velocity() if velocity else computed.displacement())
-    moving = (one != 0).any(axis=0) & (other != 0).any(axis=0)
-    alike = np.full(len(moving), np.nan)
-    alike[moving] = frac(one[:, moving], other[:, moving])
-    first, second = (shapes_of(measured.frequency, values, how) for values in (one, other))
+    measured_motion = normal_of(measured)
+    computed_motion = normal_of(computed.velocity() if velocity else computed.displacement())
+    moving = (measured_motion != 0).any(axis=0) & (computed_motion != 0).any(axis=0)
+    criterion = np.full(len(moving), np.nan)
+    criterion[moving] = frac(measured_motion[:, moving], computed_motion[:, moving])
+    first, second = (
+        shapes_of(measured.frequency, values, how) for values in (measured_motion, computed_motion)
+    )
     both = len(first.frequency) and len(second.frequency)
     return Agreement(
-        frac=alike,
-        unexplained=float((np.abs(one - other) ** 2).sum() / (np.abs(one) ** 2).sum()),
+        frac=criterion,
+        unexplained=float(
+            (np.abs(measured_motion - computed_motion) ** 2).sum() / (np.abs(measured_motion) ** 2).sum()
+        ),
         measured=first,
         computed=second,
         mac=mac(first.shape, second.shape) if both else np.zeros((len(first.shape), len(second.shape))),
@@ -56,18 +62,18 @@ def agreement(measured: FrequencyResponse, computed: FrequencyResponse, how: How
     )
 
 
-def paired(one: Agreement) -> xr.Dataset:
-    """(pair) frequencies of shapes that belong together, their difference, damping, and MAC."""
-    first, second = ([getattr(pair, which) for pair in one.pairs] for which in ("first", "second"))
-    measured, computed = one.measured.frequency[first], one.computed.frequency[second]
+def paired(result: Agreement) -> xr.Dataset:
+    """(pair) frequencies of corresponding shapes, their difference, damping, and MAC."""
+    first, second = ([getattr(pair, which) for pair in result.pairs] for which in ("first", "second"))
+    measured, computed = result.measured.frequency[first], result.computed.frequency[second]
     numbers = {
         "measured": (measured, "Hz"), "computed": (computed, "Hz"),
-        "frequency_difference": (computed / measured - 1, "1"), "mac": ([p.mac for p in one.pairs], "1"),
-        "measured_damping": (one.measured.damping[first], "1"),
-        "computed_damping": (one.computed.damping[second], "1"),
+        "frequency_difference": (computed / measured - 1, "1"), "mac": ([p.mac for p in result.pairs], "1"),
+        "measured_damping": (result.measured.damping[first], "1"),
+        "computed_damping": (result.computed.damping[second], "1"),
     }  # fmt: skip
-    made = xr.Dataset({name: ("pair", values, {"units": u}) for name, (values, u) in numbers.items()})
-    return declared(made, **UNRESOLVED)
+    table = xr.Dataset({name: ("pair", values, {"units": u}) for name, (values, u) in numbers.items()})
+    return declared(table, **UNRESOLVED)
 
 
 def normal_of(response: FrequencyResponse) -> Complex:
@@ -83,7 +89,7 @@ def normal_of(response: FrequencyResponse) -> Complex:
             argument="direction",
             given=", ".join(directions),
             allowed="a response with motion along z, normal to the plate",
-            cause="the scan holds motion in the plate only, or its directions are named otherwise",
+            cause="the scan has motion in the plate only, or its directions have other names",
             next_step="export the direction normal to the plate as z",
         )
     return np.asarray(response.values[..., directions.index("z")], np.complex128)
@@ -92,16 +98,16 @@ def normal_of(response: FrequencyResponse) -> Complex:
 def together(
     measured: FrequencyResponse, computed: FrequencyResponse
 ) -> tuple[FrequencyResponse, FrequencyResponse]:
-    """Two responses at the lines and points that both have.
+    """Two responses at their common lines and points.
 
     Raises
     ------
-    ScanError : fewer than three common lines or points, or responses per something else
+    ScanError : fewer than three common lines or points, or responses per different units
     """
-    per = [one.reference.unit for one in (measured, computed)]
+    per = [response.reference.unit for response in (measured, computed)]
     if per[0] != per[1]:
-        one, other = (f"per {unit}" if unit else "not divided by the drive" for unit in per)
-        raise _apart("reference", f"{one}, {other}", "one unit for both")
+        units = [f"per {unit}" if unit else "not divided by the drive" for unit in per]
+        raise _apart("reference", ", ".join(units), "one unit for both")
     lines = np.searchsorted(computed.frequency, measured.frequency * (1 - SAME))
     lines = np.minimum(lines, len(computed.frequency) - 1)
     common = np.abs(computed.frequency[lines] / np.maximum(measured.frequency, SAME) - 1) < SAME
@@ -112,11 +118,11 @@ def together(
         raise _apart(
             "computed",
             f"{common.sum()} of {len(common)} measured lines, {near.sum()} of {len(near)} measured points",
-            "a computed response at lines and points of the measurement, three of each or more",
+            "a computed response at three or more lines and points of the measurement",
         )
-    kept = np.flatnonzero(common)
-    first = measured.dataset.isel(frequency=kept, point=np.flatnonzero(near))
-    second = computed.dataset.isel(frequency=lines[kept], point=partner[near])
+    rows = np.flatnonzero(common)
+    first = measured.dataset.isel(frequency=rows, point=np.flatnonzero(near))
+    second = computed.dataset.isel(frequency=lines[rows], point=partner[near])
     second = second.assign_coords({name: first[name] for name in ("frequency", "x", "y")})
     return FrequencyResponse(first), FrequencyResponse(second)
 

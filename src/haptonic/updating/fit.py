@@ -1,7 +1,7 @@
-"""Unknown numbers of a plate from its measured response, by least squares on a small model.
+"""Fit of unknown numbers of a plate to its measured response, by least squares on a small model.
 
-The small model, a `haptonic.plate.family.Family`, learns the plate's answer wherever the fit ends, until it
-is right there.
+The small model, a `haptonic.plate.family.Family`, is extended by the plate's response at the end of each fit,
+until it is accurate there.
 """
 
 from __future__ import annotations
@@ -22,19 +22,20 @@ from haptonic.updating.match import Match, MeasuredResponse, Space
 from haptonic.updating.parameters import LOSS, bonds_of
 from haptonic.updating.settings import Unknown
 
-ANCHORS = 3  # sets of numbers whose answers the first small model knows
-ROUNDS = 6  # of fit and improvement at most
-STRANGE = 4.0  # root mean square of a point's residuals, in those of the median point, of one left out
-NARROW = 0.2  # half of an interval over its value, below which it is said in per cent
-AT_BOUND = 1e-3  # share of the range, from a bound, within which a number has stopped there
-UNEXPLAINED = 0.5  # share of the measured energy that a fit may leave
+ANCHORS = 3  # sets of numbers with exact responses in the first small model
+ROUNDS = 6  # at most, of fit and extension
+STRANGE = 4.0  # ratio of a point's rms residual to that of the median point, above which it is left out
+NARROW = 0.2  # half of an interval over its value; narrower intervals are given in per cent
+AT_BOUND = 1e-3  # share of the range: a number closer to a bound has stopped there
+UNEXPLAINED = 0.5  # largest share of the measured energy that a fit may leave unexplained
 
 
 @dataclass(frozen=True)
 class Fitted:
     """A number after the fit, SI.
 
-    interval_95 : None if the data do not tell it; remark : why
+    interval_95 : None if the data do not determine the number
+    remark : reason for a missing interval
     """
 
     name: str
@@ -48,7 +49,7 @@ class Fitted:
 
     @property
     def range_text(self) -> str:
-        """The interval in words, or why there is none."""
+        """The interval as text, or the reason why it is missing."""
         if self.interval_95 is None:
             return self.remark
         low, high = self.interval_95
@@ -59,16 +60,17 @@ class Fitted:
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """Numbers that were fitted, and how well.
+    """Result of a fit.
 
-    plate : with these numbers; numbers : each of them
+    plate : plate with the fitted numbers
+    numbers : each of them
     before, after : (lines, points) computed response with the starting and with the fitted numbers
-    unexplained_before, unexplained : shares of the measured energy that these do not have
-    left_out : numbers of points whose residuals are far above those of the others
-    uncertainty : what the data tell, in logarithms of the numbers
-    error : relative, of the small model's response near the fitted numbers, against that from new tiles; it
-        is made up for: the difference was added to the small model, and the numbers fitted again
-    anchors : answers that the small model is made of
+    unexplained_before, unexplained : shares of the measured energy that these responses lack
+    left_out : indices of points whose residuals are far above those of the others
+    uncertainty : of the logarithms of the numbers
+    error : relative error of the small model's response near the fitted numbers, against that from new tiles;
+        it is corrected: the difference was added to the small model, and the numbers fitted again
+    anchors : number of exact responses in the small model
     """
 
     plate: Plate
@@ -85,11 +87,14 @@ class Fit:
 
 @dataclass(frozen=True, eq=False)
 class SmallModel:
-    """A plate for all values of its unknowns, on the answers for some of them, at some lines and points.
+    """Model of a plate for all values of its unknowns, from exact responses for some of them.
 
-    model : whose tiles serve all values; anchors : the answers
-    frequency : (lines,) Hz; points : (points, 2) of the flat face, m
-    drives : complex amplitudes by name, V or N; tolerance : relative error of the answers
+    model : model whose tiles serve all values
+    anchors : exact responses
+    frequency : (lines,) Hz
+    points : (points, 2) of the flat face, m
+    drives : complex amplitudes by name, V or N
+    tolerance : relative error of the exact responses
     """
 
     space: Space
@@ -112,14 +117,14 @@ class SmallModel:
         fineness: Fineness | None = None,
         progress: Progress = silent,
     ) -> SmallModel:
-        """Of a plate that has the starting values; ``progress`` is called with words on what is done.
+        """Make the model of a plate with the starting values; ``progress`` receives a text on each step.
 
         Raises
         ------
-        HaptonicError : lines that cannot be computed with that tolerance
+        HaptonicError : lines that cannot be computed with this tolerance
         """
         progress(0, 0, "tiles")
-        bonds = bonds_of(plate, {one.parameter: (one.low, one.high) for one in unknowns})
+        bonds = bonds_of(plate, {unknown.parameter: (unknown.low, unknown.high) for unknown in unknowns})
         model = PlateModel.of(plate, float(frequency[-1]), fineness, bonds)
         space = Space(plate, unknowns)
         small = cls(
@@ -131,28 +136,28 @@ class SmallModel:
             drives=drives,
             tolerance=tolerance,
         )
-        # fields of a plate that hardly loses anything are hard to compute, and no others for that
-        moved = np.array([one.parameter != LOSS for one in unknowns])
+        # the loss factor stays: fields of a plate with hardly any loss are expensive, and add nothing
+        moved = np.array([unknown.parameter != LOSS for unknown in unknowns])
         tried = np.unique(np.vstack([np.zeros(len(unknowns)), moved * space.spread(ANCHORS - 1)]), axis=0)
         for number, x in enumerate(tried, start=1):
-            progress(number, len(tried), "answers for sets of numbers")
+            progress(number, len(tried), "responses for sets of numbers")
             small = small.knowing(x)
         return small
 
     def knowing(self, x: Array) -> SmallModel:
-        """With the answers for further numbers, given as logarithms over the start."""
+        """A copy with the exact response for further numbers, given as logarithms over the start."""
         plate = self.space.plate_at(x)
         more = anchored(self.model, plate, self.drives, self.frequency, self.tolerance, self.points)
         return replace(self, anchors=(*self.anchors, more))
 
     def anew(self, x: Array) -> Complex:
-        """(lines, points) displacement with further numbers, from tiles made for these alone, m."""
+        """(lines, points) displacement for other numbers, from tiles computed for these alone, m."""
         plate, lines = self.space.plate_at(x), self.frequency
         model = PlateModel.of(plate, float(lines[-1]), self.model.fineness)
         return anchored(model, plate, self.drives, lines, self.tolerance, self.points).displacement
 
     def match(self, data: MeasuredResponse) -> Match:
-        """Against a measurement at the same lines and points."""
+        """Compare with a measurement at the same lines and points."""
         return Match(self.space, Family.spanned(self.model, self.anchors, self.drives, self.points), data)
 
 
@@ -162,7 +167,7 @@ def fitted(small: SmallModel, data: MeasuredResponse, progress: Progress = silen
     Raises
     ------
     ScanError : no set of numbers explains the measurement
-    HaptonicError : lines that cannot be computed as exactly as the small model wants
+    HaptonicError : lines that cannot be computed with the tolerance of the small model
     """
     progress(0, 0, "search")
     match = small.match(data)
@@ -186,56 +191,57 @@ def fitted(small: SmallModel, data: MeasuredResponse, progress: Progress = silen
     exact = data.seen(small.anew(x))
     match = replace(match, defect=exact - match.response(x))
     x = match.improved(match.of_complex, x)
-    found = match.response(x)
-    tells = uncertainty(match.jacobian(x), match.misfit(x))
+    after = match.response(x)
+    intervals = uncertainty(match.jacobian(x), match.misfit(x))
     return Fit(
-        plate=small.space.plate_at(x), numbers=_numbers(small.space, x, tells), before=before, after=found,
+        plate=small.space.plate_at(x), numbers=_numbers(small.space, x, intervals), before=before,
+        after=after,
         unexplained_before=data.unexplained(before),
-        unexplained=data.unexplained(found), left_out=strange, uncertainty=tells,
-        error=_apart(found - match.defect, found), anchors=len(small.anchors),
+        unexplained=data.unexplained(after), left_out=strange, uncertainty=intervals,
+        error=_apart(after - match.defect, after), anchors=len(small.anchors),
     )  # fmt: skip
 
 
-def _apart(one: Complex, exact: Complex) -> float:
+def _apart(response: Complex, exact: Complex) -> float:
     """Relative distance of two responses."""
-    return float(np.linalg.norm(one - exact) / np.linalg.norm(exact))
+    return float(np.linalg.norm(response - exact) / np.linalg.norm(exact))
 
 
 def _strange(match: Match, x: Array) -> Ints:
-    """Numbers of points whose residuals are far above those of the others."""
+    """Indices of points whose residuals are far above those of the others."""
     used = np.flatnonzero(match.data.used)
     size = np.sqrt((np.abs(match.misfit(x)) ** 2).mean(axis=0))
     return np.asarray(used[size > STRANGE * np.median(size)])
 
 
-def _numbers(space: Space, x: Array, tells: Uncertainty) -> tuple[Fitted, ...]:
-    found, names = [], [one.parameter for one in space.unknowns]
-    lost = tells.half > 0.5 * (space.high - space.low)
-    for k, (one, start) in enumerate(zip(space.unknowns, space.start.tolist(), strict=True)):
-        value = min(max(start * float(np.exp(x[k])), one.low), one.high)
-        half = float(tells.half[k])
+def _numbers(space: Space, x: Array, intervals: Uncertainty) -> tuple[Fitted, ...]:
+    numbers, names = [], [unknown.parameter for unknown in space.unknowns]
+    lost = intervals.half > 0.5 * (space.high - space.low)
+    for k, (unknown, start) in enumerate(zip(space.unknowns, space.start.tolist(), strict=True)):
+        value = min(max(start * float(np.exp(x[k])), unknown.low), unknown.high)
+        half = float(intervals.half[k])
         low, high = float(space.low[k]), float(space.high[k])
         remark = ""
         if min(x[k] - low, high - x[k]) < AT_BOUND * (high - low):
             remark = "stopped at its bound"
         elif lost[k]:
-            remark = "the data do not tell it"
-            if tied := [names[other] for other in tells.tied(k) if lost[other]]:
-                remark = f"told only together with {' and '.join(tied)}"
+            remark = "not determined by the data"
+            if tied := [names[other] for other in intervals.tied(k) if lost[other]]:
+                remark = f"determined only together with {' and '.join(tied)}"
         interval = None if remark else (value * float(np.exp(-half)), value * float(np.exp(half)))
-        found.append(
+        numbers.append(
             Fitted(
-                name=one.parameter,
-                unit=one.unit,
+                name=unknown.parameter,
+                unit=unknown.unit,
                 start=start,
-                low=one.low,
-                high=one.high,
+                low=unknown.low,
+                high=unknown.high,
                 value=value,
                 interval_95=interval,
                 remark=remark,
             )
         )
-    return tuple(found)
+    return tuple(numbers)
 
 
 def _unlike(unexplained: float) -> ScanError:

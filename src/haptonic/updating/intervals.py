@@ -1,11 +1,11 @@
-"""How well data tell parameters: confidence intervals, also where errors of neighbouring data are alike.
+"""Confidence intervals of fitted parameters, also if errors of neighbouring data are correlated.
 
-With residuals e and a Jacobian J, independent errors give the covariance ``s^2 (J^T J)^-1``. Whether errors
-are independent shows in the singular values of the residuals as a matrix of lines and points: those of
-independent ones end at a known edge (Marchenko and Pastur). Errors of a model, or of a reference channel, are
-alike at many points and lines. Then scores, the products of Jacobian and residuals summed over the points of
-a line, tell by how much they add up (the sandwich estimate of regression), and only as many count as there
-are lines that matter.
+With residuals e and a Jacobian J, independent errors give the covariance ``s^2 (J^T J)^-1``. The singular
+values of the residuals as a matrix of lines and points show whether errors are independent: those of
+independent errors end at a known edge (Marchenko and Pastur). Errors of a model, or of a reference channel,
+are correlated over many points and lines. Then the scores, products of Jacobian and residuals summed over the
+points of a line, give their sum (the sandwich estimate of regression), and the degrees of freedom are the
+number of lines that matter.
 """
 
 from __future__ import annotations
@@ -18,23 +18,24 @@ import scipy
 from haptonic.arrays import Array, Complex
 
 QUANTILE = 0.975  # on either side of a 95 % interval
-EDGE = 1.1  # of the largest singular value of independent errors, beyond which they are not independent
-ALIKE = 0.2  # correlation of scores some lines apart above which they count together
+EDGE = 1.1  # times the largest singular value of independent errors; above it, errors are correlated
+ALIKE = 0.2  # correlation of scores some lines apart, above which these lines count as one
 FEWEST = 2.0  # degrees of freedom at least
-SINGULAR = 1e-7  # share of the largest singular value, below which a direction changes nothing
-PART = 0.1  # of a parameter in such a direction, above which it is not told
-TOLD = 0.95  # correlation of two estimates above which only their combination is told
+SINGULAR = 1e-7  # of the largest singular value: in directions below it, the residuals do not change
+PART = 0.1  # largest part of such a direction in a determined parameter
+TIED = 0.95  # correlation of two estimates above which only their combination is determined
 TINY = np.finfo(float).tiny
 
 
 @dataclass(frozen=True, eq=False)
 class Uncertainty:
-    """What data tell of parameters.
+    """Uncertainty of fitted parameters.
 
-    half : (p,) half widths of 95 % intervals; infinite where the data tell nothing
+    half : (p,) half widths of 95 % intervals; infinite for undetermined parameters
     correlation : (p, p) of the estimates
-    independent : whether the residuals look independent
-    data : real numbers fitted; effective : independent ones that would give intervals as wide
+    independent : True if the residuals look independent
+    data : number of fitted real numbers
+    effective : number of independent data that would give equally wide intervals
     """
 
     half: Array
@@ -44,18 +45,18 @@ class Uncertainty:
     effective: float
 
     def tied(self, number: int) -> list[int]:
-        """Other parameters of which only a combination with this one is told."""
+        """Other parameters that are determined only in combination with this one."""
         row = np.abs(self.correlation[number])
-        return [k for k in range(len(row)) if k != number and row[k] > TOLD]
+        return [k for k in range(len(row)) if k != number and row[k] > TIED]
 
 
 def uncertainty(jacobian: Complex, residual: Complex) -> Uncertainty:
-    """What a fit tells at its minimum.
+    """Uncertainty of the parameters at the minimum of a fit.
 
     Parameters
     ----------
-    jacobian : (lines, points, p) slopes of the residuals with the parameters
-    residual : (lines, points) weighted so that independent errors have about the same size
+    jacobian : (lines, points, p) derivatives of the residuals by the parameters
+    residual : (lines, points) weighted so that independent errors have about equal sizes
     """
     count = jacobian.shape[2]
     scale = np.maximum(np.linalg.norm(jacobian.reshape(-1, count), axis=0), TINY)
@@ -71,7 +72,7 @@ def uncertainty(jacobian: Complex, residual: Complex) -> Uncertainty:
     if not independent:
         scores = np.einsum("lpk,lp->lk", unit.conj(), residual).real
         weight = (np.abs(unit) ** 2).sum(axis=1)
-        lines = 1 / np.maximum((weight**2).sum(axis=0), TINY)  # that matter, for each parameter
+        lines = 1 / np.maximum((weight**2).sum(axis=0), TINY)  # number of lines that matter, by parameter
         reach = _reach(scores)
         freedom = np.maximum(lines / (reach + 1) - count, FEWEST)
         variance = np.diag(inverse @ _summed(scores, reach) @ inverse) * (1 + count / freedom)
@@ -96,7 +97,7 @@ def _independent(residual: Complex) -> bool:
 
 
 def _reach(scores: Array) -> int:
-    """Lines over which scores (lines, p) are alike, each parameter counted alike."""
+    """Number of lines over which scores (lines, p) are correlated, with equal weight of the parameters."""
     unit = scores / np.maximum(np.linalg.norm(scores, axis=0), TINY)
     for lag in range(1, len(unit) // 4):
         if float((unit[lag:] * unit[:-lag]).sum(axis=0).mean()) < ALIKE:
@@ -105,9 +106,9 @@ def _reach(scores: Array) -> int:
 
 
 def _summed(scores: Array, reach: int) -> Array:
-    """(p, p) covariance of the sum of scores (lines, p) that are alike over some lines."""
+    """(p, p) covariance of the sum of scores (lines, p) that are correlated over some lines."""
     total = scores.T @ scores
-    width = 3 * reach + 1  # weights that fall linearly keep the sum positive, and have to reach far for it
+    width = 3 * reach + 1  # linear weights keep the sum positive, and need a wide window
     for lag in range(1, min(width, len(scores))):
         product = scores[lag:].T @ scores[:-lag]
         total = total + (1 - lag / width) * (product + product.T)

@@ -1,13 +1,13 @@
-"""Residuals of a plate against its measured response, and how they are made small.
+"""Residuals of a plate's model against its measured response, and their minimisation.
 
-The logarithm of every unknown number is varied between two bounds. The search begins with the average
-spectrum, whose peaks may lie elsewhere, goes on with the logarithm of the magnitude at every point, and ends
-with the complex response, for which it makes
+The logarithm of every unknown number varies between two bounds. The search begins with the average spectrum,
+whose peaks may be shifted, continues with the logarithm of the magnitude at every point, and ends with the
+complex response, for which it minimises
 
     sum over lines and points of  |w (i omega)^v u(x) - w d|^2
 
-least: u is the computed displacement with numbers of logarithms x over their starting values, d what was
-measured, w its weight, and v is 1 for a velocity, 0 for a displacement.
+u is the computed displacement with numbers of logarithms x over their starting values, d the measured
+response, w its weight, and v is 1 for a velocity, 0 for a displacement.
 """
 
 from __future__ import annotations
@@ -27,24 +27,25 @@ from haptonic.updating.settings import Unknown
 
 Residual = Callable[[Array], Array]
 
-TRIED = 48  # sets of numbers of which the best few are improved
+TRIED = 48  # sets of numbers in the search; the best few are improved
 IMPROVED = 3
-GOOD = 0.1  # share of the measured energy left unexplained, below which no other start is improved
+GOOD = 0.1  # unexplained share of the measured energy below which no other start is improved
 SMOOTHED = 0.01  # share of the highest frequency over which average spectra are smoothed
-FLOOR = 0.03  # share of the median amplitude below which magnitudes hardly count
+FLOOR = 0.03  # of the median amplitude: smaller magnitudes hardly count
 STEP = 1e-5  # of a logarithm, for slopes
-SURE = 1e-6  # of a coherence, by which it stays away from 0 and 1
-INWARD = 1e-9  # of a logarithm, by which a start lies within the bounds
+SURE = 1e-6  # smallest distance of a coherence from 0 and 1
+INWARD = 1e-9  # of a logarithm, smallest distance of a start from the bounds
 
 
 @dataclass(frozen=True, eq=False)
 class MeasuredResponse:
-    """What a plate is fitted to.
+    """Measured response that a plate is fitted to.
 
-    frequency : (lines,) Hz; points : (points, 2) of the flat face, m
+    frequency : (lines,) Hz
+    points : (points, 2) of the flat face, m
     response : (lines, points) normal displacement, or velocity, per unit of the drives
-    velocity : which of them
-    weight : (lines, points) of its residuals, in proportion to 1 / noise; 0 for what does not count
+    velocity : True for a velocity
+    weight : (lines, points) of its residuals, proportional to 1 / noise; 0 for data that are left out
     drives : complex amplitudes by name, V or N
     """
 
@@ -65,10 +66,10 @@ class MeasuredResponse:
         drives: Mapping[str, complex],
         coherence: Array | None = None,
     ) -> MeasuredResponse:
-        """With weights from the coherence (lines, points), if it was measured; else all alike.
+        """Set the weights from the coherence (lines, points), if it was measured; else equal weights.
 
-        The noise of single values is known too badly to weigh them: that of a line times that of a point is
-        taken.
+        The noise of single values is known too inaccurately for weights: the noise of a line times that of a
+        point is used.
         """
         power = np.abs(response) ** 2
         noise = np.full(power.shape, float(power.mean()))
@@ -87,26 +88,26 @@ class MeasuredResponse:
 
     @property
     def omega(self) -> Array:
-        """rad/s"""
+        """Angular frequency, rad/s."""
         return np.asarray(2 * np.pi * self.frequency)
 
     @property
     def used(self) -> NDArray[np.bool_]:
-        """(points,) those that count."""
+        """(points,) True for points with weights."""
         return np.asarray(self.weight.any(axis=0))
 
     def seen(self, displacement: Complex) -> Complex:
-        """(lines, points) computed displacement, m, as what was measured."""
+        """(lines, points) computed displacement, m, converted to the measured quantity."""
         return np.asarray(1j * self.omega[:, None] * displacement if self.velocity else displacement)
 
     def without(self, points: Ints) -> MeasuredResponse:
-        """Without some points, which get no weight."""
+        """A copy in which some points have no weight."""
         weight = self.weight.copy()
         weight[:, points] = 0.0
         return replace(self, weight=weight)
 
     def unexplained(self, response: Complex) -> float:
-        """Share of the measured energy that another response (lines, points) does not have."""
+        """Share of the measured energy that another response (lines, points) lacks."""
         used = self.used
         missed = (np.abs(response - self.response)[:, used] ** 2).sum()
         return float(missed / (np.abs(self.response)[:, used] ** 2).sum())
@@ -114,31 +115,33 @@ class MeasuredResponse:
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """Unknown numbers of a plate, which itself has their starting values, as logarithms over these."""
+    """Unknown numbers of a plate, as logarithms over the values that the plate has."""
 
     plate: Plate
     unknowns: Sequence[Unknown]
 
     @property
     def start(self) -> Array:
-        """(p,) SI."""
+        """(p,) starting values, SI."""
         values = values_of(self.plate)
-        return np.array([values[one.parameter] for one in self.unknowns])
+        return np.array([values[unknown.parameter] for unknown in self.unknowns])
 
     @property
     def low(self) -> Array:
-        """(p,)"""
-        return np.asarray(np.log([one.low for one in self.unknowns] / self.start))
+        """(p,) lower bounds of the logarithms."""
+        return np.asarray(np.log([unknown.low for unknown in self.unknowns] / self.start))
 
     @property
     def high(self) -> Array:
-        """(p,)"""
-        return np.asarray(np.log([one.high for one in self.unknowns] / self.start))
+        """(p,) upper bounds of the logarithms."""
+        return np.asarray(np.log([unknown.high for unknown in self.unknowns] / self.start))
 
     def plate_at(self, x: Array) -> Plate:
-        """The plate with other numbers."""
+        """The plate with numbers of these logarithms."""
         values = (self.start * np.exp(x)).tolist()
-        return changed(self.plate, dict(zip((one.parameter for one in self.unknowns), values, strict=True)))
+        return changed(
+            self.plate, dict(zip((unknown.parameter for unknown in self.unknowns), values, strict=True))
+        )
 
     def spread(self, count: int) -> Array:
         """(count, p) logarithms spread evenly between the bounds."""
@@ -149,9 +152,9 @@ class Space:
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """A family of plates against a measurement, as functions of the logarithms (p,) of a space.
+    """Comparison of a family of plates with a measurement, for logarithms (p,) of a space.
 
-    defect : (lines, points) what the family's response lacks, as measured
+    defect : (lines, points) error of the family's response, as measured; added to it
     """
 
     space: Space
@@ -160,12 +163,12 @@ class Match:
     defect: Complex | float = 0.0
 
     def response(self, x: Array) -> Complex:
-        """(lines, points) as measured."""
+        """(lines, points) computed response, as measured."""
         poles = self.family.poles(self.space.plate_at(x))
         return np.asarray(self.data.seen(poles.displacement(self.data.omega)) + self.defect)
 
     def unexplained(self, x: Array) -> float:
-        """Share of the measured energy."""
+        """Share of the measured energy that the computed response lacks."""
         return self.data.unexplained(self.response(x))
 
     def misfit(self, x: Array) -> Complex:
@@ -174,12 +177,12 @@ class Match:
         return np.asarray((self.data.weight * (self.response(x) - self.data.response))[:, used])
 
     def jacobian(self, x: Array) -> Complex:
-        """(lines, points used, p) slopes of these."""
+        """(lines, points used, p) derivatives of the weighted residuals."""
         return np.asarray(_slopes(self.misfit)(x), np.complex128)
 
     def of_complex(self, x: Array) -> Array:
-        found = self.misfit(x).ravel()
-        return np.concatenate([found.real, found.imag])
+        residuals = self.misfit(x).ravel()
+        return np.concatenate([residuals.real, residuals.imag])
 
     def of_magnitudes(self, x: Array) -> Array:
         used = self.data.used
@@ -190,25 +193,25 @@ class Match:
     def of_spectra(self, x: Array) -> Array:
         lines, used = self.data.frequency, self.data.used
         width = SMOOTHED * lines[-1] / float(np.median(np.diff(lines)))
-        one, other = (
+        computed, measured = (
             scipy.ndimage.gaussian_filter1d(
                 (np.abs(values[:, used]) ** 2).mean(axis=1), width, mode="nearest"
             )
             for values in (self.response(x), self.data.response)
         )
-        return np.asarray(0.5 * np.log(one / other))
+        return np.asarray(0.5 * np.log(computed / measured))
 
     def improved(self, residual: Residual, x: Array, loss: str = "linear") -> Array:
-        """(p,) where the squares of residuals are least, from a start."""
+        """(p,) minimum of the squares of residuals, from a start."""
         low, high = self.space.low, self.space.high
-        found = scipy.optimize.least_squares(
+        minimum = scipy.optimize.least_squares(
             residual, np.clip(x, low + INWARD, high - INWARD), _slopes(residual), (low, high),
             x_scale=high - low, loss=loss, xtol=1e-9, ftol=1e-10, gtol=1e-12, max_nfev=60,
         )  # fmt: skip
-        return np.asarray(found.x)
+        return np.asarray(minimum.x)
 
     def searched(self) -> Array:
-        """(p,) from the best of many starts."""
+        """(p,) best minimum from many starts."""
         tried = [np.zeros(len(self.space.unknowns)), *self.space.spread(TRIED)]
         tried.sort(key=lambda x: float((self.of_spectra(x) ** 2).sum()))
         ends: list[Array] = []
@@ -221,7 +224,7 @@ class Match:
 
 
 def _slopes(residual: Callable[[Array], NDArray[np.inexact]]) -> Callable[[Array], NDArray[np.inexact]]:
-    """Central differences (..., p) of residuals (...)."""
+    """Function of central differences (..., p) of residuals (...)."""
 
     def of(x: Array) -> NDArray[np.inexact]:
         steps = STEP * np.eye(len(x))

@@ -1,4 +1,4 @@
-"""What is not known of a mounted plate, by the names that the study file has for it."""
+"""Numbers of a mounted plate that can be fitted, with their names in the study file."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ def unit_of(name: str) -> str | None:
 
 def values_of(plate: Plate) -> dict[str, float]:
     """All numbers of a plate that can be fitted, SI."""
-    found = {}
-    of_one = not any(feature.solids for _, _, feature in plate.layout.features)
-    # stiffness of the whole plate is in proportion to the modulus of a single material only
-    if of_one and isinstance(plate.layout.material, IsotropicMaterial):
-        found[YOUNG] = plate.layout.material.youngs_modulus
+    values = {}
+    is_of_one_material = not any(feature.solids for _, _, feature in plate.layout.features)
+    # the stiffness of a plate is proportional to the modulus only if it is of a single material
+    if is_of_one_material and isinstance(plate.layout.material, IsotropicMaterial):
+        values[YOUNG] = plate.layout.material.youngs_modulus
     if plate.loss_factor:
-        found[LOSS] = plate.loss_factor
+        values[LOSS] = plate.loss_factor
     for support in plate.supports:
         if support.stiffness is not None:
-            found[_spring(support)] = support.stiffness
+            values[_spring(support)] = support.stiffness
     for number, actuator in enumerate(plate.actuators, start=1):
         if actuator.bond is not None:
-            found[f"plate.actuator[{number}].bond.thickness"] = actuator.bond.thickness
-    return found
+            values[f"plate.actuator[{number}].bond.thickness"] = actuator.bond.thickness
+    return values
 
 
 def changed(plate: Plate, values: Mapping[str, float]) -> Plate:
-    """The plate with some of these numbers changed, SI."""
+    """A copy of the plate with some of these numbers changed, SI."""
     unknown = values.keys() - values_of(plate).keys()
     assert not unknown, f"this plate does not have {unknown}"
     layout, actuators = plate.layout, list(plate.actuators)
@@ -48,8 +48,10 @@ def changed(plate: Plate, values: Mapping[str, float]) -> Plate:
         cells = {n: replace(c, material=_stiffer(c.material, values)) for n, c in layout.cells.items()}
         layout = replace(layout, material=_stiffer(layout.material, values), cells=cells)
     supports = tuple(
-        replace(one, stiffness=values.get(_spring(one), one.stiffness)) if one.stiffness is not None else one
-        for one in plate.supports
+        replace(support, stiffness=values.get(_spring(support), support.stiffness))
+        if support.stiffness is not None
+        else support
+        for support in plate.supports
     )
     for name, value in values.items():
         if match := BOND.fullmatch(name):
@@ -62,12 +64,12 @@ def changed(plate: Plate, values: Mapping[str, float]) -> Plate:
 
 
 def bonds_of(plate: Plate, bounds: Mapping[str, tuple[float, float]]) -> dict[str, tuple[float, float]]:
-    """Least and largest thickness, m, of the bonds among what is fitted, by actuator."""
-    found = {}
+    """Smallest and largest thickness, m, of the fitted bonds, by actuator."""
+    bounds_by_actuator = {}
     for name, ends in bounds.items():
         if match := BOND.fullmatch(name):
-            found[plate.actuators[int(match[1]) - 1].name] = ends
-    return found
+            bounds_by_actuator[plate.actuators[int(match[1]) - 1].name] = ends
+    return bounds_by_actuator
 
 
 def _stiffer(material: Material, values: Mapping[str, float]) -> IsotropicMaterial:

@@ -1,4 +1,4 @@
-"""What is not known of a plate, and what of a measurement it is fitted to."""
+"""Settings of a fit: unknown numbers of a plate, and the part of the measurement to fit."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ KNOWN = (*UNITS, "plate.actuator[1].bond.thickness")
 
 @described("fit.vary")
 class Unknown(NumberRange):
-    """A number that is fitted to a measurement, beginning with the value of the plate."""
+    """A number that is fitted to a measurement, starting from the plate's value."""
 
     @classmethod
     def unit_of(cls, path: str) -> str | None:
-        """SI unit of a number of a plate that can be fitted; None of any other."""
+        """SI unit of a number of a plate that can be fitted; None for other paths."""
         return unit_of(path)
 
     @classmethod
     def known(cls) -> Sequence[str]:
-        """Paths of such numbers."""
+        """Paths of the numbers that can be fitted."""
         return KNOWN
 
     def __post_init__(self) -> None:
@@ -43,37 +43,37 @@ class Unknown(NumberRange):
 
 @described("fit", kw_only=True)
 class FitSettings:
-    """What a measurement is compared with, and what is fitted to it."""
+    """Range of a measurement that is compared, and numbers that are fitted to it."""
 
     lowest: Frequency | None = setting(
-        None, "That is compared; else that of the measurement.", title="Lowest frequency"
+        None, "Start of the compared range; by default that of the measurement.", title="Lowest frequency"
     )
     highest: Frequency | None = setting(
-        None, "That is compared; else that of the measurement.", title="Highest frequency"
+        None, "End of the compared range; by default that of the measurement.", title="Highest frequency"
     )
     points: Annotated[int, Field(ge=3, le=10_000, strict=True)] = setting(
-        60, "Whose response is fitted, drawn evenly from all."
+        60, "Number of points whose response is fitted, drawn evenly from all."
     )
-    vary: tuple[Unknown, ...] = setting((), "What is fitted.", title="Unknowns", max_length=12)
+    vary: tuple[Unknown, ...] = setting((), "Numbers to fit.", title="Unknowns", max_length=12)
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")
         once(self.vary, "vary")
 
     def check(self, plate: Plate | None, absent: Mapping[str, str]) -> None:
-        """Refuse unknowns that a study does not give, or whose value lies outside of their bounds.
+        """Refuse unknowns that are missing in a study, or whose value lies outside of their bounds.
 
-        ``absent`` says, by name, why the study does not give a number.
+        ``absent`` gives, by name, the reason for a missing number.
         """
-        there = {} if plate is None else values_of(plate)
-        there = {name: value for name, value in there.items() if name not in absent}
+        given = {} if plate is None else values_of(plate)
+        given = {name: value for name, value in given.items() if name not in absent}
         for number, unknown in enumerate(self.vary, start=1):
             at, name = f"fit.vary[{number}]", unknown.parameter
-            if name not in there:
+            if name not in given:
                 cause = absent.get(name, "this study does not give it")
                 next_step = "give it in this study, as the value to begin with, or leave this table out"
                 raise problem("missing", name, "a number of this study", cause, next_step, f"{at}.parameter")
-            value = there[name]
+            value = given[name]
             low, high = (format_quantity(end, unknown.unit) for end in (unknown.low, unknown.high))
             if not unknown.low <= value <= unknown.high:
                 raise problem(

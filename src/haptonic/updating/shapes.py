@@ -1,4 +1,4 @@
-"""Shapes in which a plate vibrates, out of its response, and which of two plates' shapes belong together."""
+"""Shapes of vibration from a plate's response, and pairs of corresponding shapes of two plates."""
 
 from __future__ import annotations
 
@@ -16,20 +16,22 @@ from haptonic.response import mac
 
 How = Literal["modes", "operating shapes"]
 
-PROMINENT = 3.0  # dB by which a peak of the average spectrum rises above what separates it from a higher one
-AROUND = 0.5  # share of a peak's energy, above which lines belong to it
-ORDER = 60  # of the polynomial in which poles are looked for, at most; it needs twice as many lines
-ASIDE = 0.01  # share of a peak's frequency by which a pole may miss it
-LEAST = 0.5  # criterion (MAC) of a pair at least
-APART = 0.1  # share by which frequencies of a pair may differ at most
+PROMINENT = 3.0  # dB, smallest height of a peak of the average spectrum above the dip to a higher peak
+AROUND = 0.5  # of a peak's energy: lines above belong to it
+ORDER = 60  # largest order of the polynomial for poles; it needs twice as many lines
+ASIDE = 0.01  # largest relative distance of a pole from its peak
+LEAST = 0.5  # smallest criterion (MAC) of a pair
+APART = 0.1  # largest relative difference of the frequencies of a pair
 
 
 @dataclass(frozen=True, eq=False)
 class Shapes:
     """Shapes of a plate in ascending order.
 
-    frequency : (m,) Hz; damping : (m,) ratios, of critical; NaN where the lines are too far apart to tell
-    shape : (m, points); how : modes are identified, operating shapes are the response at its peaks
+    frequency : (m,) Hz
+    damping : (m,) ratios to critical damping; NaN if the lines are too far apart
+    shape : (m, points)
+    how : "modes" are identified, "operating shapes" are the response at its peaks
     """
 
     frequency: Array
@@ -40,7 +42,7 @@ class Shapes:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two shapes that belong together. first, second : numbers; mac : their criterion"""
+    """Two corresponding shapes. first, second : their numbers; mac : their criterion."""
 
     first: int
     second: int
@@ -52,7 +54,8 @@ def shapes_of(frequency: Array, response: Complex, how: How) -> Shapes:
 
     Parameters
     ----------
-    frequency : (lines,) Hz, evenly spaced for modes; response : (lines, points) normal,
+    frequency : (lines,) Hz, evenly spaced for modes
+    response : (lines, points) normal,
         velocity or displacement
     how : modes need `can_identify`
     """
@@ -61,34 +64,34 @@ def shapes_of(frequency: Array, response: Complex, how: How) -> Shapes:
     lines = np.asarray(scipy.signal.find_peaks(level, prominence=PROMINENT)[0], np.int64)
     if how == "operating shapes" or not len(lines):
         tops = [_top(frequency, energy, int(line)) for line in lines]
-        found = np.array(tops).reshape(-1, 2)
-        return Shapes(found[:, 0], found[:, 1], response[lines], "operating shapes")
+        peaks = np.array(tops).reshape(-1, 2)
+        return Shapes(peaks[:, 0], peaks[:, 1], response[lines], "operating shapes")
     return _identified(frequency, response, lines)
 
 
 def can_identify() -> bool:
-    """Whether the extra for modes is installed."""
+    """True if the extra for modes is installed."""
     return find_spec("sdypy") is not None and find_spec("sdypy.EMA") is not None
 
 
 def even(frequency: Array) -> bool:
-    """Whether lines are evenly spaced, as identification needs them."""
+    """True if lines are evenly spaced, as the identification needs."""
     steps = np.diff(frequency)
     return bool(np.ptp(steps) < 1e-6 * steps.max())
 
 
 def pairs(first: Shapes, second: Shapes) -> list[Pair]:
-    """Which shapes belong together, one to one: alike, and at frequencies that do not differ too much."""
+    """Pairs of corresponding shapes: with similar shapes and frequencies, each in one pair at most."""
     if not len(first.frequency) or not len(second.frequency):
         return []
     alike = mac(first.shape, second.shape)
     apart = np.abs(np.log(first.frequency[:, None] / second.frequency)) / np.log1p(APART)
     allowed = (alike >= LEAST) & (apart <= 1)
-    one, other = scipy.optimize.linear_sum_assignment(
+    rows, columns = scipy.optimize.linear_sum_assignment(
         np.where(allowed, alike - LEAST * apart, -1.0), maximize=True
     )
     return [
-        Pair(int(i), int(j), float(alike[i, j])) for i, j in zip(one, other, strict=True) if allowed[i, j]
+        Pair(int(i), int(j), float(alike[i, j])) for i, j in zip(rows, columns, strict=True) if allowed[i, j]
     ]
 
 
@@ -113,9 +116,9 @@ def _top(frequency: Array, energy: Array, line: int) -> tuple[float, float]:
 def _identified(frequency: Array, response: Complex, lines: Ints) -> Shapes:
     """Modes near given lines, by `sdypy-EMA`: least squares for poles, then for shapes.
 
-    Its poles are those of a polynomial in exp(i pi f / f_highest). The band is moved down to zero for that,
-    and its poles are moved back: a band that fills a small part of the circle tells them apart badly. A pole
-    is that of velocity as well as of displacement, and the shapes differ by a factor only.
+    Its poles are those of a polynomial in exp(i pi f / f_highest). The band is shifted down to zero for it,
+    and the poles are shifted back: a band on a small part of the circle separates them badly. A pole is the
+    same for velocity and displacement, and the shapes differ by a factor only.
     """
     from sdypy import EMA
 
@@ -129,9 +132,9 @@ def _identified(frequency: Array, response: Complex, lines: Ints) -> Shapes:
         model.get_poles(show_progress=False)
         model.select_closest_poles(moved[lines].tolist(), f_window=8 * step)
     _, shape = model.get_constants(f_upper=float(model.freq[-1]))
-    own, ratio = np.asarray(model.nat_freq), np.asarray(model.nat_xi)
-    decay, turning = ratio * own, own * np.sqrt(np.maximum(1 - ratio**2, 0)) + base
-    found = np.hypot(decay, turning)
-    good = (np.abs(found / frequency[lines] - 1) < ASIDE) & (decay > 0)
-    kept = np.flatnonzero(good)[np.argsort(found[good])]
-    return Shapes(found[kept], (decay / found)[kept], np.asarray(shape, complex).T[kept], "modes")
+    natural, ratio = np.asarray(model.nat_freq), np.asarray(model.nat_xi)
+    decay, turning = ratio * natural, natural * np.sqrt(np.maximum(1 - ratio**2, 0)) + base
+    frequencies = np.hypot(decay, turning)
+    good = (np.abs(frequencies / frequency[lines] - 1) < ASIDE) & (decay > 0)
+    rows = np.flatnonzero(good)[np.argsort(frequencies[good])]
+    return Shapes(frequencies[rows], (decay / frequencies)[rows], np.asarray(shape, complex).T[rows], "modes")

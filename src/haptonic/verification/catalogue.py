@@ -1,4 +1,4 @@
-"""What is compared with which source; the data are in ``catalogue.toml`` and ``studies``."""
+"""Quantities, and their sources for comparison; the data are in ``catalogue.toml`` and ``studies``."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ class _CatalogueTable(BaseModel):
 
 
 class OtherStudy(_CatalogueTable):
-    """A second study whose answer has to be the same.
+    """A second study with the same expected result.
 
-    study : of the cases' folder; the case's own by default
+    study : in the folder of the cases; the case's own by default
     change : new values by key of the study file
-    at : wavevectors whose frequencies are put together; those of the case by default
-    factor : what its frequencies are multiplied by
+    at : wavevectors whose frequencies are combined; those of the case by default
+    factor : factor on its frequencies
     """
 
     study: str = ""
@@ -44,10 +44,11 @@ class CaseQuantity(_CatalogueTable):
     """One number, or the frequencies at one wavevector, with the reference value.
 
     measure : an edge, the centre or the relative width of the widest complete gap, or frequencies
-    at : wavevector of the frequencies, as for ``--modes-at``; bands : their numbers, from 1; all by default
-    published : values with their units; empty where ``other`` gives them
+    at : wavevector of the frequencies, as for ``--modes-at``
+    bands : their numbers, from 1; all by default
+    published : values with their units; empty if ``other`` gives them
     uncertainty : relative, of each published value, or one for all
-    tolerance : relative, what may remain beyond both errors; ``remark`` gives its reason
+    tolerance : relative, difference that is allowed beyond both errors; ``remark`` gives its reason
     """
 
     name: str
@@ -76,16 +77,17 @@ class CaseQuantity(_CatalogueTable):
 
     @property
     def published_values(self) -> tuple[float, ...]:
-        """In the SI unit."""
+        """The published values in the SI unit."""
         return tuple(to_si(text, self.unit, self.name) for text in self.published)
 
 
 class Case(_CatalogueTable):
-    """A study and what it is compared with.
+    """A study and its reference values.
 
-    id : also of its study file, unless ``study`` names another one; kind : what the reference values are
-    vary : changes of the study, by key, where the source does not print a value; the answer is a range then
-    remark : what the source does not print, and why values differ
+    id : name of the case, and of its study file unless ``study`` names another one
+    kind : kind of the reference values
+    vary : changes of the study, by key, for values that the source does not print; the result is then a range
+    remark : values that the source does not print, and reasons for differences
     picture : True if the page shows its band diagram
     """
 
@@ -125,11 +127,11 @@ def _case_file() -> _CaseFile:
 
 
 def cases(names: Sequence[str] = ()) -> tuple[Case, ...]:
-    """The cases of these names, in their order; all without names.
+    """Cases with these names, in their order; all cases without names.
 
     Raises
     ------
-    StudyError : there is no such case
+    StudyError : an unknown case
     """
     by_name = {case.id: case for case in _case_file().case}
     for name in names:
@@ -145,5 +147,5 @@ def cases(names: Sequence[str] = ()) -> tuple[Case, ...]:
 
 
 def omitted_cases() -> tuple[OmittedCase, ...]:
-    """The cases that are not computed."""
+    """Cases that are not computed."""
     return _case_file().omitted

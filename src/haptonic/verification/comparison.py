@@ -1,4 +1,4 @@
-"""Compute the quantities of a case as a user would, from study to bands, and compare them."""
+"""Computation of the quantities of a case, from study to bands, and their comparison with the reference."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from haptonic.verification.catalogue import Case, CaseQuantity, OtherStudy
 
 @dataclass(frozen=True, eq=False)
 class CaseComparison:
-    """A quantity of a case beside its reference.
+    """A quantity of a case, with its reference.
 
     reference, reference_error : (values,) in the SI unit
-    computed, computed_error : (variants, values); one variant where the case varies nothing
+    computed, computed_error : (variants, values); one variant for a case without variations
     """
 
     case: Case
@@ -54,7 +54,7 @@ class CaseComparison:
 
     @property
     def _scale(self) -> Array:
-        # frequencies of rigid motions are 0: they are compared with the largest value
+        # frequencies of rigid motions are 0, so they are compared with the largest value
         size = np.abs(self.reference)
         return np.asarray(np.where(size > 1e-3 * size.max(), size, size.max()))
 
@@ -75,7 +75,7 @@ def compare_case(case: Case, store: Store | None = None) -> list[CaseComparison]
 
     Raises
     ------
-    StudyError : the study has no complete gap although a quantity is of one
+    StudyError : the study has no complete gap although a quantity needs one
     """
     study = load_case_study(case.study)
     variants = [study.with_keys(change) for change in case.vary] or [study]
@@ -103,7 +103,7 @@ def compare_case(case: Case, store: Store | None = None) -> list[CaseComparison]
 def _of_other(
     study: Study, quantity: CaseQuantity, other: OtherStudy, store: Store | None
 ) -> tuple[Array, Array]:
-    """Values and errors of the second study, sorted where they come from several wavevectors."""
+    """Values and errors of the second study, sorted if they come from several wavevectors."""
     if other.study:
         study = load_case_study(other.study)
     changed = study.with_keys(other.change) if other.change else study
@@ -118,7 +118,7 @@ def _of_other(
 
 
 def load_case_study(name: str) -> Study:
-    """A study of the cases; that some of its numbers are unusual is known."""
+    """Load the study of a case, without warnings on its unusual numbers."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", HaptonicWarning)
         return loads(case_templates()[name], name)

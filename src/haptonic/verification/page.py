@@ -1,4 +1,4 @@
-"""The page of the documentation: the table, the remarks, and band diagrams with the source's values."""
+"""Page of the documentation: the table, the remarks, and band diagrams with the source's values."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ones come from another program.
 def write_page(
     folder: Path, comparisons: Sequence[CaseComparison], omitted: Sequence[OmittedCase]
 ) -> list[Path]:
-    """Write the page and its pictures into a folder, in place of those that are there.
+    """Write the page and its pictures into a folder, and replace existing ones.
 
     Raises
     ------
@@ -40,10 +40,10 @@ def write_page(
     """
     folder.mkdir(parents=True, exist_ok=True)
     files = []
-    for case, own in groupby(comparisons, key=_case_of):
+    for case, of_case in groupby(comparisons, key=_case_of):
         if not case.picture:
             continue
-        drawn = diagram(list(own))
+        drawn = diagram(list(of_case))
         files += style.save(drawn, folder / IMAGES, f"verify-{case.id}", overwrite=True)
     text = page_text(comparisons, omitted)
     write_atomically(folder / PAGE, lambda draft: draft.write_text(text, "utf-8"))
@@ -72,7 +72,7 @@ def page_text(comparisons: Sequence[CaseComparison], omitted: Sequence[OmittedCa
 
 
 def source_table(chosen: Sequence[Case]) -> Table:
-    """A row for each case: what it is, where its values come from, and why they differ."""
+    """A row for each case: title, kind and source of its values, and reasons for differences."""
     rows = [(case.id, case.title, case.kind, case.source, case.remark) for case in chosen]
     return Table("cases", ("case", "what it is", "kind", "source", "why values differ"), rows)
 

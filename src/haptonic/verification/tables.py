@@ -32,12 +32,12 @@ def comparison_table(comparisons: Sequence[CaseComparison]) -> Table:
 
 
 def reference_text(comparison: CaseComparison) -> str:
-    """The source's value; the first, the last and the number of values where there are several."""
+    """The source's value; for several values, the first, the last and their number."""
     return _values_text(comparison.reference, comparison.quantity.unit, ".6g")
 
 
 def computed_text(comparison: CaseComparison) -> str:
-    """haptonic's values with the largest error; a range where the case varies something."""
+    """haptonic's values with the largest error; a range for a case with variations."""
     unit, values, errors = comparison.quantity.unit, comparison.computed, comparison.computed_error
     if len(values) > 1 and values.shape[1] == 1:
         return f"{_number(values.min(), unit)} to {_number(values.max(), unit)}, varied"
@@ -55,7 +55,7 @@ def percent_text(share: float, *, signed: bool = False) -> str:
 
 
 def plain_comparison(comparison: CaseComparison) -> dict[str, Any]:
-    """Values in SI units."""
+    """Values of a comparison in SI units."""
     return {
         "case": comparison.case.id,
         "title": comparison.case.title,

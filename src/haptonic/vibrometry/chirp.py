@@ -1,4 +1,4 @@
-"""Drive signals: one period that is repeated, so that every line of the estimate is driven and none leaks."""
+"""Drive signals: one period, repeated, so that every frequency line is driven and none leaks."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ class Drive:
     sample_rate : Hz
     band : lowest and highest driven frequency, Hz; both are lines
     kind : "chirp" or "multisine"
-    warnings : what may spoil the measurement
-    unit : of the samples; N where a force drives the plate
+    warnings : possible faults of a measurement with it
+    unit : unit of the samples; N if a force drives the plate
     """
 
     samples: Array
@@ -43,22 +43,22 @@ class Drive:
 
     @property
     def quantity(self) -> str:
-        """What the samples are."""
+        """Quantity of the samples."""
         return "voltage" if self.unit == "V" else "force"
 
     @property
     def duration(self) -> float:
-        """Of one period, s."""
+        """Duration of one period, s."""
         return len(self.samples) / self.sample_rate
 
     @property
     def line_spacing(self) -> float:
-        """Hz."""
+        """Line spacing, Hz."""
         return 1 / self.duration
 
     @property
     def crest_factor(self) -> float:
-        """Largest value over root mean square: 1.41 for a sine, the smaller the better."""
+        """Largest value over root mean square: 1.41 for a sine; smaller is better."""
         return float(np.abs(self.samples).max() / np.sqrt(np.mean(self.samples**2)))
 
 
@@ -73,17 +73,17 @@ def drive(
     quality_factor: float | None = None,
     unit: DriveUnit = "V",
 ) -> Drive:
-    """One period of a periodic drive.
+    """Make one period of a periodic drive.
 
     Parameters
     ----------
-    low, high : edges of the band, Hz; taken to the lines that are not outside of it
+    low, high : edges of the band, Hz; moved inwards to the nearest lines
     sample_rate : Hz; the period is rounded to whole samples
-    duration : of one period, s
+    duration : duration of one period, s
     amplitude : largest value, in ``unit``
     kind : "chirp" sweeps linearly through the band; "multisine" has lines of equal size in the band and none
         outside, with phases that keep the crest factor low [schroeder1970]
-    quality_factor : of the plate, to check that a ring-down fits into the period
+    quality_factor : quality factor of the plate, to check that a ring-down fits into the period
 
     Raises
     ------
@@ -106,11 +106,11 @@ def drive(
         allowed = f"at least two lines, {spacing:g} Hz apart, between low and high"
         raise _wrong("duration", f"{duration:g} s", allowed, "make the period longer, or the band wider")
     band = (first * spacing, last * spacing)
-    made = _chirp(samples, first, last) if kind == "chirp" else _multisine(samples, first, last)
+    period = _chirp(samples, first, last) if kind == "chirp" else _multisine(samples, first, last)
     notes = _warnings(band, sample_rate, samples / sample_rate, quality_factor)
     for note in notes:
         warnings.warn(note, HaptonicWarning, stacklevel=2)
-    scaled = made * (amplitude / np.abs(made).max())
+    scaled = period * (amplitude / np.abs(period).max())
     scaled.setflags(write=False)
     return Drive(
         samples=scaled, sample_rate=float(sample_rate), band=band, kind=kind, warnings=tuple(notes), unit=unit
@@ -118,7 +118,7 @@ def drive(
 
 
 def drive_notes(signal: Drive, periods: int = 1) -> dict[str, Any]:
-    """What a file of samples does not say: rate and band (Hz), unit, full scale, crest factor."""
+    """Notes that a file of samples lacks: rate and band (Hz), unit, full scale, crest factor."""
     return {
         "sample_rate": signal.sample_rate, "low": signal.band[0], "high": signal.band[1],
         "kind": signal.kind, "period_samples": len(signal.samples), "periods": periods, "unit": signal.unit,
@@ -155,7 +155,7 @@ def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
 
 
 def _chirp(samples: int, first: int, last: int) -> Array:
-    """Linear sweep over the whole period. It closes on itself: the phase runs through whole turns."""
+    """Linear sweep over the whole period. It is periodic: the phase advances by a whole number of turns."""
     turn = np.arange(samples) / samples
     phase = first * turn + 0.5 * (last - first) * turn**2
     closing = round(0.5 * (first + last)) - 0.5 * (first + last)  # half a turn at most, spread evenly
@@ -163,7 +163,7 @@ def _chirp(samples: int, first: int, last: int) -> Array:
 
 
 def _multisine(samples: int, first: int, last: int) -> Array:
-    """Equal lines with the phases of Schroeder, -pi k (k - 1) / n: their group delays fill the period."""
+    """Lines of equal amplitude with Schroeder's phases, -pi k (k - 1) / n, which spread the group delays."""
     number = np.arange(1, last - first + 2)
     spectrum = np.zeros(samples // 2 + 1, dtype=complex)
     spectrum[first : last + 1] = np.exp(-1j * np.pi * number * (number - 1) / len(number))

@@ -1,4 +1,4 @@
-"""Single measured curves put together to one frequency response on common lines."""
+"""Single measured curves, combined into one frequency response on common frequency lines."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from haptonic.channels.labels import Motion, steps
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse, Reference
 
-SAME_LINE = 1e-4  # of the line spacing: files hold the spacing with six digits
+SAME_LINE = 1e-4  # of the line spacing: files give the spacing with six digits
 AXES = {1: "x", 2: "y", 3: "z"}
 
 
@@ -25,14 +25,14 @@ AXES = {1: "x", 2: "y", 3: "z"}
 class Curve:
     """One curve of one point, in SI units.
 
-    source : what to call it in a report, such as "dataset 12"
+    source : name in reports, such as "dataset 12"
     point : name of the point
-    axis : +-1, +-2 or +-3 for x, y and z; negative against the axis
+    axis : +-1, +-2 or +-3 for x, y and z; negative for motion against the axis
     kind : a response or its coherence
     frequency, values : (line,)
-    motion : what moves; of a coherence it says nothing
-    reference : what it is divided by; empty for a coherence
-    estimator : H1, H2 or Hv, if the file says which
+    motion : quantity that is measured; ignored for a coherence
+    reference : quantity that it is divided by; empty for a coherence
+    estimator : H1, H2 or Hv; empty if the file does not give it
     """
 
     source: str
@@ -65,24 +65,24 @@ def assemble(
     title: str = "",
     inputs: Mapping[str, Any] | None = None,
 ) -> FrequencyResponse:
-    """One response from curves. The notes name what does not fit the most frequent lines and unit.
+    """Combine curves into one response. Curves with other lines or units than most are noted and left out.
 
     Parameters
     ----------
-    places : of the points; one without is dropped
-    reference : which reference, if the file has several; its name or its name and unit
-    estimator : which estimator, if the file has several
+    places : coordinates of the points; points without coordinates are dropped
+    reference : name, or name and unit, of the reference to use if the file has several
+    estimator : estimator to use if the file has several
 
     Raises
     ------
-    ScanError : several references and none chosen, or nothing is left
+    ScanError : several references and no choice, or no curve left
     """
     curves = _ascending(curves, notes)
     measured = [curve for curve in curves if curve.kind == "response"]
     measured = _of_one_reference(measured, reference, notes)
     measured = _of_one_estimator(measured, estimator, notes)
-    measured = _kept(measured, notes, _not_finite)
-    measured = _kept(measured, notes, lambda curve: None if curve.point in places else "no coordinates")
+    measured = _accepted(measured, notes, _not_finite)
+    measured = _accepted(measured, notes, lambda curve: None if curve.point in places else "no coordinates")
     measured = _on_common_lines(measured, notes)
     measured = _once_each(measured, notes, places)
     if not measured:
@@ -90,14 +90,14 @@ def assemble(
     motion = Counter(curve.motion for curve in measured).most_common(1)[0][0]
     if len({curve.motion for curve in measured}) > 1:
         notes.remark(f"displacements, velocities and accelerations are mixed; all were turned into {motion}")
-    # The value knows velocity and displacement only.
+    # a response is a velocity or a displacement, never an acceleration
     target: Literal["velocity", "displacement"] = "displacement" if motion == "displacement" else "velocity"
     if motion == "acceleration":
         notes.remark("accelerations were divided by i omega: the response is a velocity")
     lines = measured[0].frequency
     below = 1 if lines[0] == 0 and any(steps(curve.motion, target) < 0 for curve in measured) else 0
     if below:
-        notes.remark("the line at 0 Hz was left out: there is nothing to divide by")
+        notes.remark("the line at 0 Hz was left out: it cannot be divided by i omega")
     lines = lines[below:]
     names, axes = _points_and_axes(measured, notes)
     if not names or not lines.size:
@@ -123,7 +123,7 @@ def assemble(
     )
 
 
-REMEDIES = (  # a word of the reason, the likely cause, the next step in Python and for a command
+REMEDIES = (  # word of a reason, likely cause, next step in Python, next step as a command
     (
         "no coordinates",
         "the responses were exported without the places of their points",
@@ -146,13 +146,13 @@ REMEDIES = (  # a word of the reason, the likely cause, the next step in Python 
 
 
 def nothing_left(notes: Notebook) -> ScanError:
-    """The error of a file of which no point can be used."""
+    """The error for a file without a usable point."""
     reasons = notes.first_reasons()
-    cause = "the file holds something else than a scan, or only its geometry, or was cut short"
+    cause = "the file is not a scan, or has only its geometry, or was cut short"
     next_step = command = "export the frequency responses of all points together with their coordinates"
-    for word, of_word, in_python, for_command in REMEDIES:
-        if notes.dropped and all(word in one.reason for one in notes.dropped):
-            cause, next_step, command = of_word, in_python, for_command
+    for reason, likely, in_python, for_command in REMEDIES:
+        if notes.dropped and all(reason in dropped.reason for dropped in notes.dropped):
+            cause, next_step, command = likely, in_python, for_command
     return ScanError.missing(
         argument="scan",
         given=f"{notes.path}: {reasons}",
@@ -181,42 +181,42 @@ def _ascending(curves: Sequence[Curve], notes: Notebook) -> list[Curve]:
     return result
 
 
-def _of_one_reference(curves: list[Curve], asked: str | None, notes: Notebook) -> list[Curve]:
-    """The curves of the reference that was asked for, or of the only one that there is."""
-    known = list(dict.fromkeys(curve.reference for curve in curves))
-    named = [one for one in known if one]
-    if asked is None and len(known) <= 1:
+def _of_one_reference(curves: list[Curve], wanted: str | None, notes: Notebook) -> list[Curve]:
+    """Curves of the wanted reference, or of the only one in the file."""
+    references = list(dict.fromkeys(curve.reference for curve in curves))
+    named = [candidate for candidate in references if candidate]
+    if wanted is None and len(references) <= 1:
         return curves
-    if asked is None and len(named) == 1:
+    if wanted is None and len(named) == 1:
         chosen = named
     else:
-        chosen = [one for one in known if asked in (str(one), one.name)]
+        chosen = [candidate for candidate in references if wanted in (str(candidate), candidate.name)]
     if len(chosen) != 1:
         option = str(named[0] if named else "A1, V")
         raise ScanError.unknown(
-            "reference", asked, map(str, known),
-            "the file holds responses to several references" if asked is None else "the name is misspelt",
-            allowed="one of " + "; ".join(f'"{one}"' for one in known),
+            "reference", wanted, map(str, references),
+            "the file has responses to several references" if wanted is None else "the name is misspelt",
+            allowed="one of " + "; ".join(f'"{candidate}"' for candidate in references),
             next_step=f"choose one: read_scan(path, reference={option!r})",
             command=f"haptonic scan {shlex.quote(str(notes.path))} --reference {shlex.quote(option)}",
         )  # fmt: skip
     taken = [curve for curve in curves if curve.reference == chosen[0]]
     if chosen[0]:
-        notes.remark(f'responses to "{chosen[0]}" were taken')
+        notes.remark(f'responses to "{chosen[0]}" were used')
     if chosen[0] and (rest := sum(not curve.reference for curve in curves)):
         notes.remark(f"{rest} spectra without a reference were not used")
-    elif asked is not None and len(taken) < len(curves):
+    elif wanted is not None and len(taken) < len(curves):
         notes.remark(f"{len(curves) - len(taken)} curves of other references were not used")
     return taken
 
 
-def _of_one_estimator(curves: list[Curve], asked: str, notes: Notebook) -> list[Curve]:
-    """The curves of the estimator that was asked for, or else of the first one that there is."""
-    known = list(dict.fromkeys(curve.estimator for curve in curves if curve.estimator))
-    if not known:
+def _of_one_estimator(curves: list[Curve], wanted: str, notes: Notebook) -> list[Curve]:
+    """Curves of the wanted estimator, or else of the first estimator in the file."""
+    estimators = list(dict.fromkeys(curve.estimator for curve in curves if curve.estimator))
+    if not estimators:
         return curves
-    chosen = asked if asked in known else min(known)
-    notes.remark(f"transfer functions {chosen} were taken" + (f", not {asked}" if chosen != asked else ""))
+    chosen = wanted if wanted in estimators else min(estimators)
+    notes.remark(f"transfer functions {chosen} were used" + (f", not {wanted}" if chosen != wanted else ""))
     with_it = {(curve.point, abs(curve.axis)) for curve in curves if curve.estimator in ("", chosen)}
     rest = [curve for curve in curves if curve.estimator not in ("", chosen)]
     names = sorted({curve.estimator for curve in rest})
@@ -229,20 +229,20 @@ def _of_one_estimator(curves: list[Curve], asked: str, notes: Notebook) -> list[
     return [curve for curve in curves if curve.estimator in ("", chosen)]
 
 
-def _kept(curves: list[Curve], notes: Notebook, refuse: Callable[[Curve], str | None]) -> list[Curve]:
-    """The curves for which ``refuse`` gives no reason; the others are named."""
-    kept = []
+def _accepted(curves: list[Curve], notes: Notebook, refuse: Callable[[Curve], str | None]) -> list[Curve]:
+    """Curves for which ``refuse`` gives no reason; the others are noted with their reasons."""
+    accepted = []
     for curve in curves:
         reason = refuse(curve)
         if reason:
             notes.drop(f"point {curve.point} ({curve.source})", reason)
         else:
-            kept.append(curve)
-    return kept
+            accepted.append(curve)
+    return accepted
 
 
 def _not_finite(curve: Curve) -> str | None:
-    """Why the numbers of a curve cannot be used."""
+    """Reason for refusing the numbers of a curve, or None."""
     bad = np.count_nonzero(~np.isfinite(curve.values))
     if bad:
         return f"{bad} of its {len(curve.values)} numbers are not finite"
@@ -257,7 +257,7 @@ def _not_finite(curve: Curve) -> str | None:
 
 
 def _on_common_lines(curves: list[Curve], notes: Notebook) -> list[Curve]:
-    """Those on the most frequent set of lines."""
+    """Curves on the most frequent set of lines."""
     groups: dict[tuple[int, str, str], list[Curve]] = defaultdict(list)
     for curve in curves:
         ends = (f"{curve.frequency[0]:.5e}", f"{curve.frequency[-1]:.5e}")
@@ -266,7 +266,7 @@ def _on_common_lines(curves: list[Curve], notes: Notebook) -> list[Curve]:
         return []
     common = max(groups.values(), key=len)[0].frequency
     step = (common[-1] - common[0]) / max(len(common) - 1, 1)
-    return _kept(curves, notes, lambda curve: _other_lines(curve.frequency, common, step))
+    return _accepted(curves, notes, lambda curve: _other_lines(curve.frequency, common, step))
 
 
 def _other_lines(lines: Array, common: Array, step: float) -> str | None:
@@ -280,27 +280,29 @@ def _other_lines(lines: Array, common: Array, step: float) -> str | None:
 
 
 def _once_each(curves: list[Curve], notes: Notebook, places: Mapping[str, Point]) -> list[Curve]:
-    """The first curve of each point and direction, and the first point at each place."""
+    """The first curve of each point and direction, and the first point at each position."""
     first: dict[tuple[str, int], Curve] = {}
-    there: dict[tuple[float, float], str] = {}
-    kept = []
+    names: dict[tuple[float, float], str] = {}
+    unique = []
     for curve in curves:
         place = places[curve.point]
-        owner = there.setdefault((place.x, place.y), curve.point)
+        owner = names.setdefault((place.x, place.y), curve.point)
         other = first.setdefault((curve.point, abs(curve.axis)), curve)
         if owner != curve.point:
-            notes.drop(f"point {curve.point} ({curve.source})", f"lies where point {owner} lies")
+            notes.drop(f"point {curve.point} ({curve.source})", f"lies at the position of point {owner}")
         elif other is not curve:
             same = np.array_equal(other.values, curve.values)
-            what = "the same again" if same else "other values"
-            notes.drop(f"point {curve.point} ({curve.source})", f"measured twice, {what}; the first is used")
+            content = "the same again" if same else "other values"
+            notes.drop(
+                f"point {curve.point} ({curve.source})", f"measured twice, {content}; the first is used"
+            )
         else:
-            kept.append(curve)
-    return kept
+            unique.append(curve)
+    return unique
 
 
 def _points_and_axes(curves: list[Curve], notes: Notebook) -> tuple[list[str], list[int]]:
-    """Points that were measured in all directions of the scan, and these directions."""
+    """Points measured in all directions of the scan, and these directions."""
     measured: dict[str, set[int]] = defaultdict(set)
     for curve in curves:
         measured[curve.point].add(abs(curve.axis))
@@ -318,18 +320,18 @@ def _points_and_axes(curves: list[Curve], notes: Notebook) -> tuple[list[str], l
 def _coherence(
     curves: list[Curve], like: Curve, names: list[str], below: int, notes: Notebook
 ) -> NDArray[np.floating[Any]] | None:
-    """(line, point) when every point has one on the same lines, else nothing and a remark."""
-    found: dict[str, Curve] = {}
+    """(line, point) if every point has a coherence on the same lines, else None and a remark."""
+    by_point: dict[str, Curve] = {}
     for curve in curves:
-        found.setdefault(curve.point, curve)
+        by_point.setdefault(curve.point, curve)
     usable = {
-        name: np.real(found[name].values)
+        name: np.real(by_point[name].values)
         for name in names
-        if name in found and np.shape(found[name].values) == np.shape(like.values)
+        if name in by_point and np.shape(by_point[name].values) == np.shape(like.values)
     }
     usable = {name: c for name, c in usable.items() if np.isfinite(c).all() and c.min() >= 0 and c.max() <= 1}
     if len(usable) == len(names):
         return np.stack([usable[name][below:] for name in names], axis=1)
     if curves:
-        notes.remark(f"coherence left out: only {len(usable)} of {len(names)} points have a usable one")
+        notes.remark(f"coherence left out: only {len(usable)} of {len(names)} points have a valid one")
     return None

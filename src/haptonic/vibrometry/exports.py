@@ -1,6 +1,6 @@
-"""Scans in the forms of other programs: MATLAB, TDMS, folders of CSV.
+"""Scans in file formats of other programs: MATLAB, TDMS, folders of CSV.
 
-Records are written a few points at a time. Every file says whether it is measured or simulated.
+Records are written a few points at a time. Every file is marked as measured or simulated.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from haptonic.vibrometry.records import TimeScan, portions
 
 
 def write_mat(response: FrequencyResponse, path: Path) -> None:
-    """A response as MATLAB variables (version 5): response (line, point), frequency, x, y, coherence."""
+    """Write a response for MATLAB (version 5): response (line, point), frequency, x, y, coherence."""
     notes, data = response.dataset.attrs, response.dataset
     content = {
         "response": response.values[:, :, 0], "frequency": response.frequency, "x": data["x"].values,
@@ -32,8 +32,8 @@ def write_mat(response: FrequencyResponse, path: Path) -> None:
 
 
 def write_mat_records(scan: TimeScan, path: Path) -> None:
-    """Records as MATLAB variables (version 7.3): response and reference (point, repeat, sample) in SI units,
-    single precision, sample_rate, x, y."""
+    """Write records as MATLAB variables (version 7.3): response and reference (point, repeat, sample) in SI
+    units, single precision, sample_rate, x, y."""
     form, shared = (scan.repeats, scan.samples), len(scan.load(0, 2)[0]) == 1
     shapes = {"reference": (1 if shared else len(scan.names), *form), "response": (len(scan.names), *form)}
 
@@ -47,8 +47,8 @@ def write_mat_records(scan: TimeScan, path: Path) -> None:
 
 
 def write_tdms(scan: TimeScan, path: Path) -> None:
-    """Records as TDMS: a group for each point with its place, a channel of the response and one of the
-    reference, the repeats behind each other. It needs the package npTDMS."""
+    """Write records as TDMS: a group for each point with its coordinates, a channel of the response and one
+    of the reference, the repeats one after the other. It needs the package npTDMS."""
     timing = scan.sample_rate, scan.start
 
     def segments() -> Iterator[list[Group]]:
@@ -62,14 +62,14 @@ def write_tdms(scan: TimeScan, path: Path) -> None:
                     Channel.of("reference", driven.ravel(), scan.reference.unit or "V", *timing),
                 )
                 place = {"x": float(scan.x[i]), "y": float(scan.y[i])}
-                groups.append(Group(scan.names[i], {one.name: one for one in both}, place))
+                groups.append(Group(scan.names[i], {channel.name: channel for channel in both}, place))
             yield groups
 
     tdms.write(path, {ORIGIN: scan.origin, "title": scan.title}, segments())
 
 
 def csv_files(response: FrequencyResponse) -> dict[str, Callable[[Path], object]]:
-    """Writers of ``geometry.csv`` and of one file of frequency, real and imaginary part for each point."""
+    """Writers of ``geometry.csv`` and of one file for each point: frequency, real and imaginary part."""
     origin, places = str(response.dataset.attrs["origin"]), response.points
     digits = len(str(len(places)))
     names = [f"point-{i + 1:0{digits}d}.csv" for i in range(len(places))]

@@ -1,4 +1,4 @@
-"""What came out of reading a scan, and what did not: nothing is left out without being named."""
+"""Report on reading a scan: content that was used, left out, or assumed."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from haptonic.channels import Dropped, Notebook
 from haptonic.channels.notes import by_kind
 
 __all__ = ["Dropped", "ReadReport"]
-LISTED = 12  # lines of a text that is printed; the value itself holds them all
+LISTED = 12  # lines of the printed text; the value itself has all of them
 
 
 @dataclass(frozen=True)
 class ReadReport:
-    """How a scan was read.
+    """Report on reading a scan.
 
-    path : of the file or folder
-    format : of the file, such as "UFF"
-    points : how many are in the result
-    dropped : what was in the file but is not in the result
-    missing : names of points that the geometry has but the file does not measure
-    remarks : what was assumed, such as a unit that the file does not give
+    path : path of the file or folder
+    format : format of the file, such as "UFF"
+    points : number of points in the result
+    dropped : content of the file that is not in the result
+    missing : names of points in the geometry without a measurement
+    remarks : assumptions, such as a unit that the file does not give
     """
 
     path: str
@@ -33,7 +33,7 @@ class ReadReport:
 
     @classmethod
     def of(cls, notes: Notebook, points: int) -> ReadReport:
-        """What a reader noted, and how many points it gave."""
+        """Make the report from a reader's notes and its number of points."""
         dropped, missing, remarks = tuple(notes.dropped), tuple(notes.missing), tuple(notes.remarks)
         return cls(
             path=str(notes.path),
@@ -45,7 +45,7 @@ class ReadReport:
         )
 
     def followed_by(self, later: ReadReport) -> ReadReport:
-        """The same with the points left in the end, and what was left out and assumed on the way."""
+        """A report of two steps: the points of the later one, and the content dropped and assumed in both."""
         dropped, remarks = (
             (*a, *b) for a, b in ((self.dropped, later.dropped), (self.remarks, later.remarks))
         )
@@ -56,7 +56,7 @@ class ReadReport:
 
     @property
     def complete(self) -> bool:
-        """Nothing was dropped and no point is missing."""
+        """True if nothing was dropped and no point is missing."""
         return not self.dropped and not self.missing
 
     def __str__(self) -> str:

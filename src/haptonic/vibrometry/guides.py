@@ -1,4 +1,4 @@
-"""Where on a plate the guides lie that a scan looks along, and the mirror that it looks into."""
+"""Guides of a plate that a scan can resolve, and the mirror beside them."""
 
 from __future__ import annotations
 
@@ -17,16 +17,17 @@ from haptonic.vibrometry import LatticeRows
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
 
-MIRROR = "mirror"  # name of the points in it while its decay is fitted
+MIRROR = "mirror"  # name of the points in the mirror while its decay is fitted
 
 
 @dataclass(frozen=True)
 class Mirror(LatticeRows):
     """Rows of a lattice beside a region.
 
-    name : of the lattice; symmetric : whether its rows are their own images in a mirror along them
-    face : where on average its first row begins as `Rows` has it, m; None where that row misses a pillar
-    backed : whether plain plate lies behind it
+    name : name of the lattice
+    symmetric : True if its rows are their own images in a mirror along them
+    face : mean position of the front of its first row (see `Rows`), m; None if that row misses a pillar
+    backed : True if plain plate lies behind it
     """
 
     name: str
@@ -37,10 +38,13 @@ class Mirror(LatticeRows):
 
 @dataclass(frozen=True)
 class Guiding:
-    """A region as a guide. along : its longer side; width : across, m; lattice : name of the one that lies on
-    both of its sides, each the image of the other, if it is so
+    """A region as a guide.
 
-    ``cut`` is the lattice whose border cuts a row there, so that no mode of the guide is computed."""
+    along : axis of its longer side
+    width : size across, m
+    lattice : name of the lattice on both sides, as mirror images of each other; None if they differ
+    cut : lattice whose border cuts a row at the guide, so that no mode of the guide is computed
+    """
 
     region: str
     along: Axis
@@ -50,8 +54,8 @@ class Guiding:
 
 
 def guides_of(layout: Layout) -> list[Guiding]:
-    """Every region that is a whole rectangle. Between lattices it is as wide as their faces are apart."""
-    found = []
+    """Every region that is a full rectangle. Between lattices, its width is the distance of their faces."""
+    guides = []
     for name in layout.regions:
         rows, columns = _span(layout, name)
         if len(layout.of(name)) != len(rows) * len(columns):
@@ -59,11 +63,11 @@ def guides_of(layout: Layout) -> list[Guiding]:
         width = layout.x[columns[-1] + 1] - layout.x[columns[0]]
         height = layout.y[rows[-1] + 1] - layout.y[rows[0]]
         along: Axis = "x" if width > height else "y"
-        sides = [one for one in _mirrors(layout, name) if one.depth != along and one.symmetric]
-        faces = [one.face for one in sides if one.face is not None]
-        between = sides[0].name if len(sides) == 2 and len({one.name for one in sides}) == 1 else None
+        sides = [mirror for mirror in _mirrors(layout, name) if mirror.depth != along and mirror.symmetric]
+        faces = [mirror.face for mirror in sides if mirror.face is not None]
+        between = sides[0].name if len(sides) == 2 and len({side.name for side in sides}) == 1 else None
         whole = between is not None and len(faces) == 2
-        found.append(
+        guides.append(
             Guiding(
                 region=name,
                 along=along,
@@ -72,30 +76,30 @@ def guides_of(layout: Layout) -> list[Guiding]:
                 cut=None if whole else between,
             )
         )
-    return found
+    return guides
 
 
 def without_mode(layout: Layout) -> list[str]:
-    """Why no guided mode is computed along some guides, though a lattice lies on both of their sides."""
+    """Guides between lattices without a computed mode, with the reason, as sentences."""
     return [
-        f"no mode computed along {one.region}: its border cuts a row of the lattice {one.cut}"
-        for one in guides_of(layout)
-        if one.cut is not None
+        f"no mode computed along {guide.region}: its border cuts a row of the lattice {guide.cut}"
+        for guide in guides_of(layout)
+        if guide.cut is not None
     ]
 
 
 def mirror_beside(layout: Layout, region: str) -> Mirror | None:
-    """The lattice with most rows beside a region; of equal ones one with plain plate behind it."""
-    return max(_mirrors(layout, region), key=lambda one: (one.rows, one.backed), default=None)
+    """The lattice with most rows beside a region; among equal ones, one with plain plate behind it."""
+    return max(_mirrors(layout, region), key=lambda mirror: (mirror.rows, mirror.backed), default=None)
 
 
 def strips_of(layout: Layout, mirror: Mirror) -> list[Mirror]:
-    """Rows of a lattice beside a region, and those of the same lattice along them elsewhere."""
+    """Rows of a lattice beside a region, and parallel rows of the same lattice elsewhere."""
     alike = {
-        one.area: one
+        strip.area: strip
         for name in layout.regions
-        for one in _mirrors(layout, name)
-        if (one.name, one.depth) == (mirror.name, mirror.depth)
+        for strip in _mirrors(layout, name)
+        if (strip.name, strip.depth) == (mirror.name, mirror.depth)
     }
     return list(alike.values())
 
@@ -105,17 +109,17 @@ def _mirrors(layout: Layout, region: str) -> Iterator[Mirror]:
     rows, columns = _span(layout, region)
     if len(layout.of(region)) != len(rows) * len(columns):
         return
-    ways: tuple[tuple[Axis, Literal[1, -1], int, range], ...] = (
+    sides: tuple[tuple[Axis, Literal[1, -1], int, range], ...] = (
         ("x", 1, columns[-1] + 1, rows),
         ("x", -1, columns[0] - 1, rows),
         ("y", 1, rows[-1] + 1, columns),
         ("y", -1, rows[0] - 1, columns),
     )
-    yield from filter(None, (_mirror(layout, *way) for way in ways))
+    yield from filter(None, (_mirror(layout, *side) for side in sides))
 
 
 def _mirror(layout: Layout, depth: Axis, inwards: Literal[1, -1], first: int, beside: range) -> Mirror | None:
-    """A lattice from a line of tiles on, beside others, as far as no pillar of it is missing."""
+    """The lattice that begins at a line of tiles, beside other tiles, up to its first missing pillar."""
     names = _names(layout, depth, first, beside)
     name = next(iter(names))
     if len(names) > 1 or name is None or name not in layout.cells:
@@ -130,8 +134,8 @@ def _mirror(layout: Layout, depth: Axis, inwards: Literal[1, -1], first: int, be
     along = along_axis(cell.lattice, 1 if depth == "x" else 0)
     if block is None or along is None:
         return None
-    way = inwards if depth == "x" else -inwards
-    rows = Rows(cell, (way * along[0], way * along[1]))  # whose left face lies towards the region
+    sign = inwards if depth == "x" else -inwards
+    rows = Rows(cell, (sign * along[0], sign * along[1]))  # with the left face towards the region
     across, up = layout.lines(block)
     lines, pitch = across if depth == "x" else up, rows.area / rows.period
     count = int((lines[-1] - lines[0]) / pitch + CLOSE)
@@ -158,14 +162,14 @@ def _mirror(layout: Layout, depth: Axis, inwards: Literal[1, -1], first: int, be
 
 
 def _names(layout: Layout, depth: Axis, line: int, beside: range) -> set[str | None]:
-    """Of the tiles of one column, or row, that lie beside others."""
+    """Names of the tiles of one column, or row, beside others."""
     return {layout.at((i, line) if depth == "x" else (line, i)) for i in beside}
 
 
 def _whole(layout: Layout, block: Block) -> Block | None:
-    """A block of a lattice without its outer lines in which a brick was left out, if anything is left.
+    """A block of a lattice without outer lines in which a brick is missing; None if nothing is left.
 
-    Where rows are offset these are half bricks at their ends: the line that misses most goes first.
+    If rows are offset, these are half bricks at their ends: the line with most missing bricks goes first.
     """
     while all(block.shape):
         (bottom, top), (left, right) = block.rows, block.columns
@@ -186,14 +190,14 @@ def _whole(layout: Layout, block: Block) -> Block | None:
 
 
 def _face(layout: Layout, block: Block, rows: Rows, pitch: float) -> float | None:
-    """How far inwards the first row begins on average, m; None where what stands there is no whole row."""
+    """Mean distance inwards of the front of the first row, m; None if it is not a whole row."""
     bricks = [corner for corner in layout.bricks if block.meets(layout.block(corner))]
-    there = [(layout.brick_at(at).number, float(layout.axis(at) @ rows.turn[0])) for at in bricks]
-    start = min(place for _, place in there)
+    pillars = [(layout.brick_at(at).number, float(layout.axis(at) @ rows.turn[0])) for at in bricks]
+    start = min(place for _, place in pillars)
     begin = start - min(depth for _, depth in rows.depths)
     first = {
         (site, round((place - begin) / pitch, 6))
-        for site, place in there
+        for site, place in pillars
         if place < start + (1 - CLOSE) * pitch
     }
     return begin if first == {(site, round(depth / pitch, 6)) for site, depth in rows.depths} else None

@@ -1,4 +1,4 @@
-"""A vibrometer in software: the records that a real one would give of a known response; all simulated."""
+"""Simulated vibrometer: records that a real one would give of a known response; all marked as simulated."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ from haptonic.vibrometry.records import TimeScan
 
 Velocity = Annotated[float, Quantity("m/s", above=0.0, at_most=1e3, typical=(1e-7, 10.0))]
 
-SAME = 1e-6  # of the line spacing, by which lines of drive and response may differ
-HEADROOM = 1.25  # of the range over the largest velocity, where none is given
+SAME = 1e-6  # of the line spacing: largest difference between lines of drive and response
+HEADROOM = 1.25  # of the default range, over the largest velocity
 LOST = (0.03, 0.12)  # of a record, shortest and longest dropout
-PORTION = 32e6  # bytes that are made at a time while the range is looked for
+PORTION = 32e6  # bytes in memory at a time during the search for the largest velocity
 
 
 @described("scan", kw_only=True)
 class Instrument:
-    """What a vibrometer and its converter do to a velocity. Its noise is white."""
+    """Effect of a vibrometer and its converter on a velocity. Its noise is white."""
 
     bits: Annotated[int, Field(ge=4, le=32, strict=True)] = setting(
         16, "Bits of the converter that records the vibrometer."
@@ -38,7 +38,7 @@ class Instrument:
         5e-5, "Noise of the vibrometer, root mean square of the samples."
     )
     full_scale: Velocity | None = setting(
-        None, "Largest velocity of the vibrometer; else 1.25 of what comes.", title="Range"
+        None, "Largest velocity of the vibrometer; by default 1.25 of the velocity.", title="Range"
     )
     dropouts: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1))] = setting(
         0.005, "Share of points at which the laser loses the surface."
@@ -51,14 +51,14 @@ class Instrument:
     )
 
     def path(self, frequency: Array) -> NDArray[np.complex128]:
-        """(frequency,) by what delay and low-pass multiply a velocity."""
+        """(frequency,) factor of delay and low-pass on a velocity."""
         through: NDArray[np.complex128] = np.exp(-2j * np.pi * frequency * self.delay)
         return (
             through if self.bandwidth is None else np.asarray(through / (1 + 1j * frequency / self.bandwidth))
         )
 
     def taken_out(self, response: FrequencyResponse) -> FrequencyResponse:
-        """The response without delay and low-pass; once, however often it is asked."""
+        """The response without delay and low-pass; a second call changes nothing."""
         old, notes = response.dataset["response"], response.dataset.attrs
         inputs = json.loads(notes["inputs"])
         if "path" in inputs or (not self.delay and self.bandwidth is None):
@@ -67,8 +67,8 @@ class Instrument:
         inputs["path"] = {"delay": self.delay, "bandwidth": self.bandwidth}
         values = response.values / path[:, None, None]
         values.setflags(write=False)
-        made = response.dataset.assign(response=(old.dims, values, old.attrs))
-        return FrequencyResponse(made.assign_attrs(inputs=json.dumps(inputs)))
+        corrected = response.dataset.assign(response=(old.dims, values, old.attrs))
+        return FrequencyResponse(corrected.assign_attrs(inputs=json.dumps(inputs)))
 
 
 def lines_of(signal: Drive) -> Array:
@@ -80,16 +80,16 @@ def lines_of(signal: Drive) -> Array:
 def recorded(
     response: FrequencyResponse, signal: Drive, instrument: Instrument, *, averages: int, seed: int
 ) -> TimeScan:
-    """Time records of a steady state: after some periods of a periodic drive a plate repeats itself.
+    """Simulate time records of a steady state: after some periods of a periodic drive a plate is periodic.
 
-    Nothing is in memory but the response: records are made when they are asked for, and are the same each
-    time. The drive's record is that of an ideal channel, the same for all points.
+    Only the response is in memory: records are computed on reading, and are the same each time. The drive's
+    record is that of an ideal channel, the same for all points.
 
     Parameters
     ----------
     response : velocity along z at the driven lines, per V (or N) of the drive
     averages : periods at each point
-    seed : of noise and dropouts
+    seed : seed of noise and dropouts
 
     Raises
     ------
@@ -98,11 +98,11 @@ def recorded(
     lines = lines_of(signal)
     same = len(lines) == len(response.frequency)
     if not same or np.abs(response.frequency - lines).max() > SAME * signal.line_spacing:
-        found = response.frequency
+        computed = response.frequency
         raise ScanError.mismatch(
             argument="response",
-            given=f"{len(found)} lines from {found[0]:g} to {found[-1]:g} Hz",
-            allowed=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz, those that the drive excites",
+            given=f"{len(computed)} lines from {computed[0]:g} to {computed[-1]:g} Hz",
+            allowed=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz, those of the drive",
             cause="the response was computed for another drive",
             next_step="compute it at these lines, or change record, lowest and highest of the scan",
         )
@@ -136,7 +136,7 @@ def recorded(
 
 @dataclass(frozen=True, eq=False)
 class _Simulated:
-    """Makes the records of some points. values : (line, point); spectrum : (line,) of drive and path."""
+    """Source of simulated records. values : (line, point); spectrum : (line,) of drive and path."""
 
     values: AnyComplex
     spectrum: AnyComplex
@@ -151,9 +151,11 @@ class _Simulated:
     def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
         moved = _moved(self.values[:, start:stop], self.spectrum, self.signal) / np.float32(self.scale)
         count, samples = moved.shape
-        made = np.empty((count, self.averages, samples), self.reference.dtype)
+        records = np.empty((count, self.averages, samples), self.reference.dtype)
         for row, point in enumerate(range(start, start + count)):
-            chance = np.random.default_rng([self.seed, point])  # of its own: the order of reading is free
+            chance = np.random.default_rng(
+                [self.seed, point]
+            )  # one for each point: any order of reading is possible
             noise = chance.standard_normal((self.averages, samples), dtype=np.float32)
             seen = moved[row] + np.float32(self.instrument.noise / self.scale) * noise
             if chance.random() < self.instrument.dropouts:
@@ -161,8 +163,8 @@ class _Simulated:
                 begin = int(chance.integers(0, samples - length))
                 where = int(chance.integers(self.averages))
                 seen[where, begin : begin + length] = seen[where, begin]
-            made[row] = np.rint(np.clip(seen, -self.largest, self.largest))
-        return self.reference, made
+            records[row] = np.rint(np.clip(seen, -self.largest, self.largest))
+        return self.reference, records
 
 
 def _members(signal: Drive) -> slice:

@@ -1,4 +1,4 @@
-"""What is asked of a scan: its drive and its points on the plate."""
+"""Drive and points of a scan on the plate, from its settings."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from haptonic.vibrometry.instrument import lines_of
 from haptonic.vibrometry.planning import Rectangle, Region, ScanPlan, visited
 from haptonic.vibrometry.settings import ScanSettings
 
-CLAMPS = "clamps"  # stands for all held corners
+CLAMPS = "clamps"  # name for all held corners
 
 
 def drive_for(settings: ScanSettings, plate: Plate | None) -> Drive:
-    """One period, as large as the plate's first drive and in its unit; of 1 V without a plate.
+    """One period of the drive, in amplitude and unit like the plate's first drive; 1 V without a plate.
 
     Raises
     ------
-    ScanError : band, rate and record do not fit together
-    StudyError : nothing drives the plate
+    ScanError : band, rate and record contradict each other
+    StudyError : the plate has no drive
     """
     reference, amplitude = (Reference(unit="V"), 1.0) if plate is None else reference_of(plate)
     quality = 1 / plate.loss_factor if plate is not None and plate.loss_factor else None
@@ -41,25 +41,25 @@ def drive_for(settings: ScanSettings, plate: Plate | None) -> Drive:
 
 
 def plan_for(settings: ScanSettings, plate: Plate) -> ScanPlan:
-    """The points, in the order of the stage: those at which the plate is computed, less the skipped.
+    """The points, in the order of the stage: those at which the plate is computed, without the skipped ones.
 
     Raises
     ------
-    ScanError : an unknown name among the skipped, or no point left
+    ScanError : an unknown name among the skipped regions, or no point left
     """
     points, _ = grid_points(plate, settings.grid, "scan.grid")
     layout = plate.layout
-    known = (*layout.regions, *layout.cells, CLAMPS)
+    names = (*layout.regions, *layout.cells, CLAMPS)
     excluded: list[Region] = []
-    for name in names_in(settings.skip, known):
-        if name not in known:
-            raise ScanError.unknown("scan.skip", name, known, "the plate has no such region or lattice")
+    for name in names_in(settings.skip, names):
+        if name not in names:
+            raise ScanError.unknown("scan.skip", name, names, "the plate has no such region or lattice")
         excluded += held_corners(plate) if name == CLAMPS else [Tiles(layout, name)]
     return visited(points, excluded)
 
 
 def response_for(settings: ScanSettings, tolerance: float, signal: Drive) -> ResponseSettings:
-    """What to ask of the plate: its response at the lines of a drive."""
+    """Settings for the response of the plate at the lines of a drive."""
     lines = lines_of(signal)
     return ResponseSettings(
         lowest=float(lines[0]),
@@ -78,19 +78,19 @@ class Tiles:
     name: str
 
     def holds(self, points: Array) -> NDArray[np.bool_]:
-        """(point,) which points of (point, 2) lie in it."""
+        """(point,) True for points, of (point, 2), inside the region."""
         return np.array([name == self.name for name in tile_names(self.layout, points)])
 
 
 def held_corners(plate: Plate) -> list[Region]:
     """Squares that clamps at the corners cover."""
-    layout, found = plate.layout, []
+    layout, corners = plate.layout, []
     for support in plate.supports:
         if support.where == "corners" and support.length is not None:
             size = support.length
-            found += [
+            corners += [
                 Rectangle(x, y, size, size)
                 for x in (0.0, layout.x[-1] - size)
                 for y in (0.0, layout.y[-1] - size)
             ]
-    return list(found)
+    return list(corners)

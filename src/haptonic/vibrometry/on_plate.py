@@ -1,4 +1,4 @@
-"""What the response of a plate tells of its regions and lattices: levels, waves, gap, decay into a mirror."""
+"""Measures of a plate's response by region and lattice: levels, waves, gap, decay into a mirror."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ from haptonic.vibrometry.maps import (
     wavenumber_map,
 )
 
-# name of all points on lattices while the gap is looked for; longer than any name of a study
+# name of all points on lattices during the search for the gap; longer than any name in a study
 LATTICE = "the points on the lattices of the plate, all together"
 
 
 def region_levels(response: FrequencyResponse, driven: str | None) -> tuple[xr.Dataset, list[str]]:
-    """``rms`` (region) and, of a driven region, ``contrast`` (pair) with its ``error_of_contrast``, each
-    without noise; and what noise hides."""
+    """``rms`` (region) and, for a driven region, ``contrast`` (pair) with its ``error_of_contrast``, each
+    without noise; and sentences on values hidden by noise."""
     data, hides = xr.Dataset(), list[str]()
     named = {name: clean_rms(response, name) for name in response.regions if name}
     if named:
@@ -53,7 +53,7 @@ def region_levels(response: FrequencyResponse, driven: str | None) -> tuple[xr.D
 
 
 def guide_waves(response: FrequencyResponse, layout: Layout) -> tuple[xr.Dataset, list[str]]:
-    """``waves`` (guide, frequency, step) with their ``wavenumber``; and why a guide has none."""
+    """``waves`` (guide, frequency, step) with their ``wavenumber``; and reasons for guides without waves."""
     waves, reasons = dict[str, xr.DataArray](), list[str]()
     for guide in guides_of(layout):
         try:
@@ -64,14 +64,14 @@ def guide_waves(response: FrequencyResponse, layout: Layout) -> tuple[xr.Dataset
 
 
 def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
-    """Waves along guides, whose wavenumbers are as many as each guide has points; NaN behind them."""
-    longest = max(one.sizes["wavenumber"] for one in waves.values())
+    """Waves of all guides in one dataset; a guide has as many wavenumbers as points, then NaN."""
+    longest = max(wave.sizes["wavenumber"] for wave in waves.values())
     lines = next(iter(waves.values()))["frequency"]
     amplitude = np.full((len(waves), len(lines), longest), np.nan)
     wavenumber = np.full((len(waves), longest), np.nan)
-    for row, one in enumerate(waves.values()):
-        amplitude[row, :, : one.sizes["wavenumber"]] = one.values
-        wavenumber[row, : one.sizes["wavenumber"]] = one["wavenumber"].values
+    for row, wave in enumerate(waves.values()):
+        amplitude[row, :, : wave.sizes["wavenumber"]] = wave.values
+        wavenumber[row, : wave.sizes["wavenumber"]] = wave["wavenumber"].values
     first = next(iter(waves.values()))
     shorter = {WORD: "a shorter guide has fewer wavenumbers"}
     return xr.Dataset(
@@ -85,27 +85,27 @@ def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
 
 
 def lattice_gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> LatticeGap:
-    """Edges of the gap of a plate's lattice; how waves fade in it goes into the dataset."""
+    """Edges of the gap of a plate's lattice; the decay of waves in it is added to the dataset."""
     driven = driven_region(plate)
     mirror = mirror_beside(plate.layout, driven) if driven else None
     if mirror is not None and not mirror.symmetric:
-        reason = "what its rows reflect fades otherwise, for they are no images of themselves"
+        reason = "its rows are not their own mirror images, so reflected waves decay differently"
         return LatticeGap(None, None, (f"no edges of the gap: {reason}",))
     try:
-        fades = decay_along(response, strips_of(plate.layout, mirror) if mirror else [])
+        decay = decay_along(response, strips_of(plate.layout, mirror) if mirror else [])
     except (ScanError, ResponseError) as error:
         return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
-    data["fading"] = fades
+    data["fading"] = decay
     assert mirror is not None
     if mirror.repeat > 1:
-        # of two plates of eight rows lower edges of 54.3 and 56.5 kHz would be told, where 52.4 are computed
-        reason = "its rows are offset, and no single wave of a phase describes them near an edge"
+        # two plates of eight rows would give lower edges of 54.3 and 56.5 kHz, against the computed 52.4 kHz
+        reason = "its rows are offset, and no single wave describes the decay near an edge"
         return LatticeGap(None, None, (f"no edges of the gap: {reason}",))
-    return gap_edges(fades, mirror.pitch / mirror.spacing)
+    return gap_edges(decay, mirror.pitch / mirror.spacing)
 
 
 def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
-    """The range in which the driven region of a plate stands out from all its lattices.
+    """The range in which the level of the driven region exceeds that of all lattices.
 
     Raises
     ------
@@ -126,7 +126,7 @@ def contrast_range(response: FrequencyResponse, plate: Plate) -> MeasuredGap:
 def decay_in(response: FrequencyResponse, mirror: Mirror) -> xr.Dataset:
     """Decay of a response through a mirror; see `haptonic.vibrometry.lattice_decay`."""
     inside = mirror.area.holds(response.points)
-    named = _named(response, [MIRROR if one else "" for one in inside])
+    named = _named(response, [MIRROR if is_inside else "" for is_inside in inside])
     return lattice_decay(
         named, MIRROR, depth=mirror.depth, start=mirror.start, pitch=mirror.pitch, inwards=mirror.inwards
     )

@@ -1,4 +1,4 @@
-"""In which order a scan visits its points, and which it leaves out."""
+"""Order in which a scan visits its points, and points that it leaves out."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ RIM = 1e-9  # of a size, within which a point lies on the rim
 
 @dataclass(frozen=True)
 class Rectangle:
-    """A region along the axes, from (x, y) on, its rim included; m."""
+    """A rectangle along the axes with its lowest corner at (x, y), rim included; m."""
 
     x: float
     y: float
@@ -24,7 +24,7 @@ class Rectangle:
     height: float
 
     def holds(self, points: Array) -> Bools:
-        """(point,) which points of (point, 2) lie in it."""
+        """(point,) True for points, of (point, 2), inside the rectangle."""
         slack = RIM * max(self.width, self.height)
         inside_x = (points[:, 0] >= self.x - slack) & (points[:, 0] <= self.x + self.width + slack)
         inside_y = (points[:, 1] >= self.y - slack) & (points[:, 1] <= self.y + self.height + slack)
@@ -33,33 +33,33 @@ class Rectangle:
 
 @dataclass(frozen=True)
 class RoundRegion:
-    """A round region, its rim included; m."""
+    """A disc around (x, y), rim included; m."""
 
     x: float
     y: float
     diameter: float
 
     def holds(self, points: Array) -> Bools:
-        """(point,) which points of (point, 2) lie in it."""
+        """(point,) True for points, of (point, 2), inside the disc."""
         distance = np.hypot(points[:, 0] - self.x, points[:, 1] - self.y)
         return np.asarray(distance <= 0.5 * self.diameter * (1 + RIM))
 
 
 class Region(Protocol):
-    """Anything that some points lie in."""
+    """A region of the plane."""
 
     def holds(self, points: Array) -> Bools:
-        """(point,) which points of (point, 2) lie in it."""
+        """(point,) True for points, of (point, 2), inside the region."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class ScanPlan:
-    """Points in the order in which they are visited.
+    """Points in the order in which the scan visits them.
 
     points : (point, 2) m
-    left_out : (point, 2) those of the grid that lie in an excluded region
-    travel : length of the way, m
+    left_out : (point, 2) points of the grid in an excluded region
+    travel : length of the path, m
     """
 
     points: Array
@@ -68,12 +68,12 @@ class ScanPlan:
 
 
 def scan_plan(area: Rectangle, step: float, excluded: Sequence[Region] = ()) -> ScanPlan:
-    """A regular grid over an area, centred in it, to and fro along its longer side.
+    """Regular grid centred in an area, in rows along its longer side, with alternating direction.
 
     Parameters
     ----------
-    step : of the grid along both axes, m
-    excluded : regions without points: pillars when their side is scanned, clamps
+    step : spacing of the grid along both axes, m
+    excluded : regions without points, such as clamps, or pillars if their side is scanned
 
     Raises
     ------
@@ -90,7 +90,7 @@ def scan_plan(area: Rectangle, step: float, excluded: Sequence[Region] = ()) -> 
 
 
 def visited(points: Array, excluded: Sequence[Region] = ()) -> ScanPlan:
-    """Points (n, 2) that lie in rows and columns, to and fro along their longer side.
+    """Plan a scan of points (n, 2) in rows and columns, along their longer side in alternating direction.
 
     Raises
     ------
@@ -99,26 +99,28 @@ def visited(points: Array, excluded: Sequence[Region] = ()) -> ScanPlan:
     out = np.zeros(len(points), dtype=bool)
     for region in excluded:
         out |= region.holds(points)
-    kept = points[~out]
-    if not len(kept):
+    points_left = points[~out]
+    if not len(points_left):
         raise _wrong(
             "excluded", f"{len(excluded)} regions", "a point outside of them", "leave one of them out"
         )
     sides = np.ptp(points, axis=0)
     along = 0 if sides[0] >= sides[1] else 1
-    across = np.sort(kept[:, 1 - along])
+    across = np.sort(points_left[:, 1 - along])
     # a new row begins where the next point lies off by more than rounding
     starts = across[np.diff(across, prepend=-np.inf) > RIM * max(sides.max(), 1.0)]
-    number = np.searchsorted(starts, kept[:, 1 - along] + 0.5 * RIM * max(sides.max(), 1.0), side="right")
-    way: list[Array] = []
+    number = np.searchsorted(
+        starts, points_left[:, 1 - along] + 0.5 * RIM * max(sides.max(), 1.0), side="right"
+    )
+    path: list[Array] = []
     for row in range(1, len(starts) + 1):
-        left = kept[number == row]
+        left = points_left[number == row]
         left = left[np.argsort(left[:, along], kind="stable")]
-        # from the end that is nearer to where the stage is, which need not alternate where rows are cut
-        here = way[-1] if way else left[0]
+        # begin at the end that is nearer to the stage; it need not alternate if rows are interrupted
+        here = path[-1] if path else left[0]
         turn = np.linalg.norm(left[-1] - here) < np.linalg.norm(left[0] - here)
-        way.extend(left[::-1] if turn else left)
-    order = np.array(way)
+        path.extend(left[::-1] if turn else left)
+    order = np.array(path)
     travel = float(np.linalg.norm(np.diff(order, axis=0), axis=1).sum())
     return ScanPlan(order, points[out], travel)
 

@@ -20,22 +20,22 @@ WRITTEN = 16  # points that are written to a file at a time
 
 
 class Source(Protocol):
-    """Where records come from: a file, or arrays in memory."""
+    """Source of records: a file, or arrays in memory."""
 
     def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
-        """Reference and response of the points from ``start`` up to ``stop``.
+        """Read reference and response of the points from ``start`` up to ``stop``.
 
         Returns
         -------
-        Two arrays (point, repeat, sample) in SI units, or integers as they were stored; the first has one
-        point only when all points share the reference.
+        Two arrays (point, repeat, sample) in SI units, or integers as stored; the first has one point if all
+        points share the reference.
         """
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class InMemory:
-    """Records that are already arrays: (point or 1, repeat, sample) and (point, repeat, sample)."""
+    """Records in arrays: (point or 1, repeat, sample) and (point, repeat, sample)."""
 
     reference: Samples
     response: Samples
@@ -47,7 +47,7 @@ class InMemory:
 
 @dataclass(frozen=True, eq=False)
 class OfChannels:
-    """Records of channels along whose first axis the points are; one of a single row is shared by all."""
+    """Records in channels whose first axis is the point; all points share a channel with a single row."""
 
     reference: Channel
     response: Channel
@@ -64,21 +64,21 @@ class OfChannels:
 
 @dataclass(frozen=True, eq=False)
 class TimeScan:
-    """Time records of all points of a scan, not in memory until `chunks` asks for them.
+    """Time records of all points of a scan, read into memory by `chunks`.
 
-    source : gives the records
-    names : of the points, as the instrument numbers them
+    source : source of the records
+    names : names of the points, as numbered by the instrument
     x, y : (point,) m
     repeats, samples : records for each point, samples of each
     sample_rate : Hz
-    motion : what the response measures
-    reference : what the reference channel records
+    motion : measured quantity of the response
+    reference : quantity of the reference channel
     reference_scale, response_scale : SI units of one stored unit
-    full_scale : largest stored value of the response that the instrument can give; None if unknown
+    full_scale : largest stored value that the instrument can give for the response; None if unknown
     direction : "x", "y" or "z"
     start : time of the first sample after the trigger, s; the same for both channels
     origin : "measured" or "simulated"
-    title : for people
+    title : text for readers
     """
 
     source: Source
@@ -128,21 +128,21 @@ class TimeScan:
 
     @property
     def duration(self) -> float:
-        """Of one record, s."""
+        """Duration of one record, s."""
         return self.samples / self.sample_rate
 
     def chunks(self, size: int, start: int = 0) -> Iterator[tuple[int, Samples, Samples]]:
-        """Number of the first point, reference and response, ``size`` points at a time, as stored."""
+        """Yield number of the first point, reference and response, ``size`` points at a time, as stored."""
         for first in range(start, len(self.names), size):
             yield first, *self.load(first, min(first + size, len(self.names)))
 
     def load(self, start: int, stop: int) -> tuple[Samples, Samples]:
-        """Reference and response of some points, see `Source`.
+        """Read reference and response of some points; see `Source`.
 
         Raises
         ------
         ScanError : the file is damaged
-        ResourceError : they do not fit into memory
+        ResourceError : the records do not fit into memory
         """
         try:
             return self.source.load(start, stop)
@@ -153,14 +153,14 @@ class TimeScan:
                 argument="records",
                 given=f"{stop - start} points of {self.repeats} x {self.samples} samples",
                 allowed="records of which a few points fit into memory",
-                cause="the file announces more than it holds, or records are very long",
+                cause="the file announces more than it contains, or records are very long",
                 next_step="look at the file's number of samples, or divide the records",
             ) from error
 
 
 def portions(scan: TimeScan) -> Iterator[tuple[int, NDArray[np.float32], NDArray[np.float32]]]:
-    """Number of the first point, reference and response in SI units and single precision, a few points at a
-    time."""
+    """Yield number of the first point, reference and response in SI units and single precision, a few points
+    at a time."""
     for first, reference, response in scan.chunks(WRITTEN):
         yield (
             first,

@@ -1,4 +1,4 @@
-"""How a laser vibrometer scans a plate: its drive, its points, the instrument."""
+"""Settings of a scan with a laser vibrometer: drive, points, instrument."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from haptonic.vibrometry.instrument import Instrument
 
 @described("scan", kw_only=True)
 class ScanSettings:
-    """How a laser vibrometer scans the plate."""
+    """Settings of a scan of the plate with a laser vibrometer."""
 
-    lowest: Frequency = setting(1e3, "That the drive sweeps through.", title="Lowest frequency")
-    highest: Frequency = setting(100e3, "That the drive sweeps through.", title="Highest frequency")
+    lowest: Frequency = setting(1e3, "Lower end of the drive's band.", title="Lowest frequency")
+    highest: Frequency = setting(100e3, "Upper end of the drive's band.", title="Highest frequency")
     rate: Annotated[float, Quantity("Hz", at_least=10.0, at_most=1e9, typical=(1e4, 1e7))] = setting(
         250e3, "Sample rate of drive and vibrometer.", title="Sample rate"
     )
     record: Annotated[float, Quantity("s", above=0.0, at_most=100.0, typical=(1e-3, 2.0))] = setting(
-        0.02, "Length of one period of the drive; lines lie its inverse apart."
+        0.02, "Length of one period of the drive; its inverse is the line spacing."
     )
     averages: Annotated[int, Field(ge=1, le=10_000, strict=True)] = setting(
         4, "Periods that are recorded at each point."
@@ -59,5 +59,5 @@ class ScanSettings:
 
     @property
     def lines(self) -> float:
-        """Of its spectrum, between the frequencies, about."""
+        """Approximate number of lines of its spectrum between the two frequencies."""
         return (self.highest - self.lowest) * self.record

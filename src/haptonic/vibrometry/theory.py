@@ -1,4 +1,4 @@
-"""What the lattice's theory says beside a scan: waves of plain plate and guides, and evanescent waves."""
+"""Computed waves for comparison with a scan: waves of plain plate and guides, and evanescent waves."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from haptonic.vibrometry.guides import Guiding, Mirror
 from haptonic.vibrometry.maps.waves import Axis
 
 PLAIN = 41  # frequencies of the plain plate's wave
-FADING = 33  # of evanescent waves
+DECAYS = 33  # frequencies of evanescent waves
 PHASES = (0.0, 0.5 * np.pi, np.pi)  # along the rows of the mirror
 STEPS = 9  # wavenumbers of a guide's mode
-REACH = (0.9, 1.04)  # of the flexural wave's wavenumber in the gap, within which these lie
-INSET = 1e-3  # of the gap's width, kept away from its edges
+REACH = (0.9, 1.04)  # range of these wavenumbers, over that of the flexural wave in the gap
+INSET = 1e-3  # of the gap's width, left out at its edges
 
 
 @one_thread()
@@ -38,7 +38,7 @@ def computed_waves(
     guides: list[Guiding],
     mirror: Mirror | None,
 ) -> xr.Dataset:
-    """Waves of a plate's parts.
+    """Compute the waves of a plate's parts.
 
     Parameters
     ----------
@@ -50,7 +50,9 @@ def computed_waves(
     row; ``guided_frequency`` and ``guided_wavenumber`` (guide, step), NaN where a guide has no mode
     """
     cell = layout.cells[mirror.name] if mirror else next(iter(layout.cells.values()))
-    widths = sorted({(one.width, one.along) for one in guides if mirror and one.lattice == mirror.name})
+    widths = sorted(
+        {(guide.width, guide.along) for guide in guides if mirror and guide.lattice == mirror.name}
+    )
     best = best_model(cell, settings)
     resolution = best.model.resolution
 
@@ -64,7 +66,7 @@ def computed_waves(
     low = max(span[0], 1e-3 * span[1])
     frequency = np.linspace(low, span[1], PLAIN)
     wavenumber = [plain.wavenumber(2 * np.pi * f, 0.0, "A0") or np.nan for f in frequency]
-    made = xr.Dataset(
+    waves = xr.Dataset(
         {
             "wavenumber": (
                 "frequency",
@@ -78,13 +80,13 @@ def computed_waves(
         around = (
             (low, span[1]) if gap is None else (max(low, 0.85 * gap.lower), min(span[1], 1.15 * gap.upper))
         )
-        at = np.linspace(*around, FADING)
-        fades = attenuation(rows(side), 2 * np.pi * at, np.array(PHASES))
-        made["attenuation"] = ("mirror_frequency", "phase"), fades, {"units": "dB/row"}
-        made = made.assign_coords(
+        at = np.linspace(*around, DECAYS)
+        decay = attenuation(rows(side), 2 * np.pi * at, np.array(PHASES))
+        waves["attenuation"] = ("mirror_frequency", "phase"), decay, {"units": "dB/row"}
+        waves = waves.assign_coords(
             mirror_frequency=("mirror_frequency", at, {"units": "Hz"}), phase=("phase", list(PHASES))
         )
-    found, none_there = np.full((2, len(widths), STEPS), np.nan), "the guide has no mode in the gap"
+    modes, none_there = np.full((2, len(widths), STEPS), np.nan), "the guide has no mode in the gap"
     if gap is not None:
         inside = INSET * (gap.upper - gap.lower)
         between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
@@ -92,25 +94,25 @@ def computed_waves(
         for row, (width, along) in enumerate(widths):
             for step, k in enumerate(middle * np.linspace(*REACH, STEPS)):
                 if width <= 2 * rows(along).setback:
-                    continue  # what straightens its faces takes up all of the strip
+                    continue  # the transition layers at its faces take up all of the strip
                 try:
                     mode = Guide.of(rows(along), float(k)).mode(width, 0, between)
                 except StudyError:
                     continue  # at this wavenumber the guide has no mode in the gap
-                found[:, row, step] = mode.omega / (2 * np.pi), k
-    made["guided_frequency"] = ("guide", "step"), found[0], {"units": "Hz", WORD: none_there}
-    made["guided_wavenumber"] = ("guide", "step"), found[1], {"units": "rad/m", WORD: none_there}
-    made.attrs |= best.attributes(settings)
-    return made.assign_coords(
+                modes[:, row, step] = mode.omega / (2 * np.pi), k
+    waves["guided_frequency"] = ("guide", "step"), modes[0], {"units": "Hz", WORD: none_there}
+    waves["guided_wavenumber"] = ("guide", "step"), modes[1], {"units": "rad/m", WORD: none_there}
+    waves.attrs |= best.attributes(settings)
+    return waves.assign_coords(
         width=("guide", [w for w, _ in widths]), along=("guide", [a for _, a in widths])
     )
 
 
-def guided(waves: xr.Dataset, one: Guiding) -> tuple[Array, Array]:
+def guided(waves: xr.Dataset, guide: Guiding) -> tuple[Array, Array]:
     """Frequencies (Hz) and wavenumbers (rad/m) of a guide's mode without nodal lines along it."""
     for row in range(waves.sizes["guide"]):
-        if (float(waves["width"][row]), str(waves["along"].values[row])) == (one.width, one.along):
+        if (float(waves["width"][row]), str(waves["along"].values[row])) == (guide.width, guide.along):
             at = waves["guided_frequency"].values[row]
-            there = np.isfinite(at)
-            return at[there], waves["guided_wavenumber"].values[row][there]
+            propagates = np.isfinite(at)
+            return at[propagates], waves["guided_wavenumber"].values[row][propagates]
     return np.zeros(0), np.zeros(0)

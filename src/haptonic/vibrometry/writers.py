@@ -1,4 +1,4 @@
-"""Frequency responses as universal files, in ASCII: the form that every program reads."""
+"""Frequency responses as universal files (UFF), in ASCII, which most programs read."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ SETS: dict[object, Any] = {
 KIND = {"displacement": 8, "velocity": 11, "acceleration": 12}
 UNIT_TYPES = {"N": 13, "Pa": 15}
 AXES = {"x": 1, "y": 2, "z": 3}
-EVEN = 1e-6  # of the spacing: how even lines must be to be written by their first and their spacing
+EVEN = 1e-6  # of the spacing: tolerance for lines written by their first frequency and their spacing
 
 
 def write_uff(response: FrequencyResponse, path: Path) -> None:
     """Write a response as UFF: units (164), nodes (2411), one function for each point and direction (58).
 
-    Values keep twelve digits, frequencies six: evenly spaced ones in their first and their spacing.
-    The origin stands in the fifth line of each function, so that a simulation is never taken for a
-    measurement. `haptonic.store.write_atomically` makes the file whole or not at all.
+    Values have twelve digits, frequencies six: the first one and the spacing if they are evenly spaced. The
+    origin is in the fifth line of each function, so that a simulation is never taken for a measurement.
+    `haptonic.store.write_atomically` writes the file completely or not at all.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def write_uff_records(scan: TimeScan, path: Path) -> None:
 
 
 def _geometry(numbers: NDArray[np.int64], x: Array, y: Array) -> tuple[dict[str, object], dict[str, object]]:
-    """Units and nodes."""
+    """Data sets of units and nodes."""
     zeros = np.zeros(len(numbers), dtype=int)
     return (
         {
@@ -152,11 +152,11 @@ def _records(scan: TimeScan) -> Iterator[dict[str, object]]:
 
 
 def _numbers(response: FrequencyResponse) -> NDArray[np.int64]:
-    """Numbers of the points: those of the file that they came from, else counted from 1."""
-    known = json.loads(response.dataset.attrs["inputs"]).get("points")
+    """Numbers of the points: those of the original file, else counted from 1."""
+    names = json.loads(response.dataset.attrs["inputs"]).get("points")
     count = response.dataset.sizes["point"]
-    if isinstance(known, list) and len(known) == count and all(str(n).isdigit() for n in known):
-        numbers = np.array([int(n) for n in known])
-        if len(set(known)) == count and numbers.min() > 0:
+    if isinstance(names, list) and len(names) == count and all(str(n).isdigit() for n in names):
+        numbers = np.array([int(n) for n in names])
+        if len(set(names)) == count and numbers.min() > 0:
             return numbers
     return np.arange(1, count + 1)

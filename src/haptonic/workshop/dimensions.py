@@ -1,4 +1,4 @@
-"""What a dimension reads on a drawing: its value in mm or degrees, with its tolerance if it has one."""
+"""Text of a dimension on a drawing: its value in mm or degrees, with its tolerance if it has one."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ FINEST = 4  # decimals of a length without a tolerance, trailing zeros left out
 
 
 def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mapping[str, float]:
-    """The tolerances themselves: half-widths by the name of the dimension, m or rad.
+    """Check tolerances, and return them: half-widths by the name of the dimension, m or rad.
 
     Raises
     ------
-    StudyError : a tolerance of what the cell does not have, or one that is not positive
+    StudyError : a tolerance of a dimension that the cell lacks, or one that is not positive
     """
     values = dimensions_of(cell)
     for name, half_width in tolerances.items():
@@ -39,14 +39,14 @@ def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mappi
     return tolerances
 
 
-def style_of(one: Dimension, half_width: float | None, sign: str = "") -> dict[str, Any]:
-    """How a DIMENSION entity shows a length, such as ⌀3.5 or, by DXF's own tolerance, ⌀3.500 ±0.020.
+def style_of(dimension: Dimension, half_width: float | None, sign: str = "") -> dict[str, Any]:
+    """Style of a DIMENSION entity for a length, such as ⌀3.5 or, by DXF's own tolerance, ⌀3.500 ±0.020.
 
-    half_width : of its tolerance, m; without a name it is shown in brackets, for reference
+    half_width : of its tolerance, m; a dimension without a name is shown in brackets, for reference
     """
     if half_width is None:
-        form = f"{sign}<>" if one.name else f"({sign}<>)"
-        return {"dimpost": form, "dimdec": FINEST if one.name else DECIMALS, "dimzin": 8}
+        form = f"{sign}<>" if dimension.name else f"({sign}<>)"
+        return {"dimpost": form, "dimdec": FINEST if dimension.name else DECIMALS, "dimzin": 8}
     places, deviation = _decimals(half_width * MM, DECIMALS), half_width * MM
     return {
         "dimpost": f"{sign}<> ", "dimtol": 1, "dimtp": deviation, "dimtm": deviation, "dimtfac": 1.0,
@@ -54,20 +54,20 @@ def style_of(one: Dimension, half_width: float | None, sign: str = "") -> dict[s
     }  # fmt: skip
 
 
-def text_of(one: Dimension, half_width: float | None, sign: str = "") -> str:
-    """What `style_of` shows, of a length in mm; of an angle its degrees, such as 2.00° ±0.25°."""
-    if one.kind in ("angle", "turn"):
-        return sign + degrees(one.value, half_width)
-    style = style_of(one, half_width, sign)
+def text_of(dimension: Dimension, half_width: float | None, sign: str = "") -> str:
+    """Text by `style_of` for a length in mm; for an angle its degrees, such as 2.00° ±0.25°."""
+    if dimension.kind in ("angle", "turn"):
+        return sign + degrees(dimension.value, half_width)
+    style = style_of(dimension, half_width, sign)
     form: str = style["dimpost"]
-    value = f"{one.value:.{style['dimdec']}f}"
+    value = f"{dimension.value:.{style['dimdec']}f}"
     if half_width is None:
         return form.replace("<>", value.rstrip("0").rstrip("."))
     return form.replace("<>", value) + f"±{style['dimtp']:.{style['dimtdec']}f}"
 
 
 def _decimals(half_width: float, least: int) -> int:
-    """As many as show a tolerance; a fine one is not shown as 0."""
+    """Number of decimals that shows a tolerance; a fine one is not shown as 0."""
     return max(least, -math.floor(math.log10(half_width) + 1e-9))
 
 

@@ -31,9 +31,9 @@ from haptonic.workshop.shape import MM, PillarShape, heights
 from haptonic.workshop.sheet import SIZE, SMALL, Box, Sheet, shortened
 
 TIMES = " \N{MULTIPLICATION SIGN} "
-GENERAL = "ISO 2768-m"  # for dimensions without a tolerance of their own: medium, which a mill keeps unasked
+GENERAL = "ISO 2768-m"  # for dimensions without a tolerance: medium, which any mill keeps
 FRAME = 10.0  # mm
-AROUND = 9  # nearest pillars among which the narrowest gap is sought, the pillar itself among them
+AROUND = 9  # nearest pillars that are searched for the narrowest gap, the pillar itself included
 BLOCK = (180.0, 36.0)  # size of the title block, mm
 PLAN: Box = (12.0, 52.0, 250.0, 285.0)
 SECTION: Box = (250.0, 100.0, 408.0, 285.0)
@@ -55,12 +55,12 @@ def part_drawing(
     ----------
     tolerances : half-widths by the dimension's name in a study, such as ``cell.pillar.diameter``: m, or rad
         for the draft; they are shown as ``3.500 ±0.020``
-    why_none : said in the notes if there are no tolerances
-    date : shown in the title block; without one, the same part is the same file at any time
+    why_none : reason in the notes if there are no tolerances
+    date : shown in the title block; without a date, the same part always gives the same file
 
     Raises
     ------
-    StudyError : a tolerance of what the cell does not have, or one that is not positive
+    StudyError : a tolerance of a dimension that the cell lacks, or one that is not positive
     """
     tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
     with reproducible():
@@ -108,8 +108,8 @@ def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
             texts = [f"{len(places)} {_named(feature)}", *_sizes(part, feature, table, half)]
         for along, axis in enumerate("xy"):
             if step := nearest(places, along)[1]:
-                one = pitch_of(part, step, along)
-                texts.append(f"next along {axis} {text_of(one, half.get(one.name or ''))}")
+                dimension = pitch_of(part, step, along)
+                texts.append(f"next along {axis} {text_of(dimension, half.get(dimension.name or ''))}")
         lines[letter(kind)] = ", ".join(texts)
     for mark in part.marks:
         if mark.layer == "PATCH":
@@ -125,11 +125,11 @@ def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
 def _sizes(part: Part, pillar: Pillar, table: str, half: Mapping[str, float]) -> list[str]:
     """Every number of a pillar, with its tolerance."""
     texts = []
-    for one in heights(part.cell.thickness, pillar, table)[1:]:
-        if one.name:
-            word = re.sub(r"[._]", " ", one.name.removeprefix(f"{table}.")) + " "
+    for dimension in heights(part.cell.thickness, pillar, table)[1:]:
+        if dimension.name:
+            word = re.sub(r"[._]", " ", dimension.name.removeprefix(f"{table}.")) + " "
             word = word.replace("diameter ", pillar.form.sign or f"{pillar.form.width} ")
-            texts.append(word + text_of(one, half.get(one.name)))
+            texts.append(word + text_of(dimension, half.get(dimension.name)))
     if pillar.point:
         texts.append(_corners(pillar.radius / MM, pillar))
     return [*texts, pillar.material.name] if pillar.material else texts
@@ -159,7 +159,7 @@ def _corners(half_width: float, section: Pillar | Disc) -> str:
 
 
 def write_drawing(path: Path, sheet: Sheet, *, overwrite: bool = False) -> Path:
-    """Write what `part_drawing` drew as a PDF of one page; as DXF, SVG or PNG if the path ends so.
+    """Write a drawing from `part_drawing` as a PDF of one page, or as DXF, SVG or PNG by the path's suffix.
 
     Raises
     ------
@@ -168,7 +168,7 @@ def write_drawing(path: Path, sheet: Sheet, *, overwrite: bool = False) -> Path:
     refuse_overwrite(path, overwrite)
     kind = path.suffix[1:].lower()
     with reproducible(), styled():
-        mpl.rcParams["pdf.fonttype"] = 42  # text stays text: it can be searched and copied
+        mpl.rcParams["pdf.fonttype"] = 42  # keeps text as text, which can be searched and copied
         if kind == "dxf":
             write_atomically(path, sheet.document.saveas)
             return path
@@ -216,7 +216,7 @@ def _first_angle(sheet: Sheet, x: float, y: float) -> None:
 
 
 def _advice(part: Part) -> list[str]:
-    """What somebody who makes the part has to know beside its dimensions."""
+    """Notes for the workshop, beside the dimensions."""
     if part.cell.is_mirrored:
         notes = ["The lower face has the same pillars at the same places (layers BELOW in the DXF)."]
     else:
@@ -247,18 +247,20 @@ def _advice(part: Part) -> list[str]:
         notes.append(f"Cells repeat after {steps}; the DXF file has all axes (CENTRE), from the middle on.")
     if part.count is None:
         notes.append(
-            "Places count from the lower left corner; the DXF file has all axes (CENTRE) and edges (PLATE)."
+            "Positions are from the lower left corner; the DXF file has all axes (CENTRE) and edges (PLATE)."
         )
         notes.append(
-            "Thin outlines in the plan are plain regions and glued patches, for reference: no edges."
+            "Thin outlines in the plan are plain regions and glued patches, for reference; they are no edges."
         )
     if any(mark.layer == "HELD" for mark in part.marks):
-        notes.append("Thick lines beside the edge show where the plate is held in use (HELD in the DXF).")
+        notes.append(
+            "Thick lines beside the edge show where the plate is supported in use (HELD in the DXF)."
+        )
     return notes
 
 
 def _room(part: Part, bodies: list[PillarShape]) -> float | None:
-    """Half the narrowest gap between two pillars; of corners that face each other at most that."""
+    """Half the narrowest gap between two pillars; an upper bound for corners that face each other."""
     if part.count is not None:
         return 0.5 * min(part.cell.ways(range(len(part.cell.pillars)))) if bodies else None
     gaps = []
@@ -268,6 +270,6 @@ def _room(part: Part, bodies: list[PillarShape]) -> float | None:
             away = np.unique(np.round(others[number] - places[:, None], 9).reshape(-1, 2), axis=0)
             away = away[away.any(axis=1)]
             if len(away):
-                mine, beside = (Scaled(bodies[n].outline, bodies[n].widest) for n in (k, other))
-                gaps.append(float(mine.gap_to(beside, away).min()))
+                gap_of, beside = (Scaled(bodies[n].outline, bodies[n].widest) for n in (k, other))
+                gaps.append(float(gap_of.gap_to(beside, away).min()))
     return 0.5 * min(gaps) if gaps else None

@@ -1,4 +1,4 @@
-"""Outlines seen from above as a DXF file, in mm: what a milling program is made from in two dimensions."""
+"""Outlines seen from above as a DXF file, in mm, for two-dimensional milling programs."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from haptonic.workshop.shape import PillarShape
 
 MILLIMETRES = 4  # code of the header variable $INSUNITS
 MARK = 0.1  # half the length of a centre mark, in diameters of the pillar
-BELOW = " BELOW"  # ends the layers of pillars on the lower face
+BELOW = " BELOW"  # end of the names of layers for the lower face
 
-# layer: colour of AutoCAD's table, and how wide its lines are plotted, hundredths of a millimetre
+# layer: colour in AutoCAD's table, and plotted line width, hundredths of a millimetre
 LAYERS = {
     "PLATE": (7, 50), "CELL": (8, 9), "REGION": (8, 9), "PATCH": (6, 18), "HELD": (4, 70),
     "PILLAR": (1, 18), "FILLET": (3, 9), "STEP": (5, 9), "HOLE": (1, 35), "DISC": (3, 18), "CENTRE": (2, 9),
@@ -29,13 +29,13 @@ LAYERS = {
 
 
 def write_dxf(path: Path, part: Part, *, overwrite: bool = False) -> Path:
-    """Write the outlines of a part; the same part is the same file.
+    """Write the outlines of a part; the same part always gives the same file.
 
     Layers: PLATE its edge and the edges of its holes, PILLAR the pillars at their foot without the fillet,
     FILLET where fillets meet the plate, STEP the pillars above their step, HOLE discs that are empty within
-    the plate, DISC all other discs, CENTRE a cross on each axis; the layers of pillars on the lower face end
-    in BELOW. For reference: CELL the borders of cells, REGION those of plain plate, PATCH those of what is
-    glued on, HELD the sides that are held. A layer without content is left out.
+    the plate, DISC all other discs, CENTRE a cross on each axis; layers of pillars on the lower face end in
+    BELOW. For reference: CELL the borders of cells, REGION those of plain plate, PATCH those of glued
+    patches, HELD the supported sides. A layer without content is left out.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def write_dxf(path: Path, part: Part, *, overwrite: bool = False) -> Path:
 
 @contextmanager
 def reproducible() -> Iterator[None]:
-    """Without dates and random identifiers, which ezdxf leaves out at a setting for the whole process."""
+    """Leave out dates and random identifiers, by ezdxf's setting for the whole process."""
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:
@@ -59,10 +59,10 @@ def reproducible() -> Iterator[None]:
 
 
 def outlines(part: Part) -> Drawing:
-    """A document with the outlines of a part in its model space."""
+    """Make a document with the outlines of a part in its model space."""
     document = ezdxf.new("R2010", units=MILLIMETRES)
     space = document.modelspace()
-    for mark in part.marks:  # first: edges lie on top of them
+    for mark in part.marks:  # first, so that edges lie on top of them
         line, closed = mark.line.tolist(), bool((mark.line[0] == mark.line[-1]).all())
         space.add_lwpolyline(line[: len(line) - closed], close=closed, dxfattribs={"layer": mark.layer})
     for loop in part.outline:
@@ -95,7 +95,7 @@ def _add_cross(space: BaseLayout, place: tuple[float, float], arm: float) -> Non
 def add_outline(
     space: BaseLayout, outline: Outline, centre: tuple[float, float] | Array, half_width: float, layer: str
 ) -> None:
-    """A horizontal cut as a circle, an ellipse or a closed polyline of straight sides and arcs."""
+    """Add a horizontal cut as a circle, an ellipse or a closed polyline of straight sides and arcs."""
     x, y = (float(coordinate) for coordinate in centre)
     look = {"layer": layer}
     if outline.joints:

@@ -1,7 +1,7 @@
-"""What a workshop makes: the outline of a plate, and every pillar with the place where it stands.
+"""Part for a workshop: the outline of a plate, and every pillar with its position.
 
 A piece of lattice and the whole plate of a study are the same kind of value; all files are written from it.
-Files are in millimetres, so lengths here are too.
+Lengths are in millimetres here, as in the files.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ from haptonic.plate.parts import Actuator, Plate
 from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, PillarShape
 
-# 900 square, stepped ones take 49 s and 0.9 GB as STEP, more than in proportion to their number
+# 900 square, stepped pillars take 49 s and 0.9 GB as STEP; both grow faster than the number of pillars
 MOST_PILLARS = 1500
 
 
 @dataclass(frozen=True)
 class Mark:
-    """A line that is no edge of the part, shown for reference.
+    """A line for reference that is not an edge of the part.
 
-    line : (n, 2) its corners; the first one again at the end of a closed one; of what is held (2, 2), the
-        plate to its left
-    name, note : what it stands for, and what is to be known of it
+    line : (n, 2) corners, with the first one repeated at the end of a closed line; (2, 2) for a support, with
+        the plate to its left
+    name, note : meaning of the line, and further facts
     """
 
     layer: Literal["CELL", "REGION", "PATCH", "HELD"]
@@ -50,10 +50,10 @@ class Part:
 
     outline : closed loops of (n, 2) corners with the plate to their left: its edge, which runs anticlockwise,
         then its holes
-    standing : each kind of pillar, or of stack of discs, with the (n, 2) places of its axes; both faces of a
-        mirrored cell have it
-    cell : the study's own, to whose dimensions names and tolerances belong
-    count : columns and rows of cells of a piece of lattice; none of a plate that is made whole
+    standing : each kind of pillar, or of stack of discs, with the (n, 2) positions of its axes; both faces of
+        a mirrored cell have it
+    cell : the study's cell, which defines the names of dimensions and their tolerances
+    count : numbers of columns and rows of cells of a piece of lattice; None for a whole plate
     """
 
     outline: tuple[Array, ...]
@@ -64,14 +64,14 @@ class Part:
 
     @classmethod
     def piece(cls, cell: UnitCell, columns: int = 1, rows: int = 1) -> Part:
-        """``columns`` x ``rows`` cells about the origin; columns follow the lattice's first translation.
+        """Make ``columns`` x ``rows`` cells about the origin; columns follow the lattice's first translation.
 
-        A cell of several sites is cut where there is most room between them.
+        A cell of several sites is cut in the widest gap between them.
 
         Raises
         ------
-        GeometryError : a number of columns or rows that is not a positive integer, too many pillars, or one
-            that reaches beyond the edge of the plate wherever the cell is cut
+        GeometryError : a number of columns or rows that is not a positive integer, too many pillars, or a
+            pillar that crosses the edge of the plate however the cell is cut
         """
         for name, number in (("columns", columns), ("rows", rows)):
             if isinstance(number, bool) or not isinstance(number, int) or number < 1:
@@ -79,7 +79,7 @@ class Part:
                     argument=name,
                     given=number,
                     allowed="a positive integer",
-                    cause="the plate's length was given in place of the number of its cells",
+                    cause="the plate's length was given instead of the number of its cells",
                     next_step="count the cells along that side, and give their number",
                 )
         _check_number(columns * rows * sum(map(bool, cell.features)) * cell.copies)
@@ -89,7 +89,7 @@ class Part:
             np.arange(columns + 1) - columns / 2, np.arange(rows + 1) - rows / 2, indexing="ij"
         )
         corners = np.asarray(np.stack([i, j], axis=-1) @ cell.lattice.vectors)  # (columns + 1, rows + 1, 2)
-        # whole lines: two cells share their border
+        # full lines, because two cells share their border
         borders = [line[[0, -1]] for line in [*corners, *corners.swapaxes(0, 1)]]
         first, kinds = corners[:-1, :-1].reshape(-1, 2), dict[Feature, list[Array]]()
         for share, pillar in zip(_cut(cell, features), features, strict=True):
@@ -102,83 +102,83 @@ class Part:
 
     @classmethod
     def whole(cls, plate: Plate, cell: UnitCell) -> Part:
-        """The whole plate of a study; the origin is the lower left corner of its map.
+        """Make the whole plate of a study; the origin is the lower left corner of its map.
 
-        Regions, patches and supports are marks. ``cell`` is the study's own.
+        Regions, patches and supports are marks. ``cell`` is the study's cell.
 
         Raises
         ------
-        GeometryError : too many pillars, or tiles that touch at a corner and not beside it
+        GeometryError : too many pillars, or tiles that touch at a corner only
         """
         layout = plate.layout
         _check_number(len(layout.features))
         kinds: dict[Feature, list[tuple[float, float]]] = {}
         for x, y, pillar in layout.features:
             kinds.setdefault(pillar, []).append((x, y))
-        # the study's own come first: they are those with tolerances
+        # pillars of the study's cell come first, because their dimensions may have tolerances
         standing = tuple(
-            (one.scaled(MM) if isinstance(one, Pillar) else one, MM * np.array(kinds[one]))
-            for one in sorted(kinds, key=lambda one: (one not in cell.features, -len(kinds[one])))
+            (kind.scaled(MM) if isinstance(kind, Pillar) else kind, MM * np.array(kinds[kind]))
+            for kind in sorted(kinds, key=lambda kind: (kind not in cell.features, -len(kinds[kind])))
         )
         marks = [
             Mark("REGION", MM * np.concatenate([loop, loop[:1]]), name)
             for name in layout.regions
             for loop in outline(layout, {name})
         ]
-        marks += [_patch(one) for one in plate.actuators]
-        marks += [mark for support in plate.supports for mark in _held(layout, support)]
+        marks += [_patch(actuator) for actuator in plate.actuators]
+        marks += [mark for support in plate.supports for mark in _support_marks(layout, support)]
         edges = tuple(MM * loop for loop in outline(layout, set(layout.there.values())))
         _check_whole(edges)
         return cls(edges, standing, _in_mm(cell), tuple(marks))
 
     @cached_property
     def corners(self) -> tuple[Array, Array]:
-        """Lower left and upper right of the smallest rectangle around it."""
+        """Lower left and upper right corner of the bounding rectangle."""
         every = np.concatenate(self.outline)
         return every.min(axis=0), every.max(axis=0)
 
     def table(self, feature: Feature) -> str | None:
-        """Of the study's cell, that gives a kind of pillar: ``cell.site[2].pillar``; None if none does."""
-        own = self.cell.features
-        return self.cell.pillar_path(own.index(feature)) if feature in own else None
+        """Table of the study that gives a kind of pillar, such as ``cell.site[2].pillar``, or None."""
+        features = self.cell.features
+        return self.cell.pillar_path(features.index(feature)) if feature in features else None
 
     @property
     def size(self) -> tuple[float, float]:
-        """Of that rectangle."""
+        """Width and depth of the bounding rectangle."""
         low, high = self.corners
         return float(high[0] - low[0]), float(high[1] - low[1])
 
     @property
     def pillars(self) -> tuple[tuple[Pillar, Array], ...]:
-        """The kinds of pillars among what stands on it."""
-        return tuple((one, places) for one, places in self.standing if isinstance(one, Pillar))
+        """Kinds of pillars, with their positions."""
+        return tuple((kind, places) for kind, places in self.standing if isinstance(kind, Pillar))
 
     @property
     def stacks(self) -> tuple[tuple[Rings, Array], ...]:
-        """The kinds of stacks of discs."""
+        """Kinds of stacks of discs, with their positions."""
         plate = self.cell.material
-        return tuple((Rings.of(one, plate), at) for one, at in self.standing if isinstance(one, Stack))
+        return tuple((Rings.of(kind, plate), at) for kind, at in self.standing if isinstance(kind, Stack))
 
     @property
     def number(self) -> int:
-        """How many pillars stand on it, on both faces together."""
+        """Number of pillars on both faces together."""
         return self.cell.copies * sum(len(places) for _, places in self.pillars)
 
     @property
     def number_of_stacks(self) -> int:
-        """How many stacks of discs it has; an image below belongs to its stack."""
+        """Number of stacks of discs; an image on the lower face belongs to its stack."""
         return sum(len(places) for _, places in self.stacks)
 
     @property
     def parts(self) -> str:
-        """How many pillars and stacks of discs it has, in words."""
+        """Numbers of pillars and stacks of discs, as text."""
         numbers = {"pillar": self.number, "disc stack": self.number_of_stacks}
         texts = [f"{number} {noun}{'s' * (number != 1)}" for noun, number in numbers.items() if number]
         return " and ".join(texts) or "0 pillars"
 
     @property
     def faces(self) -> int:
-        """How many smooth surfaces its pillars and discs have, which decides what a solid costs."""
+        """Number of smooth surfaces of pillars and discs, which determines the cost of a solid."""
         bodies = [(PillarShape.of(pillar), len(places)) for pillar, places in self.pillars]
         around = [body.outline.joints or 1 for body, _ in bodies]
         stacks = sum(len(places) * 4 * stack.grid.size for stack, places in self.stacks)
@@ -189,29 +189,31 @@ class Part:
 
     @property
     def narrowest(self) -> float:
-        """Of the lattice's pitch and the widths of its pillars and rings, the smallest."""
+        """Smallest of the lattice's pitch and the widths of pillars and rings."""
         widths = [2 * pillar.narrowest for pillar, _ in self.pillars]
         return min([self.cell.lattice.pitch, *widths, *(stack.narrowest for stack, _ in self.stacks)])
 
     @property
     def materials(self) -> tuple[Material, ...]:
-        """The plate's material first."""
+        """All materials, the plate's first."""
         solids = [self.cell.material, *(self.solid_of(pillar) for pillar, _ in self.pillars)]
         return tuple(
             dict.fromkeys([*solids, *(solid for stack, _ in self.stacks for solid in stack.materials)])
         )
 
     def solid_of(self, pillar: Pillar) -> Material:
-        """A pillar's own material, or the plate's."""
+        """Material of a pillar, which by default is the plate's."""
         return pillar.material or self.cell.material
 
     def volume_of(self, material: Material) -> float:
-        """Of what is of a material, mm^3."""
-        pillars = (len(at) * one.volume for one, at in self.pillars if self.solid_of(one) == material)
+        """Volume of all parts of a material, mm^3."""
+        pillars = (
+            len(at) * pillar.volume for pillar, at in self.pillars if self.solid_of(pillar) == material
+        )
         rings = (len(at) * ring.volume for stack, at in self.stacks for ring in stack.rings(material))
         total = self.cell.copies * sum(pillars) + sum(rings)
         if material == self.cell.material:
-            area = sum(enclosed(loop) for loop in self.outline)  # holes run the other way
+            area = sum(enclosed(loop) for loop in self.outline)  # negative for holes, which run clockwise
             for stack, places in self.stacks:
                 area -= len(places) * stack.borders[-1].outline.area * stack.borders[-1].half_width ** 2
             total += area * self.cell.thickness
@@ -219,24 +221,24 @@ class Part:
 
     @property
     def volume(self) -> float:
-        """Of all materials, mm^3."""
+        """Volume of all materials, mm^3."""
         return sum(self.volume_of(material) for material in self.materials)
 
     @property
     def mass(self) -> float:
-        """Of all materials, kg."""
+        """Mass of all materials, kg."""
         return sum(self.volume_of(material) * material.density for material in self.materials) / MM**3
 
 
 def _in_mm(cell: UnitCell) -> UnitCell:
-    """A cell in mm without its discs, whose heights above the plate are bounded in m."""
+    """A cell in mm without its discs, whose heights above the plate have limits in m."""
     sites = tuple(replace(site, disc=()) for site in cell.site)
     return replace(cell, disc=(), site=sites).scaled(MM)
 
 
 def _features(cell: UnitCell) -> tuple[Feature | None, ...]:
-    """What is on each site; pillars in mm."""
-    return tuple(one.scaled(MM) if isinstance(one, Pillar) else one for one in cell.features)
+    """Feature on each site, if any; pillars in mm."""
+    return tuple(f.scaled(MM) if isinstance(f, Pillar) else f for f in cell.features)
 
 
 def _check_number(pillars: int) -> None:
@@ -251,7 +253,7 @@ def _check_number(pillars: int) -> None:
 
 
 def _cut(cell: UnitCell, features: tuple[Feature | None, ...]) -> Array:
-    """(n, 2) places of a cell's sites in shares of the translations, so that all stand in one piece."""
+    """(n, 2) positions of a cell's sites in shares of the translations, cut so that features stay whole."""
     if cell.is_simple:
         return np.array([[0.5, 0.5]])
     shares = (cell.shares - [_widest_gap(along) for along in cell.shares.T]) % 1.0
@@ -263,7 +265,7 @@ def _cut(cell: UnitCell, features: tuple[Feature | None, ...]) -> Array:
             raise GeometryError.conflict(
                 argument="cell.site",
                 given=f"a pillar or disc {2 * widest:.4g} mm wide, {room:.4g} mm from the plate's edge",
-                allowed="pillars that stand on the plate with their whole foot",
+                allowed="pillars with their whole foot on the plate",
                 cause="the sites leave no room for a straight cut between them",
                 next_step="describe the same lattice by a larger cell, or draw the plate by hand",
             )
@@ -271,28 +273,30 @@ def _cut(cell: UnitCell, features: tuple[Feature | None, ...]) -> Array:
 
 
 def _widest_gap(shares: Array) -> float:
-    """The middle of the widest gap between some shares of a translation, from 0 to 1."""
+    """Middle of the widest gap between some shares of a translation, from 0 to 1."""
     edges = np.sort(shares)
     gaps = np.diff(np.append(edges, edges[0] + 1.0))
     widest = int(np.argmax(np.round(gaps, 9)))
     return float((edges[widest] + 0.5 * gaps[widest]) % 1.0)
 
 
-def _patch(one: Actuator) -> Mark:
-    centre, (width, depth, thickness) = np.array(one.centre), one.size
+def _patch(actuator: Actuator) -> Mark:
+    centre, (width, depth, thickness) = np.array(actuator.centre), actuator.size
     arms = 0.5 * np.array([width, depth]) * [[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]
-    bond = f", glue {MM * one.bond.thickness:.4g}" if one.bond else ""
-    return Mark("PATCH", MM * (centre + arms), one.name, f"{MM * thickness:.4g}, {one.material.name}{bond}")
+    bond = f", glue {MM * actuator.bond.thickness:.4g}" if actuator.bond else ""
+    return Mark(
+        "PATCH", MM * (centre + arms), actuator.name, f"{MM * thickness:.4g}, {actuator.material.name}{bond}"
+    )
 
 
-def _held(layout: Layout, support: Support) -> list[Mark]:
-    """The sides that a support holds, with what holds them and how much of them if that is not all."""
+def _support_marks(layout: Layout, support: Support) -> list[Mark]:
+    """Marks along the sides of a support, with its kind and, for a part of a side, its extent."""
     note = f", {MM * support.length:.4g} from the corners" if support.length is not None else ""
     return [Mark("HELD", MM * ends, WORDS[support.hold], note) for _, ends in held(layout, support)]
 
 
 def _check_whole(edges: tuple[Array, ...]) -> None:
-    """Refuse a plate of which two tiles touch at a corner only: its edges pass there twice."""
+    """Refuse a plate with two tiles that touch at a corner only, where its edges pass twice."""
     places, passed = np.unique(np.concatenate(edges), axis=0, return_counts=True)
     if (passed == 1).all():
         return
@@ -301,6 +305,6 @@ def _check_whole(edges: tuple[Array, ...]) -> None:
         argument="plate.map",
         given=f"two tiles that touch at a corner only, at ({x:.4g}, {y:.4g}) mm",
         allowed="a plate whose tiles meet at their sides",
-        cause="a solid is not whole where its edges meet in a line",
+        cause="a solid cannot have edges that meet in a line",
         next_step="add or leave out a tile there, or export a piece: --columns 10 --rows 10",
     )

@@ -1,4 +1,4 @@
-"""The plan of a drawing: the outlines in model space with sizes, places, names and what holds the plate."""
+"""Plan of a drawing: the outlines in model space with sizes, positions, names and supports of the plate."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from haptonic.workshop.section import LANE, pitch_of, span
 from haptonic.workshop.sheet import APART, SHELF, SIZE, Box, Sheet, View, text_width
 
 ROOM: Box = (41.0, 45.0, 16.0, 8.0)  # mm around the plan, for its dimensions
-BESIDE = 1.2  # mm between an edge and the line that says how it is held
+BESIDE = 1.2  # mm between an edge and the line of its support
 SAMPLE = 12.0  # mm of such a line in the legend
 NUMBERS = 17.0  # mm for the numbers along an edge
-CLOSEST = 4.0  # mm between two of them
+CLOSEST = 4.0  # mm between two of these numbers
 
 
 def draw_plan(sheet: Sheet, box: Box, part: Part, tolerances: Mapping[str, float]) -> View:
@@ -29,14 +29,14 @@ def draw_plan(sheet: Sheet, box: Box, part: Part, tolerances: Mapping[str, float
     for along in (0, 1):
         _draw_sizes(sheet, view, part, along, tolerances)
     _name_marks(sheet, view, part)
-    _draw_held(sheet, view, part, (box[0] + 2, box[1] + 1))
+    _draw_supports(sheet, view, part, (box[0] + 2, box[1] + 1))
     if len(part.standing) > 1:
         _name_kinds(sheet, view, part)
     return view
 
 
 def _draw_sizes(sheet: Sheet, view: View, part: Part, along: int, tolerances: Mapping[str, float]) -> None:
-    """The size over all, and places of inner edges and outermost axes from the lower left corner."""
+    """Draw the overall size, and positions of inner edges and outermost axes from the lower left corner."""
     first, last = (end[along] for end in part.corners)
     low, high = (view.place(*end) for end in part.corners)
     zero = View(low, view.scale)
@@ -65,7 +65,7 @@ def _draw_sizes(sheet: Sheet, view: View, part: Part, along: int, tolerances: Ma
 
 
 def _name_marks(sheet: Sheet, view: View, part: Part) -> None:
-    """Write the names of regions and patches into them, where there is room."""
+    """Write the names of regions and patches into them, if there is room."""
     taken: list[Box] = []
     named = [mark for mark in part.marks if mark.layer in ("REGION", "PATCH")]
     for mark in sorted(named, key=lambda mark: mark.layer):  # patches come first: they lie on regions
@@ -88,8 +88,8 @@ def _meet(box: Box, other: Box) -> bool:
     return box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]
 
 
-def _draw_held(sheet: Sheet, view: View, part: Part, legend: tuple[float, float]) -> None:
-    """A thick line beside each side that is held, and below the plan what these lines mean."""
+def _draw_supports(sheet: Sheet, view: View, part: Part, legend: tuple[float, float]) -> None:
+    """Draw a thick line beside each supported side, and a legend of these lines below the plan."""
     meaning = {}
     for mark in part.marks:
         if mark.layer != "HELD":
@@ -120,6 +120,6 @@ def _name_kinds(sheet: Sheet, view: View, part: Part) -> None:
 
 
 def letter(number: int) -> str:
-    """What a kind of pillar is called: A, B, ..., Z, A1, ..."""
+    """Name of a kind of pillar: A, B, ..., Z, A1, ..."""
     rounds, place = divmod(number, 26)
     return chr(ord("A") + place) + (str(rounds) if rounds else "")

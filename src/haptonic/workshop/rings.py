@@ -1,4 +1,4 @@
-"""A stack of discs as files for the workshop need it: rings of one material each, between two heights."""
+"""A stack of discs for workshop files: rings of one material each, between two heights."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from haptonic.workshop.shape import MM
 
 @dataclass(frozen=True)
 class Ring:
-    """What lies between two borders and two heights above the plate's lower face.
+    """Ring between two borders and two heights above the plate's lower face.
 
-    inner : None if the ring is a whole disc
+    inner : None for a full disc
     """
 
     inner: Scaled | None
@@ -35,11 +35,11 @@ class Ring:
 
 @dataclass(frozen=True)
 class Rings:
-    """A whole stack, with its image below if it has one.
+    """A whole stack, with its image on the lower face if it has one.
 
     levels : (storeys + 1,) ends of the storeys above the plate's lower face
-    grid : (storeys, borders + 1) the material of each ring by its place in ``materials``, or `VOID`; the last
-        column is the plate around the stack
+    grid : (storeys, borders + 1) index of each ring's material in ``materials``, or `VOID`; the last column
+        is the plate around the stack
     """
 
     levels: Array
@@ -49,19 +49,19 @@ class Rings:
 
     @classmethod
     def of(cls, stack: Stack, plate: Material) -> Rings:
-        """The rings, in mm, of a stack in m."""
+        """Rings, in mm, of a stack in m."""
         levels, grid = MM * stack.heights, np.array(stack.grid)
         if stack.mirrored:
             image = MM * stack.thickness - levels[:0:-1]
             levels, grid = np.concatenate([image, levels]), np.concatenate([grid[::-1], grid])
-        borders = tuple(Scaled(one.outline, MM * one.half_width) for one in stack.borders)
+        borders = tuple(Scaled(border.outline, MM * border.half_width) for border in stack.borders)
         materials = (plate, *stack.solids)
-        first = np.array([VOID, *map(materials.index, materials)])  # equal materials have one number
+        first = np.array([VOID, *map(materials.index, materials)])  # equal materials have one index
         grid = first[1 + np.where(grid == VOID, -1, grid)]
         return cls(levels=levels, grid=grid, borders=borders, materials=materials)
 
     def rings(self, material: Material) -> list[Ring]:
-        """What is of a material, within the widest border."""
+        """Rings of a material, within the widest border."""
         borders = (None, *self.borders)
         return [
             Ring(inner=inner, outer=outer, low=low, high=high)
@@ -72,17 +72,17 @@ class Rings:
 
     @property
     def are_holes(self) -> list[bool]:
-        """For each border, True if the plate or a disc within it ends there at a hole."""
+        """For each border, True if the plate or a disc inside it ends there at a hole."""
         in_plate = self.grid[self.grid[:, -1] != VOID]
         return [bool(hole) for hole in ((in_plate[:, :-1] == VOID) & (in_plate[:, 1:] != VOID)).any(axis=0)]
 
     def solids(self) -> list[list[Material | None]]:
-        """The material of each ring, None of an empty one, storey by storey."""
+        """Material of each ring, None for an empty one, storey by storey."""
         return [[None if n == VOID else self.materials[n] for n in row] for row in self.grid.tolist()]
 
     @property
     def narrowest(self) -> float:
-        """Twice the narrowest width between two borders, or the innermost one's."""
+        """Twice the narrowest width between two borders, or of the innermost border."""
         widths = np.diff([0.0, *(border.half_width for border in self.borders)])
         return 2 * float(widths[widths > 0].min())
 

@@ -1,4 +1,4 @@
-"""The section of a drawing: a row of pillars on their plate, cut along x through their axes."""
+"""Section of a drawing: a row of pillars on their plate, cut along x through their axes."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, Dimension, PillarShape, heights, sides
 from haptonic.workshop.sheet import APART, ARROW, SHELF, Box, Sheet, View, text_width
 
-Label = tuple[float, Callable[[float], None]]  # height that suits it best, and what draws it at a height
+Label = tuple[float, Callable[[float], None]]  # preferred height, and function that draws it at a height
 
 TOUCH = "touch face, keep flat"
-ROUND = 720  # corners that stand for a whole turn
+ROUND = 720  # corners of the polygon for a whole turn
 ROOM: Box = (36.0, 32.0, 46.0, 33.0)  # mm around the section, for its dimensions
 LANE = 8.0  # mm between a view and its first dimension line
 NEXT = 7.0  # mm between two dimension lines
@@ -35,10 +35,10 @@ ANGLES = (0.0, 90.0, 45.0, 135.0)  # of the hatches of different materials, degr
 
 @dataclass(frozen=True)
 class Row:
-    """What is cut: the plate from ``low`` to ``high`` along x.
+    """Cut through the plate from ``low`` to ``high`` along x.
 
-    features : pillars and stacks whose axes lie on the cut, with their x
-    axes : x of the first axis and of the next one of its kind; one of a single pillar, none of plain plate
+    features : pillars and stacks with axes on the cut, and their x
+    axes : x of the first axis and of the next one of its kind; one for a single pillar, none for plain plate
     """
 
     y: float
@@ -49,7 +49,7 @@ class Row:
 
     @classmethod
     def of(cls, part: Part) -> Row:
-        """The row of the first kind whose pillars are nearest to each other."""
+        """Row of the first kind of pillar, at the place where two are nearest to each other."""
         corner, end = part.corners
         if not part.standing:
             width = min(part.cell.lattice.pitch, part.size[0])
@@ -73,8 +73,8 @@ class Row:
 
 
 def nearest(places: Array, along: int) -> tuple[Array, float | None]:
-    """The place and the distance of the next one on its line along x or y; None if no line has two."""
-    rounded = np.round(places, FINEST)  # axes in one line are so up to rounding
+    """Position with the nearest next one on its line along x or y, and their distance; None without two."""
+    rounded = np.round(places, FINEST)  # axes on one line differ by rounding
     order = np.lexsort((rounded[:, along], rounded[:, 1 - along]))
     steps = np.diff(rounded[order], axis=0)
     apart = np.where(steps[:, 1 - along] == 0, steps[:, along], np.inf)
@@ -84,14 +84,14 @@ def nearest(places: Array, along: int) -> tuple[Array, float | None]:
 
 
 def pitch_of(part: Part, apart: float, along: int) -> Dimension:
-    """A distance along x or y; with the name of the lattice's own number where it is that."""
+    """A distance along x or y, with the name of the lattice's number if it equals that number."""
     side = sides(part.cell)[along]
     is_pitch = abs(apart - side.value) < 2 * 10**-FINEST
     return Dimension(side.name if is_pitch else "distance", apart, side.kind)
 
 
 def span(feature: Feature) -> Array:
-    """How far a pillar or a stack reaches to the right and to the left of its axis, at most."""
+    """Largest extent of a pillar or a stack to the right and to the left of its axis."""
     if isinstance(feature, Stack):
         return MM * feature.radius * chord(feature.outline)
     body = PillarShape.of(feature)
@@ -109,7 +109,7 @@ def draw_section(sheet: Sheet, box: Box, part: Part, tolerances: Mapping[str, fl
     below = thickness + above * part.cell.is_mirrored
     across, up = row.high - row.low, above + below
     view = View.fitting(across, up, box, ROOM)
-    corner = part.corners[1] + [part.size[0], -part.size[1]]  # where it lies in model space
+    corner = part.corners[1] + [part.size[0], -part.size[1]]  # of the section in model space
     origin = corner + np.array([-row.low, below])
     _draw_row(sheet.document.modelspace(), part, row, origin, view.scale)
     view = View(view.place(-0.5 * across - row.low, below), view.scale)
@@ -121,7 +121,7 @@ def draw_section(sheet: Sheet, box: Box, part: Part, tolerances: Mapping[str, fl
 
 
 def _draw_row(space: Modelspace, part: Part, row: Row, origin: Array, scale: float) -> None:
-    """Hatches and edges of the cut; ``origin`` is the place of x = 0 on the plate's top."""
+    """Draw hatches and edges of the cut; ``origin`` is the position of x = 0 on the plate's top."""
     plate, thickness = part.cell.material, part.cell.thickness
 
     def hatch(points: Array, solid: Material) -> None:
@@ -145,8 +145,8 @@ def _draw_row(space: Modelspace, part: Part, row: Row, origin: Array, scale: flo
         right, left = chord(body.outline)
         flank = body.flank(60)
         shape = np.concatenate([flank * [right, 1], flank[::-1] * [-left, 1]])
-        for way, level, ends in ((1, 0.0, above), (-1, -thickness, below))[: part.cell.copies]:
-            drawn = shape * [1, way] + [x, level]
+        for sign, level, ends in ((1, 0.0, above), (-1, -thickness, below))[: part.cell.copies]:
+            drawn = shape * [1, sign] + [x, level]
             hatch(drawn, solid)
             edge(drawn if solid == plate else np.concatenate([drawn, drawn[:1]]))
             ends += [drawn[-1, 0], drawn[0, 0]]
@@ -169,7 +169,7 @@ def _pairs(ends: list[float]) -> Iterator[tuple[float, float]]:
 def _draw_stack(
     stack: Rings, foot: Array, hatch: Callable[[Array, Material], None], edge: Callable[[Array], None]
 ) -> None:
-    """Rings to both sides of an axis; ``foot`` is its place on the plate's lower face."""
+    """Draw rings on both sides of an axis; ``foot`` is its position on the plate's lower face."""
     solids, levels = stack.solids(), stack.levels.tolist()
     for way, side in ((0, 1), (1, -1)):
         widths = [0.0, *(side * b.half_width * chord(b.outline)[way] for b in stack.borders)]
@@ -189,7 +189,7 @@ def _draw_stack(
 
 @dataclass(frozen=True)
 class _Labels:
-    """Dimensions around the section; heights count from the plate's top."""
+    """Dimensions around the section; heights are measured from the plate's top."""
 
     sheet: Sheet
     view: View
@@ -237,7 +237,7 @@ class _Labels:
             self.widths(body, [dimension for dimension in shown if dimension.kind == "width"], top)
 
     def storeys(self, stack: Stack) -> list[Dimension]:
-        """Heights of a stack, over all and storey by storey."""
+        """Heights of a stack: overall, and storey by storey."""
         ends = MM * (stack.heights - stack.thickness)
         top = float(ends[-1])
         whole = [Dimension("distance", top, "left", high=top)] if stack.height else []
@@ -257,7 +257,7 @@ class _Labels:
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
     def sign(self, body: PillarShape, dimension: Dimension) -> str | None:
-        """Before the text of what a leader points to; None of what has a dimension line."""
+        """Sign before the text of a leader; None for a number with a dimension line."""
         if dimension.kind == "width" and (not is_measured(body) or self.hidden_width(body, dimension)):
             return body.form.sign
         return {"radius": "R", "angle": "draft "}.get(dimension.kind)
@@ -268,12 +268,12 @@ class _Labels:
 
     @staticmethod
     def beside(labels: list[Label], low: float, high: float) -> None:
-        """Draw labels at the heights that suit them best, moved apart where needed within bounds."""
+        """Draw labels at their preferred heights, moved apart where necessary within bounds."""
         for (_, draw), height in zip(labels, spread([y for y, _ in labels], APART, low, high), strict=True):
             draw(height)
 
     def height(self, dimension: Dimension, lane: float, side: Literal[-1, 1]) -> Label:
-        """A dimension line beside the view, and the height that suits its text best."""
+        """A dimension line beside the view, and the preferred height of its text."""
         feature = self.part.standing[0][0] if self.part.standing else None
 
         def start(up: float) -> float:
@@ -296,14 +296,14 @@ class _Labels:
         return 0.5 * (low[1] + high[1]), draw
 
     def pointed(self, body: PillarShape, dimension: Dimension, column: float, sign: str) -> Label:
-        """A leader, where extension lines show nothing: those of a small angle lie on each other."""
+        """A leader, for numbers whose extension lines would coincide, such as a small angle."""
         right = chord(body.outline)[0]
         tip = self.view.place(self.row.axes[-1] + right * dimension.place[0], dimension.place[1])
         text = text_of(dimension, self.tolerances.get(dimension.name or ""), sign)
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
     def widths(self, body: PillarShape, shown: list[Dimension], ceiling: float) -> None:
-        """Above ``ceiling``, the narrowest lowest; below the foot if it is narrower than what is above."""
+        """Draw widths above ``ceiling``, the narrowest lowest; a foot narrower than its pillar, below it."""
         if not is_measured(body):
             return
         axis = self.row.axes[-1]
@@ -333,14 +333,14 @@ class _Labels:
         sign: str,
         beyond: float,
     ) -> None:
-        """A level dimension; its text lies to the right of ``beyond`` where it is wider than the length."""
+        """A level dimension; if its text is wider than the length, it is to the right of ``beyond``."""
         fits = text_width(text_of(dimension, half_width, sign)) + 2 * ARROW < ends[1][0] - ends[0][0]
         shelf = None if fits else (beyond + 2 * SHELF, line)
         self.sheet.dimension(self.view, ends, line, dimension, half_width, sign=sign, shelf=shelf)
 
 
 def chord(outline: Outline) -> Array:
-    """How far an outline reaches along x to the right and to the left of its axis, in half-widths."""
+    """Extent of an outline along x to the right and to the left of its axis, in half-widths."""
     corners = outline.polygon(ROUND, 1)
     after = np.roll(corners, -1, axis=0)
     crossing = (corners[:, 1] <= 0) != (after[:, 1] <= 0)
@@ -350,5 +350,5 @@ def chord(outline: Outline) -> Array:
 
 
 def is_measured(body: PillarShape) -> bool:
-    """True if the cut along x is as wide as the numbers of the section say."""
+    """True if the cut along x is as wide as the numbers of the section."""
     return bool(np.allclose(chord(body.outline), 1, rtol=1e-6))

@@ -1,8 +1,8 @@
-"""What every file of a workshop derives from: the shape of a pillar and the numbers that make a cell.
+"""Shape of a pillar and dimensions of a cell, from which all workshop files are derived.
 
-Lengths are in the unit of what they are taken from, millimetres for a `Part`. A place on a pillar is
-(half-width, height above the plate's top). A new number of the cell is added here, to `PillarShape.of` and
-`dimensions`. Horizontal cuts are outlines (`cell.outlines`): the files follow a new one.
+Lengths are in the unit of the source, millimetres for a `Part`. A place on a pillar is (half-width, height
+above the plate's top). Add a new number of the cell here, to `PillarShape.of` and `dimensions`. Horizontal
+cuts are outlines (`cell.outlines`), so the files support a new outline without a change.
 """
 
 from __future__ import annotations
@@ -25,12 +25,13 @@ MM = 1e3  # mm in a metre
 
 @dataclass(frozen=True)
 class PillarShape:
-    """What stands on every cell: an outline whose half-width follows a profile.
+    """Shape of a pillar: an outline whose half-width follows a profile.
 
-    outline : of every horizontal cut, for a half-width of 1; form : the section that it comes from
+    outline : of every horizontal cut, for a half-width of 1
+    form : section that it comes from
     side : (n, 2) places from the foot, or the end of its fillet, to the top's edge, straight in between
-    arc : the fillet before them, if there is one
-    outlines : half-widths that are cut to, by the layer that a DXF file has them on
+    arc : fillet before these places, or None
+    outlines : half-widths of the cuts in a DXF file, by layer
     """
 
     outline: Outline
@@ -64,37 +65,37 @@ class PillarShape:
 
     @property
     def foot(self) -> float:
-        """Half-width where it meets the plate, the fillet counted."""
+        """Half-width at the plate, including the fillet."""
         return max(self.outlines["PILLAR"], self.outlines.get("FILLET", 0.0))
 
     @property
     def widest(self) -> float:
-        """Largest half-width, the fillet not counted."""
+        """Largest half-width, without the fillet."""
         return max(self.outlines["PILLAR"], float(self.side[:, 0].max()))
 
     def flank(self, pieces: int) -> Array:
-        """(n, 2) the profile from the plate to the top's edge, its fillet in so many straight pieces."""
+        """(n, 2) the profile from the plate to the top's edge, its fillet in ``pieces`` straight pieces."""
         if self.arc is None:
             return self.side
         return np.concatenate([self.arc.at(np.arange(pieces) / pieces), self.side])
 
     def is_free_above(self, half_width: float, height: float) -> bool:
-        """Whether nothing above this height is wider: a tool, or an extension line, gets there from above."""
+        """True if nothing above this height is wider, so that a tool or an extension line reaches it."""
         above = self.side[self.side[:, 1] > height, 0]
         return bool((above <= half_width * (1 + 1e-9)).all())
 
 
 @dataclass(frozen=True)
 class Dimension:
-    """A number of the cell, and where the drawing shows it.
+    """A number of the cell, and its position in the drawing.
 
-    name : its path in a study; none for one that follows from others and is shown for reference
+    name : its path in a study; None for a number that follows from others and is shown for reference
     value : m or rad (mm for a cell in mm)
-    kind : along the plan's sides, "across" and "deep"; in the section a height ("left" or "right" of it), the
-        "width" at a place, the "radius" of the fillet or the "angle" of a side; the "turn" and what else is
-        "seen" from above are in the list alone
-    low, high : heights between which it lies, of a height
-    place : where it is seen, of all others in the section
+    kind : "across" and "deep" along the plan's sides; in the section a height ("left" or "right" of it), the
+        "width" at a place, the "radius" of the fillet or the "angle" of a side; the "turn" and other numbers
+        "seen" from above are only in the list
+    low, high : ends of a height
+    place : position of the other numbers in the section
     """
 
     name: str | None
@@ -107,16 +108,16 @@ class Dimension:
 
 def dimensions(cell: UnitCell) -> list[Dimension]:
     """Every dimension of a cell, in the cell's unit of length and radians."""
-    found = [*sides(cell), *heights(cell.thickness, None)]
+    numbers = [*sides(cell), *heights(cell.thickness, None)]
     if cell.lattice.angle is not None:
-        found.append(Dimension("cell.angle", cell.lattice.angle, "angle"))
+        numbers.append(Dimension("cell.angle", cell.lattice.angle, "angle"))
     for at, (number, *_) in cell.pillar_tables.items():
-        found += heights(cell.thickness, cell.pillars[number], at)[1:]
-    return found
+        numbers += heights(cell.thickness, cell.pillars[number], at)[1:]
+    return numbers
 
 
 def sides(cell: UnitCell) -> list[Dimension]:
-    """Of the lattice: its pitch, and the second one or the pitch again."""
+    """Dimensions of the lattice: its pitch, and the second pitch, or the first one again."""
     others = {name: getattr(cell.lattice, name) for name in ("pitch_y", "pitch_2", "pitch")}
     second = next(name for name, value in others.items() if value is not None)
     return [
@@ -126,33 +127,33 @@ def sides(cell: UnitCell) -> list[Dimension]:
 
 
 def heights(thickness: float, pillar: Pillar | None, at: str = "cell.pillar") -> list[Dimension]:
-    """Of a section through plate and pillar, which a table of the study gives; the thickness first."""
-    found = [Dimension("cell.thickness", thickness, "left", low=-thickness)]
+    """Dimensions of a section through plate and pillar, which a table of the study gives; thickness first."""
+    numbers = [Dimension("cell.thickness", thickness, "left", low=-thickness)]
     if pillar is None:
-        return found
+        return numbers
     body = PillarShape.of(pillar)
-    found.append(Dimension(f"{at}.diameter", pillar.diameter, "width", place=(pillar.radius, 0.0)))
-    found.append(Dimension(f"{at}.height", pillar.height, "left", high=pillar.height))
+    numbers.append(Dimension(f"{at}.diameter", pillar.diameter, "width", place=(pillar.radius, 0.0)))
+    numbers.append(Dimension(f"{at}.height", pillar.height, "left", high=pillar.height))
     for name in ("length", "corner_radius", "turn"):
         if (value := getattr(pillar, name)) is not None:
-            found.append(Dimension(f"{at}.{name}", value, "turn" if name == "turn" else "seen"))
+            numbers.append(Dimension(f"{at}.{name}", value, "turn" if name == "turn" else "seen"))
     if pillar.arc is not None:
         width, height = pillar.arc.at(0.75).tolist()
-        found.append(Dimension(f"{at}.fillet", pillar.fillet, "radius", place=(width, height)))
+        numbers.append(Dimension(f"{at}.fillet", pillar.fillet, "radius", place=(width, height)))
     if pillar.step is not None:
         step = pillar.step
-        found.append(Dimension(f"{at}.step.height", step.height, "right", high=step.height))
+        numbers.append(Dimension(f"{at}.step.height", step.height, "right", high=step.height))
         place = (0.5 * step.diameter, step.height)
-        found.append(Dimension(f"{at}.step.diameter", step.diameter, "width", place=place))
+        numbers.append(Dimension(f"{at}.step.diameter", step.diameter, "width", place=place))
     if pillar.draft:
         top, last = body.side[-1].tolist(), len(pillar.stages) - 1
         height = 0.6 * top[1] + 0.4 * pillar.stages[last][0]
         place = (pillar.half_width(height, last), height)
-        found.append(Dimension(f"{at}.draft", pillar.draft, "angle", place=place))
-        found.append(Dimension(None, 2 * top[0], "width", place=(top[0], top[1])))
-    return found
+        numbers.append(Dimension(f"{at}.draft", pillar.draft, "angle", place=place))
+        numbers.append(Dimension(None, 2 * top[0], "width", place=(top[0], top[1])))
+    return numbers
 
 
 def dimensions_of(cell: UnitCell) -> dict[str, float]:
-    """Name and value (m, rad) of every dimension that makes this cell."""
-    return {one.name: one.value for one in dimensions(cell) if one.name}
+    """Name and value (m, rad) of every dimension of a cell."""
+    return {dimension.name: dimension.value for dimension in dimensions(cell) if dimension.name}

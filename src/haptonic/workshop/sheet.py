@@ -1,8 +1,8 @@
 """A sheet in the paper space of a DXF document: dimensions, leaders and text, and views of its model space.
 
-ezdxf draws the dimensions, the views and the picture. Two things it does not do: it guesses how wide a text
-is, so texts beside a dimension are placed here by their true width; and its pictures fill the outlines of
-letters, where `_Pipeline` writes text, which can be searched in a PDF.
+ezdxf draws the dimensions, the views and the picture, with two exceptions: it only estimates the width of a
+text, so texts beside a dimension are placed here by their true width; and its pictures fill the outlines of
+letters, so `_Pipeline` writes text instead, which can be searched in a PDF.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ SIZE = 2.5  # mm, height of capitals (ISO 3098)
 SMALL = 1.8
 CAPITAL = 0.729  # height of DejaVu Sans' capitals, in its size
 ARROW = 2.6  # mm
-GAP, BEYOND = 0.8, 1.5  # mm: extension lines begin and end so far from what they belong to
+GAP, BEYOND = 0.8, 1.5  # mm: distance of extension lines from their edge, and beyond the dimension line
 LEG = 1.2  # mm, half the straight ends of the line to a number beside an edge
 SHORT = 3 * ARROW  # mm; shorter dimension lines end in oblique strokes
 SHELF = 2.0  # mm between a dimension line and its text
@@ -56,10 +56,10 @@ SCALES = [step * 10.0**power for power in range(3, -4, -1) for step in (5, 2, 1)
 
 Place = tuple[float, float]  # mm on the paper
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm
-FONT = "DejaVuSans.ttf"  # comes with matplotlib: the same picture on every machine
+FONT = "DejaVuSans.ttf"  # included in matplotlib: the same picture on every machine
 BOLD = "DejaVuSans-Bold.ttf"
 
-# layer: hundredths of a millimetre that its lines are wide, and dashes and gaps (mm)
+# layer: line width in hundredths of a millimetre, and dashes and gaps (mm)
 LAYERS: dict[str, tuple[int, tuple[float, ...]]] = {
     "OUTLINE": (50, ()),
     "THIN": (18, ()),
@@ -77,7 +77,7 @@ LAYERS: dict[str, tuple[int, tuple[float, ...]]] = {
 
 @dataclass(frozen=True)
 class View:
-    """Where on the paper (mm) the origin of a body lies, and how much larger it is drawn."""
+    """Position of a body's origin on the paper (mm), and scale of the drawing."""
 
     origin: tuple[float, float]
     scale: float
@@ -90,7 +90,7 @@ class View:
         return cls((box[0] + room[0] + 0.5 * across, box[1] + room[1] + 0.5 * (up - scale * height)), scale)
 
     def place(self, right: float, up: float) -> tuple[float, float]:
-        """The point so far (mm of the body) to the right of the origin and above it."""
+        """Point on the paper for a point of the body, in mm to the right of the origin and above it."""
         return self.origin[0] + self.scale * right, self.origin[1] + self.scale * up
 
     def __str__(self) -> str:
@@ -101,7 +101,7 @@ class View:
 class Sheet:
     """The sheet of a document; the origin is its lower left corner, lengths are mm.
 
-    title, date : of the drawing on it; without a date, the same drawing is the same file at any time
+    title, date : of the drawing on it; without a date, the same drawing always gives the same file
     """
 
     document: Drawing
@@ -112,7 +112,7 @@ class Sheet:
 
     @classmethod
     def of(cls, document: Drawing, title: str = "", date: datetime.date | None = None) -> Sheet:
-        """An empty sheet for a document, with its layers and styles."""
+        """Make an empty sheet for a document, with its layers and styles."""
         if not fonts.font_manager.has_font(FONT) or not fonts.font_manager.has_font(BOLD):
             fonts.font_manager.scan_folder(Path(mpl.get_data_path()) / "fonts" / "ttf")
         document.styles.add("PLAIN", font=FONT)
@@ -146,15 +146,15 @@ class Sheet:
         align: Literal["LEFT", "CENTER", "RIGHT"] = "LEFT",
         bold: bool = False,
     ) -> None:
-        """One line of text, its baseline at ``place``."""
+        """Write one line of text with its baseline at ``place``."""
         style = {"layer": "TEXT", "style": "BOLD" if bold else "PLAIN"}
         entity = self.space.add_text(_literal(text), height=size, dxfattribs=style)
         entity.set_placement((float(place[0]), float(place[1])), align=TextEntityAlignment[align])
 
     def notes(self, place: Place, title: str, notes: Mapping[str, str], width: float) -> None:
-        """A title and a list below and to the right of ``place``, its lines broken at ``width``.
+        """Write a title and a list below and to the right of ``place``, with lines broken at ``width``.
 
-        notes : each by its number or letter
+        notes : notes by their numbers or letters
         """
         plain = [re.sub(r"([\\{}])", r"\\\1", _literal(note)) for note in notes.values()]
         text = MTextEditor(f"{title}\\P").bullet_list(
@@ -168,22 +168,23 @@ class Sheet:
         view: View,
         ends: tuple[Place, Place],
         line: float,
-        one: Dimension,
+        number: Dimension,
         half_width: float | None = None,
         *,
         sign: str = "",
         upright: bool = False,
         shelf: Place | None = None,
     ) -> None:
-        """Dimension between two places on the paper, its line at the height (``upright``: the x) ``line``.
+        """Draw a dimension between two points, with its line at the height (``upright``: x) ``line``.
 
         Parameters
         ----------
-        half_width : of its tolerance, m or None; sign : in front of the number, such as that of a diameter
-        shelf : where that below the text begins, if the text does not stand on the dimension line
+        half_width : half-width of its tolerance, m or None
+        sign : sign before the number, such as that of a diameter
+        shelf : start of the shelf below the text, for a text that is not on the dimension line
         """
         (x0, y0), (x1, y1) = ((float(x), float(y)) for x, y in ends)
-        override = {"dimlfac": 1 / view.scale, **style_of(one, half_width, sign)}
+        override = {"dimlfac": 1 / view.scale, **style_of(number, half_width, sign)}
         if abs(y1 - y0 if upright else x1 - x0) < SHORT:
             override["dimtsz"] = ARROW / 3
         dimension = self.space.add_linear_dim(
@@ -192,14 +193,14 @@ class Sheet:
         )  # fmt: skip
         if shelf is not None:
             middle = (line, 0.5 * (y0 + y1)) if upright else (0.5 * (x0 + x1), line)
-            width = text_width(text_of(one, half_width, sign)) + 1
+            width = text_width(text_of(number, half_width, sign)) + 1
             width *= 1 if shelf[0] > middle[0] else -1
             dimension.set_location((shelf[0] + 0.5 * width, shelf[1] + DESCENT + 0.5 * SIZE))
             self.line([middle, shelf, (shelf[0] + width, shelf[1])], "DIMENSION")
         dimension.render()
 
     def ordinate(self, view: View, at: Place, end: Place, *, upright: bool = False) -> None:
-        """How far from the origin of a view a place on the paper lies along x (``upright``: y)."""
+        """Draw the distance of a point from the origin of a view along x (``upright``: y)."""
         x, y = (a - b for a, b in zip(end, at, strict=True))
         add = self.space.add_ordinate_y_dim if upright else self.space.add_ordinate_x_dim
         override = {"dimlfac": 1 / view.scale, "dimdec": DECIMALS, "dimzin": 8, "dimtad": 0, "dimasz": LEG}
@@ -209,20 +210,20 @@ class Sheet:
         ).render()  # fmt: skip
 
     def leader(self, tip: Place, label: Place, text: str, side: Literal[-1, 1]) -> None:
-        """Text on a shelf that begins at ``label``, joined to ``tip`` by a line with an arrow there."""
+        """Write text on a shelf that begins at ``label``, with a line to an arrow at ``tip``."""
         end = (label[0] + side * text_width(text), label[1])
         look = {"layer": "DIMENSION"}
         self.space.add_leader([tip, label, end], dimstyle="SHEET", dxfattribs=look)
         self.text((min(label[0], end[0]), label[1] + DESCENT), text)
 
     def window(self, view: View, low: Place, high: Place) -> None:
-        """What lies between two corners in model space, at a view's scale."""
+        """Show the rectangle between two corners of model space, at a view's scale."""
         (left, bottom), (right, top) = view.place(*low), view.place(*high)
         window = self.space.add_viewport(
             (0.5 * (left + right), 0.5 * (bottom + top)), (right - left, top - bottom),
             (0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])), high[1] - low[1],
         )  # fmt: skip
-        window.dxf.layer = "Defpoints"  # which is not plotted: no border
+        window.dxf.layer = "Defpoints"  # which is not plotted, so there is no border
 
     @drawn
     def figure(self) -> Figure:
@@ -253,20 +254,20 @@ def shortened(text: str, width: float, size: float, bold: bool = False) -> str:
     """A text cut so that it is at most ``width`` mm wide."""
     if text_width(text, size, bold) <= width:
         return text
-    text = text[: int(4 * width / size)]  # no letter that is read is narrower than a quarter of its height
+    text = text[: int(4 * width / size)]  # every legible letter is wider than a quarter of its height
     while text and text_width(f"{text}…", size, bold) > width:
         text = text[:-1].rstrip()
     return f"{text}…"
 
 
 def _literal(text: str) -> str:
-    """One line in which a caret and two per cent signs, codes of DXF, mean themselves."""
+    """One line in which a caret and two per cent signs, codes of DXF, are escaped."""
     line = visible(text).translate({ord("\t"): " ", ord("\n"): " ", ord("^"): "^ "}).replace("%%", "% %")
-    return line + "\N{NO-BREAK SPACE}" * line.endswith("^ ")  # readers take a caret at the end away
+    return line + "\N{NO-BREAK SPACE}" * line.endswith("^ ")  # readers drop a caret at the end
 
 
 class _Pipeline(RenderPipeline2d):
-    """Draws text as text."""
+    """Pipeline that draws text as text."""
 
     def __init__(self, axes: Axes) -> None:
         super().__init__(MatplotlibBackend(axes, adjust_figure=False))

@@ -1,7 +1,7 @@
-"""The exact solid as a STEP file, by OpenCascade as it comes with ``netgen-mesher``.
+"""Exact solid as a STEP file, by the OpenCascade of ``netgen-mesher``.
 
-The solid has its true surfaces: cylinders, cones and fillets of circular section. OpenCascade counts in
-millimetres here, and the file says so.
+The solid has exact surfaces: cylinders, cones and circular fillets. OpenCascade works in millimetres here,
+and the file gives this unit.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Ring
 from haptonic.workshop.shape import MM, PillarShape
 
-# OpenCascade, as NETGEN calls it, puts its own name where the product's and the author's belong.
+# OpenCascade, called by NETGEN, writes its own name instead of the product's and the author's.
 _HEADER = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
 _PRODUCT = re.compile(r"PRODUCT\('[^']*',\s*'[^']*',")
 
 
 def solid(part: Part) -> Any:
-    """The plate with all that stands on it in mm; its lower face lies at z = 0.
+    """Solid of the plate with all its pillars and discs in mm; its lower face lies at z = 0.
 
-    Of one material it is one OpenCascade solid, of several a compound of solids that have their names.
+    For one material it is one OpenCascade solid, for several a compound of solids with the materials' names.
 
     Raises
     ------
@@ -54,7 +54,7 @@ def solid(part: Part) -> Any:
 
 
 def _plate(occ: ModuleType, part: Part) -> Any:
-    """The plate without what belongs to stacks of discs."""
+    """Plate without the space of stacks of discs."""
     thickness = part.cell.thickness
 
     def filled(loop: Array) -> Any:
@@ -99,7 +99,7 @@ def _prism(occ: ModuleType, ring: Ring) -> Any:
 
 
 def write_step(path: Path, part: Part, *, title: str = "Plate", overwrite: bool = False) -> Path:
-    """Write a part as a STEP file in mm; the same part is the same file.
+    """Write a part as a STEP file in mm; the same part always gives the same file.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ def volume_of_step(path: Path) -> float:
 
     Raises
     ------
-    ResourceError : OpenCascade is missing, or there is no such file, or it holds no solid
+    ResourceError : OpenCascade is missing, or the file does not exist or has no solid
     """
     occ = _occ()
     from netgen.meshing import NgException
@@ -142,14 +142,14 @@ def volume_of_step(path: Path) -> float:
             argument="STEP file",
             given=path,
             allowed="a STEP file with a solid in it",
-            cause="it is missing, of another format, or holds surfaces only",
+            cause="it is missing, of another format, or has surfaces only",
             next_step="export the part as a solid, in the format STEP (ISO 10303-21)",
         )
     return float(sum(body.mass for body in solids)) / MM**3  # OpenCascade's mass is of density 1
 
 
 def need_opencascade() -> None:
-    """Refuse to go on where no STEP file can be written.
+    """Refuse to continue if no STEP file can be written.
 
     Raises
     ------
@@ -174,7 +174,7 @@ def _occ() -> ModuleType:
 
 
 def _pillar(occ: ModuleType, body: PillarShape) -> Any:
-    """A turned profile, what profiles along all sides share, or upright prisms one upon the other."""
+    """Pillar as a revolved profile, an intersection of profiles along all sides, or prisms on each other."""
     if body.outline.is_tangential:
         return _cut(occ, body) if body.outline.joints else _turned(occ, body)
     shape = None
@@ -198,14 +198,14 @@ def _flank(occ: ModuleType, body: PillarShape) -> list[Any]:
 
 
 def _turned(occ: ModuleType, body: PillarShape) -> Any:
-    """The profile turned about the axis."""
+    """Profile revolved about the axis."""
     top = float(body.side[-1, 0])
     rest = _line(occ, (top, body.height), (0, body.height), (0, 0), (body.foot, 0))
     return occ.Revolve(occ.Face(occ.Wire([*_flank(occ, body), *rest])), occ.Axis((0, 0, 0), occ.Z), 360)
 
 
 def _cut(occ: ModuleType, body: PillarShape) -> Any:
-    """What bars with the profile on one side, one along each side of the outline, have in common."""
+    """Intersection of bars with the profile on one side, one bar along each side of the outline."""
     axis, top = occ.Axis((0, 0, 0), occ.Z), float(body.side[-1, 0])
     reach = 2 * max(body.foot, body.widest) * body.outline.reach
     rest = _line(occ, (top, body.height), (-reach, body.height), (-reach, 0), (body.foot, 0))
@@ -218,7 +218,7 @@ def _cut(occ: ModuleType, body: PillarShape) -> Any:
 
 
 def _filled(occ: ModuleType, outline: Outline, half_width: float) -> Any:
-    """The inside of an outline as a face at z = 0."""
+    """Inside of an outline as a face at z = 0."""
     if not outline.joints:
         (large, small), (a, b) = outline.half_axes
         plane = occ.WorkPlane(occ.Axes((0, 0, 0), occ.Z, occ.Dir(a, b, 0)))
@@ -232,7 +232,7 @@ def _filled(occ: ModuleType, outline: Outline, half_width: float) -> Any:
 
 
 def _quoted(text: str) -> str:
-    """A string of STEP (ISO 10303-21): quotes and backslashes doubled, what is not ASCII by its number."""
+    """A string of STEP (ISO 10303-21): quotes and backslashes doubled, other characters by their codes."""
     doubled = text.replace("\\", "\\\\").replace("'", "''")
     codes = (c if " " <= c <= "~" else f"\\X2\\{c.encode('utf-16-be').hex().upper()}\\X0\\" for c in doubled)
     return f"'{''.join(codes)}'"

@@ -1,10 +1,10 @@
-"""The surface of each material as a watertight triangulation in an STL file, in mm.
+"""Surface of each material as a watertight triangulation in an STL file, in mm.
 
-OpenCascade would need the extra ``cad``, and as NETGEN brings it has no writer of STL, so the surface is made
-here, and meshio writes the file. Every horizontal outline of a pillar is a multiple of one polygon, so its
-side is a grid of levels times corners. The plate's top is a Delaunay triangulation of all corners on it: the
-sides of round feet are among its edges, since the circle through all corners of a foot holds no others; other
-sides are halved until they are.
+OpenCascade would need the extra ``cad``, and NETGEN's copy cannot write STL, so the surface is made here, and
+meshio writes the file. Every horizontal outline of a pillar is a multiple of one polygon, so its side is a
+grid of levels times corners. The plate's top is a Delaunay triangulation of all corners on it: it contains
+the sides of round feet, because the circle through all corners of a foot contains no others; other sides are
+halved until it contains them.
 """
 
 from __future__ import annotations
@@ -31,22 +31,22 @@ from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, PillarShape
 
-CHORD = 5e-6  # m, by default the largest distance between a curved surface and its triangles
+CHORD = 5e-6  # m, default for the largest distance between a curved surface and its triangles
 SLIGHT = 0.004  # of the narrowest part, for parts below 1.25 mm
-HALVINGS = 10  # of a side; lattices whose square feet nearly touch need none, feet across a notch two
-ROUND = 3  # pieces of a fillet at least, so that they meet at 30 degrees and look round
+HALVINGS = 10  # of a side at most; square feet that nearly touch need none, feet across a notch need two
+ROUND = 3  # smallest number of pieces of a fillet, so that they meet at 30 degrees and look round
 FLAT = 1e-13  # of the part's size squared: areas of triangles between corners on one line
 
 
 def surface(part: Part, *, chord: float | None = None, material: Material | None = None) -> meshio.Mesh:
-    """Closed surface of what is of a material, by default the plate's, in m.
+    """Closed surface of all parts of a material, by default the plate's, in m.
 
-    Triangles run anticlockwise seen from outside. Their corners lie on the true surface; its curves are off
-    by at most ``chord`` (m), by default 5 um, and less for parts narrower than 1.25 mm.
+    Triangles run anticlockwise seen from outside. Their corners lie on the exact surface; curves deviate by
+    at most ``chord`` (m), by default 5 um, and less for parts narrower than 1.25 mm.
 
     Raises
     ------
-    GeometryError : a useless ``chord``
+    GeometryError : a ``chord`` that is too small or too large
     """
     chord = min(CHORD, SLIGHT * part.narrowest / MM) if chord is None else chord
     if not 1e-6 * part.narrowest < chord * MM < 0.1 * part.narrowest:
@@ -57,7 +57,7 @@ def surface(part: Part, *, chord: float | None = None, material: Material | None
             cause="the triangles would be too many, or the pillar would no longer be recognised",
             next_step="leave it out, or choose a tenth of the workshop's tolerance",
         )
-    edges, pieces = list(part.outline), 1  # how finely the sides of the plate and of square feet are cut
+    edges, pieces = list(part.outline), 1  # pieces: subdivision of the sides of square feet
     for _ in range(HALVINGS):
         pillars = [
             (*_pillar(PillarShape.of(pillar), chord * MM, pieces), part.solid_of(pillar), places)
@@ -83,14 +83,14 @@ def surface(part: Part, *, chord: float | None = None, material: Material | None
     skin = _Skin([np.insert(corners, 2, z, axis=1) for z in (0.0, part.cell.thickness)], 2 * up)
     for loop in _numbered(edges):
         skin.between(plate, None, _strips(np.stack([loop, loop + up])))
-    lower, upper = [np.arange(up)], [np.arange(up) + up]  # numbers of the corners on the plate's faces
-    for way, numbers in ((1, upper), (-1, lower))[: part.cell.copies]:
+    lower, upper = [np.arange(up)], [np.arange(up) + up]  # indices of the corners on the plate's faces
+    for sign, numbers in ((1, upper), (-1, lower))[: part.cell.copies]:
         for body, side, around, solid, places in pillars:
             under = _inside([body[:around, :2]], [])[0] if solid != plate else side[:0]
             for x, y in places:
-                first = skin.add(body * [1, 1, way] + [x, y, part.cell.thickness * (way > 0)])
-                skin.between(solid, None, side[:, ::way] + first)
-                skin.between(plate, solid, under[:, ::way] + first)
+                first = skin.add(body * [1, 1, sign] + [x, y, part.cell.thickness * (sign > 0)])
+                skin.between(solid, None, side[:, ::sign] + first)
+                skin.between(plate, solid, under[:, ::sign] + first)
                 numbers.append(np.arange(around) + first)
     for stack, loops, places in stacks:
         floor, ceiling = (int(np.abs(stack.levels - z).argmin()) for z in (0.0, part.cell.thickness))
@@ -104,25 +104,25 @@ def surface(part: Part, *, chord: float | None = None, material: Material | None
 
 
 class _Skin:
-    """Points in mm, and the triangles around each material, while they are collected."""
+    """Points in mm, and triangles around each material, while they are collected."""
 
     def __init__(self, points: list[Array], count: int) -> None:
         self.points, self.count = points, count
         self.triangles: dict[Material, list[Ints]] = {}
 
     def add(self, points: Array) -> int:
-        """The number of the first of some further points."""
+        """Add points, and return the index of the first."""
         self.points.append(points)
         self.count += len(points)
         return self.count - len(points)
 
     def between(self, inside: Material | None, outside: Material | None, triangles: Ints) -> None:
-        """Triangles anticlockwise seen from ``outside``; nothing where both are the same."""
+        """Add triangles anticlockwise seen from ``outside``; none if both materials are the same."""
         if inside == outside:
             return
-        for solid, way in ((inside, 1), (outside, -1)):
+        for solid, step in ((inside, 1), (outside, -1)):
             if solid is not None:
-                self.triangles.setdefault(solid, []).append(triangles[:, ::way])
+                self.triangles.setdefault(solid, []).append(triangles[:, ::step])
 
     def mesh(self, material: Material) -> meshio.Mesh:
         triangles = np.concatenate(self.triangles[material])
@@ -132,7 +132,7 @@ class _Skin:
 
 
 def _borders(stack: Rings, chord: float, pieces: int) -> list[Array]:
-    """The borders of a stack at the origin as polygons."""
+    """Borders of a stack at the origin as polygons."""
     return [
         border.half_width * _polygon(border.outline, border.half_width, chord, pieces)
         for border in stack.borders
@@ -140,13 +140,13 @@ def _borders(stack: Rings, chord: float, pieces: int) -> list[Array]:
 
 
 def _add_stack(skin: _Skin, stack: Rings, loops: list[Array], place: Array) -> list[Ints]:
-    """The faces of all rings about a place; the numbers of the widest border's corners at each level."""
+    """Add the faces of all rings about a place; return indices of the widest border's corners by level."""
     around = np.concatenate([loop + place for loop in loops])
     first = [skin.add(np.insert(around, 2, z, axis=1)) for z in stack.levels]
     numbers = _numbered(loops)
     solids = np.array([*stack.materials, None], dtype=object)[
         np.pad(np.where(stack.grid == VOID, -1, stack.grid), ((1, 1), (0, 0)), constant_values=-1)
-    ]  # of each ring, and of nothing below and above
+    ]  # of each ring, and None below and above
     for row, (low, high) in zip(solids[1:-1], pairwise(first), strict=True):
         for k, loop in enumerate(numbers):
             skin.between(row[k], row[k + 1], _strips(np.stack([loop + low, loop + high])))
@@ -168,7 +168,7 @@ def write_stl(
     material: Material | None = None,
     overwrite: bool = False,
 ) -> Path:
-    """Write what is of a material, by default the plate's, as a binary STL file in mm.
+    """Write all parts of a material, by default the plate's, as a binary STL file in mm.
 
     Raises
     ------
@@ -183,19 +183,19 @@ def write_stl(
 
 
 def _polygon(outline: Outline, half_width: float, chord: float, pieces: int) -> Array:
-    """An outline of half-width 1 by so many corners that, at ``half_width``, it is off by a chord at most."""
+    """Polygon of an outline of half-width 1, with deviations below ``chord`` at ``half_width``."""
     half_turn = math.acos(1 - chord / (outline.reach * half_width))
     return outline.polygon(4 * math.ceil(math.pi / half_turn / 4), pieces)
 
 
 def _pillar(body: PillarShape, chord: float, pieces: int) -> tuple[Array, Ints, int]:
-    """A pillar that stands at the origin.
+    """Make a pillar at the origin.
 
     Returns
     -------
     points : (n, 3), level by level from the foot, the top's centre last
-    side : (m, 3) triangles of its side and top, as numbers of these points
-    around : how many points each level has
+    side : (m, 3) triangles of its side and top, as indices of these points
+    around : number of points on each level
     """
     polygon = _polygon(body.outline, max(body.widest, body.foot), chord, pieces)
     bend = math.acos(1 - chord / max(body.arc.radius, chord)) if body.arc else 1.0
@@ -209,27 +209,27 @@ def _pillar(body: PillarShape, chord: float, pieces: int) -> tuple[Array, Ints, 
 
 
 def _inside(edges: Sequence[Array], feet: Sequence[Array]) -> tuple[Ints, NDArray[np.bool_]]:
-    """What closed loops of (n, 2) corners enclose: ``edges`` to their left, ``feet`` to their right.
+    """Triangulate the inside of closed loops of (n, 2) corners: ``edges`` to their left, ``feet`` right.
 
     Returns
     -------
-    (m, 3) triangles, anticlockwise, as numbers of the corners; and which sides, loop by loop, are no edges of
-    triangles: if there are some, there is no answer
+    (m, 3) triangles, anticlockwise, as indices of the corners; and for all sides, loop by loop, True if a
+    side is not an edge of a triangle: then the triangulation is invalid
     """
     every = _numbered([*edges, *feet])
     inner = [*every[: len(edges)], *(loop[::-1] for loop in every[len(edges) :])]
     corners = np.concatenate([*edges, *feet])
     sides = np.concatenate([np.stack([loop, np.roll(loop, -1)]) for loop in inner], axis=1)
     mesh = Delaunay(corners)
-    one, other = (np.roll(mesh.simplices, -k, axis=1).astype(np.int64) for k in (1, 2))
+    first, second = (np.roll(mesh.simplices, -k, axis=1).astype(np.int64) for k in (1, 2))
     count = len(corners)
-    crossed = np.stack([one * count + other, other * count + one])  # each edge of a triangle, both ways
+    crossed = np.stack([first * count + second, second * count + first])  # each edge of a triangle, both ways
     wanted = sides[0] * count + sides[1]
     at_side = np.isin(crossed[0], wanted)
     missing = ~np.isin(wanted, crossed[0])
     free = ~(at_side | np.isin(crossed[1], wanted)) & (mesh.neighbors >= 0)
-    owner = np.broadcast_to(np.arange(len(one))[:, None], free.shape)
-    joined = coo_array((np.ones(free.sum()), (owner[free], mesh.neighbors[free])), shape=(len(one),) * 2)
+    owner = np.broadcast_to(np.arange(len(first))[:, None], free.shape)
+    joined = coo_array((np.ones(free.sum()), (owner[free], mesh.neighbors[free])), shape=(len(first),) * 2)
     region = connected_components(joined, directed=False)[1]
     a, b, c = np.moveaxis(corners[mesh.simplices], 1, 0)
     area = np.abs((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]))
@@ -238,19 +238,19 @@ def _inside(edges: Sequence[Array], feet: Sequence[Array]) -> tuple[Ints, NDArra
 
 
 def _with_middles(loop: Array, halved: NDArray[np.bool_]) -> Array:
-    """A closed loop with a corner more in the middle of some sides."""
+    """A closed loop with an additional corner in the middle of some sides."""
     middles = 0.5 * (loop + np.roll(loop, -1, axis=0))
     return np.insert(loop, np.flatnonzero(halved) + 1, middles[halved], axis=0)
 
 
 def _numbered(loops: Sequence[Array]) -> list[Ints]:
-    """Numbers of the corners of loops, one loop after the other."""
+    """Indices of the corners of loops, one loop after the other."""
     ends = np.cumsum([len(loop) for loop in loops])
     return np.split(np.arange(ends[-1]), ends[:-1])
 
 
 def _strips(loops: Ints) -> Ints:
-    """Triangles between one closed loop of numbers, a row, and the next above it."""
+    """Triangles between one closed loop of indices, a row, and the next above it."""
     after = np.roll(loops, -1, axis=1)
     sides = (loops[:-1], after[:-1], after[1:], loops[1:])
     return _halved(np.stack([side.ravel() for side in sides], axis=1))

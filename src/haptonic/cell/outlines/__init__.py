@@ -30,9 +30,9 @@ SECTIONS: Mapping[SectionName, type[Section]] = {
 
 
 def taken_by(section: type[Any]) -> dict[str, bool]:
-    """Numbers of a pillar that a section takes, and whether each has to be given."""
+    """Numbers of a pillar that a section uses, and True for required ones."""
     return {number.name: number.default is MISSING for number in fields(section)}
 
 
 NUMBERS = tuple(dict.fromkeys(name for section in SECTIONS.values() for name in taken_by(section)))
-"""Numbers of a pillar beside its diameter that some section takes."""
+"""Numbers of a pillar beside its diameter that some section uses."""

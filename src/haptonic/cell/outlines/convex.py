@@ -18,7 +18,8 @@ Vertices = tuple[tuple[float, float], ...]
 class Convex(Outline):
     """A convex polygon about the origin.
 
-    vertices : anticlockwise; rounding : radius of the arcs that stand for its corners, in half-widths
+    vertices : anticlockwise
+    rounding : radius of the arcs that replace its corners, in half-widths
     """
 
     vertices: Vertices
@@ -32,7 +33,7 @@ class Convex(Outline):
 
     @cached_property
     def _normal(self) -> Array:
-        """(n, 2) outward, of the side that begins at each vertex."""
+        """(n, 2) outward normal of the side that begins at each vertex."""
         along = np.roll(self._corner, -1, axis=0) - self._corner
         return np.asarray(
             np.stack([along[:, 1], -along[:, 0]], axis=1) / np.linalg.norm(along, axis=1)[:, None]
@@ -47,19 +48,19 @@ class Convex(Outline):
 
     @cached_property
     def _pieces(self) -> Array:
-        """(joints, 4, 2) of each piece: centre, its radius in two directions, and the step of a straight one.
+        """(joints, 4, 2) centre, radius in two directions, and step of each piece; arcs have no step.
 
         A point at a share s is centre + cos(s angle) first + sin(s angle) second + s step; see `_angles`.
         """
-        return self._made[0]
+        return self._pieces_and_angles[0]
 
     @cached_property
     def _angles(self) -> Array:
         """(joints,) angle that each piece turns through, rad; 0 for a straight side."""
-        return self._made[1]
+        return self._pieces_and_angles[1]
 
     @cached_property
-    def _made(self) -> tuple[Array, Array]:
+    def _pieces_and_angles(self) -> tuple[Array, Array]:
         pieces, angles = [], []
         zero = np.zeros(2)
         for k in range(len(self._corner)):
@@ -129,7 +130,7 @@ class Convex(Outline):
         return Convex(tuple((factor * x, factor * y) for x, y in self.vertices), factor * self.rounding)
 
     def rounded(self, radius: float) -> Outline:
-        """The polygon with arcs in place of its corners; a circle where these leave nothing of the sides."""
+        """The polygon with arcs instead of its corners; a circle if no straight side is left."""
         if not radius:
             return self
         arcs = Convex(self.vertices, radius)
@@ -151,14 +152,14 @@ class Convex(Outline):
 
     @property
     def interior_angles(self) -> Array:
-        """(n,) of the vertices, rad."""
+        """(n,) interior angles at the vertices, rad."""
         before = np.roll(self._normal, 1, axis=0)
         sine = before[:, 0] * self._normal[:, 1] - before[:, 1] * self._normal[:, 0]
         return np.asarray(np.pi - np.arctan2(sine, np.einsum("nc,nc->n", before, self._normal)))
 
     @property
     def most_rounding(self) -> float:
-        """Radius at which the first straight side vanishes, in half-widths."""
+        """Radius of the arcs at which the first straight side vanishes, in half-widths."""
         before = np.roll(self._normal, 1, axis=0)
         cosine = np.einsum("nc,nc->n", before, self._normal)
         # an arc of radius 1 takes tan(turn / 2) off either side at a vertex

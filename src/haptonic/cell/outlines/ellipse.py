@@ -11,7 +11,7 @@ from haptonic.cell.outlines.section import Section
 
 @dataclass(frozen=True)
 class Ellipse(Section):
-    """An ellipse: the diameter lies along x and the length along y, before it is turned."""
+    """An ellipse: before it is turned, the diameter is along x and the length along y."""
 
     length: float
     turn: float = 0.0

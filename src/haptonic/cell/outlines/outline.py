@@ -1,8 +1,8 @@
 """The outline of a section: a closed convex curve about the origin.
 
-Everything that needs to know a shape asks an outline: the mesh (`Outline.at`), the body of a prism
-(`Outline.cubature`), clearances (`Outline.support`), symmetry, files and pictures (`Outline.polygon`). The
-parameter of a place counts the pieces between joints; where there are none it is an angle in rad.
+All users of a shape use its outline: the mesh (`Outline.at`), the body of a prism (`Outline.cubature`),
+clearances (`Outline.support`), symmetry, files and pictures (`Outline.polygon`). The parameter of a place
+counts the pieces between joints; without joints it is an angle in rad.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ import numpy as np
 
 from haptonic.arrays import Array
 
-SAME = 1e-9  # of a half-width: places that coincide
-DIRECTIONS, HALVINGS = 72, 40  # of the search for the direction in which two outlines are farthest apart
+SAME = 1e-9  # of a half-width: closer places coincide
+DIRECTIONS, HALVINGS = 72, 40  # for the search of the direction in which two outlines are farthest apart
 GOLDEN = 0.5 * (np.sqrt(5) - 1)
 
 
 class Outline:
-    """Protocol of all outlines, and what follows from it.
+    """Protocol of all outlines, and derived quantities.
 
     joints : number of pieces between which curvature or slope jumps; 0 for a smooth curve
     corners : (n, 2) places where the slope jumps, anticlockwise
@@ -46,19 +46,19 @@ class Outline:
         raise NotImplementedError
 
     def slope(self, place: Array) -> Array:
-        """(..., 2) derivative of the points by the parameter, within the piece that begins there."""
+        """(..., 2) derivative of the points by the parameter; at a joint, that of the next piece."""
         raise NotImplementedError
 
     def support(self, direction: Array) -> Array:
-        """(n,) farthest reach along unit vectors (n, 2): half-widths of the outline seen from there."""
+        """(n,) farthest extent along unit vectors (n, 2): half-widths of the outline in these directions."""
         raise NotImplementedError
 
     def bend(self, direction: Array) -> Array:
-        """(n,) radius of curvature where normals are (n, 2); infinite for any curve with straight sides."""
+        """(n,) radius of curvature at normals (n, 2); infinite for any curve with straight sides."""
         raise NotImplementedError
 
     def image(self, turn: Array) -> Outline:
-        """The outline after a turn or mirror (2, 2)."""
+        """The outline after a rotation or reflection (2, 2)."""
         raise NotImplementedError
 
     def turned(self, angle: float) -> Outline:
@@ -83,12 +83,12 @@ class Outline:
         raise NotImplementedError
 
     def is_same(self, other: Outline) -> bool:
-        """True if two outlines are one curve up to rounding."""
+        """True if two outlines are the same curve up to rounding."""
         raise NotImplementedError
 
     @property
     def period(self) -> float:
-        """Of the parameter."""
+        """Period of the parameter."""
         return self.joints or 2 * np.pi
 
     @property
@@ -97,12 +97,12 @@ class Outline:
         return not len(self.corners) and not len(self.flats)
 
     def has_symmetry(self, turn: Array) -> bool:
-        """True if a turn or mirror (2, 2) leaves the outline as it is."""
+        """True if a rotation or reflection (2, 2) leaves the outline unchanged."""
         return self.image(turn).is_same(self)
 
     @property
     def area(self) -> float:
-        """In squares of the half-width."""
+        """Area in squares of the half-width."""
         return float(self.cubature(0)[1].sum())
 
     @property
@@ -112,7 +112,7 @@ class Outline:
 
     @property
     def half_axes(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Of a smooth outline: the larger and the smaller half-axis, and the direction of the larger one."""
+        """Larger and smaller half-axis of a smooth outline, and the direction of the larger one."""
         raise NotImplementedError
 
     def cubature(self, degree: int) -> tuple[Array, Array]:
@@ -120,9 +120,10 @@ class Outline:
         return _cubature(self, degree)
 
     def polygon(self, count: int, pieces: int = 1) -> Array:
-        """(n, 2) points of the curve, joints and corners among them, anticlockwise.
+        """(n, 2) points of the curve, including joints and corners, anticlockwise.
 
-        count : points on a whole turn of a curved part; pieces : parts of each straight side
+        count : points on a whole turn of a curved part
+        pieces : parts of each straight side
         """
         if not self.joints:
             return self.at(2 * np.pi * np.arange(count) / count)
@@ -140,7 +141,7 @@ class Outline:
 
 @dataclass(frozen=True)
 class Scaled:
-    """An outline in its size: what two pillars need to know of each other.
+    """An outline with its size, for the distance between two pillars.
 
     half_width : m
     """
@@ -149,11 +150,11 @@ class Scaled:
     half_width: float
 
     def gap_to(self, other: Scaled, away: Array) -> Array:
-        """(n,) distance to another one at displacements (n, 2), m; negative where they overlap.
+        """(n,) distance to another outline at displacements (n, 2), m; negative for an overlap.
 
-        It is the largest over all directions of the displacement less both half-widths seen from there. The
-        candidates are the normals of straight sides, the displacement itself and a search between them; for
-        two circles the displacement is best.
+        It is the largest value, over all directions, of the displacement less both half-widths in the
+        direction. The candidates are the normals of straight sides, the displacement itself and a search
+        between them; for two circles the displacement is best.
         """
         if all(curve.outline.reach == curve.outline.inradius for curve in (self, other)):
             radii = self.half_width * self.outline.reach + other.half_width * other.outline.reach
@@ -185,10 +186,10 @@ class Scaled:
 
 @lru_cache(maxsize=64)
 def _cubature(outline: Outline, degree: int) -> tuple[Array, Array]:
-    """Points on rays from the origin to the curve: Gauss's along them, and along each piece of the curve."""
+    """Gauss points along rays from the origin to the curve, on Gauss points along each of its pieces."""
     radial, radial_weight = _gauss(degree // 2 + 1)
     if outline.joints:
-        # a side needs degree / 2 + 1 points; an arc of less than half a turn some more
+        # a side needs degree / 2 + 1 points; an arc of less than half a turn needs more
         share, weight = _gauss(degree + 16)
         place = (np.arange(outline.joints)[:, None] + share).ravel()
         along = np.tile(weight, outline.joints)
@@ -202,6 +203,6 @@ def _cubature(outline: Outline, degree: int) -> tuple[Array, Array]:
 
 
 def _gauss(count: int) -> tuple[Array, Array]:
-    """Points and weights on the interval from 0 to 1."""
+    """Gauss points and weights on the interval from 0 to 1."""
     points, weights = np.polynomial.legendre.leggauss(count)
     return 0.5 * (1 + points), 0.5 * weights

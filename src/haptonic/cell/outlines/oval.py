@@ -13,7 +13,7 @@ from haptonic.cell.outlines.outline import SAME, Outline
 
 @dataclass(frozen=True)
 class Oval(Outline):
-    """The image of the unit circle under a symmetric matrix ((a, b), (b, c)) that stretches it."""
+    """Image of the unit circle under a stretch, a symmetric matrix ((a, b), (b, c))."""
 
     stretch: tuple[tuple[float, float], tuple[float, float]]
 
@@ -21,7 +21,7 @@ class Oval(Outline):
 
     @classmethod
     def of_axes(cls, along: float, across: float, turn: float = 0.0) -> Oval:
-        """The ellipse with two half-axes, the first in direction ``turn`` (rad)."""
+        """Ellipse with two half-axes, the first in direction ``turn`` (rad)."""
         axis = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
         (a, b), (_, d) = ((axis * [along, across]) @ axis.T).tolist()
         return cls(((a, b), (b, d)))
@@ -32,7 +32,7 @@ class Oval(Outline):
 
     @cached_property
     def _half_axes(self) -> tuple[float, float]:
-        """The smaller and the larger one."""
+        """The smaller and the larger half-axis."""
         small, large = np.linalg.eigvalsh(self._matrix).tolist()
         return small, large
 

@@ -10,7 +10,7 @@ from haptonic.cell.outlines.section import Polygonal
 from haptonic.fields import problem
 
 SHARPEST = 0.35  # rad, 20 degrees: elements in a sharper corner would be slivers
-LEAST_WITHIN = 0.05  # of the farthest corner's distance, that every side keeps from the axis
+LEAST_WITHIN = 0.05  # of the farthest corner's distance, smallest distance of a side from the axis
 
 
 class Place(Protocol):
@@ -22,7 +22,7 @@ class Place(Protocol):
 
 @dataclass(frozen=True)
 class Corners(Polygonal):
-    """A convex polygon with the pillar's axis inside, in either order of its corners."""
+    """A convex polygon with the pillar's axis inside; the corners may be in either order."""
 
     point: tuple[Place, ...]
 

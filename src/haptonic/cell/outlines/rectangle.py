@@ -10,7 +10,7 @@ from haptonic.cell.outlines.section import Polygonal
 
 @dataclass(frozen=True)
 class Rectangular(Polygonal):
-    """A rectangle: the diameter is its side along x, the length that along y, before it is turned."""
+    """A rectangle: before it is turned, the diameter is its side along x, the length that along y."""
 
     length: float
 
@@ -25,7 +25,7 @@ class Rectangular(Polygonal):
 
 @dataclass(frozen=True)
 class Square(Polygonal):
-    """A square, whose side is the diameter."""
+    """A square with the diameter as its side."""
 
     sign = "□"
 

@@ -12,7 +12,7 @@ from haptonic.cell.outlines.section import Polygonal
 
 @dataclass(frozen=True)
 class RegularPolygon(Polygonal):
-    """A regular polygon about a circle of the pillar's diameter; a side faces x before it is turned."""
+    """A regular polygon about a circle of the pillar's diameter; before it is turned, a side faces x."""
 
     sides: int
 
@@ -25,7 +25,7 @@ class RegularPolygon(Polygonal):
 
 @dataclass(frozen=True)
 class Hexagon(Polygonal):
-    """A regular hexagon, whose diameter is measured across its flats."""
+    """A regular hexagon with a diameter across its flats."""
 
     sign, width = "AF ", "width across flats"
 

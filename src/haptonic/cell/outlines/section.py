@@ -1,7 +1,7 @@
-"""A named section of a pillar: which numbers it takes, and the outline that they make.
+"""Named section of a pillar: its numbers, and the outline that they define.
 
-Lengths are in half-widths along x, which is half the pillar's diameter. The fields of a section are those
-numbers of ``[cell.pillar]`` that it takes; one without a default has to be given.
+Lengths are in half-widths along x, which is half the pillar's diameter. The fields of a section are the
+numbers of ``[cell.pillar]`` that it uses; a field without a default is required.
 """
 
 from __future__ import annotations
@@ -17,25 +17,25 @@ from haptonic.fields import problem
 class Section:
     """Protocol of the classes in `SECTIONS`.
 
-    sign, width : what a drawing writes before the pillar's diameter, and what a workshop calls it
+    sign, width : text before the pillar's diameter in a drawing, and the workshop's name of this width
     """
 
     sign: ClassVar[str] = ""
     width: ClassVar[str] = "width"
 
     def outline(self) -> Outline:
-        """The curve, with half-width 1 along x before it is turned; `check` says whether there is one."""
+        """The curve, with half-width 1 along x before it is turned; only for numbers that `check` accepts."""
         raise NotImplementedError
 
     def check(self) -> None:
-        """Raise `problem` for numbers that make no such outline."""
+        """Raise `problem` for numbers that define no such outline."""
 
     def room(self) -> dict[str, float]:
         """Room left to limits of the section's own numbers, in half-widths, by their names in a design."""
         return {}
 
     def shear_coefficient(self, poisson_ratio: float) -> float | None:
-        """Of a Timoshenko beam (Cowper 1966); None where there is no closed form for the section."""
+        """Shear coefficient of a Timoshenko beam (Cowper 1966); None if it has no closed form."""
         return None
 
 

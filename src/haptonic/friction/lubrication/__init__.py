@@ -1,4 +1,4 @@
-"""From vibration to friction: a squeezed film or intermittent contact, and a band of both."""
+"""From vibration to friction: a squeeze film or intermittent contact, and an interval from both."""
 
 from haptonic.friction.lubrication.parameters import FORCES, SPEEDS, Fingertip, Parameter, Touch
 from haptonic.friction.lubrication.perception import (

@@ -1,7 +1,7 @@
-"""The film of air that a vibrating plate squeezes below a fingertip: its mean overpressure.
+"""Mean overpressure of the film of air that a vibrating plate squeezes below a fingertip.
 
-A rigid disc of radius R at the mean gap u, the gap being u (1 + e cos tau). In the compressible, isothermal
-Reynolds equation, with gap H, radius and pressure P made dimensionless and psi = P H,
+The model is a rigid disc of radius R at the mean gap u; the gap is u (1 + e cos tau). The compressible,
+isothermal Reynolds equation, with gap H, radius and pressure P made dimensionless and psi = P H, is
 
     H(tau) / 2  laplacian(psi^2) = sigma  d psi / d tau,     psi = H at the rim,
 
@@ -9,8 +9,8 @@ because H depends on time alone. It is solved for the periodic state by collocat
 Chebyshev polynomials along the radius, with Newton's method. As the mean over a period of the right side
 vanishes, <H psi^2> is harmonic, hence the same everywhere: 1 + 1.5 e^2. Where the air cannot flow (sigma
 large) psi is constant in time, and the mean pressure follows in closed form, `sealed_overpressure`. The
-`efficiency` is the mean overpressure over the disc as a share of that; it is solved once and tabulated in
-``film.csv``, which `write_table` makes.
+`efficiency` is the ratio of the mean overpressure over the disc to this limit; `write_table` computes it once
+and writes ``film.csv``.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from haptonic.arrays import Array
 
 SQUEEZE_NUMBERS = np.geomspace(0.01, 1000.0, 36)  # of the table
 EXCURSIONS = np.array([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.925, 0.95])
-LARGEST_EXCURSION = float(EXCURSIONS[-1])  # beyond, the plate all but meets the skin: no longer a film
+LARGEST_EXCURSION = float(EXCURSIONS[-1])  # beyond, the plate nearly touches the skin: no longer a film
 RADIAL, INSTANTS = 20, 65  # collocation points; errors below 1e-4, see the tests
 NEWTON_STEPS, NEWTON_TOLERANCE = 30, 1e-10  # of psi, which is about one
 QUADRATURE = 60  # points along the radius, for the small-amplitude theory
@@ -62,8 +62,8 @@ def sealed_overpressure(excursion: ArrayLike) -> Array:
 def efficiency(squeeze: ArrayLike, excursion: ArrayLike) -> Array:
     """Mean overpressure of the leaking film over that of the sealed one, from the table.
 
-    Beyond the ends of the table the share that leaks falls as 1 / sqrt(sigma), and the efficiency as
-    sigma^2; the latter, for large excursions, underrates what is next to nothing anyway.
+    Beyond the ends of the table, the deficit 1 - efficiency falls as 1 / sqrt(sigma), and the efficiency
+    falls as sigma^2. The latter is too low for large excursions, where it is negligible anyway.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def efficiency(squeeze: ArrayLike, excursion: ArrayLike) -> Array:
 
 
 def small_amplitude_efficiency(squeeze: float) -> float:
-    """The limit of no excursion, from the second order of the Reynolds equation about the first.
+    """Limit of `efficiency` for zero excursion, from the Reynolds equation to second order.
 
     To first order psi - H turns with f = I0(q r) / I0(q), q^2 = i sigma; the mean pressure of second order is
     5/4 - Re f - |f|^2 / 4, of which 5/4 is the sealed film.
@@ -94,7 +94,7 @@ def small_amplitude_efficiency(squeeze: float) -> float:
 
 
 def solved(squeeze: float, excursion: float, radial: int = RADIAL, instants: int = INSTANTS) -> Array:
-    """psi = P H of the periodic film.
+    """Solve for psi = P H of the periodic film.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def solved(squeeze: float, excursion: float, radial: int = RADIAL, instants: int
 def solved_efficiency(
     squeeze: float, excursion: float, radial: int = RADIAL, instants: int = INSTANTS
 ) -> float:
-    """`efficiency` computed afresh, without the table."""
+    """`efficiency` computed without the table."""
     if excursion == 0:
         return small_amplitude_efficiency(squeeze)
     psi = solved(squeeze, excursion, radial, instants)
@@ -143,7 +143,7 @@ def gaps(excursion: float, instants: int) -> Array:
 
 
 def radii(radial: int) -> Array:
-    """(radial,) from the rim at 1 inwards; the centre itself is none of them."""
+    """(radial,) radii from the rim at 1 inwards, without the centre."""
     return np.asarray(np.cos(np.pi * np.arange(radial) / (2 * radial - 1)))
 
 
@@ -162,14 +162,14 @@ def _table() -> scipy.interpolate.RectBivariateSpline:
 
 
 def _even_chebyshev(radius: Array, terms: int) -> Array:
-    """(radius, terms) Chebyshev polynomials of even order: those of 2 r^2 - 1."""
+    """(radius, terms) Chebyshev polynomials of even order, as polynomials in 2 r^2 - 1."""
     return np.asarray(np.polynomial.chebyshev.chebvander(2 * radius**2 - 1, terms - 1))
 
 
 def _laplacian(radial: int) -> Array:
     """(radial, radial) d^2/dr^2 + (1/r) d/dr on even functions at `radii`.
 
-    The differentiation matrix of Chebyshev points on the whole diameter, folded at the centre.
+    It is the differentiation matrix of Chebyshev points on the whole diameter, folded at the centre.
     """
     last = 2 * radial - 1
     x = np.cos(np.pi * np.arange(last + 1) / last)

@@ -1,4 +1,4 @@
-"""The law of friction that a touch has: mu / mu0 against the amplitude of the vibration below the finger."""
+"""Friction law of a touch: mu / mu0 against the amplitude of the vibration below the finger."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from haptonic.later import xarray as xr
 
 End = Literal["value", "low", "high"]
 
-STRONGEST = 1e4  # V or N: no drive is looked for beyond
+STRONGEST = 1e4  # V or N: the search for a drive ends there
 SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law is tabulated
 LOGARITHMS = np.linspace(np.log(SMALLEST), np.log(LARGEST), 200)
 
 
 def check_reduction(reduction: float) -> None:
-    """Raise StudyError for what is no share of friction that can be taken away."""
+    """Raise StudyError unless a reduction of friction is a share between 0 and 1."""
     if not 0 < reduction < 1:
         raise StudyError.out_of_range(
             argument="reduction",
@@ -36,7 +36,7 @@ def check_reduction(reduction: float) -> None:
 
 @dataclass(frozen=True, eq=False)
 class FrictionLaw:
-    """mu / mu0 at amplitudes evenly spaced in their logarithm: the value, and the ends of the band.
+    """mu / mu0 at amplitudes evenly spaced in their logarithm: the value, and the ends of its interval.
 
     Where the plate would strike the skin through the film, the value is that of intermittent contact.
     """
@@ -47,24 +47,24 @@ class FrictionLaw:
 
     @classmethod
     def of(cls, touch: Touch, skin: Fingertip) -> FrictionLaw:
-        """By load sharing, with the band of both models and of all plausible parameters; see `predict`."""
-        found = predict(xr.DataArray(np.exp(LOGARITHMS), dims="amplitude"), touch, skin)
-        shared = found["load_sharing"]
-        value = shared.where(np.isfinite(shared), found["intermittent"])
-        return cls(value.values, found["low"].values, found["high"].values)
+        """Law by load sharing, with the interval over both models and plausible parameters; see `predict`."""
+        prediction = predict(xr.DataArray(np.exp(LOGARITHMS), dims="amplitude"), touch, skin)
+        shared = prediction["load_sharing"]
+        value = shared.where(np.isfinite(shared), prediction["intermittent"])
+        return cls(value.values, prediction["low"].values, prediction["high"].values)
 
     def at(self, amplitude: Array, end: End = "value") -> Array:
-        """mu / mu0 at amplitudes, m."""
-        known = np.log(np.maximum(amplitude, SMALLEST))
-        return np.asarray(np.interp(known, LOGARITHMS, getattr(self, end)))
+        """mu / mu0 at amplitudes (m); outside the table it is constant."""
+        logarithms = np.log(np.maximum(amplitude, SMALLEST))
+        return np.asarray(np.interp(logarithms, LOGARITHMS, getattr(self, end)))
 
     def drive_for(self, reduction: float, per_unit: Array, usual: float) -> float | None:
-        """Amplitude of the drive for a mean reduction over places; None if none up to `STRONGEST` gives it.
+        """Amplitude of the drive for a mean reduction over places; None if `STRONGEST` is not enough.
 
         Parameters
         ----------
         per_unit : (place,) amplitude of vibration, m per unit of the drive
-        usual : drive about which it is looked for; none below a thousandth of it is told
+        usual : drive at which the search starts, V or N; a thousandth of it is the smallest result
         """
         check_reduction(reduction)
 

@@ -1,4 +1,4 @@
-"""Friction that a finger meets on a vibrating plate: at every place, by region, and what drive it takes."""
+"""Friction under a finger on a vibrating plate: at every place, by region, and the drive it needs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from haptonic.later import xarray as xr
 from haptonic.response import Reference
 
 ENDS: tuple[End, ...] = ("value", "low", "high")
-CURVE = 41  # drives of the curve of reduction against drive
+CURVE = 41  # drives in the curve of reduction against drive
 BEYOND = 2.0  # times the drive: where that curve ends
 
 
@@ -34,12 +34,13 @@ class Reduction:
 
 @dataclass(frozen=True, eq=False)
 class FrictionOnPlate:
-    """Friction that a finger meets on a plate, over that without vibration.
+    """Friction under a finger on a plate, relative to that without vibration.
 
     loaded : vibration below a finger with its middle at each point, see `haptonic.plate.loaded.loaded`
-    below : by region, (point,) places at which the whole finger lies on it
-    driven : the regions that carry a drive, that of the first one first
-    touch : frequency, force and speed; skin : what the lubrication models know of the finger
+    below : by region, (point,) places at which the whole finger lies on the region
+    driven : the regions with a drive; the reference is the drive of the first
+    touch : frequency, force and speed
+    skin : parameters of the friction models
     drive : amplitude of the first drive, V or N
     """
 
@@ -52,12 +53,12 @@ class FrictionOnPlate:
 
     @property
     def frequency(self) -> float:
-        """Hz"""
+        """Drive frequency, Hz."""
         return float(self.loaded.attrs["frequency_hz"])
 
     @property
     def unit(self) -> str:
-        """Of the drive, V or N."""
+        """Unit of the drive, V or N."""
         return Reference.parse(str(self.loaded.attrs["reference"])).unit
 
     @property
@@ -71,7 +72,7 @@ class FrictionOnPlate:
         return FrictionLaw.of(self.touch, self.skin)
 
     def at_points(self, drive: float | None = None) -> xr.Dataset:
-        """``value`` (point,) mu / mu0; ``low`` and ``high``, the band of both models, skin and damping."""
+        """``value`` (point,) mu / mu0; ``low``, ``high``: interval over both models, skin and damping."""
         drive = self.drive if drive is None else drive
         moved = self.loaded["amplitude"] * drive
         return xr.Dataset(  # the least friction is with the least damping
@@ -82,16 +83,16 @@ class FrictionOnPlate:
 
     def reductions(self, drive: float | None = None) -> dict[str, Reduction]:
         """Mean reduction over the places of every region."""
-        found = self.at_points(drive)
+        friction = self.at_points(drive)
         return {
             name: Reduction(
-                *(1 - float(found[end].values[places].mean()) for end in ("value", "high", "low"))
+                *(1 - float(friction[end].values[places].mean()) for end in ("value", "high", "low"))
             )
             for name, places in self.below.items()
         }
 
     def drive_for(self, reduction: float, region: str) -> float | None:
-        """Amplitude of the drive, V or N, for a mean reduction on a region; see `FrictionLaw`."""
+        """Drive amplitude, V or N, for a mean reduction on a region; see `FrictionLaw`."""
         per_unit = self.loaded["amplitude"].sel(load="value").values[self.below[region]]
         return self.law.drive_for(reduction, per_unit, self.drive)
 
@@ -100,13 +101,13 @@ class FrictionOnPlate:
         return self.drive * float(self.loaded["amplitude"].sel(load=load).values[self.below[region]].mean())
 
     def quality(self, load: str = "value") -> float:
-        """Median quality factor of the mode that answers most, a finger being on the first driven region."""
+        """Median quality factor of the dominant mode, with a finger on the first driven region."""
         where = self.below[self.driven[0]] if self.driven else np.ones(self.loaded.sizes["point"], dtype=bool)
         return float(np.median(self.loaded["quality"].sel(load=load).values[where]))
 
     @property
     def rise(self) -> float:
-        """Time from 10 to 90 % of the vibration with a finger on the driven region, s."""
+        """Rise time (10 to 90 %) of the vibration with a finger on the driven region, s."""
         return rise_time(self.quality(), self.frequency)
 
     @property
@@ -116,7 +117,7 @@ class FrictionOnPlate:
 
     @property
     def ratio(self) -> dict[str, float]:
-        """Amplitude below a finger on the first driven region over that on every one without a drive."""
+        """Amplitude below a finger on the first driven region over that on every region without a drive."""
         if not self.driven:
             return {}
         most = self.amplitude(self.driven[0])
@@ -124,12 +125,12 @@ class FrictionOnPlate:
 
     @property
     def margins(self) -> dict[str, Margin]:
-        """The first driven region beside every one without a drive."""
+        """Perception margins of the first driven region, for every region without a drive."""
         if not self.driven:
             return {}
-        found = self.reductions()
+        reductions = self.reductions()
         return {
-            name: Margin(found[self.driven[0]].value, found[name].value)
+            name: Margin(reductions[self.driven[0]].value, reductions[name].value)
             for name in self.regions if name not in self.driven
         }  # fmt: skip
 
@@ -137,11 +138,16 @@ class FrictionOnPlate:
     def curve(self) -> xr.Dataset:
         """``value``, ``low`` and ``high`` (region, drive): reduction against the amplitude of the drive."""
         drives = np.linspace(0, BEYOND * self.drive, CURVE)
-        found = [self.reductions(float(drive)) for drive in drives]
+        reductions = [self.reductions(float(drive)) for drive in drives]
         dims = ("region", "drive")
         return xr.Dataset(
             {
-                end: (dims, np.array([[getattr(one[name], end) for one in found] for name in self.regions]))
+                end: (
+                    dims,
+                    np.array(
+                        [[getattr(by_region[name], end) for by_region in reductions] for name in self.regions]
+                    ),
+                )
                 for end in ENDS
             },
             coords={"region": list(self.regions), "drive": ("drive", drives, {"units": self.unit})},

@@ -1,7 +1,7 @@
-"""The numbers of the friction models: each declared once, with unit, bounds, source and uncertainty.
+"""Parameters of the friction models, with unit, bounds, source and uncertainty.
 
-Most of them nobody has measured on the finger at hand. Whatever is computed from them carries `assumptions`,
-so that a prediction shows which of its inputs are assumed.
+Most of them are not measured on the user's finger. Every result computed from them carries `assumptions`, so
+that a prediction shows which of its inputs are assumed.
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ from haptonic.fields import Quantity, described, needed, problem, setting
 from haptonic.units import format_quantity
 
 Values = Mapping[str, float | Array]
-"""What a model computes with: `Fingertip.values`, or draws from `Fingertip.sampled`."""
+"""Input of a model: `Fingertip.values`, or draws from `Fingertip.sampled`."""
 Mark = Literal["assumed", "stated", "computed", "given"]
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """One number of a model.
+    """One parameter of a model.
 
     value : in ``unit``
     unit : SI unit; empty for a ratio
-    title : what it is, for people
-    bounds : outside of which, ends included, the model means nothing
-    plausible : interval in which the value lies, as far as anybody knows; it is what the uncertainty of a
-        prediction is computed from
+    title : name in prose
+    bounds : the model is invalid outside of them and at their ends
+    plausible : interval in which the value is expected to lie; the uncertainty of a prediction is computed
+        from it
     mark : where the value comes from: "assumed" (common, but not checked against a source), "stated" (in a
         source), "computed", or "given" by the user
     source : the source, or why the value was chosen
@@ -101,18 +101,18 @@ PARAMETERS = {
         source="2 (1 - nu) / (2 - nu) of an elastic contact, nu = 0.5",
     ),
 }  # fmt: skip
-"""What is taken for what nobody gives."""
+"""Defaults for parameters that the user does not give."""
 
 
 class Ordered:
-    """Numbers that come in threes, in ascending order."""
+    """Fields of three numbers in ascending order."""
 
     def __post_init__(self) -> None:
-        for name, three in vars(self).items():
-            if isinstance(three, tuple) and list(three) != sorted(three):
+        for name, triple in vars(self).items():
+            if isinstance(triple, tuple) and list(triple) != sorted(triple):
                 raise problem(
                     "conflict",
-                    ", ".join(f"{number:g}" for number in three),
+                    ", ".join(f"{number:g}" for number in triple),
                     "the lowest plausible value, the value, the highest plausible value",
                     "they are not in ascending order",
                     f"sort the numbers of {name}",
@@ -122,7 +122,7 @@ class Ordered:
 
 class _Fingertip(Ordered):
     def __iter__(self) -> Iterator[tuple[str, Parameter]]:
-        """Every number by its name, as it was given or is assumed."""
+        """Every parameter by its name, with the user's value or the default."""
         for name, usual in PARAMETERS.items():
             given = getattr(self, name)
             if given is not None:
@@ -131,11 +131,11 @@ class _Fingertip(Ordered):
             yield name, usual
 
     def having(self, **values: float) -> Self:
-        """A finger with values of the user's, taken as exactly known.
+        """Return a finger with values of the user's, taken as exactly known.
 
         Raises
         ------
-        FrictionError : no such parameter, or a value out of bounds
+        FrictionError : an unknown parameter, or a value out of bounds
         """
         return type(self)(**{**vars(self), **{name: (value,) * 3 for name, value in values.items()}})
 
@@ -156,19 +156,21 @@ class _Fingertip(Ordered):
         return {name: parameter.at(shares[:, i]) for i, (name, parameter) in enumerate(self)}
 
     def assumptions(self) -> dict[str, dict[str, object]]:
-        """Every number with its mark, interval and source: to be kept with whatever was computed from it."""
-        kept = ("value", "unit", "title", "plausible", "mark", "source")
-        return {name: {one: getattr(number, one) for one in kept} for name, number in self}
+        """Every parameter with its mark, interval and source, to be stored with each result."""
+        attributes = ("value", "unit", "title", "plausible", "mark", "source")
+        return {
+            name: {attribute: getattr(number, attribute) for attribute in attributes} for name, number in self
+        }
 
 
 def _declared() -> dict[str, Any]:
-    """A field for three numbers of each parameter: lowest plausible, value, highest plausible."""
+    """Declare a field of three numbers for each parameter: lowest plausible, value, highest plausible."""
     kinds, fields = dict[str, Any](), dict[str, Any]()
     for name, usual in PARAMETERS.items():
         low, high = usual.bounds
         number = Annotated[float, Quantity(usual.unit, above=low, below=high)]
         three = (usual.plausible[0], usual.value, usual.plausible[1])
-        words = ", ".join(format_quantity(one, usual.unit) for one in three)
+        words = ", ".join(format_quantity(number_in_unit, usual.unit) for number_in_unit in three)
         kinds[name] = tuple[number, number, number] | None
         fields[name] = setting(
             None,
@@ -178,7 +180,7 @@ def _declared() -> dict[str, Any]:
     return {"__annotations__": kinds, **fields}
 
 
-FINGERTIP = """A fingertip, and the air below it, as the models see it; what is not given is assumed.
+FINGERTIP = """A fingertip and the air below it, as in the friction models; missing numbers are assumed.
 
     Examples
     --------
@@ -190,21 +192,23 @@ Fingertip: Any = described("touch.skin", FrictionError, kw_only=True)(
 )
 
 
-FORCES = (0.01, 20.0)  # N, and
-SPEEDS = (1e-3, 2.0)  # m/s: what a finger does
+FORCES = (0.01, 20.0)  # N, usual for a finger
+SPEEDS = (1e-3, 2.0)  # m/s, usual for a finger
 Force = Annotated[float, Quantity("N", at_least=FORCES[0], at_most=FORCES[1], typical=(0.1, 5.0))]
 Speed = Annotated[float, Quantity("m/s", at_least=SPEEDS[0], at_most=SPEEDS[1], typical=(0.01, 0.5))]
 
 
 @described("touch", FrictionError)
 class Touch:
-    """How the finger touches the vibrating plate."""
+    """Contact of the finger with the vibrating plate."""
 
-    frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = needed("Of the vibration.")
+    frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = needed(
+        "Frequency of the vibration."
+    )
     force: Force = setting(0.5, "Normal to the plate.", title="Force of the finger")
     speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
 
     @property
     def omega(self) -> float:
-        """rad/s."""
+        """Angular frequency, rad/s."""
         return 2 * math.pi * self.frequency

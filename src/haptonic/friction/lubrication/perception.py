@@ -1,4 +1,4 @@
-"""What a finger notices of a drop of friction."""
+"""Thresholds of perception for a drop of friction."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from haptonic.errors import FrictionError
 
 WEBER_FRACTION = 0.11
-"""Smallest drop of friction, as a share of it, that people feel [weber-fraction-2017]."""
+"""Smallest relative drop of friction that people feel [weber-fraction-2017]."""
 CUE_THRESHOLD = 2.3e-3
-"""Duration, s, that a cue of friction must have to be felt; the lower of the values of [cue-timing-2019]."""
+"""Shortest friction cue that people feel, s; the lower of the values of [cue-timing-2019]."""
 
 
 @dataclass(frozen=True)
 class Margin:
-    """Reductions of friction beside what people feel.
+    """Reductions of friction, relative to the threshold of perception.
 
     driven, idle : reductions of friction, 0.55 for 55 %
     """
@@ -25,12 +25,12 @@ class Margin:
 
     @property
     def noticed(self) -> bool:
-        """Whether the driven region is felt at all."""
+        """True if people feel the driven region."""
         return self.driven > WEBER_FRACTION
 
     @property
     def localised(self) -> bool:
-        """Whether the driven region is felt and the idle one is not."""
+        """True if people feel the driven region and not the idle one."""
         return self.noticed and self.idle <= WEBER_FRACTION
 
     @property
@@ -45,7 +45,7 @@ class Margin:
 
 
 def rise_time(quality_factor: float, frequency: float) -> float:
-    """Time from 10 to 90 % of the amplitude of a resonance, s: ln 9 of its time constants Q / (pi f)."""
+    """Rise time from 10 to 90 % of the amplitude of a resonance, s: ln 9 time constants Q / (pi f)."""
     return math.log(9) * time_constant(quality_factor, frequency)
 
 
@@ -60,8 +60,8 @@ def time_constant(quality_factor: float, frequency: float) -> float:
 class QualityLimits:
     """Largest loaded quality factors at which the friction changes within the threshold of a cue.
 
-    by_rise : its 10 to 90 % rise time is the threshold
-    by_constant : its time constant is
+    by_rise : limit at which the 10 to 90 % rise time equals the threshold
+    by_constant : limit at which the time constant equals the threshold
     """
 
     by_rise: float

@@ -1,4 +1,4 @@
-"""Both models beside each other, with what the uncertainty of their parameters makes of them."""
+"""Prediction of friction by both models, with the uncertainty of their parameters."""
 
 from __future__ import annotations
 
@@ -29,9 +29,7 @@ VALID = {
     "intermittent": VALIDITY,
 }
 QUANTILES = (0.025, 0.975)
-DIRECT = (
-    200  # amplitudes, above which a curve through as many is interpolated: friction depends on nothing else
-)
+DIRECT = 200  # amplitudes; of more, a curve is interpolated, because friction depends on the amplitude alone
 
 
 def predict(
@@ -41,18 +39,18 @@ def predict(
 
     Parameters
     ----------
-    amplitude : of displacement, zero to peak, m, any dimensions: a line of amplitudes, or a map
+    amplitude : of displacement, zero to peak, m, any dimensions: a series of amplitudes, or a map
     touch : frequency, force, speed
     finger : parameters with their uncertainty
     samples : draws from the plausible intervals
-    seed : of the draws
+    seed : seed of the draws
 
     Returns
     -------
-    on the dimensions of ``amplitude``: for either model, ``load_sharing`` and ``intermittent``, its value,
-    and the ends (``_low``, ``_high``) of the interval that holds 95 % of the draws, NaN where a draw has
-    none; ``low`` and ``high``, the band around both models. The attribute ``assumptions`` (JSON) lists every
-    parameter with its mark.
+    on the dimensions of ``amplitude``: the value of either model, ``load_sharing`` and ``intermittent``, and
+    the ends (``_low``, ``_high``) of the interval that contains 95 % of the draws, NaN if a draw has no
+    solution; ``low`` and ``high``, the ends of the interval over both models. The attribute ``assumptions``
+    (JSON) lists every parameter with its mark.
 
     Raises
     ------
@@ -70,20 +68,20 @@ def predict(
     line, place = np.unique(moving, return_inverse=True)
     knots = line if line.size <= DIRECT else np.linspace(line[0], line[-1], DIRECT)
     drawn = {name: numbers[:, None] for name, numbers in finger.sampled(samples, seed).items()}
-    found: dict[str, Array] = {}
+    friction: dict[str, Array] = {}
     for name, model in MODELS.items():
-        found[name] = model(knots, touch, finger.values)
+        friction[name] = model(knots, touch, finger.values)
         cloud = model(knots, touch, drawn)
-        found[f"{name}_low"], found[f"{name}_high"] = np.quantile(cloud, QUANTILES, axis=0)
-    found["low"] = np.fmin(found["load_sharing_low"], found["intermittent_low"])
-    found["high"] = np.fmax(found["load_sharing_high"], found["intermittent_high"])
+        friction[f"{name}_low"], friction[f"{name}_high"] = np.quantile(cloud, QUANTILES, axis=0)
+    friction["low"] = np.fmin(friction["load_sharing_low"], friction["intermittent_low"])
+    friction["high"] = np.fmax(friction["load_sharing_high"], friction["intermittent_high"])
     data = {
         name: (
             amplitude.dims,
             np.interp(line, knots, values)[place].reshape(moving.shape),
             {"units": "1", "long_name": "mu / mu0"},
         )
-        for name, values in found.items()
+        for name, values in friction.items()
     }
     for name, words in VALID.items():
         data[name][2]["validity"] = words
@@ -101,7 +99,7 @@ def predict(
 def explained(
     driven: float, idle: float, touch: Touch, finger: Fingertip, *, samples: int = 200, seed: int = 0
 ) -> xr.Dataset:
-    """Which amplitudes, and which ratio between two regions, explain two reductions by load sharing.
+    """Amplitudes of two regions, and their ratio, that explain two reductions by load sharing.
 
     Parameters
     ----------
@@ -110,7 +108,7 @@ def explained(
     Returns
     -------
     ``driven``, ``idle`` (amplitudes, m) and ``ratio``, along ``quantity``: "value", and the ends "low" and
-    "high" of the interval that holds 95 % of the draws that have a solution; ``solved`` is their share
+    "high" of the interval that contains 95 % of the draws that have a solution; ``solved`` is their share
 
     Raises
     ------

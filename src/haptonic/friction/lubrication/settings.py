@@ -1,4 +1,4 @@
-"""The finger that feels the plate, and how hard the plate is driven."""
+"""The touching finger, and the drive of the plate."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from haptonic.friction.lubrication.parameters import Fingertip, Force, Ordered, 
 
 Damping = Annotated[float, Quantity("N s/m", above=0.0, at_most=1e4, typical=(1.0, 100.0))]
 VOLTAGE = Quantity("V", above=0.0, at_most=1e4, typical=(1.0, 500.0))
-USUAL_DAMPING = (5.0, 10.0, 30.0)  # N s/m, assumed: what a fingertip does to a vibrating plate
+USUAL_DAMPING = (5.0, 10.0, 30.0)  # N s/m, assumed for a fingertip on a vibrating plate
 
 
 @described("touch", FrictionError)
 class Pad(Ordered):
-    """What the finger does to the plate: a damper, spread evenly over a disc."""
+    """Load of the finger on the plate: a damper, spread evenly over a disc."""
 
     diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = setting(
         10e-3, "Diameter of the disc that it covers; assumed.", title="Diameter below the finger"
@@ -29,15 +29,15 @@ class Pad(Ordered):
 
 @described("touch", FrictionError, kw_only=True)
 class TouchSettings:
-    """The finger that feels the plate, and how hard the plate is driven."""
+    """The touching finger, and the drive of the plate."""
 
     force: Force = setting(0.5, "Normal to the plate.", title="Force of the finger")
     speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
-    pad: Annotated[Pad, INLINE] = setting(Pad(), "What the finger does to the plate.")
+    pad: Annotated[Pad, INLINE] = setting(Pad(), "Load of the finger on the plate.")
     voltage: Annotated[float, VOLTAGE] | None = setting(
         None, "Voltage of the first actuator under the finger; by default the plate's."
     )
-    skin: Fingertip = setting(Fingertip(), "What the models of friction know of it.")
+    skin: Fingertip = setting(Fingertip(), "Parameters of the friction models.")
 
     def at(self, frequency: float) -> Touch:
         """The touch at a frequency of the plate, Hz."""

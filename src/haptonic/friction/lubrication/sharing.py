@@ -1,8 +1,8 @@
 """Load sharing: asperities of the skin and the film of squeezed air carry the finger together.
 
-The mechanism is that of [wiertlewski2016]; the closure, an asperity pressure exponential in the gap, is
-assumed. The mean gap u is where ``p_a(u) + p_film(u) = F / A``, and friction is the asperities' share of the
-load. Both pressures fall as the gap grows, so there is one equilibrium.
+The mechanism is that of [wiertlewski2016]; the closure is an assumption: the asperity pressure is exponential
+in the gap. The mean gap u solves ``p_a(u) + p_film(u) = F / A``, and friction is the asperities' share of the
+load. Both pressures fall with the gap, so there is one equilibrium.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from haptonic.friction.lubrication import film
 from haptonic.friction.lubrication.parameters import Fingertip, Touch, Values
 from haptonic.later import elementwise
 
-FILM_ONLY = 1e-9  # of friction left, beyond which nobody cares how much
-FAR = 100.0  # times the amplitude: a gap at which no film is left that could carry a finger
+FILM_ONLY = 1e-9  # of the friction at rest: less than this is treated as none
+FAR = 100.0  # times the amplitude: a gap at which the film cannot carry a finger
 NO_MOTION = 1e-12  # m: below, the plate counts as at rest
 
 
 def nominal_pressure(touch: Touch, values: Values) -> Array:
-    """Normal force over contact area, the area growing as a power of the force from that at 0.5 N; Pa."""
+    """Normal force over contact area, Pa; the area is a power of the force, given by its value at 0.5 N."""
     return np.asarray(touch.force / _area(touch, values))
 
 
@@ -46,8 +46,8 @@ def shared_friction(amplitude: ArrayLike, touch: Touch, values: Values) -> Array
 
     Returns
     -------
-    1 at rest, falling towards 0; NaN where no film could carry the finger before the plate strikes the skin,
-    which is what the other model is for
+    1 at rest, falling towards 0; NaN where the plate would strike the skin before the film carries the finger
+    (use the model of intermittent contact there)
 
     Raises
     ------
@@ -71,19 +71,19 @@ def shared_friction(amplitude: ArrayLike, touch: Touch, values: Values) -> Array
 
     span = np.log(np.broadcast_to(lowest, shape)), np.log(np.broadcast_to(highest, shape))
     arguments = [np.broadcast_to(a, shape) for a in (np.maximum(moving, NO_MOTION), *values.values())]
-    found = elementwise.find_root(excess, span, args=tuple(arguments))  # NaN where no sign changes
-    share = asperity_pressure(np.exp(found.x), values) / pressure
+    root = elementwise.find_root(excess, span, args=tuple(arguments))  # NaN where the sign does not change
+    share = asperity_pressure(np.exp(root.x), values) / pressure
     return np.clip(share, 0, 1)
 
 
 def amplitude_for(friction: ArrayLike, touch: Touch, values: Values) -> Array:
     """The inverse of `shared_friction`: amplitude (m) that leaves this much friction, mu / mu0.
 
-    The friction alone fixes the gap; the film has to carry the rest at that gap.
+    The friction alone determines the gap; the film has to carry the rest of the load at this gap.
 
     Returns
     -------
-    m; NaN where no film at that gap is strong enough
+    m; NaN where the film at that gap is too weak
 
     Raises
     ------
@@ -95,7 +95,7 @@ def amplitude_for(friction: ArrayLike, touch: Touch, values: Values) -> Array:
             argument="friction",
             given=f"{np.min(left, initial=np.inf):g} to {np.max(left, initial=-np.inf):g}",
             allowed="mu / mu0, above 0 and at most 1",
-            cause="a reduction was given instead of what is left, or a percentage",
+            cause="a reduction or a percentage was given instead of the friction that is left",
             next_step="a reduction of 55 % leaves 0.45",
         )
     pressure = nominal_pressure(touch, values)
@@ -109,16 +109,16 @@ def amplitude_for(friction: ArrayLike, touch: Touch, values: Values) -> Array:
     shape = np.broadcast_shapes(gap.shape, left.shape, *(np.shape(value) for value in values.values()))
     arguments = [np.broadcast_to(a, shape) for a in (gap, left, *values.values())]
     ends = np.zeros(shape), np.full(shape, film.LARGEST_EXCURSION)
-    found = elementwise.find_root(missing, ends, args=tuple(arguments))
-    return np.asarray(found.x * gap)
+    root = elementwise.find_root(missing, ends, args=tuple(arguments))
+    return np.asarray(root.x * gap)
 
 
 def amplitude_ratio(driven: float, idle: float, touch: Touch, values: Values) -> Array:
-    """By how much more the driven region vibrates than the idle one, from the reductions of friction.
+    """Ratio of the vibration amplitude of the driven region to that of the idle one, from their reductions.
 
     Parameters
     ----------
-    driven, idle : reductions, 0.55 for 55 %; the driven one the larger
+    driven, idle : reductions, 0.55 for 55 %; the driven one is larger
 
     Raises
     ------
@@ -142,7 +142,7 @@ def asperity_pressure(gap: ArrayLike, values: Values) -> Array:
 
 
 def sensitivity(amplitude: float, touch: Touch, finger: Fingertip) -> dict[str, tuple[float, float]]:
-    """Friction, mu / mu0, at either end of every parameter's plausible interval, the others as they are.
+    """Friction, mu / mu0, at either end of every parameter's plausible interval, other parameters fixed.
 
     Returns
     -------
@@ -189,7 +189,7 @@ def _pressed_flat(touch: Touch, pressure: Array) -> FrictionError:
         argument="touch.force",
         given=f"{touch.force:g} N, {np.max(pressure):.3g} Pa on the contact",
         allowed="a force at which the asperities leave a gap when nothing vibrates",
-        cause="the force is in another unit, or larger than the asperity law holds for",
+        cause="the force is in another unit, or too large for the asperity law",
         next_step="use a force of 0.1 to 2 N, or give a larger contact_gap",
     )
 

@@ -1,4 +1,4 @@
-"""The trials of an experiment as a stream: read file by file, measured, forgotten but for a row each."""
+"""Stream of the trials of an experiment: read file by file and measured; only a row of each is stored."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple, NoReturn
 
@@ -34,10 +34,10 @@ from haptonic.progress import Progress, silent
 
 Portion = list[tuple[str, list[RecordSpan]]]
 
-TRIED = 20  # files that are looked into for channels of the expected names
-PRESSED = 8  # trials of each participant that show how the sensor lay
+TRIED = 20  # files that are searched for channels of the expected names
+PRESSED = 8  # trials of each participant from which the orientation of the sensor is estimated
 NO_FILE = "the table names no file in this folder, or no start and stop in a file of several trials"
-POINTS = 80  # of a curve that is drawn small
+POINTS = 80  # of a small curve
 
 
 @described("trials.exclude", FrictionError)
@@ -71,9 +71,10 @@ class Exclusion:
 class Analysed:
     """The table of trials, see `haptonic.friction.signals.measured`, and how the records were read.
 
-    ``trials`` has ``detail`` beside ``excluded``: the file and what is wrong with it, or the declared reason.
-    remarks : what was guessed
-    doubts : what may be wrong, or was done to the records
+    ``trials`` has ``detail`` beside ``excluded``: the file and its fault, or the declared reason.
+
+    remarks : guesses about the sensor
+    doubts : possible faults, and changes of the records
     """
 
     trials: xr.Dataset
@@ -97,20 +98,20 @@ def analysed(
     workers: int = 0,
     progress: Progress = silent,
 ) -> Analysed:
-    """All trials of a folder with a table of trials, or of a single table.
+    """Analyse all trials of a folder with a table of trials, or of a single table.
 
-    What cannot be read is left out, and says so. Memory is that of a few files, and a row for each trial.
+    Unreadable trials are left out and reported. Memory is that of a few files and a row for each trial.
 
     Parameters
     ----------
     source : a folder with ``trials.csv``; or a file of all samples, or of trials that were measured elsewhere
-    workers : processes; 0 works in this one
-    progress : called with the trials done and all of them
+    workers : processes; 0 uses this process
+    progress : function of the number of trials done and their total
 
     Raises
     ------
     ResourceError : no such file or folder
-    FrictionError : a table that is wrong, an exclusion of a trial that is not there, or no trial that counts
+    FrictionError : an invalid table, an exclusion of a missing trial, or no trial left
     """
     if source.is_dir() or not source.suffix:
         trials, remarks, doubts = _from_folder(TrialTable.read(source), sensor, rules, workers, progress)
@@ -126,12 +127,12 @@ def analysed(
 def traces(
     source: Path, sensor: Sensor, rules: Rules, blocks: Sequence[tuple[str, int]]
 ) -> Iterator[tuple[str, int, xr.Dataset]]:
-    """Forces of every trial of some blocks (participant, number), to be drawn small.
+    """Forces of every trial of some blocks (participant, number), for small curves.
 
     Yields
     ------
     participant, block, and along (``stroke``, ``point``): ``time`` (s), ``normal`` and ``tangential`` (N),
-    ``steady``; along ``stroke``: ``trial``. What could not be read is not in it.
+    ``steady``; along ``stroke``: ``trial``. Unreadable trials are missing.
     """
     if not (source.is_dir() or not source.suffix):
         return
@@ -148,7 +149,7 @@ def traces(
 
 
 def _trace(record: Record, rules: Rules) -> xr.Dataset:
-    """Some points of one record; unfiltered where it cannot be filtered."""
+    """Some points of one record; unfiltered if it cannot be filtered."""
     count = len(record.normal)
     at = np.unique(np.linspace(0, count - 1, POINTS).round().astype(int)) if count else np.zeros(0, dtype=int)
     at = np.concatenate([at, np.full(POINTS - len(at), at[-1] if len(at) else 0)])
@@ -186,12 +187,14 @@ def _from_folder(
     total, done = len(table.files), 0
     order, parts, limits, simulated = [], [], [], table.simulated
     work = partial(_measured, table.folder, channel_map, rules, table.labels["participant"])
-    # in processes, for most of the work is Python that reads text
-    for _, (rows, columns, ends, says_so) in finished(work, enumerate(table.portions()), workers, _lost):
+    # in processes, because most of the work is Python code that reads text
+    for _, (rows, columns, ends, part_simulated) in finished(
+        work, enumerate(table.portions()), workers, _lost
+    ):
         order.append(rows)
         parts.append(columns)
         limits.append(ends)
-        simulated |= says_so
+        simulated |= part_simulated
         done += len(rows)
         progress(done, total)
     back = np.argsort(np.concatenate(order))
@@ -219,7 +222,7 @@ def _lost(portion: Portion) -> NoReturn:
 def _measured(
     folder: Path, channel_map: ChannelMap, rules: Rules, people: NDArray[Any], portion: Portion
 ) -> tuple[NDArray[np.int_], Columns, RangeEnds, bool]:
-    """Rows of the table, their columns and limits, and whether any file says that it is simulated."""
+    """Rows of the table, their columns and limits, and True if any file is marked as simulated."""
     reads = list(_records(folder, channel_map, portion, people))
     good = [i for i, read in enumerate(reads) if read.record is not None]
     numbers, ends = measure_part([read.record for read in reads if read.record is not None], rules)
@@ -241,7 +244,7 @@ def _measured(
 def _records(
     folder: Path, channel_map: ChannelMap, portion: Portion, people: NDArray[Any]
 ) -> Iterator[_Read]:
-    """Every trial of a portion with its record, or with what is wrong. A file is opened once.
+    """Every trial of a portion with its record, or with its fault. A file is opened once.
 
     people : (row of the table,) participants
     """
@@ -252,10 +255,10 @@ def _records(
         left = list(spans)
         try:
             file = opened(folder / name)
-            kept: dict[str, tuple[Group, Clock]] = {}
+            opened_groups: dict[str, tuple[Group, Clock]] = {}
             while left:
                 person = str(people[left[0].row])
-                yield _read(name, left[0], person, file, kept, channel_map)
+                yield _read(name, left[0], person, file, opened_groups, channel_map)
                 left.pop(0)
         except HaptonicError as error:
             yield from (_Read(span, None, _why(name, error), False) for span in left)
@@ -266,17 +269,17 @@ def _read(
     span: RecordSpan,
     person: str,
     file: SignalFile,
-    kept: dict[str, tuple[Group, Clock]],
+    opened_groups: dict[str, tuple[Group, Clock]],
     channel_map: ChannelMap,
 ) -> _Read:
     simulated = False
     try:
-        if span.group not in kept:
-            kept.clear()  # groups come one after the other
+        if span.group not in opened_groups:
+            opened_groups.clear()  # groups come one after the other
             channels = file.group(span.group)
             simulated = channels.simulated
-            kept[span.group] = channels, channel_map.clock_in(channels)
-        channels, clock = kept[span.group]
+            opened_groups[span.group] = channels, channel_map.clock_in(channels)
+        channels, clock = opened_groups[span.group]
         record = channel_map.record(channels, clock, span.start, span.stop, person)
     except HaptonicError as error:
         return _Read(span, None, _why(name, error), simulated)
@@ -284,15 +287,15 @@ def _read(
 
 
 def _channel_map(table: TrialTable, sensor: Sensor) -> ChannelMap:
-    """The meaning of the channels, from the first file that has those that are needed.
+    """Map of the channels, from the first file that has all required ones.
 
     Raises
     ------
-    HaptonicError : what is wrong with the first file, if none of the first has them
+    HaptonicError : fault of the first file, if none of the first files has them
     """
     first: HaptonicError | None = None
     calibration = sensor.matrix(table.folder)
-    for name, spans in islice((one for portion in table.portions() for one in portion), TRIED):
+    for name, spans in islice(chain.from_iterable(table.portions()), TRIED):
         try:
             channels = opened(table.folder / name).group(spans[0].group)
             channel_map = sensor.channel_map(channels, calibration)
@@ -305,7 +308,7 @@ def _channel_map(table: TrialTable, sensor: Sensor) -> ChannelMap:
 
 
 def _mounted(table: TrialTable, channel_map: ChannelMap) -> ChannelMap:
-    """The channel map with how the sensor lay for each participant, as some of the trials show it."""
+    """The channel map with the orientation of the sensor for each participant, from some of the trials."""
     people = table.labels["participant"]
     records: dict[str, list[Record]] = {}
     for person in dict.fromkeys(people.tolist()):
@@ -317,7 +320,7 @@ def _mounted(table: TrialTable, channel_map: ChannelMap) -> ChannelMap:
 
 
 def _of_file(error: HaptonicError, name: str) -> HaptonicError:
-    """The same error, with the file that it is about."""
+    """The same error, with the name of its file."""
     kind = FrictionError if isinstance(error, ChannelError) else type(error)
     return error.changed(kind, argument=f"{name}: {error.argument}")
 
@@ -330,20 +333,22 @@ def _why(name: str, error: HaptonicError) -> str:
 def _declared(trials: xr.Dataset, excluded: Sequence[Exclusion]) -> xr.Dataset:
     """The table with the declared exclusions in it."""
     reason, detail = (trials[name].values.astype(object) for name in ("excluded", "detail"))
-    for number, one in enumerate(excluded, start=1):
-        rows = trials["participant"].values == one.participant
+    for number, exclusion in enumerate(excluded, start=1):
+        rows = trials["participant"].values == exclusion.participant
         for name in ("block", "trial"):
-            if getattr(one, name) is not None:
-                rows &= trials[name].values == getattr(one, name)
+            if getattr(exclusion, name) is not None:
+                rows &= trials[name].values == getattr(exclusion, name)
         if not rows.any():
             raise FrictionError.mismatch(
                 argument=f"trials.exclude[{number}]",
-                given=", ".join(f"{key} {value}" for key, value in asdict(one).items() if value is not None),
+                given=", ".join(
+                    f"{key} {value}" for key, value in asdict(exclusion).items() if value is not None
+                ),
                 allowed="trials that are in the table",
                 cause="a slip in the name or the numbers, or the exclusion is of another experiment",
                 next_step="put it right, or remove it",
             )
-        reason[rows], detail[rows] = DECLARED, one.reason
+        reason[rows], detail[rows] = DECLARED, exclusion.reason
     return trials.assign(excluded=("stroke", reason.astype(str)), detail=("stroke", detail.astype(str)))
 
 

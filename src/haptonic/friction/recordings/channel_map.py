@@ -1,4 +1,4 @@
-"""Channels by what they mean, and the records that they make."""
+"""Map from meanings to channels, and the records that it makes."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from haptonic.friction.signals.clock import Clock, clock_at, clock_of, repeats_o
 from haptonic.friction.signals.filters import design_frequency
 from haptonic.friction.signals.record import Record
 
-HIGHEST_RATE = 1e12  # Hz; no converter comes near
+HIGHEST_RATE = 1e12  # Hz; above any converter
 ELSEWHERE = "the stroke goes in another direction than the participant's others: its own direction was taken"
 
 
 @dataclass(frozen=True, eq=False)
 class ChannelMap:
-    """Channels by what they mean, ready to make records; see `Sensor.channel_map`.
+    """Channels by their meaning, ready to make records; see `Sensor.channel_map`.
 
-    remarks : what was guessed, in words
-    sign_unknown : whether the study does not say in which direction the normal force counts
-    axis_unknown : whether the study does not say along which channel the stroke goes
-    named : whether the study names both the normal and the tangential force
-    mountings : how the sensor lay, by participant; see `mounted`
-    doubts : what is unusual about it
+    remarks : guesses, in sentences
+    sign_unknown : True if the study does not give the sign of the normal force
+    axis_unknown : True if the study does not give the channel along the stroke
+    named : True if the study names both the normal and the tangential force
+    mountings : orientation of the sensor, by participant; see `mounted`
+    doubts : unusual facts about the sensor
     """
 
     scaled: dict[str, ScaledChannel]
@@ -50,8 +50,8 @@ class ChannelMap:
     def mounted(
         self, mountings: Mapping[str, Mounting], remarks: tuple[str, ...], doubts: tuple[str, ...]
     ) -> ChannelMap:
-        """The same with the mountings of the sensor, by participant, and remarks on them."""
-        oblique = any(one.angle for one in mountings.values())
+        """A copy with the orientation of the sensor, by participant, and remarks on it."""
+        oblique = any(mounting.angle for mounting in mountings.values())
         guessed = [text for text in self.remarks if not (oblique and text.endswith("as tangential"))]
         return replace(self, mountings=mountings, remarks=(*guessed, *remarks), doubts=doubts)
 
@@ -60,7 +60,9 @@ class ChannelMap:
         """Names of the tangential channel and of the other one in the plane."""
         if self.matrix is not None:
             return "the tangential axis", "the other axis"
-        return tuple(self.scaled[one].name if one in self.scaled else "" for one in ("tangential", "across"))  # type: ignore[return-value]
+        return tuple(
+            self.scaled[role].name if role in self.scaled else "" for role in ("tangential", "across")
+        )  # type: ignore[return-value]
 
     def record(
         self, channels: Group, clock: Clock, start: float | None, stop: float | None, participant: str = ""
@@ -69,7 +71,8 @@ class ChannelMap:
 
         Raises
         ------
-        FrictionError : a channel is missing, nothing between the two times, or forces that no finger makes
+        FrictionError : a channel is missing, no sample lies between the two times, or the forces are too
+            large
         """
         self._refuse_lengths(channels)
         rate = clock.rate
@@ -119,11 +122,11 @@ class ChannelMap:
         return self._along(record, mounting.angle) if self.axis_unknown and self.mountings else record
 
     def _refuse_lengths(self, channels: Group) -> None:
-        """Refuse channels of which one has fewer samples than another: nothing says which it lacks."""
-        timed = self.rate is None  # else times are not used
-        used = (one.name for what, one in self.scaled.items() if timed or what != "time")
-        every = channels.channels
-        lengths = {name: every[name].size for name in (*self.gauges, *used) if name in every}
+        """Refuse a file in which one channel has fewer samples than another: the missing ones are unknown."""
+        timed = self.rate is None  # with a given rate, times are not used
+        used = (channel.name for meaning, channel in self.scaled.items() if timed or meaning != "time")
+        all_channels = channels.channels
+        lengths = {name: all_channels[name].size for name in (*self.gauges, *used) if name in all_channels}
         if not lengths:
             return
         few, many = min(lengths, key=lengths.__getitem__), max(lengths, key=lengths.__getitem__)
@@ -132,15 +135,15 @@ class ChannelMap:
                 argument=f"channel {few}",
                 given=f"{lengths[few]} samples, where {many} has {lengths[many]}",
                 allowed="as many samples in all channels of a record",
-                cause="the file was cut, or the channels have rates of their own",
+                cause="the file was cut, or the channels have different rates",
                 next_step="record this trial again, or export all channels at one rate",
             )
 
     def _along(self, record: Record, usual: float) -> Record:
-        """The record with the force along the participant's strokes, or along its own direction."""
-        own = own_angle(record, usual)
-        remarks = record.remarks if own is None else (*record.remarks, ELSEWHERE)
-        angle = usual if own is None else own
+        """The record with the force along the usual stroke, or along a stroke that departs from it."""
+        aside = own_angle(record, usual)
+        remarks = record.remarks if aside is None else (*record.remarks, ELSEWHERE)
+        angle = usual if aside is None else aside
         if not angle or record.across is None:
             return record
         along = math.cos(angle) * record.tangential + math.sin(angle) * record.across
@@ -148,12 +151,11 @@ class ChannelMap:
         return replace(record, tangential=along, across=across, remarks=remarks)
 
     def clock_in(self, channels: Group) -> Clock:
-        """Clock of a file or group: the rate that the study gives goes before times, and these before the
-        rate that the file gives.
+        """Clock of a file or group, from the study's rate, else from times, else from the file's rate.
 
         Raises
         ------
-        FrictionError : times that belong to no even samples, no rate, or one too low for the filters
+        FrictionError : times without even samples, no rate, or a rate too low for the filters
         """
         clock = self._clock(channels)
         design_frequency("literal", clock.rate)
@@ -169,7 +171,7 @@ class ChannelMap:
         try:
             times = time.times(channels)
         except HaptonicError:
-            if self.rate is not None:  # times that nobody needs
+            if self.rate is not None:  # the times are not needed
                 return Clock(self.rate)
             raise
         others = {*(channel.name for channel in self.scaled.values()), *self.gauges} - {time.name}
@@ -180,7 +182,7 @@ class ChannelMap:
 
 
 def no_rate() -> FrictionError:
-    """The error of a file that gives neither times nor a sampling rate."""
+    """The error for a file with neither times nor a sampling rate."""
     return FrictionError.missing(
         argument="sampling rate",
         given="neither times nor a rate",

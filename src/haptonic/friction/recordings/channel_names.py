@@ -1,4 +1,4 @@
-"""What a channel is by its name, as programs in several languages write it: Fz, F_z, Force Z (N), Kraft_z."""
+"""Meaning of a channel from its name, in several languages: Fz, F_z, Force Z (N), Kraft_z."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _TANGENTIAL = re.compile(
 
 @dataclass(frozen=True)
 class Names:
-    """Names of channels by what they are; several of one meaning are ambiguous.
+    """Names of channels by their meaning; several names of one meaning are ambiguous.
 
     axes : by "x", "y", "z"
     """
@@ -57,26 +57,26 @@ class Names:
 
     @classmethod
     def of(cls, names: Iterable[str]) -> Names:
-        """Those among some names whose meaning is usual."""
-        found = cls()
+        """Select the names whose meaning is usual."""
+        by_meaning = cls()
         for name in names:
             words, _ = split(name)
             joined, spaced = "".join(words), " ".join(words)
             if match := _AXIS.fullmatch(joined):
-                found.axes[match[1] or match[2]].append(name)
+                by_meaning.axes[match[1] or match[2]].append(name)
             elif _NORMAL.fullmatch(joined):
-                found.normal.append(name)
+                by_meaning.normal.append(name)
             elif _TANGENTIAL.fullmatch(joined):
-                found.tangential.append(name)
+                by_meaning.tangential.append(name)
             elif spaced in POSITION:
-                found.position.append(name)
+                by_meaning.position.append(name)
             elif spaced in TIME or joined in TIME:
-                found.time.append(name)
-        return found
+                by_meaning.time.append(name)
+        return by_meaning
 
 
 def split(name: str) -> tuple[list[str], str]:
-    """Words of a name in small letters, and the unit that it ends with, as in "Fz_mN", or nothing."""
+    """Words of a name in small letters, and the unit at its end, as in "Fz_mN"; "" without a unit."""
     unit = ""
     if (ending := _UNIT.fullmatch(name.strip())) and ending["unit"].casefold() in UNITS:
         name, unit = ending["name"], UNITS[ending["unit"].casefold()]
@@ -85,5 +85,5 @@ def split(name: str) -> tuple[list[str], str]:
 
 
 def plain(name: str) -> str:
-    """A name without capitals, separators and its unit, to compare names."""
+    """A name without capitals, separators and unit, for comparison with other names."""
     return "".join(split(name)[0])

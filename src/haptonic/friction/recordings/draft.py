@@ -1,4 +1,4 @@
-"""A draft of the table of trials from the names of the files: parts that vary become columns."""
+"""Draft of the table of trials from the names of the files: parts that vary become columns."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from haptonic.friction.signals.columns import OFF, ON, WORDS, plain_word
 from haptonic.friction.signals.tables import LABEL
 
 MOST_FILES = 100_000
-FEW = 8  # values of a word that is a region rather than a name of a person
-# Letters before a number in the name of a file, and what they stand for.
+FEW = 8  # values of a word: at most as many mean a region, more mean a person
+# Letters before a number in the name of a file, and their meaning.
 LETTERS = {
     "participant": ("p", "s", "vp", "sub", "subj", "subject", "participant", "proband", "pp", "user"),
     "block": ("b", "blk", "bl", "block", "session", "sess", "ses", "set", "s"),
@@ -31,10 +31,10 @@ _MIXED = re.compile(r"([^\W\d_]+)(\d+)")
 
 @dataclass(frozen=True)
 class Draft:
-    """Columns of a table of trials, drafted.
+    """Drafted columns of a table of trials.
 
     columns : (trial,) texts by name, ``file`` last
-    empty : columns that the names of the files do not say
+    empty : columns that the names of the files do not give
     unnamed : columns of parts whose meaning is not clear
     """
 
@@ -44,11 +44,11 @@ class Draft:
 
 
 def drafted(folder: Path) -> Draft:
-    """A table of trials from the names of the files in a folder and in those below it.
+    """Draft a table of trials from the names of the files in a folder and below it.
 
     Raises
     ------
-    FrictionError : the folder has a table already, holds no record, or too many files
+    FrictionError : the folder already has a table, has no record, or has too many files
     """
     if table_in(folder).exists():
         raise FrictionError.repeated(
@@ -65,7 +65,7 @@ def drafted(folder: Path) -> Draft:
             given=f"no record in {folder}",
             allowed=f"files that end in {', '.join(SUFFIXES)}",
             cause="another folder, or records in another format",
-            next_step="choose the folder that holds the records",
+            next_step="choose the folder with the records",
         )
     parts = [parts_of(name) for name in files]
     usual = Counter(map(len, parts)).most_common(1)[0][0]
@@ -74,7 +74,7 @@ def drafted(folder: Path) -> Draft:
     named = _meanings(places)
     columns = {
         meaning: [_cell(meaning, value) for value in places[place]]
-        for meaning, place in sorted(named.items(), key=lambda one: LABEL.index(one[0]))
+        for meaning, place in sorted(named.items(), key=lambda item: LABEL.index(item[0]))
     }
     unnamed = {
         f"part{place + 1}": values
@@ -96,7 +96,7 @@ def drafted(folder: Path) -> Draft:
 
 
 def records_in(folder: Path) -> list[str]:
-    """Names of the files of signals in a folder and below it, those with numbers in their order."""
+    """Names of the files of signals in a folder and below it, sorted by the numbers in them."""
     every = sorted(
         (path for path in folder.rglob("*") if path.suffix.lower() in SUFFIXES and path.is_file()),
         key=lambda path: [
@@ -110,7 +110,7 @@ def records_in(folder: Path) -> list[str]:
             given=f"{len(every)} files",
             allowed=f"at most {MOST_FILES}",
             cause="another folder than that of the records",
-            next_step="choose the folder that holds the records",
+            next_step="choose the folder with the records",
         )
     names = [path.relative_to(folder) for path in every]
     hidden = [any(part.startswith(".") for part in name.parts) for name in names]
@@ -127,12 +127,12 @@ def parts_of(name: str) -> list[str]:
 
 
 def _meanings(places: dict[int, list[str]]) -> dict[str, int]:
-    """Places in the names by what they say; each meaning once."""
-    found: dict[str, int] = {}
+    """Place in the names for each meaning; each meaning occurs once."""
+    by_meaning: dict[str, int] = {}
 
     def take(meaning: str, place: int) -> None:
-        if meaning not in found and place not in found.values():
-            found[meaning] = place
+        if meaning not in by_meaning and place not in by_meaning.values():
+            by_meaning[meaning] = place
 
     varying = [place for place, values in places.items() if len(set(values) - {""}) > 1]
     for place, values in places.items():
@@ -140,16 +140,16 @@ def _meanings(places: dict[int, list[str]]) -> dict[str, int]:
         if words and words <= ON | OFF and not any(word.isdecimal() for word in words):
             take("actuation", place)
         letters = {match[1].casefold() for word in words if (match := _MIXED.fullmatch(word))}
-        for meaning, known in LETTERS.items():
-            if words and all(_MIXED.fullmatch(word) for word in words) and letters <= set(known):
+        for meaning, abbreviations in LETTERS.items():
+            if words and all(_MIXED.fullmatch(word) for word in words) and letters <= set(abbreviations):
                 take(meaning, place)
     for place in varying:  # "block 3": a word that does not vary before a number
         if all(value.isdecimal() for value in places[place] if value) and place - 1 in places:
             before = {value.casefold() for value in places[place - 1] if value}
             if len(before) == 1:
                 word = plain_word(next(iter(before)))
-                for meaning, known in LETTERS.items():
-                    if word in known or word in WORDS[meaning]:
+                for meaning, abbreviations in LETTERS.items():
+                    if word in abbreviations or word in WORDS[meaning]:
                         take(meaning, place)
     numbers = [p for p in varying if all(value.isdecimal() for value in places[p] if value)]
     for meaning, place in zip(("trial", "block"), reversed(numbers), strict=False):
@@ -158,8 +158,8 @@ def _meanings(places: dict[int, list[str]]) -> dict[str, int]:
     for place in varying:
         if place not in numbers:
             few = len({value.casefold() for value in places[place]}) <= FEW
-            take("participant" if "participant" not in found or not few else "waveguide", place)
-    return found
+            take("participant" if "participant" not in by_meaning or not few else "waveguide", place)
+    return by_meaning
 
 
 def _cell(meaning: str, value: str) -> str:

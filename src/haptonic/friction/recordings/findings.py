@@ -1,4 +1,4 @@
-"""What the records of an experiment show about the sensor, and what may be wrong with them, in words."""
+"""Remarks and doubts about the sensor and the records of an experiment, in sentences."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rules import OTHER_WAY, REMEDIES
 from haptonic.later import xarray as xr
 
-SLIPPERY = 0.03  # median friction below which no fingertip slides on a plate that is not driven
+SLIPPERY = 0.03  # median friction; on a plate that is not driven a fingertip has more
 STICKY = 1.0  # median friction above which normal and tangential force may be exchanged
 FEWEST_EXCHANGED = 2  # records that show that the forces are exchanged
 MOST_NAMED = 10  # participants that a sentence names
 
 
 def mounted(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) -> ChannelMap:
-    """The channel map with how the sensor lay for each participant, and with what is unusual about it."""
+    """The channel map with the orientation of the sensor for each participant, and unusual facts about it."""
     sign, angle = channel_map.sign_unknown, channel_map.axis_unknown
     exchanged = _exchanged(channel_map, records)
     within = _within_ranges(records)
@@ -45,14 +45,14 @@ def mounted(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) ->
             "[trials.sensor] to have both forces combined"
             for text, names in _alike(lay)
         ]
-        lay = {name: Mounting(one.sign) for name, one in lay.items()}
+        lay = {name: Mounting(mounting.sign) for name, mounting in lay.items()}
     return channel_map.mounted(lay, tuple(remarks), tuple(doubts))
 
 
 def _within_ranges(records: Mapping[str, Sequence[Record]]) -> dict[str, list[Record]]:
-    """Records of each participant without those in which a channel is at its end, if others are left.
+    """Records of each participant without those with a channel at the end of its range, if others are left.
 
-    Such a channel turns the force in the plane.
+    Such a channel changes the direction of the force in the plane.
     """
     ends = RangeEnds.of([record.channels for some in records.values() for record in some])
     reached = iter(ends.reached().tolist())
@@ -61,18 +61,18 @@ def _within_ranges(records: Mapping[str, Sequence[Record]]) -> dict[str, list[Re
 
 
 def _exchanged(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) -> list[str]:
-    """A doubt if the tangential force begins before the normal one in most records, and both are named.
+    """A doubt if the tangential force begins before the normal force in most records, and both are named.
 
     Raises
     ------
-    FrictionError : the same, and they are not both named
+    FrictionError : the forces are exchanged, and the study does not name both
     """
     begin = [begins_sliding(record) for some in records.values() for record in some]
     if 2 * sum(begin) <= len(begin) or sum(begin) < FEWEST_EXCHANGED:
         return []
     given = f"a tangential force before the finger presses, in {sum(begin)} of {len(begin)} records"
     if channel_map.named:
-        return [f"{given}: no friction does so; check whether normal and tangential force are exchanged"]
+        return [f"{given}: friction cannot do so; check whether normal and tangential force are exchanged"]
     along, across = channel_map.plane
     others = " or ".join(f'"{name}"' for name in (along, across) if name)
     raise FrictionError.conflict(
@@ -85,8 +85,8 @@ def _exchanged(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]])
 
 
 def _signs(lay: Mapping[str, Mounting]) -> tuple[list[str], list[str]]:
-    """What was guessed of the sign of the normal force, and whose is unlike that of the others."""
-    turned = [name for name, one in lay.items() if one.sign < 0]
+    """Remarks on a reversed sign of the normal force, and doubts about participants who differ in it."""
+    turned = [name for name, mounting in lay.items() if mounting.sign < 0]
     if not turned:
         return [], []
     if len(turned) == len(lay):
@@ -99,17 +99,17 @@ def _signs(lay: Mapping[str, Mounting]) -> tuple[list[str], list[str]]:
 
 
 def _alike(lay: Mapping[str, Mounting]) -> list[tuple[str, list[str]]]:
-    """Participants by the direction of their strokes, in words; without those along the named channel."""
-    found: dict[str, list[str]] = {}
-    for name, one in lay.items():
-        if one.angle:
-            found.setdefault(f"{5 * round(np.degrees(one.angle) / 5)}°", []).append(name)
+    """Participants by the direction of their strokes (text), without strokes along the named channel."""
+    by_direction: dict[str, list[str]] = {}
+    for name, mounting in lay.items():
+        if mounting.angle:
+            by_direction.setdefault(f"{5 * round(np.degrees(mounting.angle) / 5)}°", []).append(name)
     every = len(lay)
-    return [(text, names if len(names) < every else []) for text, names in found.items()]
+    return [(text, names if len(names) < every else []) for text, names in by_direction.items()]
 
 
 def listed(names: Sequence[str]) -> str:
-    """Participants in a sentence; none are all of them."""
+    """Names of participants for a sentence; an empty list means all of them."""
     if not names:
         return "all participants"
     more = len(names) - MOST_NAMED
@@ -117,7 +117,7 @@ def listed(names: Sequence[str]) -> str:
 
 
 def remarked(remarks: NDArray[Any], people: NDArray[Any]) -> list[str]:
-    """What was done to records, with the number of trials and whose they are."""
+    """Remarks on records, each with the number of its trials and their participants."""
     rows: dict[str, list[int]] = {}
     for row, some in enumerate(remarks):
         for text in some:
@@ -145,7 +145,7 @@ def explained(trials: xr.Dataset) -> xr.Dataset:
 
 
 def doubts_of(trials: xr.Dataset, normal: str) -> list[str]:
-    """What is unlikely about the trials: a sign against the study's, or a friction that no fingertip has."""
+    """Doubts about the trials: a sign that disagrees with the study's, or a friction unlike a fingertip's."""
     excluded, people = trials["excluded"].values, trials["participant"].values
     doubts = []
     against = excluded == OTHER_WAY
@@ -164,8 +164,8 @@ def doubts_of(trials: xr.Dataset, normal: str) -> list[str]:
     middle = float(np.median(friction)) if friction.size else np.nan
     if middle < SLIPPERY:
         doubts.append(
-            f"a friction of {middle:.2g} is no fingertip's: the tangential force is another channel or has "
-            "another unit; check tangential and force_unit in [trials.sensor]"
+            f"a friction of {middle:.2g} is too low for a fingertip: the tangential force is another channel "
+            "or has another unit; check tangential and force_unit in [trials.sensor]"
         )
     elif middle > STICKY:
         doubts.append(
@@ -176,7 +176,7 @@ def doubts_of(trials: xr.Dataset, normal: str) -> list[str]:
 
 
 def _unchecked(trials: xr.Dataset) -> list[str]:
-    """A sentence about trials whose records do not end at rest, so that nothing shows a small drift."""
+    """A sentence about trials whose records do not end at rest, so that a small drift cannot be seen."""
     window = json.loads(trials.attrs.get("rules", "{}")).get("bias_window")
     if "sensor_drift" not in trials or not window:
         return []

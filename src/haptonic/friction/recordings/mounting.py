@@ -1,7 +1,7 @@
-"""How a sensor lay below the plate, as records show it: sign of the normal force, direction of the stroke.
+"""Orientation of a sensor below the plate, from records: sign of the normal force, direction of the stroke.
 
-A finger only presses, so the normal force counts in the direction in which it departs from rest. Friction
-opposes the motion of a finger that slides, so the force in the plane shows the direction of the stroke.
+A finger only presses, so the departure of the normal force from rest gives its sign. Friction opposes the
+motion of a sliding finger, so the force in the plane gives the direction of the stroke.
 """
 
 from __future__ import annotations
@@ -18,24 +18,24 @@ from haptonic.friction.signals.measuring import FEWEST
 from haptonic.friction.signals.record import Record
 from haptonic.friction.signals.rest import RETURNED, rest_of
 
-AT_REST = 20  # that part of a record, at its start, shows the sensor without a finger
+AT_REST = 20  # this part of a record, at its start, shows the sensor without a finger
 PRESSED = 0.5  # of the largest normal force: the finger presses
-STRAIGHT = 0.15  # across the stroke over along it: no finger strokes straighter, and the error is 1 %
-ASIDE = 0.3  # the same of a single stroke that goes elsewhere than the others of its participant
-LEAST = 0.1  # force across over normal force that shows it
-NOTHING = 0.01  # friction below which there is no direction
+STRAIGHT = 0.15  # force across over along the stroke: strokes are not straighter, and the error is 1 %
+ASIDE = 0.3  # the same for a single stroke in another direction than its participant's others
+LEAST = 0.1  # force across over normal force that shows such a stroke
+NOTHING = 0.01  # friction below which the direction is not determined
 BEGUN = 0.2  # of the largest tangential force: the finger slides
-NOISES = 3.0  # times the largest departure while the sensor rests: a force
-UNLOADED = 5.0  # times the normal force: no friction of a finger is as large
-GONE = 0.2  # of the force at the start: what is left when a finger that lay there is lifted
+NOISES = 3.0  # times the largest departure while the sensor rests: above, it is a force
+UNLOADED = 5.0  # times the normal force: larger than any friction of a finger
+GONE = 0.2  # of the force at the start: the rest after a finger that lay there is lifted
 
 
 @dataclass(frozen=True)
 class Mounting:
-    """How the sensor lay for a participant.
+    """Orientation of the sensor for a participant.
 
-    sign : 1, or -1 where the normal force falls where the finger presses
-    angle : rad, from the named tangential channel to the stroke, towards the other one in the plane
+    sign : 1, or -1 if the normal force falls when the finger presses
+    angle : rad, from the named tangential channel to the stroke, towards the other channel in the plane
     """
 
     sign: float = 1.0
@@ -43,7 +43,7 @@ class Mounting:
 
 
 def excursion(normal: Array) -> float:
-    """How far the normal force departs from rest, N, negative where it falls; 0 where nothing is seen."""
+    """Departure of the normal force from rest, N, negative if it falls; 0 if it does not depart."""
     if not normal.size or not np.isfinite(normal).all():
         return 0.0
     part = max(1, len(normal) // AT_REST)
@@ -56,7 +56,7 @@ def excursion(normal: Array) -> float:
 
 
 def begins_sliding(record: Record) -> bool:
-    """True if a tangential force begins where the finger does not press yet, which friction never does."""
+    """True if a tangential force begins before the finger presses, which friction cannot do."""
     across = [] if record.across is None else [record.across]
     channels = np.array([record.normal, record.tangential, *across], dtype=float)
     part = max(2, channels.shape[1] // AT_REST)
@@ -100,7 +100,7 @@ def direction(products: Array) -> float:
 
 
 def angle_of(products: Array) -> float:
-    """Direction of the stroke, rad from the tangential channel; 0 where the channel has nearly all of it."""
+    """Direction of the stroke, rad from the tangential channel; 0 if the channel has nearly all the force."""
     if np.trace(products) < NOTHING**2:
         return 0.0
     angle = direction(products)
@@ -108,7 +108,7 @@ def angle_of(products: Array) -> float:
 
 
 def own_angle(record: Record, usual: float) -> float | None:
-    """Direction of a single stroke that goes elsewhere than ``usual``, rad; None where it does not."""
+    """Direction of a single stroke that departs from ``usual``, rad; None for a usual stroke."""
     products = moments(record)
     along, across = np.array([[math.cos(usual), math.sin(usual)], [-math.sin(usual), math.cos(usual)]])
     beside, ahead = (math.sqrt(max(float(axis @ products @ axis), 0.0)) for axis in (across, along))
@@ -118,21 +118,21 @@ def own_angle(record: Record, usual: float) -> float | None:
 
 
 def mounting_of(records: Sequence[Record], *, sign: bool, angle: bool) -> Mounting:
-    """How the sensor lay for a participant's records; ``sign`` and ``angle`` : True to look for it."""
+    """Orientation of the sensor for a participant's records; ``sign``, ``angle`` : True to estimate it."""
     if not records:
         return Mounting()
-    # a stroke that was cut or slipped shows something else than the others
+    # the median and the majority leave out a stroke that was cut or slipped
     departs = float(np.median([excursion(record.normal) for record in records]))
     usual = angle_of(_agreeing([moments(record) for record in records])) if angle else 0.0
     return Mounting(-1.0 if sign and departs < 0 else 1.0, usual)
 
 
 def _agreeing(every: Sequence[Array]) -> Array:
-    """(2, 2) sum of the moments whose directions agree with that which is nearest to all of them."""
-    some = [one for one in every if np.trace(one) > NOTHING**2]
+    """(2, 2) sum of the moments whose directions agree with the direction nearest to all of them."""
+    some = [moment for moment in every if np.trace(moment) > NOTHING**2]
     if not some:
         return np.zeros((2, 2))
-    angles = np.array([direction(one) for one in some])
+    angles = np.array([direction(moment) for moment in some])
     apart = np.abs(np.sin(angles[:, None] - angles))
     near = apart[apart.sum(axis=1).argmin()] < STRAIGHT
-    return np.asarray(sum(one for one, agrees in zip(some, near, strict=True) if agrees))
+    return np.asarray(sum(moment for moment, agrees in zip(some, near, strict=True) if agrees))

@@ -1,4 +1,4 @@
-"""A channel of a file and what its numbers are in SI: the unit of the study, of the file or of a title."""
+"""A channel of a file and its unit in SI: from the study, the file or a title."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ class ScaledChannel:
     """A channel by its name.
 
     dimension : SI unit of its values
-    unit : the one that the study gives; empty where each file says it
-    sign : -1 where the study turns it
-    usual : what one unit of it is in SI where a file does not say it, as in the first file
+    unit : unit that the study gives; empty if each file gives it
+    sign : -1 if the study reverses it
+    usual : SI value of one unit, for files that do not give the unit; from the first file
     """
 
     name: str
@@ -35,11 +35,11 @@ class ScaledChannel:
     usual: float | None = None
 
     def factor_in(self, channels: Group) -> float:
-        """What one unit of the channel is in SI in this file.
+        """SI value of one unit of the channel in this file.
 
         Raises
         ------
-        FrictionError : a unit of something else
+        FrictionError : a unit of another dimension
         """
         unit, counts = self.unit or channels.channels[self.name].unit or split(self.name)[1], 1.0
         if not unit and self.dimension == "N":
@@ -64,7 +64,7 @@ class ScaledChannel:
 
         Raises
         ------
-        HaptonicError : no such channel, or texts that are no times of day
+        HaptonicError : no such channel, or texts that are not times of day
         """
         channel = channels.channels.get(self.name)
         values = np.zeros(0) if channel is None else np.asarray(channel)

@@ -1,4 +1,4 @@
-"""What the channels of a file mean: names, units, signs, and the calibration of a six-axis sensor."""
+"""Meaning of the channels of a file: names, units, signs, and the calibration of a six-axis sensor."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ from haptonic.units import to_si
 
 AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
 SIX = 6  # gauges of a sensor
-WORST_CONDITION = 1e6  # of a calibration matrix; beyond, two gauges say the same
+WORST_CONDITION = 1e6  # of a calibration matrix; beyond, two gauges are nearly equal
 GAUGES = tuple(
     tuple(f"{word}{number}" for number in range(first, first + 6))
     for word in ("g", "sg", "gauge", "gauge ", "ch", "ai", "v")
     for first in (0, 1)
 )
-CALIBRATION = "calibration.csv"  # taken if it lies beside the trials and nothing is said
+CALIBRATION = "calibration.csv"  # used without a setting if it is beside the trials
 DIMENSION: dict[str, Literal["N", "m", "s"]] = {
     "normal": "N", "tangential": "N", "across": "N", "position": "m", "time": "s",
 }  # fmt: skip
@@ -44,7 +44,7 @@ USUAL = {"normal": "Fz or normal force", "tangential": "Fy, Fx or tangential for
 
 
 def _unit_like(unit: str) -> AfterValidator:
-    """Refuse what is no unit of the same dimension."""
+    """Refuse units of another dimension."""
 
     def checked(text: str) -> str:
         try:
@@ -62,7 +62,7 @@ Text = Annotated[str, Field(max_length=200, strict=True)]
 
 @described("trials.sensor", FrictionError, kw_only=True)
 class Sensor:
-    """What the channels of the files are. What is left out is guessed from usual names, and reported."""
+    """Channels of the files. Missing names are guessed from usual names and reported."""
 
     normal: Text = setting(
         "",
@@ -88,7 +88,7 @@ class Sensor:
         "", "Unit of times; by default that of the file, or s.", title="Unit of the time", examples=["ms"]
     )
     rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = setting(
-        None, "Goes before a channel of times; needed where there is none.", title="Sampling rate"
+        None, "Goes before a channel of times; needed if the file has no times.", title="Sampling rate"
     )
     gauges: Text = setting(
         "",
@@ -124,25 +124,26 @@ class Sensor:
             )  # fmt: skip
 
     def matrix(self, folder: Path) -> Array | None:
-        """(6, 6) Fx Fy Fz Tx Ty Tz (N, N m) for one volt of each gauge, if there is a calibration.
+        """(6, 6) Fx Fy Fz Tx Ty Tz (N, N m) for one volt of each gauge; None without a calibration.
 
         Raises
         ------
-        FrictionError : a calibration that is no matrix of full rank
+        FrictionError : a calibration that is not a matrix of full rank
         """
         path = folder / (self.calibration or CALIBRATION)
         return read_calibration(path) if self.calibration or path.is_file() else None
 
     def channel_map(self, channels: Group, calibration: Array | None) -> ChannelMap:
-        """Which channel is which.
+        """Map the meanings to channels.
 
         Parameters
         ----------
-        calibration : see `matrix`; without gauges or a file that is named, forces in the file go before it
+        calibration : see `matrix`; the study's gauges or file go before forces in the file, a default file
+            after
 
         Raises
         ------
-        FrictionError : a channel that is needed is not there, or its unit is no unit of it
+        FrictionError : a required channel is missing, or its unit has another dimension
         """
         guesses = self._guesses(channels)
         remarks: list[str] = []
@@ -151,19 +152,21 @@ class Sensor:
         gauges: tuple[str, ...] = ()
         raw = calibration is not None and bool(self.calibration or self.gauges or not guesses["normal"])
         for meaning, dimension in DIMENSION.items():
-            asked = getattr(self, meaning, "")
+            given = getattr(self, meaning, "")
             if raw and dimension == "N":
                 continue
             name = (
-                self._asked(meaning, asked, channels) if asked else self._guessed(meaning, guesses, channels)
+                self._by_name(meaning, given, channels)
+                if given
+                else self._guessed(meaning, guesses, channels)
             )
             if not name:
                 continue
-            sign = -1.0 if asked.startswith("-") else 1.0
+            sign = -1.0 if given.startswith("-") else 1.0
             unit = getattr(self, f"{KINDS[dimension]}_unit")
             channel = ScaledChannel(name, dimension, unit, sign)
             scaled[meaning] = replace(channel, usual=channel.factor_in(channels))
-            if not asked and meaning != "across":
+            if not given and meaning != "across":
                 remarks.append(f'the channel "{name}" was taken as {meaning}')
         if raw and calibration is not None:
             matrix = self._rows(calibration)
@@ -185,16 +188,17 @@ class Sensor:
         )  # fmt: skip
 
     def _guesses(self, channels: Group) -> dict[str, list[str]]:
-        """Names of channels that may be meant, by meaning: those that say it, or else those of the axes."""
+        """Names of channels by meaning: names with the meaning, or else names of the axes."""
         names = Names.of(channels.signals)
-        texts = Names.of(name for name, one in channels.channels.items() if one.kind == "text")
+        texts = Names.of(name for name, channel in channels.channels.items() if channel.kind == "text")
         normal = names.normal or names.axes["z"]
         pressing = [self.normal.removeprefix("-").strip()] if self.normal else normal
         tangential, across = names.tangential, list[str]()
         if not tangential:
-            plane = [one for axis in "yxz" if (one := names.axes[axis]) and not set(one) & set(pressing)]
-            asked = self.tangential.removeprefix("-").strip()
-            plane = sorted(plane[:2], key=lambda one: asked not in one) if asked else plane[:2]
+            plane = [names.axes[axis] for axis in "yxz"]
+            plane = [alike for alike in plane if alike and not set(alike) & set(pressing)]
+            wanted = self.tangential.removeprefix("-").strip()
+            plane = sorted(plane[:2], key=lambda alike: wanted not in alike) if wanted else plane[:2]
             tangential, across = (*plane, [], [])[:2]
         time = names.time or texts.time
         return {
@@ -203,11 +207,11 @@ class Sensor:
         }  # fmt: skip
 
     def _guessed(self, meaning: str, guesses: dict[str, list[str]], channels: Group) -> str:
-        """The channel whose name has this meaning; nothing where none has, and where it is not needed.
+        """The channel whose name has this meaning; "" if an optional channel is missing.
 
         Raises
         ------
-        FrictionError : several have it, or none and it is needed
+        FrictionError : several channels have the meaning, or a required channel is missing
         """
         names = guesses[meaning]
         if len(names) == 1:
@@ -218,7 +222,7 @@ class Sensor:
             raise self._nameless(meaning, channels)
         listed = ", ".join(f'"{name}"' for name in names or channels.signals)
         others = {*guesses["time"], *guesses["position"]}
-        example = (names or [*(one for one in channels.signals if one not in others), "Fz"])[0]
+        example = (names or [*(name for name in channels.signals if name not in others), "Fz"])[0]
         raise FrictionError(
             "conflict" if names else "unknown",
             argument=f"channel of {WORDS[meaning]}",
@@ -227,7 +231,7 @@ class Sensor:
             else f"no usual name among {listed or 'none'}",
             allowed=f"one channel of {WORDS[meaning]}"
             + ("" if names else f", such as {USUAL.get(meaning, meaning)}"),
-            cause="the names do not say which it is" if names else "the channels have names of their own",
+            cause="the names do not decide" if names else "the channels have unusual names",
             next_step=f'name it, or give its number, in [trials.sensor], such as {meaning} = "{example}"',
         )
 
@@ -235,32 +239,32 @@ class Sensor:
         first = ", ".join(channels.properties[FIRST_ROW])
         return FrictionError.unknown(
             f"channel of {WORDS[meaning]}", first, list(channels.signals),
-            "the file has no line of names: the first line of the table holds numbers", slip=False,
+            "the file has no line of names: the first line of the table contains numbers", slip=False,
             allowed=f"columns by number, from 1 to {len(channels.channels)}",
             next_step='write normal = "4", tangential = "3" and time = "1", with the right numbers, in '
             "[trials.sensor]",
         )  # fmt: skip
 
-    def _asked(self, meaning: str, asked: str, channels: Group) -> str:
-        """The channel that the study names, or gives by its number, the first being 1.
+    def _by_name(self, meaning: str, given: str, channels: Group) -> str:
+        """The channel that the study names, or gives by its number from 1.
 
         Raises
         ------
-        FrictionError : there is none
+        FrictionError : no such channel
         """
-        name = asked.removeprefix("-").strip()
-        known = channels.channels if meaning == "time" else channels.signals
-        if name in known:
+        name = given.removeprefix("-").strip()
+        candidates = channels.channels if meaning == "time" else channels.signals
+        if name in candidates:
             return name
-        alike = [one for one in known if plain(one) == plain(name)]
+        alike = [candidate for candidate in candidates if plain(candidate) == plain(name)]
         if len(alike) == 1:
             return alike[0]
         every = list(channels.channels)
-        if name.isdecimal() and 1 <= int(name) <= len(every) and every[int(name) - 1] in known:
+        if name.isdecimal() and 1 <= int(name) <= len(every) and every[int(name) - 1] in candidates:
             return every[int(name) - 1]
-        guess = nearest(name, known) or next(iter(known), name)
+        guess = nearest(name, candidates) or next(iter(candidates), name)
         raise FrictionError.unknown(
-            f"trials.sensor.{meaning}", name, known,
+            f"trials.sensor.{meaning}", name, candidates,
             "the column has another name, or the file is another one", slip=False,
             next_step=f'write {meaning} = "{guess}", or the number of the channel, in [trials.sensor]',
         )  # fmt: skip
@@ -279,25 +283,25 @@ class Sensor:
         return gauges
 
     def _rows(self, calibration: Array) -> Array:
-        """(3, 6) rows of the calibration for normal force, tangential one, and the one across."""
+        """(3, 6) rows of the calibration: normal force, tangential force, and the force across."""
         normal = self.normal.removeprefix("-").strip() or "Fz"
         along = self.tangential.removeprefix("-").strip() or next(
-            one for one in ("Fy", "Fx") if one != normal
+            axis for axis in ("Fy", "Fx") if axis != normal
         )
         for axis in (normal, along):
             if axis not in AXES[:3]:
                 cause = "a calibration makes the forces, and the name of a raw channel was given"
                 raise FrictionError.unknown("trials.sensor", axis, AXES[:3], cause)
-        across = next(one for one in AXES[:3] if one not in (normal, along))
+        across = next(axis for axis in AXES[:3] if axis not in (normal, along))
         rows = calibration[[AXES.index(axis) for axis in (normal, along, across)]]
-        signs = [-1.0 if asked.startswith("-") else 1.0 for asked in (self.normal, self.tangential, "")]
+        signs = [-1.0 if name.startswith("-") else 1.0 for name in (self.normal, self.tangential, "")]
         return np.asarray(rows * np.array(signs)[:, None])
 
 
 def read_calibration(path: Path) -> Array:
-    """A calibration matrix, (6, 6): forces and torques Fx Fy Fz Tx Ty Tz for one volt of each gauge.
+    """Read a calibration matrix, (6, 6): Fx Fy Fz Tx Ty Tz for one volt of each gauge.
 
-    A CSV file of six rows of six numbers; a row of names above and a column of names before may stand there.
+    The CSV file has six rows of six numbers; a row of names above and a column of names before are allowed.
 
     Raises
     ------
@@ -319,7 +323,7 @@ def read_calibration(path: Path) -> Array:
         matrix, given = np.empty((0, 0)), f"{path}, which is no table of numbers"
     cause = "another file, or the matrix of a sensor with another number of axes"
     if matrix.shape == (6, 6):
-        # each row by its size: newtons and newton metres differ
+        # each row is scaled by its size: newtons and newton metres differ
         size = np.abs(np.nan_to_num(matrix)).max(axis=1, keepdims=True)
         whole = np.nan_to_num(matrix / np.maximum(size, 1e-300))
         condition = float(np.linalg.cond(whole))

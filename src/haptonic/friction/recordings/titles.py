@@ -1,4 +1,4 @@
-"""What programs of sensors write above their tables: counts for a unit of force, unit, sampling rate."""
+"""Titles that sensor programs write above their tables: counts for a unit of force, unit, sampling rate."""
 
 from __future__ import annotations
 

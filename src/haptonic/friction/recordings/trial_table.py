@@ -1,4 +1,4 @@
-"""The table that says which file holds which trial."""
+"""Table of the trials of an experiment and their files."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from haptonic.friction.signals.tables import (
 from haptonic.later import pandas as pd
 
 TABLE = "trials.csv"
-CARRIED = ("order", "direction")  # columns that go on into the table of results
+CARRIED = ("order", "direction")  # columns that are copied to the table of results
 ORIGINS = ("measured", "simulated")
 LONGEST = 1e9  # s, of a recording: 30 years
 PORTION = 512  # trials that a worker reads at a time
 
 
 class RecordSpan(NamedTuple):
-    """Where the record of a trial is: row of the table, group ("" for none), s from the start of the file."""
+    """Position of a trial's record: row of the table, group ("" for none), s from the start of the file."""
 
     row: int
     group: str
@@ -43,11 +43,12 @@ class RecordSpan(NamedTuple):
 class TrialTable:
     """Trials and their files, in the order of the table.
 
-    folder : that the files are in
+    folder : folder of the files
     labels : (trial,) columns ``participant``, ``block``, ``trial``, ``waveguide``, ``actuation``
-    files : (trial,) names; carried : other columns that are kept
-    simulated : whether any trial says so
-    doubts : what was left out of the table, or assumed
+    files : (trial,) names
+    carried : other columns, copied to the results
+    simulated : True if any trial is simulated
+    doubts : trials left out of the table, and assumptions
     """
 
     folder: Path
@@ -60,12 +61,12 @@ class TrialTable:
 
     @classmethod
     def read(cls, folder: Path) -> TrialTable:
-        """The table ``trials.csv`` of a folder.
+        """Read the table ``trials.csv`` of a folder.
 
         Raises
         ------
         ResourceError : no such folder, or no table in it
-        FrictionError : a column is missing, a cell that means nothing, or files outside of the folder
+        FrictionError : a column is missing, a cell cannot be read, or files lie outside of the folder
         """
         path = table_in(folder)
         if not path.is_file():
@@ -73,7 +74,7 @@ class TrialTable:
                 argument="folder of trials",
                 given=folder,
                 allowed=f"a folder with {TABLE}: participant, block, trial, waveguide, actuation, file",
-                cause="the folder holds records without a table" if folder.is_dir() else "no such folder",
+                cause="the folder has records without a table" if folder.is_dir() else "no such folder",
                 next_step=f"haptonic friction {folder} --draft writes one from the names of the files"
                 if folder.is_dir()
                 else "check the path",
@@ -108,10 +109,10 @@ class TrialTable:
         )
 
     def portions(self) -> Iterator[list[tuple[str, list[RecordSpan]]]]:
-        """The trials by files, some hundred at a time; a file with many trials is not divided."""
+        """Group the trials by files, some hundred at a time; a file with many trials is not divided."""
         portion: list[tuple[str, list[RecordSpan]]] = []
-        for one in self.portion(range(len(self.files))):
-            portion.append(one)
+        for of_file in self.portion(range(len(self.files))):
+            portion.append(of_file)
             if sum(len(spans) for _, spans in portion) >= PORTION:
                 yield portion
                 portion = []
@@ -119,31 +120,33 @@ class TrialTable:
             yield portion
 
     def portion(self, rows: Iterable[int]) -> list[tuple[str, list[RecordSpan]]]:
-        """Some trials by files."""
+        """Group some trials by files."""
         by_file = groupby(rows, self.files.__getitem__)
         return [(name, [self.spans[row] for row in group]) for name, group in by_file]
 
 
 def table_in(folder: Path) -> Path:
-    """The table of trials of a folder, whatever the capitals of its name."""
+    """The table of trials of a folder; capitals in its name do not matter."""
     exact = folder / TABLE
     if exact.is_file() or not folder.is_dir():
         return exact
-    return next((one for one in sorted(folder.iterdir()) if one.name.casefold() == TABLE), exact)
+    return next((path for path in sorted(folder.iterdir()) if path.name.casefold() == TABLE), exact)
 
 
 def _with_blocks(columns: dict[str, NDArray[Any]]) -> tuple[dict[str, NDArray[Any]], list[str]]:
-    """The columns with a block for every trial, and what was assumed."""
+    """The columns with a block for every trial, and the assumptions."""
     if "block" in columns:
         return columns, []
-    ones = np.ones(len(columns["trial"]), dtype=int)
-    return columns | {"block": ones}, [f"{TABLE} has no column block: all trials were taken as of one block"]
+    blocks = np.ones(len(columns["trial"]), dtype=int)
+    return columns | {"block": blocks}, [
+        f"{TABLE} has no column block: all trials were taken as of one block"
+    ]
 
 
 def _files(
     path: Path, folder: Path, cells: NDArray[Any], labels: Sequence[Label], times: Sequence[Sequence[Any]]
 ) -> list[str]:
-    """Names of files in the folder; nothing for a trial without one, or without times where others have them.
+    """Names of files in the folder; "" for a trial without a file, or without times if others have them.
 
     Raises
     ------
@@ -168,15 +171,17 @@ def _files(
 
 
 def _with_ending(folder: Path, name: str) -> str:
-    """The name, with the ending that it lacks if a single file in the folder has this name."""
+    """The name with its missing ending, if exactly one file in the folder has this name."""
     whole = folder / name
     try:
         if whole.suffix or "*" in name or not whole.parent.is_dir() or whole.is_file():
             return name
-        found = [one for one in whole.parent.iterdir() if one.stem == whole.name and one.is_file()]
-    except OSError:  # too long for any file, or a folder that may not be read: whoever opens it says so
+        matches = [path for path in whole.parent.iterdir() if path.stem == whole.name and path.is_file()]
+    except (
+        OSError
+    ):  # a name too long for any file, or an unreadable folder: opening the file raises the error
         return name
-    return str(found[0].relative_to(folder)) if len(found) == 1 else name
+    return str(matches[0].relative_to(folder)) if len(matches) == 1 else name
 
 
 def _times(path: Path, columns: dict[str, NDArray[Any]], name: str) -> list[float | None]:

@@ -1,4 +1,4 @@
-"""From force records to a table of trials: filters, steady part, friction, and what was left out and why."""
+"""From force records to a table of trials: filters, steady part, friction, excluded trials and reasons."""
 
 from haptonic.friction.signals.filters import FILTERS, design_frequency, smoothed
 from haptonic.friction.signals.measuring import measure

@@ -13,23 +13,23 @@ from haptonic.arrays import Array, Bools
 from haptonic.errors import FrictionError
 
 JITTER = 0.1  # of a sampling interval: times that scatter by less are even
-ROUNDED = 0.75  # of the step to which times are rounded: how far even samples may lie off their grid
+ROUNDED = 0.75  # of the step to which times are rounded: largest distance of even samples from their grid
 SCATTERED = 1.5  # sampling intervals by which the times of even samples may scatter
-LOST = 4.0  # times the usual step: rows are lost there
-LONGEST_GAP = 0.03  # s that are bridged: forces below 50 Hz change little within half a period of that
-MOST_LOST = 0.2  # of the record that may lie in gaps
+LOST = 4.0  # times the usual step: a longer step means lost rows
+LONGEST_GAP = 0.03  # s, longest bridged gap: forces below 50 Hz change little within half of that
+MOST_LOST = 0.2  # largest share of the record in gaps
 COARSEST = 0.05  # error of a sampling rate from rounded times
-FASTEST = 1e6  # Hz: no force sensor gives more, so times that say so are in another unit
+FASTEST = 1e6  # Hz: above any force sensor, so the times are in another unit
 DAY = 86400.0
 
 NEAR = 0.5  # of a sampling interval: usual steps of times that agree with a rate
-ALIKE = 0.05  # by which the mean rate of the times may differ from the one that is given
+ALIKE = 0.05  # largest relative difference of the times' mean rate from the given one
 SCATTER = "the times scatter: the samples were taken as equidistant"
 UNEVEN = "the samples lie at uneven times: they were interpolated on an even grid"
 BRIDGED = f"rows are missing for up to {1e3 * LONGEST_GAP:g} ms at a time: these gaps were bridged by lines"
 REPEATED = "rows that repeat the row above them, with its time, were left out"
-OTHER_RATE = "the column of times says another sampling rate than trials.sensor.rate, which was used"
-ADVICE = 'give rate = "1 kHz", or what it was, in [trials.sensor]: it goes before the times'
+OTHER_RATE = "the column of times gives another sampling rate than trials.sensor.rate, which was used"
+ADVICE = 'give the sampling rate, such as rate = "1 kHz", in [trials.sensor]: it goes before the times'
 
 _OF_DAY = re.compile(
     r"(?:.*[\sT])?(?P<hour>\d{1,2}):(?P<minute>\d{2})(?::(?P<second>\d{2}(?:[.,:]\d+)?))?"
@@ -39,12 +39,14 @@ _OF_DAY = re.compile(
 
 @dataclass(frozen=True, eq=False)
 class Clock:
-    """Sampling rate of a file, and how its rows come to lie at even times.
+    """Sampling rate of a file, and the map from its rows to even times.
 
     rate : Hz
-    times : (row,) s, ascending, at which the rows lie; None where they lie at even times already
-    once : (row of the file,) False for rows that repeat the one above them and are left out; None if none do
-    remark : what was done about the times; empty if nothing
+    times : (row,) s, ascending, times of the rows; None if the rows are evenly spaced
+    once : (row of the file,) False for rows that repeat the row above them and are left out; None if there
+        are
+    none
+    remark : change made because of the times; empty if none
     """
 
     rate: float
@@ -53,14 +55,14 @@ class Clock:
     remark: str = ""
 
     def without(self, repeats: Bools) -> Clock:
-        """The same for a file with rows that repeat the one above them; this clock is of the other rows."""
+        """A clock for a file with rows that repeat the row above them; this clock is for the other rows."""
         if not repeats.any():
             return self
         remark = f"{REPEATED}; {self.remark}" if self.remark else REPEATED
         return replace(self, once=~repeats, remark=remark)
 
     def regular(self, values: Array) -> Array:
-        """Samples at even times; rows of one time count as their mean."""
+        """Samples at even times; rows of the same time count as their mean."""
         values = values if self.once is None else values[self.once]
         if self.times is None:
             return values
@@ -70,7 +72,7 @@ class Clock:
         return np.asarray(np.interp(times[0] + grid, times, means))
 
     def rows(self, values: Array, first: int, last: int | None) -> Array:
-        """Values of the file, as they are, between two of the even samples."""
+        """Values of the file, unchanged, between two of the even samples."""
         values = values if self.once is None else values[self.once]
         if self.times is None:
             return values[first:last]
@@ -80,9 +82,9 @@ class Clock:
 
 
 def repeats_of(time: Array, channels: Iterable[Array]) -> Bools:
-    """(row,) True for rows that repeat the row above them, if all rows of one time do so.
+    """(row,) True for rows that repeat the row above them; all False unless all rows of equal time do.
 
-    A clock that is too coarse gives one time to rows that differ.
+    A coarse clock gives the same time to different rows.
     """
     none = np.zeros(len(time), dtype=bool)
     same = np.concatenate([[False], np.diff(time) == 0]) if len(time) else none
@@ -95,27 +97,27 @@ def repeats_of(time: Array, channels: Iterable[Array]) -> Bools:
 
 
 def clock_of(time: Array, where: str) -> Clock:
-    """The clock of a record from the times of its rows, s.
+    """Make the clock of a record from the times of its rows, s.
 
-    Times that scatter about even ones, or are rounded, belong to even samples; others are interpolated. Rows
-    that are missing for a short time are bridged.
+    Times that scatter about even ones, or are rounded, belong to even samples; others are interpolated. Short
+    gaps of missing rows are bridged.
 
     Raises
     ------
-    FrictionError : times that are missing, go back or are too coarse, or a longer gap; ``where`` is the file
+    FrictionError : times that are missing, decrease or are too coarse, or a longer gap; ``where`` is the file
     """
     if len(time) < 2:
         raise _unusable(where, f"{len(time)} times", "an empty or a cut record", "look at the file")
     if not np.isfinite(time).all():
         row = int(np.flatnonzero(~np.isfinite(time))[0]) + 1
-        raise _unusable(where, f"sample {row} without a time", "a cell is empty or holds text", ADVICE)
+        raise _unusable(where, f"sample {row} without a time", "a cell is empty or contains text", ADVICE)
     steps, span = np.diff(time), float(time[-1] - time[0])
     mean = span / len(steps)
     if span < 0 or steps.min() < -SCATTERED * abs(mean):
         raise _going_back(where, steps)
     if span == 0:
         raise _unusable(
-            where, "the same time in every row", "the clock is too coarse, or stood still", ADVICE
+            where, "the same time in every row", "the clock is too coarse, or did not run", ADVICE
         )
     typical = float(np.median(steps))
     if (np.abs(steps - typical) < JITTER * typical).all():
@@ -151,11 +153,11 @@ def clock_of(time: Array, where: str) -> Clock:
 
 
 def clock_at(rate: float, time: Array, where: str) -> Clock:
-    """The clock of a record whose rate, Hz, is given, and goes before the times of its rows, s.
+    """Make the clock of a record with a given rate, Hz, which goes before the times of its rows, s.
 
     Raises
     ------
-    FrictionError : times that agree with the rate and show that rows are missing; ``where`` is the file
+    FrictionError : the times agree with the rate and show that rows are missing; ``where`` is the file
     """
     steps = np.diff(time)
     if not steps.size or not np.isfinite(steps).all() or time[-1] == time[0]:
@@ -186,31 +188,31 @@ def _going_back(where: str, steps: Array) -> FrictionError:
 
 
 def seconds_of_day(texts: Sequence[Any], where: str) -> Array:
-    """Times of day such as "10:31:00.002", "1/5/2024 10:31:00.002 AM", in s; beyond midnight they go on.
+    """Times of day such as "10:31:00.002", "1/5/2024 10:31:00.002 AM", in s, increasing beyond midnight.
 
     Raises
     ------
-    FrictionError : a text that is no time of day
+    FrictionError : a text that is not a time of day
     """
     seconds = np.empty(len(texts))
     for row, text in enumerate(texts):
-        found = _OF_DAY.fullmatch(str(text).strip())
-        if found is None:
+        match = _OF_DAY.fullmatch(str(text).strip())
+        if match is None:
             raise _unusable(
-                where, f'"{text}" in sample {row + 1}', "no time of day, such as 10:31:00.002", ADVICE
+                where, f'"{text}" in sample {row + 1}', "not a time of day, such as 10:31:00.002", ADVICE
             )
-        hour = float(found["hour"])
-        if found["half"]:
-            hour = hour % 12 + 12 * (found["half"] in "pP")
-        whole = (found["second"] or "0").replace(",", ".").replace(":", ".")
-        seconds[row] = 3600 * hour + 60 * float(found["minute"]) + float(whole)
+        hour = float(match["hour"])
+        if match["half"]:
+            hour = hour % 12 + 12 * (match["half"] in "pP")
+        whole = (match["second"] or "0").replace(",", ".").replace(":", ".")
+        seconds[row] = 3600 * hour + 60 * float(match["minute"]) + float(whole)
     return seconds + DAY * np.concatenate([[0.0], np.cumsum(np.diff(seconds) < -0.5 * DAY)])
 
 
 def _plausible(clock: Clock, where: str) -> Clock:
     if clock.rate > FASTEST:
         raise _unusable(
-            where, f"{clock.rate:.3g} samples per second", "the times are in another unit than they say",
+            where, f"{clock.rate:.3g} samples per second", "the times are in another unit than stated",
             'give time_unit, such as time_unit = "ms", in [trials.sensor]',
         )  # fmt: skip
     return clock

@@ -1,4 +1,4 @@
-"""Columns of a table of trials by the words that people write over them, in several languages."""
+"""Columns of a table of trials by their headings, in several languages."""
 
 from __future__ import annotations
 
@@ -51,28 +51,28 @@ _NUMBERED = re.compile(r"\D*?0*(\d+)(?:\.0+)?\s*")
 
 
 def plain_word(name: str) -> str:
-    """A name of a column without capitals, separators and what means a number or a name."""
+    """A name of a column without capitals, separators and words for number or name."""
     word = _SPARE.sub("", name.casefold())
     shorter = _AROUND.sub("", word)
     return shorter if len(shorter) > 1 else word
 
 
 def meanings(names: Iterable[str], table: str) -> dict[str, str]:
-    """Names of columns by what they mean; a column of the exact name goes before others.
+    """Names of columns by their meaning; a column with the exact name goes before others.
 
     Raises
     ------
-    FrictionError : several columns may be meant
+    FrictionError : several columns have the same meaning
     """
     names = list(names)
-    found: dict[str, str] = {}
+    by_meaning: dict[str, str] = {}
     for meaning, words in WORDS.items():
         exact = [name for name in names if name.strip() == meaning]
         alike = [name for name in names if plain_word(name) == meaning]
         others = [name for name in names if plain_word(name) in words]
         for some in (exact, alike, others):
             if len(some) == 1:
-                found[meaning] = some[0]
+                by_meaning[meaning] = some[0]
             if some:
                 break
         else:
@@ -83,14 +83,14 @@ def meanings(names: Iterable[str], table: str) -> dict[str, str]:
                 argument=f"{table}: column {meaning}",
                 given=f"the columns {listed}",
                 allowed=f"one column of this meaning, best with the name {meaning}",
-                cause="the names do not say which one it is",
-                next_step=f'rename the one that is meant to "{meaning}"',
+                cause="several names have this meaning",
+                next_step=f'rename the right one to "{meaning}"',
             )
-    return found
+    return by_meaning
 
 
 def renamed(columns: Mapping[str, Column], table: str) -> dict[str, Column]:
-    """The columns by the names that are used here; on and off in other words become these."""
+    """The columns renamed to haptonic's names; words for on and off become "on" and "off"."""
     columns = {str(name): column for name, column in columns.items()}
     by_meaning = meanings(columns, table)
     if "actuation" not in by_meaning:
@@ -102,23 +102,23 @@ def renamed(columns: Mapping[str, Column], table: str) -> dict[str, Column]:
         if len(places) == 1:
             by_meaning["waveguide"] = places[0]
     back = {name: meaning for meaning, name in by_meaning.items()}
-    found = {back.get(name, name): column for name, column in columns.items()}
-    if "actuation" in found and (words := switched(found["actuation"])) is not None:
-        found["actuation"] = words
-    return found
+    columns_by_meaning = {back.get(name, name): column for name, column in columns.items()}
+    if "actuation" in columns_by_meaning and (words := switched(columns_by_meaning["actuation"])) is not None:
+        columns_by_meaning["actuation"] = words
+    return columns_by_meaning
 
 
 def switched(column: Sequence[Any] | Column) -> Column | None:
-    """On and off of a column that says them in any words; None if it says something else."""
+    """The column with its words for on and off as "on" and "off"; None if it contains other words."""
     words = [str(cell).strip().casefold() for cell in column]
     empty = {"", "nan", "none"}
     if not set(words) <= ON | OFF | empty or not set(words) - empty:
         return None
-    return np.array(["on" if one in ON else "off" if one in OFF else "" for one in words], dtype=object)
+    return np.array(["on" if word in ON else "off" if word in OFF else "" for word in words], dtype=object)
 
 
 def whole_number(cell: object) -> object:
-    """The number of a cell such as 3, 3.0, "03" or "B3"; anything else as it is."""
+    """The number of a cell such as 3, 3.0, "03" or "B3"; any other cell unchanged."""
     if isinstance(cell, int | float | np.integer | np.floating):
         return int(cell) if float(cell).is_integer() else cell
     match = _NUMBERED.fullmatch(str(cell))

@@ -25,7 +25,7 @@ FILTERS: Mapping[str, str] = MappingProxyType(
 
 
 def design_frequency(name: str, rate: float) -> float:
-    """Corner (Hz) that a single pass is designed with.
+    """Corner frequency (Hz) of the design of a single pass.
 
     A pass of the bilinear Butterworth design has |H|^2 = 1 / (1 + (tan(pi f / rate) / tan(pi f_c / rate))^4),
     and two passes have |H|^2 as their amplitude. It is -3 dB at `CORNER` if that ratio to the fourth is
@@ -33,7 +33,7 @@ def design_frequency(name: str, rate: float) -> float:
 
     Raises
     ------
-    FrictionError : no such filter, or a sampling rate too low for it
+    FrictionError : an unknown filter, or a sampling rate too low for it
     """
     if name not in FILTERS:
         raise FrictionError.unknown("filter", name, FILTERS, "the word is misspelt")
@@ -52,7 +52,7 @@ def design_frequency(name: str, rate: float) -> float:
 
 
 def smoothed(signals: Array, rate: float, name: str = "literal") -> Array:
-    """Signals without what is above 50 Hz, and without delay.
+    """Low-pass signals at 50 Hz without delay.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def smoothed(signals: Array, rate: float, name: str = "literal") -> Array:
 
     Raises
     ------
-    FrictionError : no such filter, a sampling rate too low for it, or too few samples
+    FrictionError : an unknown filter, a sampling rate too low for it, or too few samples
     """
     frequency = design_frequency(name, rate)
     if name == "none":

@@ -6,9 +6,9 @@ import numpy as np
 
 from haptonic.arrays import Array
 
-AROUND = 5  # samples whose median no jump of two samples changes
+AROUND = 5  # samples; a jump of two samples does not change their median
 JUMP = 0.5  # of the largest range of the channels; a smaller jump of a sample changes a mean by less than 1 %
-LOUD = 10.0  # times the mean distance from that median: noise does not jump as far
+LOUD = 10.0  # times the mean distance from that median; noise stays below
 
 
 def jumps(channels: Array) -> bool:

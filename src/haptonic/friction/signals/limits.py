@@ -1,4 +1,4 @@
-"""Forces that stay at the end of a channel's range, told from those of a coarse converter."""
+"""Forces that stay at the end of a channel's range, distinguished from those of a coarse converter."""
 
 from __future__ import annotations
 
@@ -11,34 +11,34 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools
 
-# What a stroke shows of an end of a channel's range.
+# Evidence of a stroke for an end of a channel's range.
 NOTHING = 0
-TOUCHES = 1  # it has equal samples in a row at its extreme: an end if another stroke shows that it is
-STAYS = 2  # it stays there longer than a smooth peak does: an end if no stroke goes beyond
+TOUCHES = 1  # equal samples in a row at its extreme: an end if another stroke shows that it is one
+STAYS = 2  # it stays there longer than a smooth peak: an end if no stroke goes beyond
 SURE = 3  # it stays there, and noise would have moved it
 
 MOST = 6  # channels of a sensor
-COUNTS = 30.0  # steps of the converter that a channel uses; with fewer any quiet force stays at one value
-ROUNDED = 1e-5  # of a value: files of other units round the same end to other numbers
+COUNTS = 30.0  # steps of the converter that a channel uses; with fewer, a quiet force stays at one value
+ROUNDED = 1e-5  # relative; files in other units round the same end to other numbers
 RUN = 5  # equal samples in a row
-AWAY = 0.3  # of the range of the stroke, or of the way to its extreme: what is nearer to rest is no end
+AWAY = 0.3  # of the range of the stroke, or of the way to its extreme: nearer to rest, it is not an end
 OPPOSITE = 0.5  # the same for an end that is nearer to zero than the other extreme
-# Of 19,495 strokes that an end changes by 2 %, drawn as in tests/friction/test_limits.py, all were seen; of
-# 28,165 within the range none was left out. Steps of 15 and 20 mN: 6 of 4961 not seen, none of 6997 left out.
+# When an end changes a stroke by 2 %, all of 19,495 (drawn as in tests/friction/test_limits.py) were seen;
+# of 28,165 within the range none was excluded. Steps of 15, 20 mN: 6 of 4961 missed, none of 6997 excluded.
 # A smooth peak stays at its last step for at most 2 + 2 sqrt(2) = 4.8 times as long as at the step before.
 LONGER = 5.0
-CHANCE = 1e-6  # of noise that changes no sample of a run, below which a run is no chance
-NOISY = 0.3  # of a step of the converter: noise that shows through it
-LOUDEST = 0.03  # of the second differences: jumps where rows are missing
-SHORTEST = 0.1  # share of the runs of equal samples that are shorter than the channel takes to change
+CHANCE = 1e-6  # probability that noise leaves all samples of a run unchanged, below which the run is an end
+NOISY = 0.3  # of a step of the converter: smaller noise cannot be measured
+LOUDEST = 0.03  # share of the second differences that is left out: jumps where rows are missing
+SHORTEST = 0.1  # quantile of the lengths of runs: samples for each change of the channel
 
 
 @dataclass(frozen=True, eq=False)
 class RangeEnds:
-    """What strokes show of the ends of the channels' ranges, the upper and the lower end of each channel.
+    """Evidence of strokes for the ends of the channels' ranges, the upper and the lower end of each channel.
 
     shown : (2 `MOST`, stroke) `NOTHING` to `SURE`
-    level : the same, largest and negative smallest value; -inf where there is no such channel
+    level : same shape, largest and negative smallest value; -inf for missing channels
     step : (stroke,) smallest difference of two values of a channel
     """
 
@@ -48,13 +48,13 @@ class RangeEnds:
 
     @classmethod
     def none(cls, count: int) -> RangeEnds:
-        """Those of strokes without channels."""
+        """Evidence of strokes without channels: nothing."""
         shape = 2 * MOST, count
         return cls(np.zeros(shape, np.int8), np.full(shape, -np.inf), np.full(count, np.inf))
 
     @classmethod
     def of(cls, strokes: Sequence[Array]) -> RangeEnds:
-        """Those of strokes: (channel, sample) as the sensor gave them, at most `MOST` channels."""
+        """Evidence of strokes, each (channel, sample) as the sensor gave them, at most `MOST` channels."""
         ends = cls.none(len(strokes))
         for stroke, channels in enumerate(strokes):
             if not np.isfinite(channels).all() or channels.shape[1] < RUN:
@@ -70,19 +70,19 @@ class RangeEnds:
 
     @classmethod
     def joined(cls, parts: Sequence[RangeEnds]) -> RangeEnds:
-        """Those of many strokes, one after the other."""
+        """Evidence of many strokes, one part after the other."""
         every = ([getattr(part, name) for part in parts] for name in ("shown", "level", "step"))
         return cls(*(np.concatenate(values, axis=-1) for values in every))
 
     def put(self, rows: Sequence[int], part: RangeEnds) -> None:
-        """Enter those of some strokes."""
+        """Enter the evidence of some strokes."""
         self.shown[:, rows], self.level[:, rows], self.step[rows] = part.shown, part.level, part.step
 
     def reached(self) -> Bools:
-        """(stroke,) True where a channel is at its end, as this stroke shows, or all of them together."""
+        """(stroke,) True if a channel is at its end, by this stroke or by all strokes together."""
         if not self.level.size:
             return np.zeros(0, dtype=bool)
-        # a steep channel skips steps of the converter, which others show
+        # a steep channel skips steps of the converter that others use
         used = self.level.reshape(MOST, 2, -1).max(axis=2).sum(axis=1)
         shown = np.where((used >= COUNTS * self.step.min()).repeat(2)[:, None], self.shown, NOTHING)
         end = self.level.max(axis=1, keepdims=True)
@@ -92,9 +92,9 @@ class RangeEnds:
 
 
 def shown_by(values: Array) -> int:
-    """What (sample,) values of a channel show of the upper end of its range: `NOTHING` to `SURE`."""
+    """Evidence of (sample,) values of a channel for the upper end of its range: `NOTHING` to `SURE`."""
     top, bottom, rest = values.max(), values.min(), float(np.median(values[: max(1, len(values) // 20)]))
-    # an end of a range is far from zero; or the sensor rests elsewhere, before the stroke and after it
+    # an end of a range is far from zero, or the sensor rests elsewhere before and after the stroke
     far = top >= -bottom
     if top - rest <= (AWAY if far else OPPOSITE) * (top - bottom) or not (far or values[-1] < top):
         return NOTHING
@@ -114,10 +114,10 @@ def shown_by(values: Array) -> int:
 
 
 def _unmoved(values: Array) -> float:
-    """Chance that noise leaves a sample at its step of the converter, at best; 1 where noise does not show.
+    """Largest probability that noise leaves a sample at its step of the converter; 1 if the noise is small.
 
-    Second differences show the noise. Rounding adds step^2 / 12 to its variance if the noise is not far below
-    the step.
+    The noise is estimated from second differences. Rounding adds step^2 / 12 to its variance if the noise is
+    not far below the step.
     """
     step = float(np.diff(np.unique(values)).min())
     bends = np.diff(values, 2)

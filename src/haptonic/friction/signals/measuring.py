@@ -1,4 +1,4 @@
-"""From force records to coefficients of friction, with all that was left out and why.
+"""From force records to coefficients of friction, with all left-out samples and trials and their reasons.
 
 Strokes of equal length are processed together: a filter over many records costs little more than over one.
 """
@@ -33,9 +33,9 @@ from haptonic.friction.signals.stops import stops
 Columns = dict[str, NDArray[np.generic]]
 
 FEWEST = 10  # samples of a record that a filter can use
-TOGETHER = 64  # strokes: their channels stay in the processor's cache
-# A sensor without a finger shows little beside the force of a stroke; a finger that lies on it from the start
-# is lifted in the end, which leaves little of the force at the start.
+TOGETHER = 64  # strokes; their channels fit into the processor's cache
+# Without a finger, the sensor's output is small relative to the force of a stroke. A finger that lies on it
+# from the start is lifted in the end, which leaves little of the force at the start.
 LITTLE = 0.2
 
 
@@ -44,14 +44,14 @@ class Processed:
     """Strokes of equal length after filter and bias.
 
     normal, tangential : (stroke, sample) N
-    velocity : (stroke, sample) m/s; NaN where no position was recorded
+    velocity : (stroke, sample) m/s; NaN if no position was recorded
     contact, forwards, plateau : (stroke, sample) pressed, moving in the direction of the stroke, at a steady
         speed
-    touched : (stroke,) whether there is contact within the window of the bias already
-    pulled : (stroke,) whether the normal force falls where the finger presses
-    zero : (stroke,) N, normal force that was taken as zero at the start
-    drift : (stroke,) N, of the normal force from the start to the end; NaN where the end is no rest
-    drifting : (stroke,) whether the rest at the start drifts, and no rest at the end corrects it
+    touched : (stroke,) True if there is contact within the window of the bias already
+    pulled : (stroke,) True if the normal force falls when the finger presses
+    zero : (stroke,) N, normal force at the start, subtracted as zero
+    drift : (stroke,) N, change of the rest from start to end; NaN if the record does not end at rest
+    drifting : (stroke,) True if the rest at the start drifts, and no rest at the end corrects it
     """
 
     normal: Array
@@ -68,12 +68,12 @@ class Processed:
 
     @property
     def steady(self) -> Bools:
-        """The samples that count."""
+        """The samples of the steady part."""
         return np.asarray(self.contact & self.forwards & self.plateau)
 
 
 def measure(record: Record, rules: Rules = DEFAULT_RULES) -> Measured:
-    """Friction of one stroke over its steady part.
+    """Measure the friction of one stroke over its steady part.
 
     The steady part is where the finger presses and moves in the direction of the stroke at about its median
     speed; without a position, the middle of the contact.
@@ -86,7 +86,7 @@ def measure(record: Record, rules: Rules = DEFAULT_RULES) -> Measured:
 
 
 def measure_all(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> Columns:
-    """Numbers of many strokes, (record,) by the names of `Measured`, with the limits that they share.
+    """Measure many strokes: (record,) columns by the names of `Measured`, with the limits that they share.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def measure_all(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> Colu
 
 
 def measure_part(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> tuple[Columns, RangeEnds]:
-    """Numbers of some strokes of an experiment, and where their forces stay at an extreme; see `marked`.
+    """Measure some strokes of an experiment, and detect where their forces stay at an extreme; see `marked`.
 
     Raises
     ------
@@ -110,32 +110,32 @@ def measure_part(records: Sequence[Record], rules: Rules = DEFAULT_RULES) -> tup
     limits = RangeEnds.none(len(records))
     for rows in alike(records):
         chosen = [records[row] for row in rows]
-        found, ends = _measured(chosen, rules)
-        for name, values in found.items():
+        part, ends = _measured(chosen, rules)
+        for name, values in part.items():
             columns[name][rows] = values
         limits.put(rows, ends)
     return columns, limits
 
 
 def marked(columns: Columns, limits: RangeEnds) -> Columns:
-    """The columns with the strokes excluded in which a channel is at the end of its range."""
+    """The columns, with strokes excluded in which a channel is at the end of its range."""
     excluded = columns["excluded"].copy()
     excluded[limits.reached() & (excluded != "missing numbers")] = "saturated channel"
     return {**columns, "excluded": excluded}
 
 
 def alike(records: Sequence[Record]) -> list[list[int]]:
-    """Which records can be processed together: of one length and rate, all with a position or none."""
+    """Group records that can be processed together: equal length and rate, all or none with a position."""
 
     def form(row: int) -> tuple[int, float, bool]:
         record = records[row]
         return len(record.normal), record.rate, record.position is not None
 
-    found = []
+    groups = []
     for _, group in groupby(sorted(range(len(records)), key=form), form):
         rows = list(group)
-        found += [rows[first : first + TOGETHER] for first in range(0, len(rows), TOGETHER)]
-    return found
+        groups += [rows[first : first + TOGETHER] for first in range(0, len(rows), TOGETHER)]
+    return groups
 
 
 def channels_of(records: Sequence[Record]) -> Array:
@@ -147,7 +147,7 @@ def channels_of(records: Sequence[Record]) -> Array:
 
 
 def processed(channels: Array, rate: float, rules: Rules) -> Processed:
-    """Filter, bias, contact and steady part of finite channels, as `channels_of` gives them."""
+    """Filter, bias, contact and steady part of finite channels from `channels_of`."""
     smooth = smoothed(channels, rate)
     forces = smooth[:2] if rules.filter == "literal" else smoothed(channels[:2], rate, rules.filter)
     window = round(rules.bias_window * rate)
@@ -207,17 +207,19 @@ def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np
                 excluded[row] = STOPS
         excluded[whole & np.array([record.saturated for record in records])] = "saturated channel"
     usable = np.flatnonzero(excluded == "")
-    found = {name: np.full(count, value) for name, value in asdict(Measured()).items() if name != "excluded"}
+    numbers = {
+        name: np.full(count, value) for name, value in asdict(Measured()).items() if name != "excluded"
+    }
     if usable.size:
         values, reasons = _numbers(processed(channels[:, usable], rate, rules), rate, rules)
         excluded[usable] = reasons
         for name, column in values.items():
-            found[name][usable] = column
-    return {**found, "excluded": excluded}, limits
+            numbers[name][usable] = column
+    return {**numbers, "excluded": excluded}, limits
 
 
 def _numbers(stroke: Processed, rate: float, rules: Rules) -> tuple[dict[str, Array], NDArray[np.object_]]:
-    """Columns of `Measured` by name, and why a stroke does not count."""
+    """Columns of `Measured` by name, and the reasons for exclusion."""
     steady, contact = stroke.steady, stroke.contact
     count = steady.sum(axis=1)
     duration = count / rate
@@ -281,7 +283,7 @@ def _motion(
 
 
 def _median(values: Array, mask: Bools) -> Array:
-    """(stroke,) median over the masked samples; 0 where there is none."""
+    """(stroke,) median over the masked samples; 0 for an empty mask."""
     ordered = np.sort(np.where(mask, values, np.inf), axis=1)
     count = mask.sum(axis=1)
     places = np.stack([np.maximum(count - 1, 0) // 2, np.minimum(count // 2, mask.shape[1] - 1)], axis=1)

@@ -9,15 +9,15 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.errors import FrictionError, nearest, shown
 
-HEAVIEST = 100.0  # N: no finger presses harder
-FURTHEST = 10.0  # m: no stroke is longer
+HEAVIEST = 100.0  # N, above the force of any finger
+FURTHEST = 10.0  # m, above the length of any stroke
 ACTUATIONS = ("on", "off")
-EVERYBODY = "all participants"  # together, among the conditions
+EVERYBODY = "all participants"  # name for all together, among the conditions
 
 
 @dataclass(frozen=True)
 class Label:
-    """Which trial a record belongs to.
+    """Trial that a record belongs to.
 
     participant, waveguide : names
     block, trial : numbers, from 1; the trial counts within its block
@@ -41,9 +41,7 @@ class Label:
             if not (isinstance(text, str) and text.strip()):
                 raise _bad(self, name, text, "a name that is not empty")
         if self.participant == EVERYBODY:
-            raise _bad(
-                self, "participant", EVERYBODY, "another name: this one stands for all of them together"
-            )
+            raise _bad(self, "participant", EVERYBODY, "another name: this one means all of them together")
         for name in ("block", "trial"):
             number = getattr(self, name)
             if not isinstance(number, int) or isinstance(number, bool) or number < 1:
@@ -68,14 +66,14 @@ def _bad(label: Label, name: str, given: object, allowed: str, next_step: str = 
 class Record:
     """Forces of one stroke.
 
-    normal, tangential : (samples,) N; normal is positive where the finger presses
+    normal, tangential : (samples,) N; normal is positive when the finger presses
     rate : sampling rate, Hz
     position : (samples,) m along the stroke, or None
-    saturated : whether a channel of the sensor was at its end, where the forces themselves do not show it
+    saturated : True if a channel of the sensor was at its end and the forces themselves do not show it
     across : (samples,) N, the other force in the plane, or None
-    raw : (channel, row) channels at the rows of the file, which show the ends of their ranges; None where the
+    raw : (channel, row) channels at the rows of the file, which show the ends of their ranges; None if the
         forces are as in the file
-    remarks : what was done to the samples, such as bridged gaps
+    remarks : changes of the samples, such as bridged gaps
     """
 
     normal: Array

@@ -1,4 +1,4 @@
-"""What a sensor shows without a finger: the rest before the stroke and after it, and its drift."""
+"""Output of a sensor without a finger: the rest before the stroke and after it, and its drift."""
 
 from __future__ import annotations
 
@@ -6,31 +6,32 @@ import numpy as np
 
 from haptonic.arrays import Array, Bools
 
-RETURNED = 0.5  # of the stroke's force: how near to the start the end has to come to be rest
+RETURNED = 0.5  # of the stroke's force: largest distance of an end at rest from the start
 QUIET = 3.0  # times the noise at the start, or
-QUIET_SHARE = 0.03  # of the force of the stroke: an end that is no louder is rest
-# A rest at the start that is not followed by one at the end shows a drift and cannot correct it.
+QUIET_SHARE = 0.03  # of the force of the stroke: an end with less noise is rest
+# A rest at the start without a rest at the end shows a drift but cannot correct it.
 TOUCHED = 0.05  # of the stroke's force: the finger has come
-BEFORE = 0.025  # s before that, in which the finger may have begun to press and the filter shows it
+BEFORE = 0.025  # s before contact, in which the finger may have begun to press, smeared by the filter
 PARTS = 8  # of the rest at the start, whose means scatter about a line
-CERTAIN = 8.0  # times its standard error: a slope that scatter makes in a rest of five thousand
+CERTAIN = 8.0  # times its standard error: scatter gives such a slope in one rest of five thousand
 MATERIAL = 0.02  # of a force: a drift until the middle of the stroke that changes friction
 
 
 def rest_of(forces: Array, smooth: Array, start: Array, back: Bools, window: int) -> tuple[Array, Bools]:
     """Forces (channel, stroke, sample) that the sensor shows without a finger.
 
-    They are those at the start; where the record ends at rest as well, a line from the one to the other, for
-    a sensor drifts while it warms up.
+    They are those at the start. If the record ends at rest as well, they are a line from start to end,
+    because a sensor drifts while it warms up.
 
     Parameters
     ----------
-    smooth : (stroke, sample) normal force; start : (channel, stroke) means over the window at the start
-    back : (stroke,) whether the normal force comes back to where it started
+    smooth : (stroke, sample) normal force
+    start : (channel, stroke) means over the window at the start
+    back : (stroke,) True if the normal force returns to its value at the start
 
     Returns
     -------
-    rest, and (stroke,) True where the record ends at rest
+    rest, and (stroke,) True if the record ends at rest
     """
     samples = forces.shape[2]
     rest = np.repeat(start[:, :, None], samples, axis=2)
@@ -51,8 +52,8 @@ def rest_of(forces: Array, smooth: Array, start: Array, back: Bools, window: int
 def drifts(forces: Array, smooth: Array, rate: float) -> bool:
     """True if the rest at the start of (channel, sample) forces shows a drift that changes the friction.
 
-    The slope of the rest goes on until the middle of the stroke; it has to be far beyond what the scatter of
-    the rest explains.
+    The slope of the rest is extrapolated to the middle of the stroke; it has to be far beyond what the
+    scatter of the rest explains.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How trials are processed, which of them do not count, and what is kept of each."""
+"""Rules for processing and excluding trials, and the numbers that are stored of each trial."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ REASONS = (
     "normal force outside of the rule",
     "speed outside of the rule",
 )
-"""Why a record is excluded; the first that applies is named."""
+"""Reasons for excluding a record; the first that applies is given."""
 UNREADABLE, DECLARED = "unreadable record", "declared beforehand"
 OMISSIONS = (UNREADABLE, DECLARED)
-"""Why a trial has no record that counts; the column ``detail`` says more."""
+"""Reasons for a trial without a valid record; the column ``detail`` has more."""
 REMEDIES = {
     "missing numbers": (
-        "cells of the record are empty or no numbers",
+        "cells of the record are empty or not numbers",
         "look at these files in a text editor",
     ),
     "record too short": ("the files were cut", "record these trials again"),
@@ -86,12 +86,12 @@ REMEDIES = {
     "unreadable record": ("files that cannot be read", "put the files or the table of trials right"),
     "declared beforehand": ("[[trials.exclude]] excludes them", "exclude fewer trials"),
 }
-"""Likely cause and next step where trials were left out for a reason."""
+"""Likely cause and next step for each reason of exclusion."""
 
 
 @described("trials", FrictionError)
 class Rules:
-    """How a trial is processed, and which trials do not count. Declared before the data are seen."""
+    """Rules for processing and excluding trials. Declare them before the data are seen."""
 
     filter: Literal["literal", "compensated", "none"] = setting(
         "literal", "Two poles at 50 Hz, run both ways: as published (-6 dB there), or -3 dB there, or none."
@@ -131,17 +131,17 @@ DEFAULT_RULES = Rules()
 
 @dataclass(frozen=True)
 class Measured:
-    """What one stroke says. Numbers that could not be had are NaN.
+    """Results of one stroke. Undetermined numbers are NaN.
 
-    mean_of_ratios, ratio_of_means : the two ways to average |tangential| / normal over the steady part
+    mean_of_ratios, ratio_of_means : the two averages of |tangential| / normal over the steady part
     spread : standard deviation of the ratio over the steady part
     force, speed : means over the steady part, N and m/s
-    duration : of the steady part, s
-    rest_force : normal force that was taken as zero, at the start of the record, N
-    sensor_drift : of the normal force from the start of the record to its end, N; unknown where the record
-        does not end at rest
-    below_threshold, reversing, off_plateau : shares of the samples left out for that reason
-    excluded : one of `REASONS`, or nothing
+    duration : duration of the steady part, s
+    rest_force : normal force that was subtracted as zero, at the start of the record, N
+    sensor_drift : change of the rest from the start of the record to its end, N; NaN if the record does not
+        end at rest
+    below_threshold, reversing, off_plateau : shares of the samples left out for each reason
+    excluded : one of `REASONS`, or ""
     """
 
     mean_of_ratios: float = np.nan

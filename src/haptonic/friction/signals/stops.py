@@ -1,4 +1,4 @@
-"""Channels that stop while the finger presses: they hang at a value, or drop to zero, for some time."""
+"""Channels that stop while the finger presses: they stay at a value, or drop to zero, for some time."""
 
 from __future__ import annotations
 
@@ -9,22 +9,21 @@ import numpy as np
 from haptonic.arrays import Array
 
 PRESSED = 0.5  # of the largest departure from the start: the finger presses
-LEAST_REST = 20  # samples before that, which show the noise of a channel
+LEAST_REST = 20  # samples before that, from which the noise of a channel is estimated
 LEAST_RUN = 5  # equal samples in a row
-# Steps of the converter, of differences of samples at rest: less noise than that moves a sample between two
-# steps, and none in the middle of a step.
+# Steps of the converter, for differences of samples at rest: smaller noise moves a sample that is between two
+# steps, and does not move one in the middle of a step.
 LEAST_NOISE = 1.5
 SHARE = 0.01  # of the time that the finger presses: a shorter stop changes a mean by less
-CHANCE = 1e-7  # of equal samples in a row by the noise at rest, below which they are no chance
+CHANCE = 1e-7  # probability that noise at rest leaves a run of samples equal, below which it is a stop
 SURE = 2.0  # standard deviations by which a count at rest may be too small
 
 
 def stops(channels: Array) -> bool:
-    """True if one of the (channel, sample) channels stays at one value where its noise would have moved it.
+    """True if one of the (channel, sample) channels stays at one value although its noise would move it.
 
-    How often noise leaves a sample as it was follows from the rest at the start; where a finger presses it is
-    no quieter. A channel whose noise at rest is below its resolution shows no stop, and a short one at a low
-    rate is not seen.
+    The rate of equal samples is estimated from the rest at the start; with a finger the noise is not smaller.
+    A channel whose noise at rest is below its resolution shows no stop; a short stop at a low rate is missed.
     """
     departs = np.abs(channels - channels[:, :1])
     largest = departs[departs.max(axis=1, initial=0).argmax()]

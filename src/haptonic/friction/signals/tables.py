@@ -27,14 +27,14 @@ LABEL = ("participant", "block", "trial", "waveguide", "actuation")
 RECORD = (*LABEL, "time", "normal", "tangential")
 TRIALS = (*LABEL, "friction")
 WHOLE = ("block", "trial")
-LEFT_OUT = "left_out"  # attribute of a table of trials: rows that say no trial
-FEW = 3  # rows that a sentence names
+LEFT_OUT = "left_out"  # attribute of a table of trials: rows without a valid label
+FEW = 3  # rows that a sentence lists
 TEXTS = ("participant", "waveguide", "actuation", "file")
 FORMATS = {".csv": "CSV", ".nc": "NetCDF", ".h5": "HDF5", ".hdf5": "HDF5"}
 
 
 def read_records(path: Path) -> Iterator[tuple[Label, Record]]:
-    """Force records from a table with one row for each sample.
+    """Read force records from a table with one row for each sample.
 
     Columns: ``participant``, ``block``, ``trial``, ``waveguide``, ``actuation`` ("on" or "off"), ``time``
     (s), ``normal`` and ``tangential`` (N), and, if recorded, ``position`` (m). The rows of a trial lie
@@ -70,15 +70,15 @@ def read_records(path: Path) -> Iterator[tuple[Label, Record]]:
 
 
 def read_trials(path: Path) -> xr.Dataset:
-    """A table with one row for each trial, such as another program made, or `write_trials`.
+    """Read a table with one row for each trial, made by another program or by `write_trials`.
 
     Columns: ``participant``, ``block``, ``trial``, ``waveguide``, ``actuation`` ("on" or "off"), ``friction``
-    (mu); others, such as ``speed``, ``force`` and ``excluded``, are kept.
+    (mu); others, such as ``speed``, ``force`` and ``excluded``, are copied.
 
     Raises
     ------
     ResourceError : the file cannot be read
-    FrictionError : a column is missing, or a cell that means nothing
+    FrictionError : a column is missing, or a cell cannot be read
     """
     columns = read_columns(path, TRIALS)
     labels, rows, refusals = labels_of(columns)
@@ -99,7 +99,7 @@ def read_trials(path: Path) -> xr.Dataset:
 
 
 def write_trials(trials: xr.Dataset, path: Path) -> None:
-    """Write a table of trials; the ending of the name says in which form.
+    """Write a table of trials, in the format of the ending.
 
     Raises
     ------
@@ -107,23 +107,23 @@ def write_trials(trials: xr.Dataset, path: Path) -> None:
     NumericalError : an infinite number
     """
     numbers = [str(name) for name, column in trials.items() if column.dtype.kind == "f"]
-    known = passed(declared(trials.copy(), **dict.fromkeys(numbers, "not measured, or left out")))
+    checked = passed(declared(trials.copy(), **dict.fromkeys(numbers, "not measured, or left out")))
     if path.suffix == ".csv":
         trials.to_dataframe().map(cell).to_csv(path, index=False)
     elif path.suffix == ".nc":
         with hdf5.written(path) as file:
-            known.to_netcdf(file, engine="h5netcdf")
+            checked.to_netcdf(file, engine="h5netcdf")
     else:
         raise _other_format(path, [".csv", ".nc"])
 
 
 def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
-    """All columns of a table, of equal length.
+    """Read all columns of a table, of equal length.
 
     Raises
     ------
     ResourceError : the file cannot be read
-    FrictionError : another ending, no rows, a column missing, or columns of unequal length
+    FrictionError : another ending, no rows, a missing column, or columns of unequal length
     """
     if path.suffix not in FORMATS:
         raise _other_format(path, list(FORMATS))
@@ -136,7 +136,7 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
             argument="table of trials",
             given=path,
             allowed=f"a readable {FORMATS[path.suffix]} file",
-            cause="it is damaged, or of another kind than its name says",
+            cause="it is damaged, or its ending does not match its content",
             next_step="open it in another program to see",
         ) from error
     for name in required:
@@ -158,19 +158,19 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
 
 
 def _from_hdf5(path: Path) -> dict[str, Column]:
-    """What may be a column: numbers or texts along one axis."""
+    """Candidates for columns: numbers or texts along one axis."""
     channels = stored.read(path, Notebook(path, "HDF5"))[""].channels.values()
-    return {one.name: np.asarray(one) for one in channels if len(one.shape) == 1 and one.kind != "complex"}
+    return {c.name: np.asarray(c) for c in channels if len(c.shape) == 1 and c.kind != "complex"}
 
 
 def _from_csv(path: Path) -> dict[str, Column]:
-    """Names of people, regions and files stay words, though they may look like numbers."""
+    """Columns of a CSV file; names of people, regions and files stay text even if they look like numbers."""
     columns = delimited.columns(path, TEXTS)
     by_meaning = meanings(columns, path.name)
     words = {by_meaning[name] for name in TEXTS if name in by_meaning}
     words |= {name for name in columns if plain_word(name) in UNSURE}
-    known = {name.casefold() for name in TEXTS}
-    if all(name.casefold() in known for name in words):
+    text_columns = {name.casefold() for name in TEXTS}
+    if all(name.casefold() in text_columns for name in words):
         return columns
     return delimited.columns(path, words)
 
@@ -182,11 +182,11 @@ _READERS: Mapping[str, Callable[[Path], dict[str, Column]]] = {
 
 
 def label_of(columns: dict[str, Column], row: int) -> Label:
-    """The label in a row of a table.
+    """Label of a row of a table.
 
     Raises
     ------
-    FrictionError : a cell that means nothing
+    FrictionError : a cell that cannot be read
     """
     cells: dict[str, Any] = {name: columns[name][row] for name in LABEL}
     for name in WHOLE:
@@ -198,11 +198,11 @@ def label_of(columns: dict[str, Column], row: int) -> Label:
 
 
 def labels_of(columns: dict[str, NDArray[Any]]) -> tuple[list[Label], list[int], list[str]]:
-    """Labels of the rows that say what trial they are, the rows, and what is wrong with the others.
+    """Labels of the valid rows, the rows, and the faults of the other rows.
 
     Raises
     ------
-    FrictionError : no row says it
+    FrictionError : no valid row
     """
     labels, rows, refusals = list[Label](), list[int](), list[str]()
     first: FrictionError | None = None
@@ -220,7 +220,7 @@ def labels_of(columns: dict[str, NDArray[Any]]) -> tuple[list[Label], list[int],
 
 
 def left_out(path: Path, refusals: Sequence[str]) -> str:
-    """A sentence about rows of a table that say no trial."""
+    """A sentence about rows of a table without a valid label."""
     first = "; ".join(refusals[:FEW])
     more = f"; and {len(refusals) - FEW} more" if len(refusals) > FEW else ""
     return f"rows of {path.name} were left out: {first}{more}"
@@ -231,7 +231,7 @@ def numbers_of(path: Path, columns: dict[str, Column], name: str) -> NDArray[np.
 
     Raises
     ------
-    FrictionError : it holds text
+    FrictionError : the column contains text
     """
     try:
         return np.asarray(columns[name], dtype=float)

@@ -1,4 +1,4 @@
-"""The table of trials: one row for each stroke, those that do not count included."""
+"""Table of trials: one row for each stroke, including excluded ones."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from haptonic.friction.signals.record import Label, Record
 from haptonic.friction.signals.rules import DEFAULT_RULES, OMISSIONS, REASONS, TOUCHED_EARLY, Rules
 from haptonic.later import xarray as xr
 
-AROUND = 5  # trials of a participant, the middle one among them, whose median shows the rest
-PORTION = 256  # records that are held at a time
+AROUND = 5  # trials of a participant, centred on one, whose median estimates the sensor's rest
+PORTION = 256  # records in memory at a time
 UNITS = {
     "force": "N",
     "speed": "m/s",
@@ -33,13 +33,13 @@ IDENTITY = ("participant", "block", "trial")
 
 
 def measured(records: Iterable[tuple[Label, Record]], rules: Rules = DEFAULT_RULES) -> xr.Dataset:
-    """A table of trials from force records, which may come one by one from their files.
+    """Make a table of trials from force records, which may be read one by one from their files.
 
     Returns
     -------
-    along ``stroke``: the label (``participant``, ``block``, ``trial``, ``waveguide``, ``actuation``), what
-    `Measured` holds, and ``friction``, the mean of ratios. Excluded trials are in the table, with the reason
-    in ``excluded``; their numbers never enter a statistic.
+    along ``stroke``: the label (``participant``, ``block``, ``trial``, ``waveguide``, ``actuation``), the
+    fields of `Measured`, and ``friction``, the mean of ratios. Excluded trials are in the table, with the
+    reason in ``excluded``; no statistic uses their numbers.
 
     Raises
     ------
@@ -61,10 +61,10 @@ def measured(records: Iterable[tuple[Label, Record]], rules: Rules = DEFAULT_RUL
 
 
 def begun_pressed(columns: Columns, people: NDArray[Any]) -> NDArray[np.object_]:
-    """Why a trial does not count, with those that took a finger on the plate for the rest.
+    """Reasons for exclusion, completed by trials in which a pressing finger was taken for the sensor's rest.
 
-    Where the finger lies on the plate from the start to the end, its force at the start is taken as zero.
-    Then this zero departs from that of the trials around it by more than the force of the stroke.
+    If the finger lies on the plate from start to end, its force at the start is subtracted as zero. Then this
+    zero departs from that of neighbouring trials by more than the force of the stroke.
     """
     excluded = columns["excluded"].astype(object)
     rest, force = (np.asarray(columns[name], dtype=float) for name in ("rest_force", "force"))
@@ -78,19 +78,19 @@ def begun_pressed(columns: Columns, people: NDArray[Any]) -> NDArray[np.object_]
     return excluded
 
 
-def joined(found: list[Columns]) -> Columns:
-    """Columns one below the other."""
-    return {name: np.concatenate([one[name] for one in found]) for name in (found[0] if found else {})}
+def joined(parts: list[Columns]) -> Columns:
+    """Concatenate columns."""
+    return {name: np.concatenate([part[name] for part in parts]) for name in (parts[0] if parts else {})}
 
 
 def tabulated(
-    labels: Mapping[str, NDArray[Any]], found: Columns, rules: Rules, *, origin: str = "measured"
+    labels: Mapping[str, NDArray[Any]], columns: Columns, rules: Rules, *, origin: str = "measured"
 ) -> xr.Dataset:
     """The table of `measured` from its columns; ``origin`` is "measured" or "simulated".
 
     Raises
     ------
-    FrictionError : no row, or two of one trial
+    FrictionError : no row, or two rows of one trial
     """
     if not len(labels["participant"]):
         raise FrictionError.missing(
@@ -111,8 +111,8 @@ def tabulated(
                 next_step="number the trials of a block consecutively",
             )
         once.add(key)
-    excluded = begun_pressed(found, labels["participant"])
-    table = {**labels, **found, "excluded": excluded, "friction": found["mean_of_ratios"]}
+    excluded = begun_pressed(columns, labels["participant"])
+    table = {**labels, **columns, "excluded": excluded, "friction": columns["mean_of_ratios"]}
     table |= {name: column.astype(str) for name, column in table.items() if column.dtype == object}
     data = {
         name: ("stroke", values, {"units": UNITS[name]} if name in UNITS else {})
@@ -127,7 +127,9 @@ def tabulated(
 
 
 def exclusions(trials: xr.Dataset) -> dict[str, int]:
-    """How many trials were excluded, for each of `REASONS` and `OMISSIONS`; other programs' follow."""
+    """Number of trials excluded for each of `REASONS` and `OMISSIONS`, then for reasons of other programs."""
     given = [str(reason) for reason in trials["excluded"].values]
-    known = (*REASONS, *OMISSIONS)
-    return {reason: given.count(reason) for reason in (*known, *sorted(set(given) - {*known, ""}))}
+    own_reasons = (*REASONS, *OMISSIONS)
+    return {
+        reason: given.count(reason) for reason in (*own_reasons, *sorted(set(given) - {*own_reasons, ""}))
+    }

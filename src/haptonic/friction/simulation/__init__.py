@@ -1,6 +1,6 @@
-"""A made-up experiment: force records of strokes with a known friction, to test the analysis with.
+"""Simulated experiment: force records of strokes with a known friction, for testing the analysis.
 
-Everything that comes from here is labelled as simulated.
+All its results are labelled as simulated.
 """
 
 from haptonic.friction.simulation.film import Film, explaining, film_of

@@ -1,4 +1,4 @@
-"""Force records as files: channels by name in CSV, HDF5, MATLAB or TDMS, each saying that it is simulated."""
+"""Force records as files: named channels in CSV, HDF5, MATLAB or TDMS, each marked as simulated."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ __all__ = ["SIMULATED", "WRITERS", "channels_of"]
 
 Channels = Mapping[str, Array]
 
-GROUP = "records"  # of a TDMS file, which cannot do without
-DIGITS = 6  # behind the point, in text: 1 uN, 1 um
+GROUP = "records"  # of a TDMS file, which needs one
+DIGITS = 6  # after the decimal point, in text: 1 uN, 1 um
 UNITS = {"time": "s", "position": "m"}
 
 
 def channels_of(strokes: Sequence[Stroke], calibration: Array | None = None) -> Channels:
     """Channels of a file by name, strokes one after the other.
 
-    calibration : of the sensor; its gauges' voltages then stand for forces and torques
+    calibration : of the sensor; with it, gauge voltages replace forces and torques
     """
     axes = np.hstack([stroke.axes for stroke in strokes])
     names = AXES if calibration is None else GAUGES
@@ -41,23 +41,23 @@ def unit_of(channel: str) -> str:
 
 
 def write_csv(channels: Channels, path: Path) -> None:
-    """A line for each sample, below the names; a last column says that it is simulated."""
+    """Write a line for each sample, below the names; the last column marks it as simulated."""
     table = {name: np.round(values, DIGITS) for name, values in channels.items()}
     delimited.write(path, {**table, ORIGIN: [SIMULATED] * len(channels["time"])})
 
 
 def write_h5(channels: Channels, path: Path) -> None:
-    """A set for each channel, with its unit; the file says that it is simulated."""
+    """Write a data set for each channel, with its unit; the file is marked as simulated."""
     hdf5.write(path, _channels(channels), {ORIGIN: SIMULATED})
 
 
 def write_mat(channels: Channels, path: Path) -> None:
-    """A variable for each channel, and a text that says that it is simulated (MATLAB, version 5)."""
+    """Write a variable for each channel, and a text that marks the file as simulated (MATLAB, version 5)."""
     matlab.write(path, channels, SIMULATED)
 
 
 def write_tdms(channels: Channels, path: Path) -> None:
-    """A waveform for each channel, with its unit; the file says that it is simulated.
+    """Write a waveform for each channel, with its unit; the file is marked as simulated.
 
     Raises
     ------

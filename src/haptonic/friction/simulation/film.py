@@ -1,4 +1,4 @@
-"""What amplitudes leave of the friction, over the forces with which people press."""
+"""Remaining friction at given amplitudes, over the forces with which people press."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import Fingertip, Touch, shared_friction
 from haptonic.units import format_quantity
 
-LIGHTEST = 0.2  # N: what a participant who follows instructions does not fall below
-WIDEST = 4.0  # standard deviations from the mean force, beyond which the curve is level
+LIGHTEST = 0.2  # N: smallest force of a participant who follows instructions
+WIDEST = 4.0  # standard deviations from the mean force; beyond, the curve is level
 FORCES = 41  # of a curve
-AMPLITUDES = np.geomspace(0.01e-6, 20e-6, 120)  # m, among which one that explains a reduction is looked for
+AMPLITUDES = np.geomspace(0.01e-6, 20e-6, 120)  # m, amplitudes that may explain a reduction
 USUAL = Fingertip()
 QUANTILES = (np.arange(400) + 0.5) / 400
 
@@ -37,7 +37,7 @@ class Film:
     mean: Mapping[str, float]
 
     def relative(self, waveguide: str, force: float) -> float:
-        """What is left at this force, over the mean."""
+        """Remaining friction at this force, over its mean."""
         left = np.interp(force, self.force, self.remaining[waveguide])
         return float(left / self.mean[waveguide])
 
@@ -48,23 +48,23 @@ def film_of(
     force: tuple[float, float],
     skin: Fingertip = USUAL,
 ) -> Film:
-    """What amplitudes leave of the friction.
+    """Remaining friction of every waveguide at its amplitude, against the force.
 
     Parameters
     ----------
     amplitude : waveguide -> of displacement, zero to peak, m
     frequency : Hz
-    force : (mean, standard deviation) over strokes, N; nobody presses less than `LIGHTEST`
-    skin : of all the people
+    force : (mean, standard deviation) over strokes, N; `LIGHTEST` is the smallest force
+    skin : the same for all people
 
     Raises
     ------
-    FrictionError : amplitudes that are none, forces at which no film carries the finger
+    FrictionError : invalid amplitudes, or forces at which no film carries the finger
     """
     forces = _forces(force)
     names = list(amplitude)
-    found = _shared(np.array([amplitude[name] for name in names], dtype=float), frequency, forces, skin)
-    for name, curve in zip(names, found.T, strict=True):
+    remaining = _shared(np.array([amplitude[name] for name in names], dtype=float), frequency, forces, skin)
+    for name, curve in zip(names, remaining.T, strict=True):
         if not np.isfinite(curve).all():
             heaviest = format_quantity(float(forces[np.isnan(curve)].min()), "N")
             raise FrictionError.no_answer(
@@ -74,11 +74,11 @@ def film_of(
                 cause="the plate would strike the skin before the film carries it",
                 next_step="take smaller amplitudes, or a force with less spread",
             )
-    weighted = _mean(forces, found, force)
+    weighted = _mean(forces, remaining, force)
     return Film(
         dict(amplitude),
         forces,
-        dict(zip(names, found.T, strict=True)),
+        dict(zip(names, remaining.T, strict=True)),
         {name: float(mean) for name, mean in zip(names, weighted, strict=True)},
     )
 
@@ -91,8 +91,8 @@ def explaining(
 ) -> dict[str, float]:
     """Amplitudes (m) that explain the mean reduction on every waveguide, over the forces of the strokes.
 
-    `haptonic.friction.lubrication.amplitude_for` does so at one force; friction is no straight line in the
-    force, so that the mean over strokes would be another.
+    `haptonic.friction.lubrication.amplitude_for` does so at one force; friction is nonlinear in the force, so
+    the mean over strokes differs.
 
     Raises
     ------
@@ -100,20 +100,20 @@ def explaining(
     """
     forces = _forces(force)
     left = _mean(forces, _shared(AMPLITUDES, frequency, forces, skin), force)
-    known = np.isfinite(left)
-    made = {}
+    solved = np.isfinite(left)
+    amplitudes = {}
     for name, share in reduction.items():
-        if not left[known].min(initial=1) <= 1 - share <= left[known].max(initial=0):
+        if not left[solved].min(initial=1) <= 1 - share <= left[solved].max(initial=0):
             raise FrictionError.out_of_range(
                 argument=f"reduction on {name}",
                 given=f"{share:g}",
-                allowed=f"{1 - left[known].max(initial=0):.2g} to {1 - left[known].min(initial=1):.4g}",
+                allowed=f"{1 - left[solved].max(initial=0):.2g} to {1 - left[solved].min(initial=1):.4g}",
                 cause="no amplitude of a plate explains it by load sharing",
                 next_step="give a share such as 0.55, or amplitudes",
             )
-        logarithm = np.interp(share, 1 - left[known], np.log(AMPLITUDES[known]))
-        made[name] = float(np.exp(logarithm))
-    return made
+        logarithm = np.interp(share, 1 - left[solved], np.log(AMPLITUDES[solved]))
+        amplitudes[name] = float(np.exp(logarithm))
+    return amplitudes
 
 
 def _forces(force: tuple[float, float]) -> Array:
@@ -124,10 +124,10 @@ def _forces(force: tuple[float, float]) -> Array:
 def _shared(amplitude: Array, frequency: float, forces: Array, skin: Fingertip) -> Array:
     """(force, amplitude) mu / mu0."""
     values = skin.values
-    return np.array([shared_friction(amplitude, Touch(frequency, float(one)), values) for one in forces])
+    return np.array([shared_friction(amplitude, Touch(frequency, float(f)), values) for f in forces])
 
 
 def _mean(forces: Array, curves: Array, force: tuple[float, float]) -> Array:
-    """Of curves (force, ...) over the forces with which people press."""
+    """Mean of curves (force, ...) over the forces with which people press."""
     drawn = np.maximum(LIGHTEST, force[0] + force[1] * scipy.stats.norm.ppf(QUANTILES))
     return np.asarray([np.interp(drawn, forces, curve).mean() for curve in curves.T])

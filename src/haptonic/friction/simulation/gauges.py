@@ -1,7 +1,7 @@
 """A six-axis sensor before its calibration: six gauge voltages as a 16-bit converter gives them.
 
 Three beams at 120 degrees carry the plate. Each has a gauge for the load along the axis and one for the load
-across the beam, as in small sensors of this kind; gains are uneven and gauges see a little of each other.
+across the beam, as in small sensors of this kind; gains are uneven and there is some cross-talk.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ RANGE, BITS = 10.0, 16  # V either way
 
 
 def calibration() -> Array:
-    """(6, 6) from the voltages of `GAUGES` (V) to Fx Fy Fz (N), Tx Ty Tz (N m); always the same one."""
+    """(6, 6) constant matrix from the voltages of `GAUGES` (V) to Fx Fy Fz (N), Tx Ty Tz (N m)."""
     angle = 2 * np.pi / 3 * np.arange(3)
     axial = np.array([np.zeros(3), np.zeros(3), np.ones(3), BEAM_RADIUS * np.sin(angle),
                       -BEAM_RADIUS * np.cos(angle), np.zeros(3)])  # fmt: skip
@@ -32,7 +32,7 @@ def calibration() -> Array:
 def voltages(axes: Array, matrix: Array) -> Array:
     """(6, samples) gauge voltages, V, that the calibration turns into these forces and torques.
 
-    They come in steps of the converter, and stay at the end of its range where the load is beyond it.
+    The voltages are rounded to steps of the converter and clipped at the end of its range.
     """
     step = 2 * RANGE / 2**BITS
     steps = np.rint(np.linalg.solve(matrix, axes) / step)

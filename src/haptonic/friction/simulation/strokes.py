@@ -21,7 +21,7 @@ BEFORE, AFTER = 0.2, 0.1  # s without contact
 TOUCHDOWN = 0.08  # s
 UNEVEN = 0.08  # force and speed wander by this share of themselves within a stroke
 WANDERING = 0.99  # correlation of the wandering from one sample to the next: some 0.1 s
-SIDEWAYS = 0.03  # force across the stroke over the normal one: nobody strokes quite straight
+SIDEWAYS = 0.03  # force across the stroke over normal force: no stroke is quite straight
 OFF_AXIS, ABOVE = 0.027, 0.006  # m: from the sensor's axis to a waveguide's, and up to the flat face
 NOISY_LEVER = 0.008  # m: noise of the torques over that of the forces
 
@@ -30,10 +30,10 @@ AXES = ("Fx", "Fy", "Fz", "Tx", "Ty", "Tz")
 
 @dataclass(frozen=True, eq=False)
 class Stroke:
-    """What a six-axis sensor below the plate records of one stroke.
+    """Record of one stroke by a six-axis sensor below the plate.
 
-    trial : with the friction that made it
-    axes : (6, samples) `AXES`, N and N m; Fz is positive where the finger presses
+    trial : with the friction of the stroke
+    axes : (6, samples) `AXES`, N and N m; Fz is positive when the finger presses
     position : (samples,) m along the stroke
     """
 
@@ -49,11 +49,11 @@ class Stroke:
 
 @dataclass(frozen=True)
 class Experiment:
-    """Strokes of people who do not exist; equal ones are equal to the last digit.
+    """Strokes of simulated people; equal experiments have equal strokes, to the last digit.
 
-    truth, protocol : what is true of the people, and the order of their trials
-    participants : their number
-    seed : of all that is drawn
+    truth, protocol : true properties of the people, and the order of their trials
+    participants : number of people
+    seed : of all random draws
     """
 
     truth: Truth
@@ -68,15 +68,15 @@ class Experiment:
 
     @cached_property
     def people(self) -> list[Person]:
-        """Those that ``seed`` draws."""
+        """The people drawn with ``seed``."""
         return people(self.truth, self.participants, np.random.default_rng(self.seed))
 
     def strokes(self) -> Iterator[Stroke]:
-        """What the sensor records, one by one: those of a participant fill some 20 MB.
+        """Records of the sensor, one by one: those of a participant fill some 20 MB.
 
         Raises
         ------
-        FrictionError : no participant, or a waveguide of which the truth says nothing
+        FrictionError : no participant, or a waveguide that is not in the truth
         """
         rng = np.random.default_rng(self.seed)
         return recorded(self.truth, self.protocol, people(self.truth, self.participants, rng), rng)
@@ -85,22 +85,22 @@ class Experiment:
 def strokes(
     truth: Truth, protocol: Protocol, participants: int, seed: int = 0
 ) -> Iterator[tuple[Label, Record, float]]:
-    """Force records of an experiment, one by one, each with the coefficient of friction that made it.
+    """Force records of an experiment, one by one, each with its true coefficient of friction.
 
     Raises
     ------
-    FrictionError : no participant, or a waveguide of which the truth says nothing
+    FrictionError : no participant, or a waveguide that is not in the truth
     """
     for stroke in Experiment(truth, protocol, participants, seed).strokes():
         yield stroke.trial.label, stroke.record, stroke.trial.friction
 
 
 def recorded(truth: Truth, protocol: Protocol, group: list[Person], rng: Generator) -> Iterator[Stroke]:
-    """What the sensor records of every stroke of these people, one by one.
+    """Records of the sensor for every stroke of these people, one by one.
 
     Raises
     ------
-    FrictionError : nobody, or a waveguide of which the truth says nothing
+    FrictionError : no people, or a waveguide that is not in the truth
     """
     for trial in trials(truth, protocol, group, rng):
         driven = trial.label.waveguide == protocol.waveguides[0]
@@ -108,7 +108,7 @@ def recorded(truth: Truth, protocol: Protocol, group: list[Person], rng: Generat
 
 
 def samples_of(truth: Truth) -> int:
-    """How many samples the record of a stroke has."""
+    """Number of samples in the record of a stroke."""
     return round((BEFORE + truth.contact + AFTER) * RATE)
 
 
@@ -120,7 +120,7 @@ def _stroke(truth: Truth, trial: Trial, across: float, rng: Generator) -> Stroke
     normal = trial.force * pressing * (1 + _wandering(len(time), rng))
     velocity = trial.speed * moving * (1 + _wandering(len(time), rng))
     position = np.cumsum(velocity) / RATE
-    # at rest the finger holds by less than friction would allow
+    # a finger at rest has less tangential force than friction would allow
     tangential = -trial.friction * normal * np.clip(velocity / (0.1 * trial.speed), 0, 1)
     sideways = SIDEWAYS * normal * (1 + _wandering(len(time), rng))
     along = position - 0.5 * trial.speed * truth.contact

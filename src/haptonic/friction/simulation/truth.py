@@ -1,4 +1,4 @@
-"""What is true of made-up participants, and the coefficients of friction that follow from it."""
+"""True properties of simulated participants, and the resulting coefficients of friction."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import Label
 from haptonic.friction.simulation.film import LIGHTEST, Film
 
-SLOWEST = 0.03  # m/s: what a participant who follows instructions does not fall below
+SLOWEST = 0.03  # m/s: smallest speed of a participant who follows instructions
 
 
 @dataclass(frozen=True)
 class Truth:
-    """What is true of the made-up participants.
+    """True properties of the simulated participants.
 
-    people : friction with the vibration off, and how it differs; the sensor
+    people : friction with the vibration off, and its variation; the sensor
     remaining : waveguide -> mu / mu0 with the vibration on, in the population
     force, speed : (mean, standard deviation) over trials, N and m/s
-    contact : time that a stroke lasts, s
-    film : how what remains depends on the force of a stroke; without it, not at all
+    contact : duration of a stroke, s
+    film : dependence of the remaining friction on the force of a stroke; None for no dependence
     """
 
     people: Participants = field(default_factory=Participants)
@@ -47,7 +47,7 @@ class Truth:
 
 @dataclass(frozen=True)
 class Person:
-    """What is true of one participant.
+    """True properties of one participant.
 
     friction : with the vibration off, in the middle of the session
     remaining : waveguide -> mu / mu0 with the vibration on, mean over the forces of the strokes
@@ -59,7 +59,7 @@ class Person:
 
 @dataclass(frozen=True)
 class Trial:
-    """One stroke to be: its coefficient of friction, and the means of its force (N) and speed (m/s)."""
+    """One stroke to simulate: its coefficient of friction, and the means of its force (N) and speed (m/s)."""
 
     label: Label
     friction: float
@@ -96,7 +96,7 @@ def trials(truth: Truth, protocol: Protocol, group: Sequence[Person], rng: Gener
 
     Raises
     ------
-    FrictionError : nobody, or a waveguide of which the truth says nothing
+    FrictionError : no people, or a waveguide that is not in the truth
     """
     labels = protocol.order(len(group))
     for guide in {label.waveguide for label in labels} - set(truth.remaining):
@@ -116,11 +116,11 @@ def trials(truth: Truth, protocol: Protocol, group: Sequence[Person], rng: Gener
 def coefficients(
     truth: Truth, protocol: Protocol, participants: int, rng: Generator
 ) -> Iterator[tuple[Label, float]]:
-    """The true coefficient of friction of every trial, without force records: enough to test statistics.
+    """True coefficient of friction of every trial, without force records: enough to test statistics.
 
     Raises
     ------
-    FrictionError : no participant, or a waveguide of which the truth says nothing
+    FrictionError : no participant, or a waveguide that is not in the truth
     """
     for trial in trials(truth, protocol, people(truth, participants, rng), rng):
         yield trial.label, trial.friction

@@ -1,4 +1,4 @@
-"""What a table of trials proves: tests by trials, by participants and by a mixed model; effects; planning."""
+"""Statistics of a table of trials: tests by trials, participants and a mixed model; effects; planning."""
 
 from haptonic.friction.statistics.comparison import (
     Test,

@@ -1,8 +1,8 @@
-"""Does the vibration change friction? The test as published, and the tests that the design allows.
+"""Tests for a change of friction by vibration: the test as published, and tests that the design allows.
 
 Trials of one person are alike: sixty trials of three people are not 180 independent pairs. A test over trials
-asks whether *these* people feel a difference, and finds one that other people need not show; a test over
-participants, and a mixed model in which every participant has an effect of his or her own, ask about people.
+applies to *these* people only; other people need not show the same difference. A test over participants, and
+a mixed model with an effect for every participant, apply to the population.
 """
 
 from __future__ import annotations
@@ -23,26 +23,28 @@ Name = Literal["trials, as published", "participants", "mixed model"]
 
 CONFIDENCE = 0.95
 OPTIMISERS = ["lbfgs", "powell"]  # the second where a variance goes to zero and the first stops
-ALIKE = 1e-12  # relative to friction: differences that vary less do not vary
+ALIKE = 1e-12  # relative to friction: a smaller variation of the differences counts as none
 
 
 @dataclass(frozen=True)
 class Test:
-    """One test of the difference of friction, on less off. What cannot be had is NaN, and `note` says why.
+    """One test of the difference of friction, on less off. Missing numbers are NaN; `note` gives the reason.
 
-    name, waveguide : which test, of what
+    name, waveguide : test, and waveguide that it is about
     n : number of its units: pairs of trials, or participants
-    difference : mean, on less off; low, high : its 95 % confidence interval
+    difference : mean, on less off
+    low, high : its 95 % confidence interval
     statistic, dof : Student's t and its degrees of freedom
-    p : two-sided, for itself; corrected : times the number of tests made at once (Bonferroni); holm : by the
-        rule of Holm, which promises the same and finds more
+    p : two-sided p-value of this test alone
+    corrected : p-value times the number of simultaneous tests (Bonferroni)
+    holm : p-value by the rule of Holm, which has the same error rate and more power
     d_z : mean difference over the standard deviation of the differences, t / sqrt(n)
     d_av : mean difference over the mean of the standard deviations on and off
     d_z_low, d_z_high, d_av_low, d_av_high : their 95 % intervals, see `sizes`
-    participant : whose trials alone were tested; empty for all of them
+    participant : name of the only participant whose trials were tested; empty for all participants
     """
 
-    __test__ = False  # no test in pytest's sense
+    __test__ = False  # not a test of pytest
 
     name: Name
     waveguide: str
@@ -70,42 +72,42 @@ class Test:
 
 
 def by_trials(pairs: Pairs) -> Test:
-    """The paired t-test over trials, as published: it takes the trials of one person for independent."""
+    """Paired t-test over trials, as published: it treats the trials of one person as independent."""
     return _paired("trials, as published", pairs.waveguide, pairs.on, pairs.off, "pair of trials")
 
 
 def by_participants(pairs: Pairs) -> Test:
-    """The paired t-test over the means of the participants."""
+    """Paired t-test over the means of the participants."""
     on, off = pairs.means
     return _paired("participants", pairs.waveguide, on, off, "participant")
 
 
 def by_mixed_model(pairs: Pairs) -> Test:
-    """Linear mixed model of all trials: a level and an effect of his or her own for every participant.
+    """Linear mixed model of all trials, with a random level and a random effect for every participant.
 
     Trial t of participant i has the friction ``y_it = (m + a_i) + (d + b_i) x_it + e_it`` with x = +1/2 on
     and -1/2 off; a_i, b_i and e_it are normal and independent of each other. Restricted maximum likelihood
-    (statsmodels); the effect over its standard error is compared with Student's t with one degree of freedom
-    less than there are participants, as in a balanced design, not with a normal distribution, which would
-    reject far too often with few participants.
+    (statsmodels). The effect over its standard error is compared with Student's t with one degree of freedom
+    fewer than participants, as in a balanced design; a normal distribution would reject far too often with
+    few participants.
     """
-    # half a second of every start of the program otherwise
+    # importing it with the module would take half a second of every start of the program
     from statsmodels.regression.mixed_linear_model import MixedLM, MixedLMParams
 
     people = len(pairs.people)
     difference = float(np.mean(np.subtract(*pairs.means)))
-    made = Test("mixed model", pairs.waveguide, people, difference)
+    test = Test("mixed model", pairs.waveguide, people, difference)
     friction = np.concatenate([pairs.on, pairs.off])
     scale = float(friction.std())
     if people < 2:
-        return replace(made, note="one participant only: nothing can be said about others")
+        return replace(test, note="one participant only: no conclusion about other people")
     if scale <= ALIKE * float(np.abs(friction).max()) or len(pairs.on) <= people:
-        return replace(made, note="too few trials, or trials that do not vary: there is nothing to fit")
+        return replace(test, note="too few trials, or trials that do not vary: no model to fit")
     coding = np.repeat([0.5, -0.5], len(pairs.on))
     design = np.column_stack([np.ones_like(coding), coding])
     independent = MixedLMParams.from_components(fe_params=np.ones(2), cov_re=np.eye(2))
     with warnings.catch_warnings():
-        # a random part that comes out as zero lies on the edge of what is allowed: no reason for a warning
+        # a variance estimated as zero lies on the edge of the allowed range, which is not worth a warning
         warnings.simplefilter("ignore", RuntimeWarning)
         warnings.simplefilter("ignore", UserWarning)  # statsmodels' own on convergence among them
         try:
@@ -116,12 +118,12 @@ def by_mixed_model(pairs: Pairs) -> Test:
         except (np.linalg.LinAlgError, ValueError):
             converged = False
     if not converged or not (math.isfinite(error) and error > 0):
-        return replace(made, note="the fit did not converge: too few participants for its random parts")
+        return replace(test, note="the fit did not converge: too few participants for its random parts")
     dof = people - 1
     reach = float(scipy.stats.t.ppf(0.5 + CONFIDENCE / 2, dof)) * error
     statistic = effect / error
     return replace(
-        made,
+        test,
         difference=effect,
         low=effect - reach,
         high=effect + reach,
@@ -134,76 +136,78 @@ def by_mixed_model(pairs: Pairs) -> Test:
 
 def compared(pairs: list[Pairs]) -> list[Test]:
     """All three tests of every waveguide, corrected for the number of waveguides."""
-    tests = [test(one) for one in pairs for test in (by_trials, by_participants, by_mixed_model)]
+    tests = [
+        test(waveguide_pairs)
+        for waveguide_pairs in pairs
+        for test in (by_trials, by_participants, by_mixed_model)
+    ]
     kinds = [corrected(tests[kind::3]) for kind in range(3)]
     return [kind[row] for row in range(len(pairs)) for kind in kinds]
 
 
 def by_each(pairs: list[Pairs]) -> list[Test]:
-    """The test over trials of every participant by himself or herself, on every waveguide; all corrected."""
+    """The test over trials of every participant alone, on every waveguide; corrected for their number."""
     return corrected(
         [
-            replace(by_trials(one.of(name)), participant=name, note="speaks of each participant alone")
-            for one in pairs
-            for name in one.people
+            replace(by_trials(waveguide_pairs.of(name)), participant=name, note="for each participant alone")
+            for waveguide_pairs in pairs
+            for name in waveguide_pairs.people
         ]
     )
 
 
 def corrected(tests: list[Test]) -> list[Test]:
-    """Tests made at once, corrected for their number by the rules of Bonferroni and of Holm."""
+    """Simultaneous tests, corrected for their number by the rules of Bonferroni and of Holm."""
     order = sorted(range(len(tests)), key=lambda row: (math.isnan(tests[row].p), tests[row].p))
-    made, largest = list(tests), 0.0
+    tests_corrected, largest = list(tests), 0.0
     for rank, row in enumerate(order):
         largest = max(largest, min(1.0, tests[row].p * (len(tests) - rank)))
         holm = largest if math.isfinite(tests[row].p) else math.nan
-        made[row] = replace(tests[row].among(len(tests)), holm=holm)
-    return made
+        tests_corrected[row] = replace(tests[row].among(len(tests)), holm=holm)
+    return tests_corrected
 
 
 def conclusion(tests: list[Test], level: float = 0.05) -> str:
-    """What may be said about one waveguide, from its three tests."""
-    found = {test.name: test for test in tests}
-    assert len(found) == len(tests), "tests of one waveguide"
-    trials, people = found["trials, as published"], found["participants"]
+    """Conclusion about one waveguide, from its three tests, as a sentence."""
+    by_name = {test.name: test for test in tests}
+    assert len(by_name) == len(tests), "tests of one waveguide"
+    trials, people = by_name["trials, as published"], by_name["participants"]
     where = f"{people.waveguide}, {people.n} participant{'s' * (people.n != 1)}"
     if not math.isfinite(people.corrected):
-        return f"{where}: {people.note}; the test over trials speaks of these participants only."
+        return f"{where}: {people.note}; the test over trials applies to these participants only."
     if people.corrected < level:
-        return (
-            f"{where}: friction differs, also for people who did not take part (p = {people.corrected:.2g})."
-        )
+        return f"{where}: the difference is significant across participants (p = {people.corrected:.2g})."
     if trials.corrected < level:
         return (
-            f"{where}: these participants show a difference, but so few cannot show that others would "
-            f"(p = {people.corrected:.2g} by participants, {trials.corrected:.2g} by trials)."
+            f"{where}: these participants show a difference, but too few for a conclusion about other people "
+            f"(p = {people.corrected:.2g} across participants, {trials.corrected:.2g} across trials)."
         )
-    return f"{where}: no difference is shown (p = {people.corrected:.2g}); that does not prove there is none."
+    return f"{where}: no significant difference (p = {people.corrected:.2g}); a difference may still exist."
 
 
 def _paired(name: Name, waveguide: str, on: Array, off: Array, unit: str) -> Test:
     n = len(on)
     apart = on - off
-    made = Test(name, waveguide, n, float(apart.mean()))
+    test = Test(name, waveguide, n, float(apart.mean()))
     if n < 2:
-        return replace(made, note=f"one {unit} only: no variation to compare with")
+        return replace(test, note=f"one {unit} only: no variation to compare with")
     spread = float(apart.std(ddof=1))
     if spread <= ALIKE * float(np.abs(np.concatenate([on, off])).max()):
-        return replace(made, note="all differences are equal: no variation to compare with")
+        return replace(test, note="all differences are equal: no variation to compare with")
     result = scipy.stats.ttest_rel(on, off)
     interval = result.confidence_interval(CONFIDENCE)
     mean_spread = 0.5 * float(on.std(ddof=1) + off.std(ddof=1))
     return replace(
-        made,
+        test,
         low=float(interval.low),
         high=float(interval.high),
         statistic=float(result.statistic),
         dof=float(result.df),
         p=float(result.pvalue),
-        **effect_sizes(made.difference, spread, mean_spread, n),
+        **effect_sizes(test.difference, spread, mean_spread, n),
         note=_few(n) if unit == "participant" else "trials of one participant are treated as independent",
     )
 
 
 def _few(people: int) -> str:
-    return "" if people >= 6 else f"{people} participants: the interval is wide, and rests on normality"
+    return "" if people >= 6 else f"{people} participants: the interval is wide, and assumes normality"

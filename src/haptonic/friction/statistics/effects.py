@@ -1,9 +1,10 @@
-"""How large the effect is: reductions, for people and for these participants; equivalence; drift.
+"""Effect sizes: reductions, for the population and for these participants; equivalence; drift.
 
-Two statements that are easily mixed up. What a reduction is among *people* can only be said from how the
-participants differ: Student's t over them, wide for three, which holds as often as it says from two on. What
-it is for *these participants*, had they stroked for ever, is said by how their trials scatter: a bootstrap of
-trials within each of them, narrow, and silent about anybody else.
+There are two kinds of interval. A reduction *in the population* is estimated from the differences between
+participants: Student's t over them, which is wide for three participants, and whose coverage is nominal from
+two on. The reduction *for these participants*, averaged over infinitely many strokes, is estimated from the
+scatter of their trials: a bootstrap of trials within each participant, which is narrow and does not apply to
+other people.
 """
 
 from __future__ import annotations
@@ -30,9 +31,9 @@ FEWEST_FOR_A_BOOTSTRAP = 15  # pairs of one participant
 
 @dataclass(frozen=True)
 class IntervalEstimate:
-    """A value, the ends of its 95 % interval (NaN where there is none, and `note` says why).
+    """A value with its 95 % interval; the ends are NaN if it has none, and `note` gives the reason.
 
-    about : whom the interval speaks of
+    about : group of people that the interval applies to
     """
 
     value: float
@@ -43,26 +44,26 @@ class IntervalEstimate:
 
 
 def reduction(pairs: Pairs) -> IntervalEstimate:
-    """Reduction of friction, 1 - on / off, with Student's interval for people, over participants.
+    """Reduction of friction, 1 - on / off, with Student's interval over participants, for the population.
 
-    The ratio of two means over participants, linearised: what a participant contributes to its deviation is
-    (on - ratio off) / mean off.
+    The ratio of two means over participants is linearised: the contribution of a participant to its deviation
+    is (on - ratio off) / mean off.
     """
     return _among_people(pairs.reduction, _contributions(pairs))
 
 
 def stopped(driven: Pairs, idle: Pairs) -> IntervalEstimate:
-    """Share of the driven region's reduction that does not reach the idle one, about 0.8 as published.
+    """Share of the driven region's reduction that does not reach the idle region, about 0.8 as published.
 
-    Student's interval for people, over participants, linearised as in `reduction`.
+    Student's interval over participants, for the population, linearised as in `reduction`.
 
     Raises
     ------
-    FrictionError : other participants on one region than on the other
+    FrictionError : the participants of the two regions differ
     """
     _check_the_same_people(driven, idle)
     if driven.reduction == 0:
-        return IntervalEstimate(math.nan, math.nan, math.nan, "nothing is reduced on the driven region")
+        return IntervalEstimate(math.nan, math.nan, math.nan, "no reduction on the driven region")
     shares = idle.reduction / driven.reduction
     value = 1 - shares
     least = reduction(driven)
@@ -75,17 +76,17 @@ def stopped(driven: Pairs, idle: Pairs) -> IntervalEstimate:
 
 
 def reduction_here(pairs: Pairs, *, draws: int = DRAWS, seed: int = 0) -> IntervalEstimate:
-    """Reduction of friction with an interval for these participants: pairs are drawn again within each."""
+    """Reduction of friction with an interval for these participants, by resampling pairs within each."""
     on, off = _resampled(pairs, draws, np.random.default_rng(seed))
     return _among_these(pairs.reduction, 1 - on / off, pairs)
 
 
 def stopped_here(driven: Pairs, idle: Pairs, *, draws: int = DRAWS, seed: int = 0) -> IntervalEstimate:
-    """As `stopped`, with an interval for these participants: pairs are drawn again within each.
+    """As `stopped`, with an interval for these participants, by resampling pairs within each.
 
     Raises
     ------
-    FrictionError : other participants on one region than on the other
+    FrictionError : the participants of the two regions differ
     """
     _check_the_same_people(driven, idle)
     rng = np.random.default_rng(seed)
@@ -98,12 +99,13 @@ def stopped_here(driven: Pairs, idle: Pairs, *, draws: int = DRAWS, seed: int = 
 
 @dataclass(frozen=True)
 class Equivalence:
-    """Whether a reduction is too small to be felt: two one-sided t-tests over participants.
+    """Test for a reduction too small to be felt: two one-sided t-tests over participants.
 
-    bound : the largest reduction, and increase, that nobody feels, as a share
-    mean, low, high : reduction, and the 90 % interval, which is the one that belongs to tests at 5 %
-    p : the larger of both; p_above : that of the reduction being at least ``bound``, which alone is enough to
-        call an idle region not slippery
+    bound : the largest reduction, and increase, that people do not feel, as a share
+    mean, low, high : reduction, and its 90 % interval, which corresponds to tests at 5 %
+    p : the larger p-value of the two tests
+    p_above : p-value against a reduction of at least ``bound``; alone enough to call an idle region not
+        slippery
     """
 
     waveguide: str
@@ -118,15 +120,15 @@ class Equivalence:
 
 
 def equivalence(pairs: Pairs, bound: float) -> Equivalence:
-    """TOST of the reduction of every participant against -bound and bound.
+    """Two one-sided tests (TOST) of the reduction of every participant against -bound and bound.
 
     Parameters
     ----------
-    bound : 0.11, the Weber fraction (`haptonic.friction.lubrication.WEBER_FRACTION`), for what people feel
+    bound : such as 0.11, the Weber fraction (`haptonic.friction.lubrication.WEBER_FRACTION`)
 
     Raises
     ------
-    FrictionError : a bound that is no share
+    FrictionError : a bound that is not a share
     """
     if not 0 < bound < 1:
         raise FrictionError.out_of_range(
@@ -138,22 +140,22 @@ def equivalence(pairs: Pairs, bound: float) -> Equivalence:
         )
     on, off = pairs.means
     each = 1 - on / off
-    made = Equivalence(pairs.waveguide, bound, len(each), float(each.mean()))
+    estimate = Equivalence(pairs.waveguide, bound, len(each), float(each.mean()))
     if len(each) < 2 or float(each.std(ddof=1)) == 0:
-        note = "one participant, or no variation between them: nothing can be said about others"
-        return Equivalence(pairs.waveguide, bound, len(each), made.mean, note=note)
+        note = "one participant, or no variation between them: no conclusion about other people"
+        return Equivalence(pairs.waveguide, bound, len(each), estimate.mean, note=note)
     error = float(each.std(ddof=1)) / math.sqrt(len(each))
     dof = len(each) - 1
-    above = float(scipy.stats.t.cdf((made.mean - bound) / error, dof))
-    below = float(scipy.stats.t.sf((made.mean + bound) / error, dof))
+    above = float(scipy.stats.t.cdf((estimate.mean - bound) / error, dof))
+    below = float(scipy.stats.t.sf((estimate.mean + bound) / error, dof))
     reach = float(scipy.stats.t.ppf(0.95, dof)) * error
     return Equivalence(
         waveguide=pairs.waveguide,
         bound=bound,
         n=len(each),
-        mean=made.mean,
-        low=made.mean - reach,
-        high=made.mean + reach,
+        mean=estimate.mean,
+        low=estimate.mean - reach,
+        high=estimate.mean + reach,
         p=max(above, below),
         p_above=above,
     )
@@ -162,8 +164,8 @@ def equivalence(pairs: Pairs, bound: float) -> Equivalence:
 def drift(trials: xr.Dataset) -> IntervalEstimate:
     """Relative change of friction over a session with the vibration off: learning, moisture, fatigue.
 
-    A line through every participant's trials, as a share of their mean; the interval is Student's over
-    participants. With one participant there is none.
+    It is the slope of a line through every participant's trials, relative to their mean; the interval is
+    Student's over participants. One participant gives no interval.
 
     Raises
     ------
@@ -176,18 +178,18 @@ def drift(trials: xr.Dataset) -> IntervalEstimate:
         rows = np.flatnonzero(people == name)
         order = np.lexsort((trials["trial"].values[rows], trials["block"].values[rows])).argsort()
         place = order / max(len(rows) - 1, 1)
-        kept = usable[rows]
-        if kept.sum() < 3:
+        rows_used = usable[rows]
+        if rows_used.sum() < 3:
             raise FrictionError.too_few(
                 argument=f"trials of {name}",
-                given=f"{int(kept.sum())} usable with the vibration off",
+                given=f"{int(rows_used.sum())} usable with the vibration off",
                 allowed="at least 3",
                 cause="most trials were excluded",
                 next_step="leave this participant out, or look at the reasons for exclusion",
             )
-        friction = trials["friction"].values[rows][kept]
-        centred = _without_guides(friction, trials["waveguide"].values[rows][kept])
-        slopes.append(float(np.polyfit(place[kept], centred, 1)[0] / friction.mean()))
+        friction = trials["friction"].values[rows][rows_used]
+        centred = _without_guides(friction, trials["waveguide"].values[rows][rows_used])
+        slopes.append(float(np.polyfit(place[rows_used], centred, 1)[0] / friction.mean()))
     each = np.array(slopes)
     if len(each) < 2:
         return IntervalEstimate(float(each.mean()), math.nan, math.nan, "one participant only")
@@ -197,7 +199,7 @@ def drift(trials: xr.Dataset) -> IntervalEstimate:
 
 
 def _without_guides(friction: Array, guide: NDArray[np.str_]) -> Array:
-    """Friction less the mean of its waveguide: two plates of unequal roughness are no drift."""
+    """Friction less the mean of its waveguide, because plates of unequal roughness are not a drift."""
     means = {name: friction[guide == name].mean() for name in set(guide)}
     return np.asarray(friction - np.array([means[name] for name in guide]))
 
@@ -206,7 +208,7 @@ def _check_the_same_people(driven: Pairs, idle: Pairs) -> None:
     if set(driven.people) != set(idle.people):
         raise FrictionError.mismatch(
             argument="pairs",
-            given=" and ".join(f"{', '.join(one.people)} on {one.waveguide}" for one in (driven, idle)),
+            given=" and ".join(f"{', '.join(pairs.people)} on {pairs.waveguide}" for pairs in (driven, idle)),
             allowed="the same participants on both",
             cause="all trials of a participant on one of them were excluded",
             next_step="leave this participant out of both",
@@ -214,7 +216,7 @@ def _check_the_same_people(driven: Pairs, idle: Pairs) -> None:
 
 
 def _contributions(pairs: Pairs) -> Array:
-    """(participant,) how much each moves the reduction, times their number: they add up to zero."""
+    """(participant,) contribution of each to the reduction, times their number; the sum is zero."""
     on, off = pairs.means
     return np.asarray(-(on - (1 - pairs.reduction) * off) / off.mean())
 
@@ -225,12 +227,12 @@ def _among_people(value: float, each: Array) -> IntervalEstimate:
         return IntervalEstimate(value, math.nan, math.nan, "one participant only: no interval for others")
     error = float(each.std(ddof=1)) / math.sqrt(people)
     reach = float(scipy.stats.t.ppf(QUANTILES[1], people - 1)) * error
-    note = "" if people >= 6 else f"{people} participants: the interval is wide, and rests on normality"
+    note = "" if people >= 6 else f"{people} participants: the interval is wide, and assumes normality"
     return IntervalEstimate(value, value - reach, value + reach, note)
 
 
 def _resampled(pairs: Pairs, draws: int, rng: np.random.Generator) -> tuple[Array, Array]:
-    """(draws,) means on and off over the same participants, with pairs drawn again within each of them."""
+    """(draws,) means on and off over the same participants, with pairs resampled within each of them."""
     sums = np.zeros((2, draws))
     for name in pairs.people:
         rows = np.flatnonzero(pairs.participant == name)
@@ -243,12 +245,12 @@ def _resampled(pairs: Pairs, draws: int, rng: np.random.Generator) -> tuple[Arra
 def _among_these(value: float, cloud: Array, pairs: Pairs) -> IntervalEstimate:
     fewest = min(int((pairs.participant == name).sum()) for name in pairs.people)
     if fewest < 2:
-        note = "a participant with a single pair of trials: their scatter is not known"
+        note = "a participant with a single pair of trials: their scatter is unknown"
         return IntervalEstimate(
             value=value, low=math.nan, high=math.nan, note=note, about="these participants"
         )
     low, high = np.nanquantile(cloud, QUANTILES)
-    note = "these participants only, nobody else"
+    note = "for these participants only"
     if fewest < FEWEST_FOR_A_BOOTSTRAP:
         note += f"; {fewest} pairs are few for a bootstrap: the interval is too narrow"
     return IntervalEstimate(

@@ -1,4 +1,4 @@
-"""Trials with the vibration on beside trials with it off."""
+"""Pairs of trials with the vibration on and off."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ Names = NDArray[np.str_]
 
 @dataclass(frozen=True, eq=False)
 class Pairs:
-    """Pairs of trials on one waveguide: the first trial on with the first one off within a block, and so on.
+    """Pairs of trials on one waveguide: within a block, the first trial on and the first one off, and so on.
 
-    waveguide : its name
+    waveguide : name
     participant : (pair,) names
     on, off : (pair,) coefficients of friction
     omitted : trials that were excluded or have no partner
@@ -43,11 +43,11 @@ class Pairs:
         return tuple(np.array([side[rows].mean() for rows in inside]) for side in (self.on, self.off))  # type: ignore[return-value]
 
     def of(self, participant: str) -> Pairs:
-        """The pairs of one participant.
+        """Pairs of one participant.
 
         Raises
         ------
-        FrictionError : nobody of that name has a pair
+        FrictionError : no pair of this participant
         """
         if participant not in self.people:
             cause = "the name is misspelt, or all trials were excluded"
@@ -57,19 +57,19 @@ class Pairs:
 
     @property
     def reduction(self) -> float:
-        """1 - mean on / mean off, every participant counting the same."""
+        """1 - mean on / mean off, with equal weight for every participant."""
         on, off = self.means
         return float(1 - on.mean() / off.mean())
 
 
 def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
-    """The pairs of a table of trials, such as `haptonic.friction.signals.measured` makes.
+    """Make the pairs of a table of trials, such as that of `haptonic.friction.signals.measured`.
 
-    A participant without a single pair drops out; the trials are counted in ``omitted``.
+    A participant without a pair drops out; the trials are counted in ``omitted``.
 
     Raises
     ------
-    FrictionError : a column is missing, no such waveguide, or not a single pair
+    FrictionError : a missing column, an unknown waveguide, or no pair
     """
     for name in ("participant", "block", "trial", "waveguide", "actuation", "friction", "excluded"):
         if name not in trials:

@@ -1,4 +1,4 @@
-"""How many participants and trials are needed, and how often each test cries wolf: by simulation."""
+"""Planning by simulation: participants and trials needed, and rates of false alarms of the tests."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from haptonic.friction.statistics.comparison import by_mixed_model, by_participa
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.later import xarray as xr
 
-SHARP = 1e-3  # of a reduction that is looked for
+SHARP = 1e-3  # accuracy of the smallest reduction
 
 
 @dataclass(frozen=True)
 class Population:
-    """What is assumed of people when an experiment is planned; all as shares of the mean friction.
+    """Assumptions about people for planning an experiment, all relative to the mean friction.
 
     reduction : mean of the population
     effect_between : standard deviation of the reduction between people
     within : standard deviation of a trial about the mean of its participant and condition
-    between : standard deviation of the level between people; pairs remove it
+    between : standard deviation of the level between people; pairing removes it
     """
 
     reduction: float
@@ -39,7 +39,7 @@ class Population:
                 raise _bad(f"population.{name}", value, "a share from 0 to 1", "a percentage was given")
 
     def drawn(self, participants: int, trials: int, rng: np.random.Generator) -> Pairs:
-        """Pairs of one experiment; ``trials`` is the number in each condition."""
+        """Draw the pairs of one experiment; ``trials`` is the number in each condition."""
         level = 1 + self.between * rng.standard_normal((participants, 1))
         left = 1 - self.reduction + self.effect_between * rng.standard_normal((participants, 1))
         noise = self.within * rng.standard_normal((2, participants, trials))
@@ -58,13 +58,13 @@ def power(
     simulations: int = 2000,
     seed: int = 0,
 ) -> xr.Dataset:
-    """Chance that the test over participants shows the reduction, by simulated experiments.
+    """Power of the test over participants, from simulated experiments.
 
     Parameters
     ----------
-    participants, trials : numbers to try; trials are those of one condition and participant
-    tests : made at once (Bonferroni): two waveguides
-    level : of all tests together
+    participants, trials : numbers to try; trials in one condition, for one participant
+    tests : number of simultaneous tests (Bonferroni): two waveguides
+    level : significance level of all tests together
 
     Returns
     -------
@@ -106,11 +106,11 @@ def power(
 def participants_needed(
     population: Population, trials: int, *, wanted: float = 0.8, most: int = 60, seed: int = 0
 ) -> int | None:
-    """Smallest number of participants that shows the reduction with the wanted chance; None above ``most``.
+    """Smallest number of participants for a power of ``wanted``; None above ``most``.
 
     Raises
     ------
-    FrictionError : a chance that is none, or no trials
+    FrictionError : a power outside of 0 to 1, or no trials
     """
     if not 0 < wanted < 1:
         raise _bad("wanted", wanted, "a chance above 0 and below 1", "a percentage was given")
@@ -129,9 +129,9 @@ def participants_needed(
 def smallest_shown(
     population: Population, participants: int, trials: int, *, wanted: float = 0.8, seed: int = 0
 ) -> float | None:
-    """Smallest reduction that a design shows with the wanted chance, to 0.001; None if it shows none.
+    """Smallest reduction that a design detects with a power of ``wanted``, to 0.001; None if there is none.
 
-    The population is taken as it is but for its reduction.
+    Only the reduction of the population changes.
 
     Raises
     ------
@@ -152,7 +152,7 @@ def smallest_shown(
 
 
 Alarms = tuple[float, float, int]
-"""A rate, its standard error, and of how many experiments."""
+"""Rate, its standard error, and the number of experiments."""
 
 
 def false_alarms(
@@ -164,9 +164,9 @@ def false_alarms(
     simulations: int = 400,
     seed: int = 0,
 ) -> dict[str, Alarms]:
-    """How often each test finds a difference where the population has none.
+    """Rate at which each test finds a difference although the population has none.
 
-    The population's own reduction is set to zero; people differ all the same.
+    The population's reduction is set to zero; people still differ.
 
     Returns
     -------
@@ -197,7 +197,7 @@ def false_alarms(
 def _counts(name: str, numbers: list[int], least: int) -> None:
     whole = [isinstance(n, int) and not isinstance(n, bool) and n >= least for n in numbers]
     if not numbers or not all(whole):
-        raise _bad(name, numbers, f"whole numbers from {least}", "a test needs so many to be computed at all")
+        raise _bad(name, numbers, f"whole numbers from {least}", "with fewer, the test cannot be computed")
 
 
 def _bad(name: str, given: object, allowed: str, cause: str) -> FrictionError:

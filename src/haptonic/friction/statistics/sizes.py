@@ -14,14 +14,15 @@ def effect_sizes(difference: float, spread: float, mean_spread: float, n: int) -
     """d_z and d_av of n paired differences, each with the ends of its 95 % interval.
 
     The interval of d_z is exact for normal differences: its ends are the effects under which a t as large, or
-    as small, as the one found is rare (noncentral t). That of d_av is the same interval times d_av / d_z, the
-    ratio of the two spreads being taken for known; simulated, it holds the truth in 93 to 97 of 100 cases.
+    as small, as the measured one is rare (noncentral t). The interval of d_av is the same times d_av / d_z,
+    with the ratio of the two spreads taken as known; in simulations it contains the truth in 93 to 97 of 100
+    cases.
 
     Parameters
     ----------
     difference : mean of the differences
     spread : standard deviation of the differences, positive
-    mean_spread : mean of the standard deviations of both sides; where it is zero, d_av is NaN
+    mean_spread : mean of the standard deviations of both sides; if it is zero, d_av is NaN
     """
     d_z = difference / spread
     low, high = (end / math.sqrt(n) for end in _noncentrality(d_z * math.sqrt(n), n - 1))

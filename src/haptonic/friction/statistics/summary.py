@@ -1,4 +1,4 @@
-"""All that a table of trials says, in one value; what cannot be said is named with its reason."""
+"""Summary of a table of trials in one value; missing results are listed with their reasons."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Condition:
 
     used, excluded : numbers of trials
     friction, by_means : (mean, standard deviation) over trials of the mean of ratios and the ratio of means
-    force, speed : the same, N and m/s; NaN where it was not recorded
+    force, speed : (mean, standard deviation), N and m/s; NaN if not recorded
     """
 
     participant: str
@@ -52,14 +52,18 @@ class Condition:
 
 @dataclass(frozen=True)
 class Summary:
-    """What trials prove. Tests and estimates that cannot be had are left out, and `omissions` says why.
+    """Tests and estimates from trials; `omissions` gives the reason for each missing one.
 
-    driven : the waveguide with the vibration, idle : the others; chosen : who said so, in words
-    tests : of all participants together, three for each waveguide; each : of every participant
-    reductions : waveguide -> reduction in the population; own : the same of each participant's own trials
-    stopped : share of the driven reduction that does not reach an idle waveguide, by its name
+    driven : waveguide with the vibration
+    idle : the other waveguides
+    chosen : reason for the choice of ``driven``
+    tests : of all participants together, three for each waveguide
+    each : tests of every participant alone
+    reductions : waveguide -> reduction in the population
+    own : (waveguide, participant) -> reduction from this participant's trials
+    stopped : idle waveguide -> share of the driven reduction that does not reach it
     stopped_here : the same with an interval for these participants, by bootstrap
-    equivalences : of idle waveguides, against what nobody feels
+    equivalences : of idle waveguides, against the largest reduction that people do not feel
     drift : of friction over a session, or None
     conclusions : a sentence for each waveguide
     """
@@ -81,19 +85,19 @@ class Summary:
 
 
 def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
-    """Everything, from a table of trials.
+    """Compute all tests and estimates from a table of trials.
 
     Parameters
     ----------
-    driven : the waveguide that carries the vibration; else the one with the largest reduction
+    driven : the waveguide with the vibration; by default the one with the largest reduction
 
     Raises
     ------
-    FrictionError : no waveguide is called like that
+    FrictionError : an unknown waveguide
     """
     guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
     if driven is not None and driven not in guides:
-        paired(trials, driven)  # refused, with the names that there are
+        paired(trials, driven)  # raises an error that lists the waveguides
     omissions = []
     pairs: dict[str, Pairs] = {}
     for guide in guides:
@@ -101,10 +105,10 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
             pairs[guide] = paired(trials, guide)
         except FrictionError as error:
             omissions.append(f"{guide}: no test; {error.given}; {error.cause}")
-    chosen = "as the study says"
+    chosen = "given in the study"
     if driven is None and pairs:
         driven = max(pairs, key=lambda guide: pairs[guide].reduction)
-        chosen = "the largest reduction was found there; the study does not say"
+        chosen = "waveguide with the largest reduction; the study gives none"
     guides.sort(key=lambda guide: guide != driven)
     pairs = {guide: pairs[guide] for guide in guides if guide in pairs}
     conditions = tuple(conditions_of(trials, guides))
@@ -113,7 +117,7 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     omissions += [*unequal[:MOST_NAMED], *[f"the same of {more} other participants"] * (more > 0)]
     all_pairs = list(pairs.values())
     tests = compared(all_pairs)
-    reductions = {guide: reduction(one) for guide, one in pairs.items()}
+    reductions = {guide: reduction(guide_pairs) for guide, guide_pairs in pairs.items()}
     idle = tuple(guide for guide in guides if guide != driven)
     shares, shares_here = {}, {}
     for guide in idle:
@@ -137,7 +141,9 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
         each=tuple(by_each(all_pairs)),
         reductions=reductions,
         own={
-            (guide, name): reduction_here(one.of(name)) for guide, one in pairs.items() for name in one.people
+            (guide, name): reduction_here(guide_pairs.of(name))
+            for guide, guide_pairs in pairs.items()
+            for name in guide_pairs.people
         },
         stopped=shares,
         stopped_here=shares_here,
@@ -149,7 +155,7 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
 
 
 def conditions_of(trials: xr.Dataset, guides: list[str]) -> Iterator[Condition]:
-    """Every condition of every participant and, if there are several, of all."""
+    """Every condition of every participant and, if there are several, of all together."""
     columns = {name: trials[name].values for name in ("participant", "waveguide", "actuation", "excluded")}
     people = list(dict.fromkeys(columns["participant"].tolist()))
     for person in [*people, *[EVERYBODY] * (len(people) > 1)]:
@@ -175,20 +181,23 @@ def _spread(trials: xr.Dataset, name: str, rows: NDArray[np.bool_]) -> tuple[flo
 
 
 def _unequal(conditions: tuple[Condition, ...]) -> Iterator[str]:
-    """Conditions with no trial, and participants whose conditions differ in number."""
-    for person in dict.fromkeys(one.participant for one in conditions if one.participant != EVERYBODY):
-        own = [one for one in conditions if one.participant == person]
-        names = {f"{one.waveguide} {one.actuation}": one.used for one in own}
+    """Sentences on participants with conditions that have no trial, or unequal numbers of trials."""
+    for person in dict.fromkeys(c.participant for c in conditions if c.participant != EVERYBODY):
+        names = {
+            f"{condition.waveguide} {condition.actuation}": condition.used
+            for condition in conditions
+            if condition.participant == person
+        }
         missing = [name for name, used in names.items() if not used]
         if missing:
-            yield f"{person}: no trial that counts on {', '.join(missing)}"
+            yield f"{person}: no valid trial on {', '.join(missing)}"
         elif len(set(names.values())) > 1:
             listed = ", ".join(f"{name}: {used}" for name, used in names.items())
             yield f"{person}: unequal numbers of trials ({listed})"
 
 
 def _same_people(driven: Pairs, idle: Pairs, omissions: list[str]) -> tuple[Pairs, Pairs]:
-    """Both without participants who have pairs on one of them only."""
+    """Both without participants who have pairs on only one of them."""
     both = [name for name in driven.people if name in idle.people]
     left_out = sorted(set(driven.people) ^ set(idle.people))
     if not left_out or not both:

@@ -44,13 +44,13 @@ from haptonic.vibrometry.records import TimeScan
 
 __all__ = ["Estimate", "Quality", "estimate", "repaired", "window_of"]
 
-WORKING_MEMORY = 192e6  # bytes that the transforms of a portion would take, all at once
-EXCITED = 1e-8  # of the largest power of the drive, below which a line counts as not driven
+WORKING_MEMORY = 192e6  # bytes for the transforms of a portion, all at once
+EXCITED = 1e-8  # of the largest power of the drive; lines below it count as not driven
 
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """A frequency response estimated from records, the quality of its points, and what was left out."""
+    """A frequency response estimated from records, the quality of its points, and the content left out."""
 
     response: FrequencyResponse
     quality: Quality
@@ -59,18 +59,22 @@ class Estimate:
 
     @classmethod
     def by_instrument(cls, response: FrequencyResponse, report: ReadReport) -> Estimate:
-        """A response that the instrument estimated: of its records nothing is known but the coherence."""
+        """An estimate from a response that the instrument computed; only its coherence is known."""
         data, points = response.dataset, response.dataset.sizes["point"]
         median = np.full(points, np.nan)
         if "coherence" in data:
             median = np.median(data["coherence"].values, axis=0).astype(float)
-        known = json.loads(data.attrs["inputs"]).get("points")
-        names = known if isinstance(known, list) and len(known) == points else range(1, points + 1)
+        points_of_file = json.loads(data.attrs["inputs"]).get("points")
+        names = (
+            points_of_file
+            if isinstance(points_of_file, list) and len(points_of_file) == points
+            else range(1, points + 1)
+        )
         quality = assessed(tuple(map(str, names)), np.zeros(points), np.zeros(points), median)
         return cls(response, quality, report, 0)
 
     def repaired(self, *flags: str) -> Estimate:
-        """Points with one of these flags replaced by their neighbours, and marked.
+        """A copy in which points with one of these flags are replaced by their neighbours, and marked.
 
         Raises
         ------
@@ -82,13 +86,13 @@ class Estimate:
 
 @dataclass(frozen=True)
 class _Plan:
-    """All that the computation of a portion needs, for a given scan."""
+    """All settings for the computation of a portion of a given scan."""
 
     estimator: Estimator
     length: int
     step: int
     lines: slice
-    kept: NDArray[np.int64] = field(compare=False)
+    driven_lines: NDArray[np.int64] = field(compare=False)
     window: Real | None = field(compare=False)
     like: Real | None = field(compare=False)
     single: bool
@@ -109,37 +113,37 @@ def estimate(
     progress: Progress = silent,
     workers: int = 1,
 ) -> Estimate:
-    """Frequency responses of all points, read once from the file and a portion at a time.
+    """Estimate the frequency responses of all points, read once from the file, a portion at a time.
 
     Records of 16-bit integers or of single precision are transformed in single precision: its error is far
-    below their own noise. Lines that the drive leaves out are left out of the result, and said.
+    below their own noise. Lines that the drive leaves out are left out of the result, with a remark.
 
     Parameters
     ----------
     estimator : "H1" for noise on the response (a laser's), "H2" for noise on the reference, "Hv" for both
     window : "none" for periodic chirps, "exponential" for bursts, "hann" for random drives, see `window_of`
     decay : of the exponential window, s
-    segment : samples of one transform: a period of the drive; by default a whole record
-    overlap : of segments that follow one another, from 0 to below 1
+    segment : samples of one transform, such as a period of the drive; by default a whole record
+    overlap : overlap of consecutive segments, from 0 to below 1
     band : lowest and highest frequency, Hz
-    align : turn each record so that its reference starts as that of the very first one
+    align : shift each record so that its reference starts like that of the very first record
     state : folder in which a stopped estimation is continued
-    progress : called with the points done and their number
-    workers : threads that work on portions while the next ones are read
+    progress : function of the number of points done and their total
+    workers : threads that process portions while the next ones are read
 
     Returns
     -------
-    The response is a velocity or displacement per unit of the reference; its coherence is there when there
-    is more than one average.
+    A velocity or displacement per unit of the reference; it has a coherence if there is more than one
+    average.
 
     Raises
     ------
-    ScanError : settings that do not fit the records, or nothing left
+    ScanError : settings that contradict the records, or no point left
     """
     plan = _planned(scan, estimator, window, decay, segment, overlap, band, align)
     points = len(scan.names)
     lines = np.asarray(np.fft.rfftfreq(plan.length, 1 / scan.sample_rate), dtype=float)
-    frequency = lines[plan.lines][plan.kept]
+    frequency = lines[plan.lines][plan.driven_lines]
     settings = {
         "estimator": estimator, "window": window, "decay": decay, "segment": plan.length, "overlap": overlap,
         "band": [float(frequency[0]), float(frequency[-1])], "align": align,
@@ -184,7 +188,7 @@ def _planned(
     reference, response = scan.load(0, min(8, len(scan.names)))
     low, high = band if band is not None else (0.0, scan.sample_rate / 2)
     frequency = np.fft.rfftfreq(length, 1 / scan.sample_rate)
-    # a line at 0 Hz has no motion
+    # at 0 Hz there is no motion
     first = max(1, int(np.searchsorted(frequency, low * (1 - 1e-9))))
     last = int(np.searchsorted(frequency, high * (1 + 1e-9), side="right"))
     if not first < last:
@@ -200,20 +204,20 @@ def _planned(
     probe = transformed(drive, None, slice(first, last))
     mean = (np.abs(probe) ** 2).mean(axis=1)
     power = np.where(np.isfinite(mean), mean, 0).max(axis=0)
-    kept = np.flatnonzero(power > EXCITED * power.max())
-    if not len(kept):
+    driven_lines = np.flatnonzero(power > EXCITED * power.max())
+    if not len(driven_lines):
         given = "no signal in the first points' records"
         raise _wrong("reference", given, "a drive with power in the band", "check the reference's cable")
     power_of_i = steps(scan.motion, "displacement" if scan.motion == "displacement" else "velocity")
     scale = scan.response_scale / scan.reference_scale
-    factor = scale * (2j * np.pi * frequency[first:last][kept]) ** power_of_i
+    factor = scale * (2j * np.pi * frequency[first:last][driven_lines]) ** power_of_i
     like = reference[0, 0].astype(np.float64) if align else None
     return _Plan(
         estimator=estimator,
         length=length,
         step=step,
         lines=slice(first, last),
-        kept=kept,
+        driven_lines=driven_lines,
         window=weights,
         like=like,
         single=single,
@@ -223,7 +227,7 @@ def _planned(
 
 @dataclass(frozen=True, eq=False)
 class _Portion:
-    """Of some points from ``first`` on, (point, line) and (point, 3); see `Growing`."""
+    """Results of the points from ``first`` on, (point, line) and (point, 3); see `Growing`."""
 
     first: int
     response: NDArray[Any]
@@ -232,7 +236,7 @@ class _Portion:
 
 
 def _computed(scan: TimeScan, plan: _Plan, size: int, start: int, workers: int) -> Iterator[_Portion]:
-    """Portions in their order; one after the other is read while threads work on those before it."""
+    """Portions in their order; the next one is read while threads process earlier ones."""
 
     def estimated(portion: tuple[int, Samples, Samples]) -> _Portion:
         return _estimated(*portion, scan.full_scale, plan)
@@ -243,9 +247,9 @@ def _computed(scan: TimeScan, plan: _Plan, size: int, start: int, workers: int) 
 def _estimated(
     first: int, reference: Samples, response: Samples, full_scale: float | None, plan: _Plan
 ) -> _Portion:
-    """A portion, point by point: what a point needs fits into the processor's cache, and is used again."""
+    """Estimate a portion point by point: the data of a point fit into the processor's cache for reuse."""
     kind, count = np.float32 if plan.single else np.float64, len(response)
-    values = np.empty((count, len(plan.kept)), np.complex64 if plan.single else np.complex128)
+    values = np.empty((count, len(plan.driven_lines)), np.complex64 if plan.single else np.complex128)
     coherence = np.empty(values.shape, kind)
     shared = len(reference) == 1
     x = _transforms(reference.astype(kind), None, plan) if shared and plan.like is None else None
@@ -255,12 +259,12 @@ def _estimated(
         y[0] = response[point]
         drive, lags = x, None
         if drive is None:
-            own: Real = reference[0 if shared else point][None].astype(kind)
-            lags = None if plan.like is None else shifts(own.astype(np.float64), plan.like)
-            drive = _transforms(own, lags, plan)
+            point_reference: Real = reference[0 if shared else point][None].astype(kind)
+            lags = None if plan.like is None else shifts(point_reference.astype(np.float64), plan.like)
+            drive = _transforms(point_reference, lags, plan)
         spectra = spectra_of(drive, _transforms(y, lags, plan))
-        values[point] = spectra.response(plan.estimator)[0, plan.kept] * factor
-        coherence[point] = spectra.coherence()[0, plan.kept]
+        values[point] = spectra.response(plan.estimator)[0, plan.driven_lines] * factor
+        coherence[point] = spectra.coherence()[0, plan.driven_lines]
     fine: NDArray[np.bool_] = np.asarray((np.isfinite(values) & np.isfinite(coherence)).all(axis=1))
     median = np.median(np.where(fine[:, None], coherence, 0.0), axis=1)
     measures = np.stack(
@@ -270,7 +274,7 @@ def _estimated(
 
 
 def _transforms(records: Real, lags: NDArray[np.int64] | None, plan: _Plan) -> NDArray[Any]:
-    """(point, segment, line) of records (point, repeat, sample) that are moved to the front by their lags."""
+    """(point, segment, line) transforms of records (point, repeat, sample), advanced by their lags."""
     moved = records if lags is None else rolled(records, lags)
     return transformed(segmented(moved, plan.length, plan.step), plan.window, plan.lines)
 
@@ -294,7 +298,7 @@ def _finished(
     if lost:
         notes.remark(f"{lost} lines of the band are not driven and were left out")
     if averages == 1:
-        notes.remark("one average only: the coherence says nothing and was left out")
+        notes.remark("one average only: the coherence has no meaning and was left out")
     everything = not dead.any()
     keep = np.flatnonzero(~dead)
     response = store.response if everything else store.response[:, keep]
@@ -302,7 +306,7 @@ def _finished(
     names = tuple(np.array(scan.names)[keep].tolist())
     measures = store.measures[keep]
     median = measures[:, 2] if averages > 1 else np.full(len(keep), np.nan)
-    made = FrequencyResponse.of(
+    frequency_response = FrequencyResponse.of(
         np.asarray(response)[..., None],
         frequency=frequency, x=scan.x[keep], y=scan.y[keep], direction=[scan.direction],
         quantity="displacement" if scan.motion == "displacement" else "velocity",
@@ -311,11 +315,11 @@ def _finished(
         inputs=settings | {"averages": averages, "points": list(names)},
     )  # fmt: skip
     quality = assessed(names, measures[:, 0], measures[:, 1], median)
-    return Estimate(made, quality, ReadReport.of(notes, len(keep)), averages)
+    return Estimate(frequency_response, quality, ReadReport.of(notes, len(keep)), averages)
 
 
 def _fingerprint(scan: TimeScan) -> str:
-    """Of the scan's form and its first and last point: enough to notice that a folder is of another one."""
+    """Digest of the scan's form and its first and last point: enough to detect the folder of another scan."""
     digest = hashlib.sha256(repr((scan.names, scan.repeats, scan.samples, scan.sample_rate)).encode())
     for first in sorted({0, len(scan.names) - 1}):
         for samples in scan.load(first, first + 1):

@@ -1,4 +1,4 @@
-"""Results of an estimation that grow point by point, in memory or in a folder from which it can go on."""
+"""Results of an estimation that grow point by point, in memory or in a folder from which it can continue."""
 
 from __future__ import annotations
 
@@ -15,14 +15,16 @@ from numpy.typing import DTypeLike, NDArray
 from haptonic.errors import ScanError
 
 PROGRESS = "progress.json"
-SECONDS = 5.0  # between two savings: each brings all pages that changed to the disk
+SECONDS = 5.0  # between two savings: each writes all changed pages to the disk
 
 
 @dataclass(eq=False)
 class Growing:
-    """Arrays that are filled portion by portion; ``done`` counts the points that are in them.
+    """Arrays that are filled portion by portion; ``done`` counts the filled points.
 
-    response : (line, point); coherence : the same; measures : (point, 3)
+    response : (line, point)
+    coherence : (line, point)
+    measures : (point, 3)
     """
 
     response: NDArray[Any]
@@ -34,7 +36,7 @@ class Growing:
     kept_at: float = field(init=False, default_factory=time.monotonic)
 
     def keep(self, *, now: bool = False) -> None:
-        """Bring what was filled to the disk, then say so, every few seconds; a kill loses no more."""
+        """Write filled arrays to the disk, then the count, every few seconds; a kill loses no more."""
         if self.folder is None or not (now or time.monotonic() - self.kept_at > SECONDS):
             return
         for array in (self.response, self.coherence, self.measures):
@@ -47,11 +49,11 @@ class Growing:
 
 
 def growing(shape: tuple[int, int], single: bool, key: Mapping[str, Any], folder: Path | None) -> Growing:
-    """Arrays for an estimation of ``shape`` (line, point); those of a folder when it holds the same one.
+    """Arrays for an estimation of ``shape`` (line, point), continued from a folder with the same estimation.
 
     Raises
     ------
-    ScanError : the folder holds another estimation, or cannot be used
+    ScanError : the folder has another estimation, or cannot be used
     """
     forms: dict[str, tuple[tuple[int, int], DTypeLike]] = {
         "response": (shape, np.complex64 if single else np.complex128),
@@ -60,10 +62,10 @@ def growing(shape: tuple[int, int], single: bool, key: Mapping[str, Any], folder
     }
     text = json.dumps(key, sort_keys=True)
     if folder is None:
-        made: dict[str, NDArray[Any]] = {
+        arrays: dict[str, NDArray[Any]] = {
             name: np.zeros(form, dtype=kind) for name, (form, kind) in forms.items()
         }
-        return Growing(**made, done=0, folder=None, key=text)
+        return Growing(**arrays, done=0, folder=None, key=text)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         done = _done(folder, text)
@@ -85,12 +87,12 @@ def _done(folder: Path, key: str) -> int:
     record = folder / PROGRESS
     if not record.exists():
         if any(folder.iterdir()) and not (folder / "response.npy").exists():
-            raise _unusable(folder, "it holds other files")
+            raise _unusable(folder, "it contains other files")
         return 0
-    found = json.loads(record.read_text())
-    if found["key"] != key:
-        raise _unusable(folder, "it holds the estimation of another scan, or with other settings")
-    return int(found["done"])
+    state = json.loads(record.read_text())
+    if state["key"] != key:
+        raise _unusable(folder, "it contains the estimation of another scan, or with other settings")
+    return int(state["done"])
 
 
 def _unusable(folder: Path, cause: str) -> ScanError:

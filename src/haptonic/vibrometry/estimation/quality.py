@@ -1,4 +1,4 @@
-"""How good the records of each point are, and the repair of bad points by their neighbours."""
+"""Quality of the records of each point, and repair of bad points from their neighbours."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 
 NEAR_FULL = 0.999  # of the full scale: a sample beyond it is clipped
-FROZEN = 0.01  # of a record's samples in a row that are all the same: the laser lost the surface
+FROZEN = 0.01  # of a record: a longer run of equal samples means that the laser lost the surface
 LOW = 0.8  # median coherence below which a point is flagged
-NEIGHBOURS = 4  # on a square grid, those beside a point
+NEIGHBOURS = 4  # of a point on a square grid
 FLAGS = ("saturated", "dropout", "low coherence", "repaired")
 
 
 @dataclass(frozen=True, eq=False)
 class Quality:
-    """Of the points of an estimate.
+    """Quality of the points of an estimate.
 
-    names : of the points
+    names : names of the points
     clipped : (point,) share of clipped samples
     frozen : (point,) longest run of equal samples over the length of a record
-    coherence : (point,) median over the lines; NaN where there is one average only
-    flags : of each point, out of "saturated", "dropout", "low coherence" and "repaired"
+    coherence : (point,) median over the lines; NaN for a single average
+    flags : flags of each point, out of "saturated", "dropout", "low coherence" and "repaired"
     """
 
     names: tuple[str, ...]
@@ -40,22 +40,22 @@ class Quality:
     flags: tuple[tuple[str, ...], ...]
 
     def flagged(self, *flags: str) -> NDArray[np.bool_]:
-        """(point,) which points have one of these flags; of any flag when none is named."""
+        """(point,) True for points with one of these flags, or with any flag if none is given."""
         wanted = set(flags or FLAGS)
-        return np.array([bool(wanted & set(one)) for one in self.flags])
+        return np.array([bool(wanted & set(point_flags)) for point_flags in self.flags])
 
 
 def assessed(names: tuple[str, ...], clipped: Array, frozen: Array, coherence: Array) -> Quality:
-    """The flags that follow from the measures."""
+    """Set the flags that follow from the measures."""
     flags = []
     for share, run, median in zip(clipped, frozen, coherence, strict=True):
-        found = [("saturated", share > 0), ("dropout", run > FROZEN), ("low coherence", median < LOW)]
-        flags.append(tuple(name for name, bad in found if bad))
+        conditions = [("saturated", share > 0), ("dropout", run > FROZEN), ("low coherence", median < LOW)]
+        flags.append(tuple(name for name, bad in conditions if bad))
     return Quality(names=names, clipped=clipped, frozen=frozen, coherence=coherence, flags=tuple(flags))
 
 
 def clipped_share(response: Samples, full_scale: float | None) -> Array:
-    """(point,) share of samples at the full scale, or in a flat top when that is not known.
+    """(point,) share of samples at the full scale, or in a flat top if the full scale is unknown.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def clipped_share(response: Samples, full_scale: float | None) -> Array:
     if full_scale is not None:
         most = NEAR_FULL * full_scale
         share = np.zeros(len(response))
-        # most points have none, and extremes are found much sooner than samples are compared
+        # most points have none, and an extreme is found much faster than samples are compared
         for point in np.flatnonzero(
             (response.max(axis=(1, 2)) >= most) | (response.min(axis=(1, 2)) <= -most)
         ):
@@ -82,9 +82,9 @@ def clipped_share(response: Samples, full_scale: float | None) -> Array:
 
 
 def frozen_share(response: Samples) -> Array:
-    """(point,) longest run of equal samples that follow one another, over the length of a record.
+    """(point,) longest run of equal consecutive samples, over the length of a record.
 
-    A run is found on a comb of samples first: only where several of these are equal can one be long.
+    Equal samples on a coarse comb are searched first: a long run needs several of them.
     """
     samples = response.shape[2]
     stride = max(1, int(0.25 * FROZEN * samples))
@@ -100,7 +100,7 @@ def frozen_share(response: Samples) -> Array:
 
 
 def check_flags(flags: Collection[str]) -> None:
-    """Refuse names that are not those of flags."""
+    """Refuse unknown names of flags."""
     for flag in flags:
         if flag not in FLAGS:
             raise ScanError.unknown("flags", flag, FLAGS[:-1], "the flag is misspelt")
@@ -109,10 +109,10 @@ def check_flags(flags: Collection[str]) -> None:
 def repaired(
     response: FrequencyResponse, quality: Quality, flags: Collection[str]
 ) -> tuple[FrequencyResponse, Quality]:
-    """Points with one of these flags replaced by the mean of their neighbours, weighted by 1/distance^2.
+    """Replace points with one of these flags by the mean of their neighbours, weighted by 1/distance^2.
 
     The replaced points are marked: "repaired" among their flags, and by name in the response's inputs and
-    title. Their coherence is set to zero: nothing was measured there.
+    title. Their coherence is set to zero, because nothing was measured there.
 
     Raises
     ------
@@ -129,7 +129,7 @@ def repaired(
             given=f"{len(good)} points without flags",
             allowed=f"at least {NEIGHBOURS}",
             cause="the whole scan is bad: the range of the vibrometer or the drive was wrong",
-            next_step="measure again; nothing can be repaired here",
+            next_step="measure again; these points cannot be repaired",
         )
     places, values = response.points, response.values.copy()
     distance, near = scipy.spatial.cKDTree(places[good]).query(places[bad], k=NEIGHBOURS)
@@ -138,11 +138,11 @@ def repaired(
     mixed = np.einsum("lpkd,pk->lpd", values[:, good[near]], weight)
     values[:, bad] = mixed.astype(values.dtype)
     data, notes = response.dataset, response.dataset.attrs
-    names = [name for name, one in zip(quality.names, bad, strict=True) if one]
+    names = [name for name, is_bad in zip(quality.names, bad, strict=True) if is_bad]
     coherence = None
     if "coherence" in data:
         coherence = np.where(bad, 0.0, data["coherence"].values)
-    made = FrequencyResponse.of(
+    mended = FrequencyResponse.of(
         values,
         frequency=response.frequency, x=places[:, 0], y=places[:, 1],
         reference=notes["reference"], origin=notes["origin"], quantity=notes["quantity"],
@@ -152,8 +152,11 @@ def repaired(
         title=f"{notes['title']} ({len(names)} points repaired)".strip(),
         inputs=json.loads(notes["inputs"]) | {"repaired": names},
     )  # fmt: skip
-    marked = [(*one, "repaired") if is_bad else one for one, is_bad in zip(quality.flags, bad, strict=True)]
-    return made, Quality(
+    marked = [
+        (*point_flags, "repaired") if is_bad else point_flags
+        for point_flags, is_bad in zip(quality.flags, bad, strict=True)
+    ]
+    return mended, Quality(
         names=quality.names,
         clipped=quality.clipped,
         frozen=quality.frozen,

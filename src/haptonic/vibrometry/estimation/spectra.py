@@ -1,4 +1,4 @@
-"""Spectra of records and the estimators of a frequency response made of them [bendat2010]."""
+"""Spectra of records, and estimators of a frequency response from them [bendat2010]."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Spectra:
 
     xx, yy : auto spectra, means of |X|^2 and |Y|^2
     xy : cross spectrum, mean of conj(X) Y
-    averages : how many records the means are of
+    averages : number of records in the means
     """
 
     xx: Real
@@ -35,8 +35,8 @@ class Spectra:
     averages: int
 
     def response(self, estimator: Estimator) -> AnyComplex:
-        """H1 = Sxy/Sxx, blind to noise on the response; H2 = Syy/Syx, blind to noise on the reference;
-        Hv, their geometric mean. A line without any signal gives a number that is not finite."""
+        """H1 = Sxy/Sxx, unbiased by noise on the response; H2 = Syy/Syx, unbiased by noise on the reference;
+        Hv, their geometric mean. The result is not finite on a line without signal."""
         with np.errstate(divide="ignore", invalid="ignore"):
             if estimator == "H1":
                 return np.asarray(self.xy / self.xx)
@@ -45,14 +45,14 @@ class Spectra:
             return np.asarray(self.xy / np.abs(self.xy) * np.sqrt(self.yy / self.xx))
 
     def coherence(self) -> Real:
-        """|Sxy|^2 / (Sxx Syy) = H1/H2, from 0 to 1; 1 for a single average, whatever the noise."""
+        """|Sxy|^2 / (Sxx Syy) = H1/H2, from 0 to 1; always 1 for a single average."""
         with np.errstate(divide="ignore", invalid="ignore"):
             squared = self.xy.real**2 + self.xy.imag**2
             return np.asarray(np.minimum(squared / self.xx / self.yy, 1.0))
 
 
 def window_of(name: WindowName, samples: int, sample_rate: float, decay: float | None) -> Real | None:
-    """Weights of a record's samples, or None for "none".
+    """Weights of a record's samples; None for "none".
 
     "none" is for periodic drives recorded over whole periods, which do not leak. "hann" is for random drives.
     "exponential", exp(-t / decay), is for bursts whose ring-down outlasts the record. It weights both
@@ -83,7 +83,7 @@ def window_of(name: WindowName, samples: int, sample_rate: float, decay: float |
 
 
 def segmented(records: Real, length: int, step: int) -> Real:
-    """(point, segment, sample) of records (point, repeat, sample), each cut in pieces that may overlap."""
+    """(point, segment, sample) of records (point, repeat, sample), cut into pieces that may overlap."""
     if length == step == records.shape[2]:
         return records
     views = np.lib.stride_tricks.sliding_window_view(records, length, axis=2)[:, :, ::step]
@@ -91,7 +91,7 @@ def segmented(records: Real, length: int, step: int) -> Real:
 
 
 def transformed(segments: Real, window: Real | None, lines: slice) -> AnyComplex:
-    """(point, segment, line) of segments (point, segment, sample), weighted by a window (sample,)."""
+    """(point, segment, line) spectra of segments (point, segment, sample), weighted by a window (sample,)."""
     weighted = segments if window is None else segments * window.astype(segments.dtype)
     return np.asarray(scipy.fft.rfft(weighted, axis=2)[..., lines])
 
@@ -99,7 +99,7 @@ def transformed(segments: Real, window: Real | None, lines: slice) -> AnyComplex
 def spectra_of(x: AnyComplex, y: AnyComplex) -> Spectra:
     """Averaged spectra of transforms (point or 1, segment, line) and (point, segment, line)."""
     xx = _power(x)
-    # sums of products: quicker than `einsum`, whose inner loop over segments jumps from line to line
+    # sums of products are faster than `einsum`, whose inner loop over segments jumps from line to line
     xy = (x.conj() * y).sum(axis=1) / y.shape[1]
     return Spectra(np.broadcast_to(xx, xy.shape), _power(y), xy, y.shape[1])
 
@@ -110,9 +110,9 @@ def _power(transforms: AnyComplex) -> Real:
 
 
 def shifts(reference: Real, like: Real) -> NDArray[np.int64]:
-    """By how many samples each reference record (..., sample) lags behind another one, by correlation.
+    """Lag of each reference record (..., sample) behind another record, in samples, by correlation.
 
-    The records are taken as periodic, as those of a repeated drive are.
+    The records are treated as periodic, like those of a repeated drive.
     """
     length = reference.shape[-1]
     spectrum = scipy.fft.rfft(reference, axis=-1) * scipy.fft.rfft(like).conj()
@@ -121,6 +121,6 @@ def shifts(reference: Real, like: Real) -> NDArray[np.int64]:
 
 
 def rolled(records: Real, lags: NDArray[np.int64]) -> Real:
-    """Records (point, repeat, sample) moved to the front by as many samples, around the end."""
+    """Records (point, repeat, sample) advanced by their lags, periodically."""
     places = (np.arange(records.shape[-1]) + lags[..., None]) % records.shape[-1]
     return np.asarray(np.take_along_axis(records, places, axis=-1))

@@ -1,4 +1,4 @@
-"""What a scan shows of a plate: regions, gap, waves in the guides, decay through the lattice."""
+"""Results of a scan of a plate: regions, gap, waves in the guides, decay through the lattice."""
 
 from haptonic.vibrometry.maps.edges import Edge, LatticeGap, LatticeRows, decay_along, gap_edges
 from haptonic.vibrometry.maps.gap import MeasuredGap, measured_gap, region_statistics

@@ -1,4 +1,4 @@
-"""The gap in a measurement: where the lattice falls silent while the driven region does not."""
+"""Measured gap: the range in which the lattice is quiet and the driven region is not."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from haptonic.response import FrequencyResponse
 from haptonic.response.measures import power_contrast
 from haptonic.units import Hertz, In
 
-LEAST_STEP = 6.0  # dB by which the contrast has to rise, or there is no gap to speak of
+LEAST_STEP = 6.0  # dB, smallest rise of the contrast that counts as a gap
 LINES = 256  # that are converted to double precision at a time
-QUARTERS = (0.25, 0.75)  # of the step, between which the edge's transition lies
+QUARTERS = (0.25, 0.75)  # of the step: ends of the edge's transition
 
 
 @dataclass(frozen=True)
 class MeasuredGap:
-    """Edges of a gap, Hz, and how well the measurement tells them.
+    """Edges of a gap, Hz, and their accuracy.
 
-    lower, upper : where the contrast crosses the middle between its levels outside and inside
+    lower, upper : frequencies at which the contrast is midway between its levels outside and inside
     lower_error, upper_error : standard errors: scatter over the points (bootstrap), spacing of the lines, and
         the width of the transition
-    lower_transition, upper_transition : where the contrast rises from a quarter to three quarters of its step
+    lower_transition, upper_transition : widths in which the contrast rises from 25 to 75 % of its step
     outside, inside : levels of the contrast, dB
     """
 
@@ -50,23 +50,23 @@ def measured_gap(
     resamples: int = 200,
     seed: int = 0,
 ) -> MeasuredGap:
-    """The widest range in which a region vibrates much more than the lattice.
+    """Find the widest range in which a region vibrates much more than the lattice.
 
-    Single resonances make the contrast rough: energies are averaged over ``smoothing`` first. The level
-    inside is the 90th percentile of the contrast, the level outside its 25th: a gap that fills more than
-    three quarters of the lines, or less than a tenth, is not told.
+    Single resonances make the contrast rough, so energies are averaged over ``smoothing`` first. The level
+    inside is the 90th percentile of the contrast, the level outside its 25th percentile: a gap that fills
+    more than three quarters of the lines, or less than a tenth, is not found.
 
     Parameters
     ----------
     over, lattice : names of regions
     smoothing : width of the average over frequency, Hz
-    resamples : of the points, for the scatter
-    seed : of the resampling
+    resamples : number of resamples of the points, for the scatter
+    seed : seed of the resampling
 
     Raises
     ------
     ScanError : the contrast rises by less than 6 dB
-    ResponseError : no point lies in one of the regions
+    ResponseError : no point in one of the regions
     """
     lines = response.frequency
     if not (np.isfinite(smoothing) and smoothing >= 0 and len(lines) >= 8 and resamples >= 2):
@@ -88,7 +88,7 @@ def measured_gap(
             argument="measured_gap",
             given=f"a contrast of {over} over {lattice} between {outside:.3g} and {inside:.3g} dB",
             allowed=f"one that rises by {LEAST_STEP:g} dB or more",
-            cause="the gap lies outside of the measured range, or noise hides the silence of the lattice",
+            cause="the gap lies outside of the measured range, or noise hides the low level of the lattice",
             next_step="look at the contrast against frequency; measure a wider range, with more averages",
         )
     edges = _edges(lines, level, outside, inside, 0.5)
@@ -111,12 +111,12 @@ def measured_gap(
 
 
 def region_statistics(response: FrequencyResponse, low: float, high: float) -> xr.Dataset:
-    """Root mean square, mean and largest amplitude of each region over a band, and how many points it has.
+    """Root mean square, mean and largest amplitude of each region over a band, and its number of points.
 
     Raises
     ------
     ResponseError : no line in the band
-    ScanError : the points have no regions
+    ScanError : no regions
     """
     part = response.between(low, high)
     if not part.regions:
@@ -136,28 +136,30 @@ def region_statistics(response: FrequencyResponse, low: float, high: float) -> x
         "mean": [float(of_point[m].mean()) for m in masks.values()],
         "largest": [float(of_point[m].max()) for m in masks.values()],
     }
-    made = {name: ("region", np.array(values), unit) for name, values in rows.items()}
+    columns = {name: ("region", np.array(values), unit) for name, values in rows.items()}
     counts = ("region", np.array([int(m.sum()) for m in masks.values()]))
-    return xr.Dataset(made | {"points": counts}, coords={"region": list(masks)}, attrs={"band": [low, high]})
+    return xr.Dataset(
+        columns | {"points": counts}, coords={"region": list(masks)}, attrs={"band": [low, high]}
+    )
 
 
 def _contrast(above: Array, below: Array) -> Array:
-    """Where something is silent it is finite, so that percentiles can be taken."""
+    """Contrast, finite even where a level is zero, so that percentiles exist."""
     tiny = np.finfo(float).tiny
     return power_contrast(np.maximum(above, tiny), np.maximum(below, tiny))
 
 
 def _energy(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:
     """(line, point) squared amplitude at some points, a few lines at a time."""
-    values, found = response.values, np.empty((len(response.frequency), int(mask.sum())))
+    values, energy = response.values, np.empty((len(response.frequency), int(mask.sum())))
     for start in range(0, len(values), LINES):
         part = values[start : start + LINES, mask].astype(np.complex128)
-        found[start : start + LINES] = (part.real**2 + part.imag**2).sum(axis=2)
-    return found
+        energy[start : start + LINES] = (part.real**2 + part.imag**2).sum(axis=2)
+    return energy
 
 
 def _drawn(points: int, resamples: int, chance: np.random.Generator) -> Array:
-    """(point, resample) weights of points that are drawn as many as there are, with replacement."""
+    """(point, resample) weights of points drawn with replacement, as many as there are."""
     counts = [np.bincount(chance.integers(0, points, points), minlength=points) for _ in range(resamples)]
     return np.array(counts, dtype=float).T / points
 
@@ -166,12 +168,12 @@ def _smooth(lines: Array, energy: Array, width: float) -> Array:
     """Mean over the lines within half the width on either side."""
     first = np.searchsorted(lines, lines - width / 2, side="left")
     last = np.searchsorted(lines, lines + width / 2, side="right")
-    # windows one by one: differences of running sums would lose what is much smaller than the largest value
+    # windows one by one: differences of running sums would lose values far below the largest one
     return np.stack([energy[a:b].mean(axis=0) for a, b in zip(first, last, strict=True)])
 
 
 def _edges(lines: Array, level: Array, outside: float, inside: float, share: float) -> tuple[float, float]:
-    """Ends of the widest range above a threshold, between the lines."""
+    """Ends of the widest range above a threshold, interpolated between the lines."""
     threshold = outside + share * (inside - outside)
     high = np.concatenate([[False], level > threshold, [False]])
     change = np.flatnonzero(np.diff(high.astype(int)))

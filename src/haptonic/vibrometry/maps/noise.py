@@ -1,4 +1,4 @@
-"""What noise adds to the power of a measured response, taken out again; and where too little is left."""
+"""Removal of the noise from the power of a measured response, and detection of values that noise hides."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from haptonic.response import FrequencyResponse
 from haptonic.response.measures import power_contrast, spectrum, squares
 
 LINES = 256  # that are converted to double precision at a time
-TRUSTED = 0.125  # dB, standard error up to which a level is told: four of them are half a decibel
+TRUSTED = 0.125  # dB, largest standard error of a reported level: four of them are half a decibel
 HIDDEN = {WORD: "noise hides it"}
 DECIBELS = 10 / np.log(10)  # of a small relative change of a power
 
 
 def averages_of(response: FrequencyResponse) -> int:
-    """How many averages a response is the H1 estimate of, as `haptonic.vibrometry.estimate` noted it; 0 if it
-    is something else, or too few to know the noise from them."""
+    """Number of averages of an H1 estimate by `haptonic.vibrometry.estimate`; 0 for any other response, and
+    for a single average, which does not determine the noise."""
     inputs = json.loads(response.dataset.attrs["inputs"])
     count = inputs.get("averages")
-    known = "coherence" in response.dataset and inputs.get("estimator") == "H1"
-    return count if known and isinstance(count, int) and count > 1 else 0
+    is_h1 = "coherence" in response.dataset and inputs.get("estimator") == "H1"
+    return count if is_h1 and isinstance(count, int) and count > 1 else 0
 
 
 def noise_power(response: FrequencyResponse, points: Bools, lines: slice, averages: int) -> Array:
     """(line, point) mean square of the noise in an H1 estimate, |H|^2 (1 - c) / c / (n - 1) [bendat2010].
 
-    The coherence c of n averages is itself an estimate; the mean of this one is right for any n. A point
-    whose coherence was set to zero by a repair gets none.
+    The coherence c of n averages is itself an estimate; the mean of this expression is unbiased for any n. A
+    point whose coherence was set to zero by a repair has zero noise.
     """
     square = squares(response.values[lines][:, points])
     coherence = response.dataset["coherence"].values[lines][:, points].astype(np.float64)
@@ -42,8 +42,8 @@ def noise_power(response: FrequencyResponse, points: Bools, lines: slice, averag
 def region_power(response: FrequencyResponse, points: Bools) -> tuple[Array, Array]:
     """Mean square over points without that of the noise, and its standard error, both (line,).
 
-    The error is that of the noise alone. Both are exact, and the error zero, for a response that is not
-    estimated from several averages.
+    The error is that of the noise alone. For a response that is not an average of several records, the power
+    is exact and the error zero.
     """
     averages, count = averages_of(response), int(points.sum())
     power, variance = np.empty(len(response.frequency)), np.zeros(len(response.frequency))
@@ -54,7 +54,7 @@ def region_power(response: FrequencyResponse, points: Bools) -> tuple[Array, Arr
         if averages:
             noise = noise_power(response, points, lines, averages)
             power[lines] -= noise.mean(axis=1)
-            # |h + e|^2 scatters by 2 |h|^2 s^2 + s^4 about its mean, the estimate of s^2 by s^4 / (n - 1)
+            # |h + e|^2 has the variance 2 |h|^2 s^2 + s^4, and the estimate of s^2 the variance s^4 / (n - 1)
             signal = np.maximum(square - noise, 0)
             spread = 2 * signal * noise + noise**2 * averages / (averages - 1)
             variance[lines] = spread.sum(axis=1) / count**2
@@ -66,7 +66,7 @@ def clean_rms(response: FrequencyResponse, region: str) -> xr.DataArray:
 
     Raises
     ------
-    ResponseError : no point lies in that region
+    ResponseError : no point in that region
     """
     power, error = region_power(response, response.inside(region))
     values = np.sqrt(np.where(_decibels(power, error) <= TRUSTED, power, np.nan))
@@ -76,10 +76,10 @@ def clean_rms(response: FrequencyResponse, region: str) -> xr.DataArray:
 def clean_contrast(response: FrequencyResponse, over: Bools, under: Bools) -> xr.Dataset:
     """``level`` of some points over others without noise, and its standard ``error``, dB against frequency.
 
-    A level is NaN where its error is above `TRUSTED`: what the coherence leaves is not enough to tell it. The
-    error is NaN where nothing but noise is left.
+    A level is NaN if its error is above `TRUSTED`, because the coherence is too low. The error is NaN if only
+    noise is left.
     """
-    (upper, upper_error), (lower, lower_error) = (region_power(response, one) for one in (over, under))
+    (upper, upper_error), (lower, lower_error) = (region_power(response, side) for side in (over, under))
     error = np.hypot(_decibels(upper, upper_error), _decibels(lower, lower_error))
     level = np.where(error <= TRUSTED, power_contrast(upper, lower), np.nan)
     rows = {"level": level, "error": np.where(np.isfinite(error), error, np.nan)}
@@ -89,5 +89,5 @@ def clean_contrast(response: FrequencyResponse, over: Bools, under: Bools) -> xr
 
 
 def _decibels(power: Array, error: Array) -> Array:
-    """Standard error of a level; infinite where nothing but noise is left."""
+    """Standard error of a level; infinite if only noise is left."""
     return np.asarray(DECIBELS * np.divide(error, power, out=np.full_like(power, np.inf), where=power > 0))

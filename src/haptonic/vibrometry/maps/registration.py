@@ -1,4 +1,4 @@
-"""From the coordinates of a scan to those of the plate."""
+"""Transformation from the coordinates of a scan to those of the plate."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from haptonic.response import FrequencyResponse
 from haptonic.units import In
 from haptonic.vibrometry.planning import Region
 
-ROUNDS = 50  # of the best fit; it has settled long before
+ROUNDS = 50  # at most in the best fit; it converges in far fewer
 SETTLED = 1e-12  # of the plate's size
 AS_GOOD = 1.05  # ratio of two misfits that count as equal
-WORST = 0.25  # of the size of a plate: a misfit beyond it means that the points belong to something else
+WORST = 0.25  # of the size of a plate: a larger misfit means that the points belong to something else
 
 
 @dataclass(frozen=True, eq=False)
 class Registration:
-    """plate = scale R(angle) scan + shift, with x turned over first if the plate was seen from behind.
+    """plate = scale R(angle) scan + shift, with x reversed before if the plate was seen from behind.
 
     angle : rad, anticlockwise
     shift : (2,) m
-    misfit : rms distance of the points that it was made of, m
+    misfit : rms distance of the point pairs, m
     """
 
     scale: float
@@ -38,22 +38,22 @@ class Registration:
     misfit: Annotated[float, In("m")]
 
     def of(self, points: Array) -> Array:
-        """(point, 2) places on the plate of points of the scan, m."""
+        """(point, 2) positions on the plate of points of the scan, m."""
         turned = points * np.array([-1.0, 1.0]) if self.mirrored else points
         return np.asarray(self.scale * turned @ _turn(self.angle).T + self.shift)
 
     def registered(
         self, response: FrequencyResponse, regions: Mapping[str, Region] | None = None
     ) -> FrequencyResponse:
-        """The response at its places on the plate, with the names of the regions that its points lie in.
+        """The response at its positions on the plate, with the names of the regions of its points.
 
         Parameters
         ----------
-        regions : where a point lies in several, the first one counts; the response's own names without
+        regions : by name; a point in several belongs to the first; None leaves the response's names
 
         Raises
         ------
-        ScanError : motions within the plate, whose directions would turn too
+        ScanError : motions within the plate, whose directions would have to be rotated
         """
         data, notes = response.dataset, response.dataset.attrs
         directions = [str(name) for name in data["direction"].values]
@@ -72,30 +72,35 @@ class Registration:
             for name, region in reversed(list(regions.items())):
                 for number in np.flatnonzero(region.holds(points)):
                     names[number] = name
-        made = {"scale": self.scale, "angle": self.angle, "shift": self.shift.tolist(), "misfit": self.misfit}
+        registration = {
+            "scale": self.scale,
+            "angle": self.angle,
+            "shift": self.shift.tolist(),
+            "misfit": self.misfit,
+        }
         return FrequencyResponse.of(
             response.values, frequency=response.frequency,
             x=points[:, 0].copy(), y=points[:, 1].copy(), direction=directions, region=names,
             quantity=notes["quantity"], reference=notes["reference"], origin=notes["origin"],
             coherence=data["coherence"].values if "coherence" in data else None, title=notes["title"],
-            inputs=json.loads(notes["inputs"]) | {"registration": made | {"mirrored": self.mirrored}},
+            inputs=json.loads(notes["inputs"]) | {"registration": registration | {"mirrored": self.mirrored}},
         )  # fmt: skip
 
 
 def register_by_corners(
     scan: Array, plate: Array, *, scaled: bool = True, mirrored: bool = False
 ) -> Registration:
-    """Least squares over pairs of points, such as the plate's corners [umeyama1991].
+    """Least-squares registration from pairs of points, such as the plate's corners [umeyama1991].
 
     Parameters
     ----------
-    scan, plate : (n, 2) the same n >= 2 places in both coordinates, m
+    scan, plate : (n, 2) the same n >= 2 positions in both coordinates, m
     scaled : let the scale differ from 1
-    mirrored : the plate was seen from behind
+    mirrored : True if the plate was seen from behind
 
     Raises
     ------
-    ScanError : not as many points in both, or all on one place
+    ScanError : unequal numbers of points, or all at one position
     """
     if scan.shape != plate.shape or scan.ndim != 2 or scan.shape[1:] != (2,) or len(scan) < 2:
         raise _wrong("corners", f"{scan.shape} and {plate.shape}", "two or more pairs of points, (n, 2) each")
@@ -107,7 +112,7 @@ def register_by_corners(
     spread = float((a**2).sum())
     if spread == 0 or (b**2).sum() == 0:
         raise _wrong("corners", "all points on one place", "points that are apart")
-    # with complex numbers a turn and a scale are one factor
+    # as a complex number, rotation and scale are one factor
     za, zb = a[:, 0] + 1j * a[:, 1], b[:, 0] + 1j * b[:, 1]
     factor = complex((za.conj() * zb).sum()) / spread
     scale, angle = (abs(factor) if scaled else 1.0), float(np.angle(factor))
@@ -129,20 +134,21 @@ def register_by_fit(
 ) -> Registration:
     """Best fit of all points of a scan to the planned ones, each to its nearest (iterative closest points).
 
-    It starts from the smallest rectangles around both, in all four positions; among fits that are equally
-    good, as the symmetry of a grid makes them, the smallest turn is taken.
+    It starts from the smallest rectangles around both, in all four orientations; of fits that are equally
+    good because of the symmetry of a grid, the one with the smallest rotation is used.
 
     Parameters
     ----------
-    scan : (n, 2) measured; plate : (m, 2) planned, m; some of them may be missing on either side
+    scan : (n, 2) measured points, m
+    plate : (m, 2) planned points, m; points may be missing on either side
 
     Raises
     ------
-    ScanError : points on a line, or no fit
+    ScanError : points on a line, or no good fit
     """
     seen = scan * np.array([-1.0, 1.0]) if mirrored else scan
     (size, tilt, middle), (target_size, target_tilt, target) = _rectangle(seen), _rectangle(plate)
-    tree, found = scipy.spatial.cKDTree(plate), []
+    tree, fits = scipy.spatial.cKDTree(plate), list[Registration]()
     for quarter in range(4):
         angle = target_tilt - tilt + quarter * np.pi / 2
         sides = size[::-1] if quarter % 2 else size
@@ -161,9 +167,9 @@ def register_by_fit(
             fit = better
             if settled:
                 break
-        found.append(fit)
-    least = min(fit.misfit for fit in found)
-    equal = [fit for fit in found if fit.misfit <= AS_GOOD * least + 1e-9 * target_size.max()]
+        fits.append(fit)
+    least = min(fit.misfit for fit in fits)
+    equal = [fit for fit in fits if fit.misfit <= AS_GOOD * least + 1e-9 * target_size.max()]
     best = min(equal, key=lambda fit: abs(float(np.angle(np.exp(1j * fit.angle)))))
     if best.misfit > WORST * target_size.min():
         raise _wrong("fit", f"a misfit of {best.misfit * 1e3:.4g} mm", "points of the same plate")
@@ -173,7 +179,7 @@ def register_by_fit(
 
 
 def _rectangle(points: Array) -> tuple[Array, float, Array]:
-    """Sides, turn and middle of the smallest rectangle around points; one of its sides lies on the hull's."""
+    """Sides, rotation and middle of the smallest rectangle around points; one side lies on the hull's."""
     try:
         hull = points[scipy.spatial.ConvexHull(points).vertices]
     except (scipy.spatial.QhullError, ValueError) as error:

@@ -14,21 +14,21 @@ from haptonic.response import FrequencyResponse
 
 Axis = Literal["x", "y"]
 
-PADDED = 4  # times the length of the guide: the map is drawn finer, not resolved better
+PADDED = 4  # times the length of the guide: a finer map, not a higher resolution
 LINES = 256  # that are transformed at a time
-HIGH = 0.85  # of the largest wavenumber, beyond which waves are suspected to be folded back
-SUSPECT = 0.1  # share of the energy there that makes a warning
-SAME_COLUMN = 1e-6  # of the extent, within which points lie at the same depth
+HIGH = 0.85  # of the largest wavenumber; beyond, waves may be aliased
+SUSPECT = 0.1  # share of the energy there that causes a warning
+SAME_COLUMN = 1e-6  # of the extent: points within it lie at the same depth
 
 
 def grid_step(response: FrequencyResponse) -> float:
-    """Distance of a point to its nearest neighbour, as most points have it, m."""
+    """Median distance of a point to its nearest neighbour, m."""
     distance, _ = scipy.spatial.cKDTree(response.points).query(response.points, k=2)
     return float(np.median(distance[:, 1]))
 
 
 def warn_if_aliased(step: float, wavelength: float, what: str = "the shortest wave") -> bool:
-    """Whether a grid is too coarse for a wavelength: steps above half of it. It also warns.
+    """Warn, and return True, if a grid is too coarse for a wavelength: steps above half of it.
 
     Parameters
     ----------
@@ -48,24 +48,24 @@ def warn_if_aliased(step: float, wavelength: float, what: str = "the shortest wa
 def wavenumber_map(response: FrequencyResponse, region: str, along: Axis) -> xr.DataArray:
     """Amplitude against frequency and wavenumber along a guide, by a spatial transform of every row.
 
-    Rows with a missing point are left out and counted in the attributes; nothing is filled. The phase is that
-    of Bloch waves everywhere in haptonic: exp(i omega t + i k x), so a wave of positive wavenumber travels
-    towards smaller coordinates.
+    Rows with a missing point are left out and counted in the attributes; missing data are not interpolated.
+    The phase convention is that of all Bloch waves in haptonic: exp(i omega t + i k x), so a wave of positive
+    wavenumber travels towards smaller coordinates.
 
     Parameters
     ----------
-    region : of the guide, on a regular grid
+    region : name of the guide's region, on a regular grid
     along : axis of the guide
 
     Returns
     -------
-    (frequency, wavenumber) root mean square over the rows, weighted by a Hann window that leaves the
-    amplitude of a wave as it is; wavenumber in rad/m, from -pi/step; attributes step (m), rows, rows_left_out
+    (frequency, wavenumber) root mean square over the rows, weighted by a Hann window scaled to preserve the
+    amplitude of a wave; wavenumber in rad/m, from -pi/step; attributes step (m), rows, rows_left_out
 
     Raises
     ------
     ScanError : fewer than eight points along the guide, or no whole row
-    ResponseError : no such region, or points that are not on a regular grid
+    ResponseError : an unknown region, or points that are not on a regular grid
     """
     grid = (
         response.of_region(region)
@@ -95,7 +95,7 @@ def wavenumber_map(response: FrequencyResponse, region: str, along: Axis) -> xr.
         amplitude[start : start + LINES] = np.sqrt((np.abs(spectrum) ** 2).mean(axis=1))
     wavenumber = np.fft.fftshift(2 * np.pi * np.fft.fftfreq(count, step))
     notes = {"step": step, "rows": int(whole.sum()), "rows_left_out": int((~whole).sum())}
-    made = xr.DataArray(
+    amplitudes = xr.DataArray(
         np.fft.fftshift(amplitude, axes=1),
         dims=("frequency", "wavenumber"),
         coords={
@@ -105,16 +105,16 @@ def wavenumber_map(response: FrequencyResponse, region: str, along: Axis) -> xr.
         attrs={"units": response.units} | notes,
         name="amplitude",
     )
-    energy = made.values**2
+    energy = amplitudes.values**2
     share = float(energy[:, np.abs(wavenumber) > HIGH * np.pi / step].sum() / max(energy.sum(), 1e-300))
     if share > SUSPECT:
         warnings.warn(
             f"{100 * share:.0f} % of the energy lies within 15 % of the largest wavenumber that steps of "
-            f"{step * 1e3:.4g} mm show: shorter waves are probably folded back; scan with smaller steps",
+            f"{step * 1e3:.4g} mm resolve: shorter waves are probably aliased; scan with smaller steps",
             HaptonicWarning,
             stacklevel=2,
         )
-    return made
+    return amplitudes
 
 
 def lattice_decay(
@@ -127,27 +127,28 @@ def lattice_decay(
     inwards: Literal[1, -1] = 1,
     confidence: float = 0.95,
 ) -> xr.Dataset:
-    """How much a lattice weakens a vibration from row to row, by a straight line through levels in dB.
+    """Attenuation of a vibration by a lattice from row to row, by a straight line through levels in dB.
 
-    Energies are averaged over points of equal depth. The structure within the cells is not fitted: it is part
-    of the residual, and so of the confidence interval.
+    Energies are averaged over points of equal depth. The field within the cells is not modelled: it is part
+    of the residual, and therefore of the confidence interval.
 
     Parameters
     ----------
-    region : of the lattice
+    region : name of the lattice's region
     depth : axis into the lattice
-    start, pitch : where the lattice begins, and depth of a row along that axis, m
+    start, pitch : position of the front of the lattice, and depth of a row along that axis, m
     inwards : -1 if the lattice lies towards smaller coordinates
-    confidence : of the interval
+    confidence : level of the interval
 
     Returns
     -------
-    ``decay``, ``error`` (standard), ``low``, ``high`` in dB per row against frequency; positive is weaker
+    ``decay``, ``error`` (standard), ``low``, ``high`` in dB per row against frequency; positive for
+    attenuation
 
     Raises
     ------
-    ScanError : fewer than three depths inside of the lattice, or a size that is not positive
-    ResponseError : no such region
+    ScanError : fewer than three depths inside the lattice, or a size that is not positive
+    ResponseError : an unknown region
     """
     part = response.of_region(region)
     place = inwards * (part.points[:, 0 if depth == "x" else 1] - start)
@@ -168,7 +169,7 @@ def lattice_decay(
     share[np.arange(len(column)), column] = 1 / np.bincount(column)[column]
     means = energy @ share
     if not (means > 0).all():
-        raise _wrong("region", "depths without any vibration", "a vibration everywhere, if only noise")
+        raise _wrong("region", "depths without any vibration", "a vibration everywhere, even if only noise")
     level = 10 * np.log10(means)
     x = cells - cells.mean()
     slope = level @ x / (x @ x)

@@ -1,4 +1,4 @@
-"""Scan files of many programs, read by one function."""
+"""Reader of scans from files of many programs, by one function."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ __all__ = ["Scan", "read_scan"]
 
 LOWEST_TOP = 200.0  # Hz; a scan that ends below is probably in kHz: ultrasonic ones reach some 100 kHz
 EXAMPLES = {"m": "mm", "Hz": "kHz", "rad": "deg"}
-OPTIONAL = ("variables", "at", "frequency_unit", "phase_unit", "points_in")  # that not every form takes
+OPTIONAL = ("variables", "at", "frequency_unit", "phase_unit", "points_in")  # not taken by every format
 MOST_NAMED = 4  # files of a folder, in a message
 
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """What a file gave: a frequency response or time records, and the report of how it was read."""
+    """A scan from a file: a frequency response or time records, and the report on reading it."""
 
     content: FrequencyResponse | TimeScan
     report: ReadReport
@@ -50,12 +50,12 @@ class Scan:
 
         Raises
         ------
-        ScanError : the file holds time records
+        ScanError : the file contains time records
         """
         if isinstance(self.content, TimeScan):
             raise ScanError.mismatch(
                 argument="scan.response",
-                given=f"{self.report.path}, which holds time records",
+                given=f"{self.report.path}, which contains time records",
                 allowed="a scan of frequency responses",
                 cause="the instrument stored time data",
                 next_step="estimate them: haptonic.vibrometry.estimate(scan.records)",
@@ -68,12 +68,12 @@ class Scan:
 
         Raises
         ------
-        ScanError : the file holds frequency responses
+        ScanError : the file contains frequency responses
         """
         if isinstance(self.content, FrequencyResponse):
             raise ScanError.mismatch(
                 argument="scan.records",
-                given=f"{self.report.path}, which holds frequency responses",
+                given=f"{self.report.path}, which contains frequency responses",
                 allowed="a scan of time records",
                 cause="the instrument estimated the responses itself",
                 next_step="use scan.response",
@@ -96,30 +96,30 @@ def read_scan(
     origin: Origin = "measured",
     title: str = "",
 ) -> Scan:
-    """Read a scan, whatever program wrote it; ``report`` names what could not be used.
+    """Read a scan in any known format; ``report`` lists unused content.
 
     Parameters
     ----------
-    path : of a file, of a folder with one CSV file for each point, or of a folder that holds one scan
+    path : a file, a folder with one CSV file for each point, or a folder with one scan
     variables : names of arrays, columns or channels by their meaning, such as {"response": "FRF"}; see
-        `haptonic.vibrometry.readers.mapped.NAMES`. Others are taken by usual names
-    unit : of responses in files that give none; "m/s/V" if this is left out too
-    length_unit : of the coordinates, where it is not that of the file: "mm", or one of it in m, 1e-3
-    frequency_unit, phase_unit : of arrays and columns without a unit: "kHz", "deg", or one of it in Hz or rad
-    reference : which reference, when there are several; or its name and unit, when the file gives none
-    estimator : which estimator, if a file has several
-    at : places of the points of a file without coordinates, in its order: "10 mm, 5 mm; 15 mm, 5 mm", or
+        `haptonic.vibrometry.readers.mapped.NAMES`. Others are guessed from usual names
+        unit : of responses in files without one; by default "m/s/V"
+    length_unit : of the coordinates, if it is not that of the file: "mm", or its value in m, 1e-3
+    frequency_unit, phase_unit : of arrays and columns without a unit: "kHz", "deg", or the value in Hz or rad
+    reference : reference to use if there are several; or its name and unit if the file gives none
+    estimator : estimator to use if a file has several
+    at : positions of the points of a file without coordinates, in its order: "10 mm, 5 mm; 15 mm, 5 mm", or
         pairs in m
     points_in : "rows" or "columns", for arrays with as many points as frequencies
-    origin : "simulated" for a file of a simulation; a file that calls itself simulated is
-    title : for people
+    origin : "simulated" for a file of a simulation; a file marked as simulated is always simulated
+    title : text for readers
 
     Raises
     ------
-    ScanError : an unknown format, a file of which nothing can be used, or an option for another form
+    ScanError : an unknown format, a file without usable content, or an option for another format
     HaptonicError : a unit that is not one of length, frequency or angle
-    ResponseError : a file of responses that haptonic wrote and that is damaged
-    ResourceError : the file may not be read, or does not fit into memory
+    ResponseError : a damaged file of responses written by haptonic
+    ResourceError : the file cannot be read, or does not fit into memory
     """
     path = source(path, "path")
     if not path.exists():
@@ -129,15 +129,15 @@ def read_scan(
         )
     try:
         path = _scan_in(path)
-        lengths = _one(length_unit, "m", "length_unit")
+        lengths = _unit_value(length_unit, "m", "length_unit")
         how = Mapped(
             variables=variables or {},
             unit=unit,
             length_unit=lengths,
             reference=Reference.parse(reference or ""),
             reference_text=reference,
-            frequency_unit=_one(frequency_unit, "Hz", "frequency_unit"),
-            phase_unit=_one(phase_unit, "rad", "phase_unit"),
+            frequency_unit=_unit_value(frequency_unit, "Hz", "frequency_unit"),
+            phase_unit=_unit_value(phase_unit, "rad", "phase_unit"),
             at=points_at(at, lengths or 1.0),
             points_in=points_in,
             estimator=estimator,
@@ -154,11 +154,11 @@ def read_scan(
 
 
 def points_at(at: str | Sequence[Any] | None, length_unit: float = 1.0) -> tuple[Point, ...]:
-    """Places that a user gives; in a text, numbers without a unit are in ``length_unit``, m.
+    """Positions given by a user; numbers without a unit are in ``length_unit``, m.
 
     Raises
     ------
-    ScanError : no pairs of lengths
+    ScanError : not pairs of lengths
     """
     if at is None:
         return ()
@@ -174,7 +174,7 @@ def points_at(at: str | Sequence[Any] | None, length_unit: float = 1.0) -> tuple
             ]
         else:
             given = [at] if np.ndim(at[0]) == 0 else at
-            pairs = [[float(one) for one in pair] for pair in given]
+            pairs = [[float(coordinate) for coordinate in pair] for pair in given]
         places = tuple(Point(*pair) for pair in pairs)
         if places and np.isfinite(pairs).all():
             return places
@@ -184,7 +184,7 @@ def points_at(at: str | Sequence[Any] | None, length_unit: float = 1.0) -> tuple
         argument="at",
         given=shown(at),
         allowed='two lengths for each point, "10 mm, 5 mm", with semicolons between points; or pairs in m',
-        cause="a number or a comma is missing, or the unit is none of length",
+        cause="a number or a comma is missing, or the unit is not one of length",
         next_step='write at="10 mm, 5 mm"',
         command='add --at "10 mm, 5 mm"',
     )
@@ -199,16 +199,16 @@ def _scan_in(path: Path) -> Path:
     """
     if not path.is_dir() or any(path.glob("*.csv")):
         return path
-    inside = [one for one in sorted(path.iterdir()) if one.is_file() and not one.name.startswith(".")]
-    scans = [one for one in inside if (form := format_of(one)) is not None and form.name in FORMS]
-    scans += [one.parent for one in sorted(path.glob(f"*/{GEOMETRY}"))]
+    inside = [file for file in sorted(path.iterdir()) if file.is_file() and not file.name.startswith(".")]
+    scans = [file for file in inside if (form := format_of(file)) is not None and form.name in FORMS]
+    scans += [table.parent for table in sorted(path.glob(f"*/{GEOMETRY}"))]
     if len(scans) > 1:
-        listed = ", ".join(one.name for one in scans[:MOST_NAMED])
+        listed = ", ".join(scan.name for scan in scans[:MOST_NAMED])
         raise ScanError.conflict(
             argument="path",
             given=f"{path}: {len(scans)} files ({listed}{', ...' if len(scans) > MOST_NAMED else ''})",
             allowed="a folder with one scan",
-            cause="the folder holds several scans, or results beside one",
+            cause="the folder has several scans, or results beside one",
             next_step=f"choose one: read_scan({str(scans[0])!r})",
             command=f"haptonic scan {shlex.quote(str(scans[0]))}",
         )
@@ -218,15 +218,15 @@ def _scan_in(path: Path) -> Path:
 def _read(path: Path, how: Mapped, origin: Origin, title: str) -> Scan:
     name = form_name(path)
     form, notes = FORMS[name], Notebook(path, name)
-    given = {one: getattr(how, one) for one in OPTIONAL}
+    given = {option: getattr(how, option) for option in OPTIONAL}
     for option, value in given.items():
         if value and option not in form.takes:
-            others = [other for other, one in FORMS.items() if option in one.takes]
+            others = [other for other, other_form in FORMS.items() if option in other_form.takes]
             raise ScanError.conflict(
                 argument=option,
                 given=f"{shown(value)}, for {name}",
                 allowed=f"it for {' or '.join(others)}",
-                cause="a file of this form says it itself, or has nothing of the kind",
+                cause="a file of this format gives it itself, or has nothing of the kind",
                 next_step="leave it out",
                 command=f"leave --{option.replace('_', '-')} out",
             )
@@ -240,12 +240,12 @@ def _read(path: Path, how: Mapped, origin: Origin, title: str) -> Scan:
     return Scan(content, ReadReport.of(notes, points))
 
 
-def _one(unit: float | str | None, si: str, argument: str) -> float | None:
-    """One of a unit in SI units: of ``"mm"`` 1e-3 m, of a number itself."""
+def _unit_value(unit: float | str | None, si: str, argument: str) -> float | None:
+    """Value of a unit in SI units: 1e-3 for ``"mm"``; a number is returned as it is."""
     if unit is None:
         return None
-    one = to_si(f"1 {unit}", si, argument) if isinstance(unit, str) else float(unit)
-    if not 0 < one < math.inf:
+    value = to_si(f"1 {unit}", si, argument) if isinstance(unit, str) else float(unit)
+    if not 0 < value < math.inf:
         raise ScanError.malformed(
             argument=argument,
             given=shown(unit),
@@ -253,23 +253,23 @@ def _one(unit: float | str | None, si: str, argument: str) -> float | None:
             cause="a slip in the number",
             next_step=f'write "{EXAMPLES[si]}"',
         )
-    return one
+    return value
 
 
 def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, frequencies: bool) -> None:
-    """Warn where numbers without a unit, taken as m and Hz, are no scan that anybody makes of a plate."""
+    """Warn if numbers without a unit, read as m and Hz, give an implausible scan of a plate."""
     points = [content.x, content.y] if isinstance(content, TimeScan) else content.points.T
     wide = max(float(np.ptp(axis)) for axis in points)
     top = math.inf if isinstance(content, TimeScan) else float(content.frequency[-1])
-    for doubtful, said, argument, option, unit in (
+    for doubtful, description, argument, option, unit in (
         (lengths and wide > LARGEST_PLATE, f"a scan {wide:g} m wide", "length_unit", "--length-unit", "mm"),
         (frequencies and top < LOWEST_TOP, f"a scan up to {top:g} Hz", "frequency_unit", "--frequency-unit",
          "kHz"),
     ):  # fmt: skip
         if doubtful:
             warnings.warn(
-                f"{path.name or path}: {said} was read, because the file gives no unit; if it is in {unit}, "
-                f'write {argument}="{unit}" ({option} {unit})',
+                f"{path.name or path}: {description} was read, because the file gives no unit; if it is in "
+                f'{unit}, write {argument}="{unit}" ({option} {unit})',
                 HaptonicWarning,
                 stacklevel=4,
             )

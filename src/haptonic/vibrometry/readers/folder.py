@@ -1,7 +1,7 @@
-"""A folder with one CSV file for each point, and a table of the points.
+"""Scan in a folder with one CSV file for each point, and a table of the points.
 
-``geometry.csv``, or the one table of another name that has them, has the columns ``file, x, y`` (in m, or as
-asked). A file of a point has a line of names: ``frequency, real, imaginary``, or ``frequency, amplitude,
+The table ``geometry.csv``, or the only table of another name with these columns, has the columns ``file, x,
+y`` (in m or a given unit). A file of a point has a line of names: ``frequency, real, imaginary``, or
 phase``, and perhaps ``coherence``. Units may follow in brackets, ``real (mm/s/V)``, ``x [mm]``, or in a line
 below the names. A column ``origin`` in the table of the points may contain "simulated".
 """
@@ -42,7 +42,7 @@ PARTS = (("real", "imaginary"), ("amplitude", "phase"), ("response",))
 
 @dataclass(frozen=True, eq=False)
 class _PointFile:
-    """The file of a point: all its columns, and those that have a meaning."""
+    """File of a point: all its columns, and those with a known meaning."""
 
     path: Path
     group: Group
@@ -50,33 +50,33 @@ class _PointFile:
 
     @property
     def parts(self) -> tuple[str, ...] | None:
-        """The columns that make a complex response."""
+        """The columns that form a complex response."""
         return next((pair for pair in PARTS if {*pair} <= self.columns.keys()), None)
 
 
 def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: str) -> FrequencyResponse:
-    """Responses of a folder.
+    """Read the responses of a folder.
 
     Raises
     ------
-    ScanError : there is no table of the points, or no point can be used
+    ScanError : no table of the points, or no usable point
     """
     check_meanings(how, (*PLACES, *COLUMNS))
     if how.at:
         files = {file.name: file for file in sorted(path.glob("*.csv")) if file.name != GEOMETRY}
         places = points_by_order(list(files), how.at, notes)
-        known, simulated = set(files), False
+        listed_files, simulated = set(files), False
     else:
         table = _table_of_points(path, how, notes)
         places, files, simulated = _geometry(path, table, how, notes)
-        known = {file.name for file in files.values()} | {table.name}
+        listed_files = {file.name for file in files.values()} | {table.name}
         for file in sorted(path.glob("*.csv")):
-            if file.name not in known:
+            if file.name not in listed_files:
                 notes.drop(f"file {file.name}", f"it is not in {table.name}")
     points, errors = _point_files(files, how, notes)
     if not points and errors:
         raise errors[0]
-    phases = [_largest_phase(one) for one in points.values()]
+    phases = [_largest_phase(point) for point in points.values()]
     curves: list[Curve] = []
     for name, point in points.items():
         try:
@@ -100,7 +100,7 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
 def _point_files(
     files: Mapping[str, Path], how: Mapped, notes: Notebook
 ) -> tuple[dict[str, _PointFile], list[ScanError]]:
-    """The files of the points that hold responses; and errors of the others, which list what these hold."""
+    """Files of the points with responses; and errors for the others, which list their columns."""
     points: dict[str, _PointFile] = {}
     errors: list[ScanError] = []
     mine = replace(how, variables={k: name for k, name in how.variables.items() if k in COLUMNS})
@@ -129,11 +129,11 @@ def _point_files(
 
 
 def _largest_phase(point: _PointFile) -> float:
-    """The largest phase of a point that has no unit, or 0."""
+    """Largest phase of a point without a unit of phases, or 0."""
     try:
         return largest_of(numbers(point.columns["phase"])) if "phase" in point.columns else 0.0
     except (UnfitError, ChannelError):
-        return 0.0  # the error comes when the response is made
+        return 0.0  # making the response raises the error
 
 
 def _curves(name: str, point: _PointFile, how: Mapped, notes: Notebook, largest_phase: float) -> list[Curve]:
@@ -145,7 +145,7 @@ def _curves(name: str, point: _PointFile, how: Mapped, notes: Notebook, largest_
         raise UnfitError(f"line {line} has another number of cells than the header; cut short?")
     lines = frequency_factor(columns["frequency"].unit, how, notes) * numbers(columns["frequency"])
     if not lines.size:
-        raise UnfitError("it holds no values")
+        raise UnfitError("it has no values")
     if parts == ("response",):
         if columns["response"].kind != "complex":
             raise UnfitError("real numbers: the phase is missing")
@@ -181,21 +181,21 @@ def _table_of_points(path: Path, how: Mapped, notes: Notebook) -> Path:
             if _of_points(file, how, Notebook(file, ""))[1].keys() == {*PLACES}:
                 tables.append(file)
         except (ChannelError, ScanError, OSError):
-            continue  # the error comes when it is read as a point
+            continue  # reading it as a point raises the error
     if len(tables) != 1:
         raise _without_points(path, how)
-    notes.remark(f"{tables[0].name} was taken as the table of the points")
+    notes.remark(f"{tables[0].name} was used as the table of the points")
     return tables[0]
 
 
 def _of_points(table: Path, how: Mapped, notes: Notebook) -> tuple[Group, dict[str, Channel]]:
-    """A table, and its columns of the names of files and of the places."""
+    """A table, and its columns with the names of files and with the positions."""
     words = [how.variables["file"]] if "file" in how.variables else list(NAMES["file"])
     group = delimited.read(table, notes, texts=[*words, *NAMES["file"], "file name"])[""]
     mine = replace(how, variables={k: name for k, name in how.variables.items() if k in PLACES})
     arrays = {
-        name: replace(one, kind="text" if _is_words(one) else one.kind)
-        for name, one in group.channels.items()
+        name: replace(channel, kind="text" if _is_words(channel) else channel.kind)
+        for name, channel in group.channels.items()
     }
     return group, chosen(arrays, mine, Notebook(table, ""), PLACES)
 
@@ -207,7 +207,7 @@ def _is_words(channel: Channel) -> bool:
 def _geometry(
     path: Path, table: Path, how: Mapped, notes: Notebook
 ) -> tuple[dict[str, Point], dict[str, Path], bool]:
-    """Places and files of the points by name, and whether they are simulated."""
+    """Positions and files of the points by name, and True if they are simulated."""
     places: dict[str, Point] = {}
     files: dict[str, Path] = {}
     try:
@@ -228,7 +228,7 @@ def _geometry(
         factors = [length_factor(columns[axis].unit, how, notes) for axis in "xy"]
     except UnfitError as error:
         raise _without_columns(table, how, str(error), ["x", "y"]) from error
-    rows = zip(*(columns[one].rows(0, columns[one].shape[0]) for one in PLACES), strict=True)
+    rows = zip(*(columns[column].rows(0, columns[column].shape[0]) for column in PLACES), strict=True)
     first = int(group.properties.get(delimited.NAMES_LINE, 0)) + 1
     for number, row in enumerate(rows, start=first):
         name = str(row[0]).strip()
@@ -237,7 +237,7 @@ def _geometry(
         except (TypeError, ValueError):
             place = Point(np.nan, np.nan)
         if name in ("", "nan") or Path(name).name != name:
-            notes.drop(f"line {number} of {table.name}", "no name of a file in this folder")
+            notes.drop(f"line {number} of {table.name}", "not the name of a file in this folder")
         elif name in files:
             notes.drop(f"line {number} of {table.name}", f"{name} a second time; the first line is used")
         elif not np.isfinite([place.x, place.y]).all():
@@ -249,7 +249,7 @@ def _geometry(
 
 
 def _without_points(path: Path, how: Mapped) -> ScanError:
-    """The error for a folder that is no scan, but perhaps contains one."""
+    """The error for a folder that is not a scan, but may contain one."""
     cause, next_step = (
         "another folder was chosen, or the coordinates were not exported",
         f"write {GEOMETRY}: a header file,x,y and one line for each file, in m; or x [mm],y [mm]",
@@ -272,13 +272,13 @@ def _without_points(path: Path, how: Mapped) -> ScanError:
 
 
 def _without_columns(table: Path, how: Mapped, given: str, missing: Sequence[str]) -> ScanError:
-    named = ", ".join(f'"{one}": "NAME"' for one in missing)
+    named = ", ".join(f'"{column}": "NAME"' for column in missing)
     return ScanError.missing(
         argument=f"{table.name} of a scan",
         given=f"columns {given}",
         allowed="the columns file, x, y, with lengths in m or in a unit behind the name",
         cause=f"no column is called {' or '.join(missing)}",
         next_step=f"name them: read_scan(path, variables={{{named}}}), or in {table.name}: file,x,y",
-        command=f"haptonic scan {how.path} --variables {','.join(f'{one}=NAME' for one in missing)}, or name "
-        f"them in {table.name}: file,x,y",
+        command=f"haptonic scan {how.path} --variables {','.join(f'{name}=NAME' for name in missing)}, or "
+        f"name them in {table.name}: file,x,y",
     )

@@ -1,4 +1,4 @@
-"""The forms of files that scans are read from, and what may be said of each."""
+"""File formats of scans, and the options of each."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ Content = FrequencyResponse | TimeScan
 
 @dataclass(frozen=True)
 class ScanForm:
-    """A form of scan files.
+    """A file format of scans.
 
-    read : the scan of a file
-    takes : options that other forms have no use for
+    read : function that reads the scan of a file
+    takes : options that apply to this format
     """
 
     read: Callable[[Path, Mapped, Notebook, Origin, str], Content]
@@ -42,11 +42,11 @@ class ScanForm:
 
 
 def form_name(path: Path) -> str:
-    """The name of the form of a file or folder, of `FORMS`.
+    """Name of the format of a file or folder, in `FORMS`.
 
     Raises
     ------
-    ScanError : no scan is read from such files
+    ScanError : such files cannot be read as a scan
     """
     if path.is_dir():
         return FOLDER
@@ -64,7 +64,7 @@ def form_name(path: Path) -> str:
     if form is None:
         raise _refused(path, "a file of an unknown format", "another program wrote it", next_step)
     given = f"a {form.name} file, from which no scan is read"
-    cause = "it holds signals or a table, without the places of points"
+    cause = "it contains signals or a table, without the places of points"
     raise _refused(path, given, cause, next_step)
 
 
@@ -73,7 +73,7 @@ def _matlab(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: str
 
 
 def _hdf5(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: str) -> Content:
-    """Time records or responses in haptonic's layouts, or arrays under usual names."""
+    """Time records or responses in haptonic's layouts, or arrays with usual names."""
     groups: Mapping[str, Group] = hdf5_file.read(path, notes)
     if hdf5.is_records(groups[""].properties):
         return hdf5.read_records(groups[""], notes)
@@ -103,7 +103,7 @@ def _uff(path: Path, how: Mapped, notes: Notebook, origin: Origin, title: str) -
     )  # fmt: skip
 
 
-# The names are those of `haptonic.channels.formats`, and one for folders
+# The names are those of `haptonic.channels.formats`, with one for folders
 FORMS = {
     "UFF": ScanForm(_uff, frozenset({"at"})),
     "MATLAB": ScanForm(_matlab, OF_ARRAYS),

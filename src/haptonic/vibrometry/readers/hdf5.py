@@ -1,4 +1,4 @@
-"""Time records in HDF5: haptonic's own layout, written and read.
+"""Time records in HDF5, in haptonic's own layout.
 
 ::
 
@@ -8,10 +8,10 @@
     /x, /y                  (point,) m
     /name                   (point,) text
     /response               (point, repeat, sample) integers or floats
-    /reference              the same, or one point only when all points share the reference
+    /reference              the same, or a single point if all points share the reference
 
-An attribute ``measured`` of ``/response`` counts the points that were written, from the first on; so a file
-that a stopped scan left is readable.
+The attribute ``measured`` of ``/response`` is the number of points written so far, so that the file of a
+stopped scan is readable.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ PORTION = 64  # points that are copied at a time
 
 
 def write_records(scan: TimeScan, path: Path) -> None:
-    """Write time records in haptonic's layout. `haptonic.store.write_atomically` makes the file whole."""
+    """Write time records in haptonic's layout. `haptonic.store.write_atomically` writes a complete file."""
     with written(path) as raw, h5py.File(raw, "w") as file:
         file.attrs.update(
             kind=KIND, form=FORM, sample_rate=scan.sample_rate, motion=scan.motion,
@@ -64,23 +64,23 @@ def write_records(scan: TimeScan, path: Path) -> None:
 
 
 def is_records(attributes: Mapping[str, Any]) -> bool:
-    """True for attributes of a file that `write_records` made."""
+    """True for attributes of a file written by `write_records`."""
     kind = attributes.get("kind")
     return isinstance(kind, str) and kind == KIND
 
 
 def read_records(group: Group, notes: Notebook) -> TimeScan:
-    """Time records that `write_records` or an instrument's program wrote in this layout.
+    """Read time records that `write_records` or an instrument's program wrote in this layout.
 
     Raises
     ------
     ScanError : another layout, or no point was measured
     """
-    path, says, sets = notes.path, group.properties, group.channels
+    path, attributes, sets = notes.path, group.properties, group.channels
     try:
-        if not isinstance(says["form"], int | float) or says["form"] > FORM:
-            raise _foreign(path, f"form {says['form']}, from a later haptonic")
-        dropped = {one.what for one in notes.dropped}
+        if not isinstance(attributes["form"], int | float) or attributes["form"] > FORM:
+            raise _foreign(path, f"form {attributes['form']}, from a later haptonic")
+        dropped = {item.what for item in notes.dropped}
         for name in ("x", "y", "name", "response", "reference"):
             if set_name(name) in dropped:
                 raise _foreign(path, f"{name}: {ELSEWHERE}")
@@ -88,7 +88,7 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
         if len(shape) != 3 or driven[1:] != shape[1:] or driven[0] not in (1, shape[0]):
             raise _foreign(path, f"a response of shape {shape} and a reference of shape {driven}")
         if {sets[name].kind for name in ("response", "reference", "x", "y")} != {"number"}:
-            raise _foreign(path, "text or complex numbers where it should have real ones")
+            raise _foreign(path, "text or complex numbers instead of real ones")
         if not sets["x"].shape == sets["y"].shape == shape[:1]:
             raise _foreign(path, f"{shape[0]} points, and places of other points")
         if "name" in sets and (sets["name"].kind, sets["name"].shape) != ("text", shape[:1]):
@@ -99,19 +99,20 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
         scan = TimeScan(
             source=OfChannels(sets["reference"], sets["response"], shape[1], shape[2]),
             names=tuple(_names(sets, shape[0])), x=x, y=y, repeats=shape[1], samples=shape[2],
-            sample_rate=float(says["sample_rate"]), reference=Reference.parse(str(says["reference"])),
-            motion=_motion(str(says["motion"]), path),
-            reference_scale=float(says["reference_scale"]),
-            response_scale=float(says["response_scale"]),
-            full_scale=float(says["full_scale"]) if "full_scale" in says else None,
-            direction=str(says["direction"]),
-            start=float(says["start"]),
-            origin=SIMULATED if says["origin"] == SIMULATED else "measured",
-            title=str(says["title"]),
+            sample_rate=float(attributes["sample_rate"]),
+            reference=Reference.parse(str(attributes["reference"])),
+            motion=_motion(str(attributes["motion"]), path),
+            reference_scale=float(attributes["reference_scale"]),
+            response_scale=float(attributes["response_scale"]),
+            full_scale=float(attributes["full_scale"]) if "full_scale" in attributes else None,
+            direction=str(attributes["direction"]),
+            start=float(attributes["start"]),
+            origin=SIMULATED if attributes["origin"] == SIMULATED else "measured",
+            title=str(attributes["title"]),
         )  # fmt: skip
     except (ChannelError, KeyError, ValueError, TypeError, OverflowError) as error:
-        found = error.given if isinstance(error, ChannelError) else type(error).__name__
-        raise _foreign(path, f"a part is missing or damaged ({found})") from error
+        reason = error.given if isinstance(error, ChannelError) else type(error).__name__
+        raise _foreign(path, f"a part is missing or damaged ({reason})") from error
     if not 0 <= measured < len(scan.names):
         return scan
     for name in scan.names[measured:]:
@@ -122,24 +123,24 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
 
 
 def _names(sets: Mapping[str, Channel], count: int) -> list[str]:
-    """Of the points, as they are numbered where the file has none."""
+    """Names of the points; numbers from 0 if the file has none."""
     if "name" not in sets:
         return [str(number) for number in range(count)]
     return [str(name) for name in np.asarray(sets["name"]).ravel()]
 
 
 def _motion(word: str, path: Path) -> Motion:
-    for known in ORDER:
-        if word == known:
-            return known
+    for motion in ORDER:
+        if word == motion:
+            return motion
     raise _foreign(path, f'the motion "{word}"')
 
 
-def _foreign(path: Path, found: str) -> ScanError:
+def _foreign(path: Path, given: str) -> ScanError:
     return ScanError.unreadable(
         argument="file of time records",
-        given=f"{path}: {found}",
+        given=f"{path}: {given}",
         allowed='an HDF5 file in haptonic\'s layout of time records, kind "haptonic time records"',
-        cause="the file is of another program, or its copy was interrupted",
+        cause="another program wrote the file, or its copy was interrupted",
         next_step="write it with haptonic.vibrometry.write_records, which documents the layout",
     )

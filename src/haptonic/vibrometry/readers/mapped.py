@@ -1,4 +1,4 @@
-"""What the arrays and columns of a scan mean: by the names that a user gives, or by usual names."""
+"""Meaning of the arrays and columns of a scan: by names from the user, or by usual names."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from haptonic.vibrometry.estimation.spectra import Estimator
 
 Side = Literal["rows", "columns"]
 
-# Usual names, compared without case, units and blanks; an earlier one goes before a later one.
+# Usual names, compared without case, units and blanks; earlier names go before later ones.
 NAMES: dict[str, tuple[str, ...]] = {
     "frequency": ("frequency", "freq", "frequencies", "f", "freqs", "fvec", "frequencyvector"),
     "response": (
@@ -42,7 +42,7 @@ NAMES: dict[str, tuple[str, ...]] = {
     "unit": ("unit", "units", "responseunit"),
     "file": ("file", "filename", "name", "point"),
 }  # fmt: skip
-# What a name says of the unit of a response that has no other
+# Unit of a response that follows from its name, if it has no other
 IMPLIED = {
     "mobility": "m/s/N", "receptance": "m/N", "compliance": "m/N", "accelerance": "m/s^2/N",
     "inertance": "m/s^2/N",
@@ -56,17 +56,17 @@ NONE = Reference()
 
 @dataclass(frozen=True)
 class Mapped:
-    """How the arrays of a file are understood.
+    """Options for reading the arrays of a file.
 
-    variables : name of an array or column by its meaning, of `NAMES`; others are taken by usual names
+    variables : name of an array or column by its meaning, of `NAMES`; others are guessed from usual names
     unit : of the response in files without one, such as "mm/s/V" or, for time records, "mm/s"
-    length_unit, frequency_unit, phase_unit : one unit in m, Hz and rad; None as the file gives it
-    reference : as a user gave it, or empty
-    reference_text : the words of the user; None without any
-    at : places of points in files without coordinates
-    points_in : whether rows or columns are points, of square arrays
-    estimator : H1, H2 or Hv, where a file has several
-    file : that is read
+    length_unit, frequency_unit, phase_unit : value of the unit in m, Hz and rad; None for the file's unit
+    reference : reference from the user, or empty
+    reference_text : text of the user for the reference; None without one
+    at : positions of points in files without coordinates
+    points_in : side of square arrays that is the points
+    estimator : H1, H2 or Hv, if a file has several
+    file : file to read
     """
 
     variables: Mapping[str, str]
@@ -83,11 +83,11 @@ class Mapped:
 
     @property
     def path(self) -> str:
-        """The file as a command names it."""
+        """The file as an argument of a command."""
         return shlex.quote(str(self.file))
 
     def reference_of(self, unit: Ratio) -> Reference:
-        """The reference that a user named, or else that of the denominator of a unit."""
+        """The reference from the user, or else from the denominator of a unit."""
         named = Reference("reference", unit.under.unit) if unit.under.unit else Reference()
         return self.reference or named
 
@@ -98,11 +98,11 @@ def plain(name: str) -> str:
 
 
 def with_unit(channel: Channel) -> Channel:
-    """The channel with the unit that the end of its name gives, such as that of ``x_mm``."""
-    found = _ENDING.fullmatch(channel.name)
-    if found is None or channel.unit:
+    """The channel with the unit at the end of its name, such as that of ``x_mm``."""
+    ending = _ENDING.fullmatch(channel.name)
+    if ending is None or channel.unit:
         return channel
-    return replace(channel, unit=found["unit"])
+    return replace(channel, unit=ending["unit"])
 
 
 def _last(name: str) -> str:
@@ -111,24 +111,24 @@ def _last(name: str) -> str:
 
 
 def _usual(name: str) -> str:
-    """A name as usual names are compared: without its unit."""
+    """A name without its unit, for comparison with usual names."""
     bare = re.split(r"[\[(]", name)[0]
-    found = _ENDING.fullmatch(bare.strip())
-    return plain(found["name"] if found else bare)
+    ending = _ENDING.fullmatch(bare.strip())
+    return plain(ending["name"] if ending else bare)
 
 
 def chosen(
     arrays: Mapping[str, Channel], how: Mapped, notes: Notebook, meanings: Sequence[str]
 ) -> dict[str, Channel]:
-    """Arrays by what they mean.
+    """Choose arrays by their meaning.
 
     Parameters
     ----------
-    meanings : that are looked for
+    meanings : meanings to look for
 
     Raises
     ------
-    ScanError : a name that a user gave is not there, or a usual name is there twice
+    ScanError : a name from the user is missing, or two arrays have usual names of one meaning
     """
     names = {
         meaning: find_named(name, meaning, arrays, notes)
@@ -142,7 +142,7 @@ def chosen(
         if guess is not None:
             names[meaning] = guess
             if plain(guess) != plain(meaning):
-                notes.remark(f'the variable "{guess}" was taken as {meaning}')
+                notes.remark(f'the variable "{guess}" was used as {meaning}')
     for name in arrays:
         if name not in names.values() and arrays[name].kind != "text":
             notes.remark(f'the variable "{name}" was not used')
@@ -150,17 +150,17 @@ def chosen(
 
 
 def check_meanings(how: Mapped, meanings: Iterable[str]) -> None:
-    """Refuse names for meanings that a file of this form does not have.
+    """Refuse names for meanings that a file of this format does not have.
 
     Raises
     ------
     ScanError : an unknown meaning
     """
-    known = sorted(set(meanings))
+    allowed = sorted(set(meanings))
     for meaning in how.variables:
-        if meaning not in known:
+        if meaning not in allowed:
             cause = "no array or column of this form has this meaning"
-            raise ScanError.unknown(f"variables.{meaning}", meaning, known, cause)
+            raise ScanError.unknown(f"variables.{meaning}", meaning, allowed, cause)
 
 
 def find_named(name: str, meaning: str, arrays: Mapping[str, Channel], notes: Notebook) -> str:
@@ -168,7 +168,7 @@ def find_named(name: str, meaning: str, arrays: Mapping[str, Channel], notes: No
     if name in arrays:
         return name
     for compared in (plain, _usual, _last):
-        same = [one for one in arrays if compared(one) == plain(name)]
+        same = [array for array in arrays if compared(array) == plain(name)]
         if len(same) == 1:
             return same[0]
     if name.isdecimal() and 1 <= int(name) <= len(arrays):
@@ -186,8 +186,8 @@ def _guess(meaning: str, arrays: Mapping[str, Channel], taken: set[str], how: Ma
     for usual in NAMES[meaning]:
         same = [
             name
-            for name, one in arrays.items()
-            if _usual(name) == usual and name not in taken and (one.kind == "text") == (wanted == "text")
+            for name, array in arrays.items()
+            if _usual(name) == usual and name not in taken and (array.kind == "text") == (wanted == "text")
         ]
         if len(same) > 1:
             raise ScanError.conflict(
@@ -204,12 +204,13 @@ def _guess(meaning: str, arrays: Mapping[str, Channel], taken: set[str], how: Ma
 
 
 def inventory(arrays: Mapping[str, Channel], notes: Notebook) -> str:
-    """The arrays of a file in words: name, kind and shape of each, and what cannot be read."""
+    """List of a file's arrays in a sentence: name, kind and shape of each, and unreadable ones."""
     listed = [
-        f"{name} ({one.kind}{f' in {one.unit}' * bool(one.unit)}, {' x '.join(map(str, one.shape)) or '1'})"
-        for name, one in arrays.items()
+        f"{name} ({array.kind}{f' in {array.unit}' * bool(array.unit)}, "
+        f"{' x '.join(map(str, array.shape)) or '1'})"
+        for name, array in arrays.items()
     ]
-    listed += [f"{name} ({what}, not read)" for name, what in notes.unread.items()]
+    listed += [f"{name} ({kind}, not read)" for name, kind in notes.unread.items()]
     more = len(listed) - MOST_LISTED
     return ", ".join(listed[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "") or "nothing"
 
@@ -222,7 +223,7 @@ def unfit(
     how: Mapped,
     needed: Sequence[str] = ("response", "frequency", "x", "y"),
 ) -> ScanError:
-    """The error for arrays that are missing or do not fit together; it lists what the file holds."""
+    """The error for arrays that are missing or contradict each other; it lists the file's arrays."""
     guesses = {}
     for meaning in needed:
         names = [name for name in arrays if _usual(re.split(r"[./]", name)[-1]) in NAMES[meaning]]
@@ -230,7 +231,7 @@ def unfit(
     python = ", ".join(f'"{meaning}": "{name}"' for meaning, name in guesses.items())
     return ScanError.mismatch(
         argument=argument,
-        given=f"{given}; the file holds {inventory(arrays, notes)}",
+        given=f"{given}; the file contains {inventory(arrays, notes)}",
         allowed="a response (or real and imaginary, or amplitude and phase), x and y (or points), and "
         "frequency for responses or reference and sample_rate for records",
         cause="arrays have other names than usual, or belong to different scans",

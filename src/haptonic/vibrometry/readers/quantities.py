@@ -1,4 +1,4 @@
-"""Numbers of arrays and columns in SI units, by the unit that a file or a user gives."""
+"""Numbers of arrays and columns in SI units, by the unit in the file or from the user."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from haptonic.channels.labels import Ratio, label_of, ratio_of
 from haptonic.errors import ScanError
 from haptonic.vibrometry.readers.mapped import IMPLIED, Mapped, plain
 
-UNIT = "m/s/V"  # of responses, where neither the file nor the user gives one
+UNIT = "m/s/V"  # of responses, if neither the file nor the user gives one
 DEGREE = math.pi / 180
 ANGLES = {
     "rad": 1.0, "radian": 1.0, "radians": 1.0, "mrad": 1e-3, "deg": DEGREE, "degree": DEGREE,
@@ -23,28 +23,28 @@ PER_SECOND = {
     "hz": 1.0, "khz": 1e3, "ghz": 1e9, "1/s": 1.0, "s^-1": 1.0, "s-1": 1.0, "hertz": 1.0, "kilohertz": 1e3,
     "rad/s": 0.5 / math.pi, "rad/sec": 0.5 / math.pi, "krad/s": 500 / math.pi, "rpm": 1 / 60, "1/min": 1 / 60,
 }  # fmt: skip
-# Phases up to this size without a unit may be radians: 90 of them are 14 turns, more than a scan unwraps.
-# In degrees, a resonance alone turns the phase by 180.
+# Phases up to this size without a unit may be radians: 90 rad are 14 turns, more than an unwrapped scan has.
+# In degrees, a single resonance changes the phase by 180.
 EITHER = 90.0
 
 
 class UnfitError(Exception):
-    """An array or a file of a point cannot be used; the text says why."""
+    """An array, or a file of a point, that cannot be used; the text gives the reason."""
 
 
 def numbers(channel: Channel, order: Literal["C", "F"] = "C") -> Array:
-    """All numbers of a column or an array along one axis.
+    """All numbers of a column, or of an array along one axis.
 
     Parameters
     ----------
-    order : of the axes of an array: "F" if the first one is counted fastest
+    order : of the axes of an array: "F" if the first one is the fastest
 
     Raises
     ------
-    UnfitError : text, or complex numbers
+    UnfitError : the array contains text or complex numbers
     """
     if channel.kind == "complex":
-        raise UnfitError(f"{channel.name} holds complex numbers, where real ones belong")
+        raise UnfitError(f"{channel.name} contains complex numbers, not real ones")
     try:
         return np.asarray(channel, dtype=float).ravel(order)
     except (TypeError, ValueError) as error:
@@ -52,16 +52,16 @@ def numbers(channel: Channel, order: Literal["C", "F"] = "C") -> Array:
 
 
 def frequency_factor(unit: str, how: Mapped, notes: Notebook | None = None) -> float:
-    """The unit of frequencies in Hz, from the file or else from the user.
+    """Value of the unit of frequencies in Hz, from the file or else from the user.
 
     Raises
     ------
-    UnfitError : no unit of frequency, or another one than the user gives
+    UnfitError : not a unit of frequency, or a unit that contradicts the user's
     """
     written = label_of(unit)
     if not unit.strip():
         if how.frequency_unit is None and notes is not None:
-            notes.remark("frequencies without a unit were taken in Hz")
+            notes.remark("frequencies without a unit were read in Hz")
         return how.frequency_unit or 1.0
     short = unit.strip().casefold().replace(" ", "").replace("·", "")
     factor = written.factor if written.unit == "Hz" else PER_SECOND.get(short)
@@ -73,35 +73,35 @@ def frequency_factor(unit: str, how: Mapped, notes: Notebook | None = None) -> f
 
 
 def length_factor(unit: str, how: Mapped, notes: Notebook) -> float:
-    """The unit of coordinates in m: that of the user, or else that of the file.
+    """Value of the unit of coordinates in m, from the user or else from the file.
 
     Raises
     ------
-    UnfitError : no unit of length
+    UnfitError : not a unit of length
     """
     written = label_of(unit)
     if how.length_unit is not None:
         if written.unit == "m" and not math.isclose(written.factor, how.length_unit, rel_tol=1e-6):
-            notes.remark(f'coordinates in "{unit}" were taken in units of {how.length_unit:g} m, as asked')
+            notes.remark(f'coordinates in "{unit}" were read in units of {how.length_unit:g} m, as requested')
         return how.length_unit
     if written.unit and written.unit != "m":
         raise UnfitError(f'"{unit}" is no unit of length')
     if not unit.strip():
-        notes.remark("coordinates without a unit were taken in m")
+        notes.remark("coordinates without a unit were read in m")
     return written.factor
 
 
 def phase_factor(channel: Channel, largest: float, how: Mapped, notes: Notebook) -> float:
-    """The unit of phases in rad: that of the file or of the user; else degrees, if no radian can be meant.
+    """Value of the unit of phases in rad, from the file or the user, else degrees for large phases.
 
     Parameters
     ----------
-    largest : size of the phases of all points
+    largest : largest absolute phase of all points
 
     Raises
     ------
-    UnfitError : no unit of angle, or another one than the user gives
-    ScanError : no unit, and phases that may be radians as well as degrees
+    UnfitError : not a unit of angle, or a unit that contradicts the user's
+    ScanError : no unit, and phases that may be radians or degrees
     """
     unit = channel.unit.strip().casefold()
     if unit:
@@ -118,21 +118,21 @@ def phase_factor(channel: Channel, largest: float, how: Mapped, notes: Notebook)
             argument="phase_unit",
             given=f"phases without a unit, up to {largest:.4g}",
             allowed="rad or deg, as an option or in brackets behind the name: phase (rad)",
-            cause="these numbers may be radians as well as degrees",
+            cause="these numbers may be radians or degrees",
             next_step='give the unit: read_scan(path, phase_unit="rad"), or "deg"',
             command=f"haptonic scan {how.path} --phase-unit rad (or deg)",
         )
-    notes.remark("phases without a unit were taken in degrees")
+    notes.remark("phases without a unit were read in degrees")
     return DEGREE
 
 
 def largest_of(values: Array) -> float:
-    """The largest size of the numbers that are finite, or 0."""
+    """Largest absolute value of the finite numbers, or 0."""
     return float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
 
 
 def response_unit(channels: list[Channel], how: Mapped, notes: Notebook, written: str = "") -> Ratio:
-    """The unit of a response: of its channels, else of the file (``written``), of the user, or by its name.
+    """Unit of a response: from its channels, else from the file (``written``), the user, or its name.
 
     Raises
     ------
@@ -143,9 +143,9 @@ def response_unit(channels: list[Channel], how: Mapped, notes: Notebook, written
         raise UnfitError(f"units {' and '.join(channel.unit for channel in channels)} of one response")
     name = plain(channels[0].name)
     implied = next((unit for word, unit in IMPLIED.items() if word in name), "")
-    text = next((one.unit for one in channels if one.unit.strip()), "") or written or how.unit or implied
+    text = next((c.unit for c in channels if c.unit.strip()), "") or written or how.unit or implied
     if implied and text == implied:
-        notes.remark(f'the name "{channels[0].name}" was taken for a response in {implied}')
+        notes.remark(f'the name "{channels[0].name}" was read as a response in {implied}')
     ratio = ratio_of(text or UNIT)
     if ratio.over.motion is None and text == how.unit:
         raise ScanError.malformed(
@@ -158,16 +158,16 @@ def response_unit(channels: list[Channel], how: Mapped, notes: Notebook, written
     if ratio.over.motion is None:
         raise UnfitError(f'"{text}" is no displacement, velocity or acceleration')
     if not text:
-        notes.remark(f"the file gives no unit of the responses: {UNIT} was taken")
+        notes.remark(f"the file gives no unit of the responses: {UNIT} was used")
     return ratio
 
 
 def of_amplitude(amplitude: Array, phase: Array, unit: str) -> Complex:
-    """A complex response of its amplitude and its phase in rad.
+    """Complex response from its amplitude and its phase in rad.
 
     Raises
     ------
-    UnfitError : decibels, of which nobody gives the reference value
+    UnfitError : decibels with an unknown reference value
     """
     if unit.strip().casefold().startswith("db"):
         raise UnfitError("an amplitude in decibels, whose reference value is not given")
@@ -177,5 +177,5 @@ def of_amplitude(amplitude: Array, phase: Array, unit: str) -> Complex:
 
 
 def share_factor(unit: str) -> float:
-    """The unit of a coherence: 0.01 for percent."""
+    """Factor of a coherence in this unit: 0.01 for percent."""
     return 0.01 if unit.strip() in ("%", "percent") else 1.0

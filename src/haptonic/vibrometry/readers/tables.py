@@ -1,4 +1,4 @@
-"""Named arrays, as MATLAB and HDF5 files hold them, made into a scan."""
+"""Scans from named arrays, as in MATLAB and HDF5 files."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from haptonic.vibrometry.readers.quantities import (
 )
 from haptonic.vibrometry.records import InMemory, OfChannels, Source, TimeScan
 
-PARTS = (("response",), ("real", "imaginary"), ("amplitude", "phase"))  # of a response, any of these
+PARTS = (("response",), ("real", "imaginary"), ("amplitude", "phase"))  # one of these is a response
 MEANINGS = (
     "frequency", "response", "real", "imaginary", "amplitude", "phase", "coherence", "x", "y", "points",
     "reference", "sample_rate", "unit",
@@ -41,7 +41,7 @@ MEANINGS = (
 def scan_of_groups(
     groups: Mapping[str, Group], how: Mapped, notes: Notebook, origin: Origin, title: str, separator: str
 ) -> FrequencyResponse | TimeScan:
-    """The scan of a file of named arrays: of all of them, or of the only structure that holds a scan.
+    """Make the scan of a file of named arrays: from all of them, or from the only structure with a scan.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def scan_of_groups(
 
     Raises
     ------
-    ScanError : arrays are missing or do not fit together, or nothing is left
+    ScanError : arrays are missing or contradict each other, or no point is left
     """
     check_meanings(how, MEANINGS)
     every: dict[str, Channel] = {}
@@ -59,32 +59,34 @@ def scan_of_groups(
             every.setdefault(f"{start}{name}", replace(channel, name=f"{start}{name}"))
     if any(group.simulated for group in groups.values()):
         origin = SIMULATED
-    known = every
+    arrays = every
     if not how.variables and not _is_scan(_arrays_of(groups[""]), how):
         whole = [name for name, group in groups.items() if name and _is_scan(_arrays_of(group), how)]
         if len(whole) > 1:
             raise unfit("structures", f"{', '.join(whole)}, each of which is a scan", every, notes, how)
         if whole:
-            notes.remark(f'"{whole[0]}" was taken as the scan')
-            known = _arrays_of(groups[whole[0]])
-    table = chosen(known, how, notes, MEANINGS)
+            notes.remark(f'"{whole[0]}" was used as the scan')
+            arrays = _arrays_of(groups[whole[0]])
+    table = chosen(arrays, how, notes, MEANINGS)
     return _Arrays(table, every, how, notes).scan(origin, title)
 
 
 def _arrays_of(group: Group) -> dict[str, Channel]:
-    """The arrays of a group, and its attributes that are a number or a text."""
-    found = dict(group.channels)
+    """Arrays of a group, and its attributes that are a number or a text."""
+    arrays = dict(group.channels)
     for name, value in group.properties.items():
-        if isinstance(value, int | float | str) and name not in found:
-            found[name] = Channel.of(name, np.array(value, dtype=object if isinstance(value, str) else float))
-    return found
+        if isinstance(value, int | float | str) and name not in arrays:
+            arrays[name] = Channel.of(
+                name, np.array(value, dtype=object if isinstance(value, str) else float)
+            )
+    return arrays
 
 
 def _is_scan(arrays: Mapping[str, Channel], how: Mapped) -> bool:
-    """True if arrays have usual names of all that a scan needs."""
+    """True if arrays have usual names for all quantities of a scan."""
     try:
         table = chosen(arrays, how, Notebook(how.file, ""), MEANINGS).keys()
-    except ScanError:  # two arrays of one meaning; the error comes when they are read
+    except ScanError:  # two arrays with one meaning; reading them raises the error
         return True
     placed = bool(how.at) or {"x", "y"} <= table or "points" in table
     answered = any({*parts} <= table for parts in PARTS)
@@ -93,7 +95,7 @@ def _is_scan(arrays: Mapping[str, Channel], how: Mapped) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Arrays:
-    """The arrays of a scan by what they mean, and all that the file holds."""
+    """Arrays of a scan by their meaning, and all arrays of the file."""
 
     table: Mapping[str, Channel]
     every: Mapping[str, Channel]
@@ -101,7 +103,7 @@ class _Arrays:
     notes: Notebook
 
     def scan(self, origin: Origin, title: str) -> FrequencyResponse | TimeScan:
-        """Responses, or time records if the arrays come with a sample rate."""
+        """Make responses, or time records if there is a sample rate."""
         try:
             if "sample_rate" in self.table and "frequency" not in self.table:
                 return self._records(origin, title)
@@ -116,13 +118,13 @@ class _Arrays:
 
     @property
     def _order(self) -> Literal["C", "F"]:
-        """The order of the points of a grid: MATLAB counts its first axis fastest."""
+        """Order of the points of a grid: the first axis is the fastest in MATLAB."""
         return "F" if self.notes.format == "MATLAB" else "C"
 
     def _numbers(self, meaning: str) -> Array:
-        """Frequencies or places, which are no more than the numbers of the response, or three for each.
+        """Frequencies or positions: at most as many numbers as in the response, or three for each.
 
-        A compressed array of some kB may unfold to a gigabyte, so sizes are compared first.
+        Sizes are compared first, because a compressed array of some kB may expand to a gigabyte.
         """
         channel = self.table[meaning]
         shape = next(self.table[part].shape for part, *_ in PARTS if part in self.table)
@@ -169,11 +171,11 @@ class _Arrays:
                         reference=Reference())
                 for i, row in enumerate(self._rows("coherence", shape), start=1)
             ]  # fmt: skip
-        known = {str(i): place for i, place in enumerate(places, start=1) if place is not None}
-        return assemble(curves, known, notes, origin=origin, title=title, inputs={"file": notes.path.name})
+        placed = {str(i): place for i, place in enumerate(places, start=1) if place is not None}
+        return assemble(curves, placed, notes, origin=origin, title=title, inputs={"file": notes.path.name})
 
     def _lines(self) -> Array:
-        """The frequencies, which an array of structures repeats for each point."""
+        """The frequencies; an array of structures repeats them for each point."""
         lines = self._numbers("frequency")
         axes = tuple(n for n in self.table["frequency"].shape if n != 1)
         if len(axes) < 2:
@@ -182,20 +184,20 @@ class _Arrays:
         for rows in (table, table.T):
             if len(axes) == 2 and rows.size and (rows == rows[0]).all():
                 return np.asarray(rows[0])
-        raise self._unfit("frequency", f"shape {self.table['frequency'].shape}, where one axis belongs")
+        raise self._unfit("frequency", f"shape {self.table['frequency'].shape}, instead of a single axis")
 
     def _unit_in_file(self) -> str:
-        """A text ``unit`` that lies beside the arrays."""
+        """Text of the array ``unit``, or ""."""
         if "unit" not in self.table or self.table["unit"].size != 1:
             return ""
         return str(np.asarray(self.table["unit"]).item()).strip()
 
     def _places(self, expected: int, lines: int) -> tuple[list[Point | None], tuple[int, ...]]:
-        """Places of the points, and the axes of their arrays if these are more than one.
+        """Positions of the points, and the axes of their arrays if these are more than one.
 
         Parameters
         ----------
-        expected, lines : points, and lines or samples, by the size of the response
+        expected, lines : numbers of points, and of lines or samples, from the size of the response
         """
         table, how = self.table, self.how
         grid: tuple[int, ...] = ()
@@ -222,7 +224,7 @@ class _Arrays:
         return places, grid
 
     def _columns(self, expected: int, lines: int) -> list[Array]:
-        """x and y of one table of the points, whichever way it lies."""
+        """x and y from one table of the points, whose points are rows or columns."""
         channel = self.table["points"]
         both = self._numbers("points").reshape(channel.shape, order=self._order)
         rows, columns = both.shape
@@ -239,11 +241,11 @@ class _Arrays:
         return [both[:, 0], both[:, 1]]
 
     def _side_of_points(self, both: Array, meant: bool) -> Side:
-        """Whether rows or columns of a square table are points: z is the same for all points of a plane.
+        """Side of a square table that is the points, rows or columns: z is equal for all points of a plane.
 
         Parameters
         ----------
-        meant : False if the word of the user may be meant for a response that is square as well
+        meant : False if the user's choice may be meant for a response that is square as well
         """
         if self.how.points_in is not None and meant:
             return self.how.points_in
@@ -251,15 +253,15 @@ class _Arrays:
         heights: dict[Side, Array] = {"rows": both[:, -1], "columns": both[-1]}
         level = [side for side, z in heights.items() if len(both) == 3 and np.ptp(z) == 0]
         if len(level) == 1:
-            self.notes.remark(f'the {level[0]} of "{name}" were taken as points: they are of one height')
+            self.notes.remark(f'the {level[0]} of "{name}" were used as points: they have equal heights')
             return level[0]
         if self.how.points_in is None:
             raise self._ask_side("points", shape)
         raise ScanError.conflict(
             argument=f"{self.notes.path.name}: {name}",
             given=f"shape {shape}, and a response that is square as well",
-            allowed="x and y apart, or another number of frequencies than of points",
-            cause="rows as well as columns may be points, and the word for it may be meant for the response",
+            allowed="separate x and y, or different numbers of frequencies and points",
+            cause="rows or columns may be points, and points_in may be meant for the response",
             next_step='give the places: read_scan(path, at="X, Y; X, Y")',
             command=f'haptonic scan {self.how.path} --points-in {self.how.points_in} --at "X, Y; X, Y"',
         )
@@ -267,15 +269,15 @@ class _Arrays:
     def _ask_side(self, meaning: str, shape: tuple[int, ...]) -> ScanError:
         return ScanError.conflict(
             argument=f"{self.notes.path.name}: {self.table[meaning].name}",
-            given=f"shape {shape}, in which rows as well as columns may be points",
-            allowed="one number of points and another number of frequencies, or a word on which is which",
+            given=f"shape {shape}, in which rows or columns may be points",
+            allowed="different numbers of points and frequencies, or points_in",
             cause="as many points as frequencies",
-            next_step='say it: read_scan(path, points_in="rows"), or "columns"',
+            next_step='give it: read_scan(path, points_in="rows"), or "columns"',
             command=f"haptonic scan {self.how.path} --points-in rows (or columns)",
         )
 
     def _rows(self, meaning: str, layout: _Layout) -> NDArray[Any]:
-        """(point, line) numbers of an array, whichever way it lies."""
+        """(point, line) numbers of an array, whose points are rows or columns."""
         channel = self.table[meaning]
         sides = layout.sides(channel.shape)
         if not sides:
@@ -288,7 +290,7 @@ class _Arrays:
         refuse_larger(self.notes.path, channel.size)
         values = np.asarray(channel)
         if values.dtype.kind not in "fciu":
-            raise UnfitError(f"{channel.name} does not hold numbers")
+            raise UnfitError(f"{channel.name} does not contain numbers")
         flat = (layout.points, layout.lines) if side == "rows" else (layout.lines, layout.points)
         table = values.squeeze().reshape(flat, order=self._order)
         return table if side == "rows" else table.T
@@ -338,9 +340,9 @@ class _Arrays:
         return float(self._numbers("sample_rate")[0]) * frequency_factor(channel.unit, self.how)
 
     def _records_first(self, meaning: str, points: int) -> Channel:
-        """(point, repeat, sample) or (point, sample) of records, which came so or with the samples first.
+        """(point, repeat, sample) or (point, sample) of records; the array may have the samples first.
 
-        Those with the points first stay in their file.
+        Records with the points first stay in their file.
         """
         channel = self.table[meaning]
         axes = len(channel.shape)
@@ -359,24 +361,24 @@ class _Arrays:
 
 @dataclass(frozen=True)
 class _Layout:
-    """How many points and lines an array has; ``grid`` are the axes of its points if they have several."""
+    """Numbers of points and lines of an array; ``grid`` : axes of its points if they have several."""
 
     points: int
     lines: int
     grid: tuple[int, ...]
 
     def sides(self, shape: Sequence[int]) -> list[str]:
-        """Which of rows and columns can be points."""
+        """Sides, "rows" and "columns", that can be points."""
         axes = tuple(n for n in shape if n != 1)
-        found = []
+        possible = []
         for side in ("rows", "columns"):
             for points in {(self.points,), self.grid or (self.points,)}:
                 wanted = (*points, self.lines) if side == "rows" else (self.lines, *points)
-                if tuple(n for n in wanted if n != 1) == axes and side not in found:
-                    found.append(side)
-        return found[:1] if 1 in (self.points, self.lines) else found
+                if tuple(n for n in wanted if n != 1) == axes and side not in possible:
+                    possible.append(side)
+        return possible[:1] if 1 in (self.points, self.lines) else possible
 
 
 def _shape(of: Channel) -> tuple[int, int, int]:
-    """Points, repeats and samples of records that may lack the middle one."""
+    """Points, repeats and samples of records whose repeats may be missing."""
     return (of.shape[0], of.shape[1], of.shape[2]) if len(of.shape) == 3 else (of.shape[0], 1, of.shape[1])

@@ -26,7 +26,7 @@ MEANINGS = ("response", "reference", "x", "y")
 
 @dataclass(frozen=True, eq=False)
 class _TdmsRecords:
-    """Channels of a file, one for each point, by group and name; those of some points are read together."""
+    """Channels of a file, one for each point, by group and name, read for several points together."""
 
     path: Path
     reference: list[tuple[str, str]]
@@ -44,13 +44,13 @@ class _TdmsRecords:
 def scan_of_groups(
     groups: Mapping[str, Group], how: Mapped, notes: Notebook, origin: Origin, title: str
 ) -> TimeScan:
-    """Time records of a file in which each group is a point.
+    """Make time records of a file in which each group is a point.
 
-    A group has one channel of the response and one of the reference, named so or told apart by their units.
+    A group has one channel of the response and one of the reference, distinguished by name or by unit.
 
     Raises
     ------
-    ScanError : the file holds no usable point
+    ScanError : the file has no usable point
     """
     check_meanings(how, MEANINGS)
     if any(group.simulated for group in groups.values()):
@@ -76,10 +76,12 @@ def scan_of_groups(
         else:
             response, reference = chosen
             times = [(channel.start, channel.rate) for channel in chosen]
-            found = (response.size, *times, response.unit or how.unit or UNIT)
-            form = form or found
-            if found != form or reference.size != response.size or not response.size:
-                notes.drop(f"point {group.name}", f"{found[0]} samples, rate or unit differ from the first's")
+            point_form = (response.size, *times, response.unit or how.unit or UNIT)
+            form = form or point_form
+            if point_form != form or reference.size != response.size or not response.size:
+                notes.drop(
+                    f"point {group.name}", f"{point_form[0]} samples, rate or unit differ from the first's"
+                )
             else:
                 names.append(group.name)
                 rows.append((reference, response))
@@ -106,11 +108,11 @@ def scan_of_groups(
 
 
 def _channels(group: Group, how: Mapped, notes: Notebook) -> tuple[Channel, Channel] | None:
-    """Response and reference: as the user names them, else the one that moves and the other one.
+    """Response and reference: as the user names them, else the channel of a motion and the other one.
 
     Raises
     ------
-    ScanError : the group has no channel of a name that the user gives
+    ScanError : the group has no channel with a name from the user
     """
     channels = dict(group.signals)
     named = {
@@ -126,7 +128,7 @@ def _channels(group: Group, how: Mapped, notes: Notebook) -> tuple[Channel, Chan
     if named or len(channels) != 2:
         return None
     first, second = channels.values()
-    moves = [ratio_of(one.unit).over.motion is not None for one in (first, second)]
+    moves = [ratio_of(channel.unit).over.motion is not None for channel in (first, second)]
     if moves[0] == moves[1]:
         return None
     return (first, second) if moves[0] else (second, first)

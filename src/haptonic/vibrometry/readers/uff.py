@@ -26,20 +26,20 @@ MOTIONS: dict[int, Motion] = {8: "displacement", 11: "velocity", 12: "accelerati
 REFERENCES = {9: "N", 13: "N", 15: "Pa"}
 SPECTRUM = 12
 MOST_LISTED = 6  # points, in a message
-LARGEST_PLATE = 10.0  # m; a larger one is in mm without saying so
+LARGEST_PLATE = 10.0  # m; larger coordinates are in mm without a unit
 _ESTIMATOR = re.compile(r"\bH([12v])\b", re.IGNORECASE)
 
 
 def curves_of(contents: UffContents, given: Sequence[Point] = ()) -> tuple[list[Curve], dict[str, Point]]:
-    """Responses and coherences in SI units, and the places of the points. The notes name what is neither.
+    """Responses and coherences in SI units, and positions of the points. The notes list all other curves.
 
     Parameters
     ----------
-    given : places of the points, in their order in the file, where the file has none
+    given : positions of the points, in their order in the file, if the file has none
     """
     notes = contents.notes
     if contents.length is None:
-        notes.remark("no data set 164: lengths without a unit were taken as m, forces as N")
+        notes.remark("no data set 164: lengths without a unit were read as m, forces as N")
     places = {str(n): Point(float(p[0]), float(p[1])) for n, p in contents.nodes.items()}
     extent = max((abs(v) for p in places.values() for v in (p.x, p.y)), default=0.0)
     if extent > LARGEST_PLATE:
@@ -53,7 +53,7 @@ def curves_of(contents: UffContents, given: Sequence[Point] = ()) -> tuple[list[
     curves += [curve for shape in _frequency_shapes(contents) for curve in shape]
     if given:
         places = points_by_order(list(dict.fromkeys(curve.point for curve in curves)), given, notes)
-    # a point whose curve cannot be used was measured all the same: it is named among what was dropped
+    # a point with an unusable curve was measured: it is listed among the dropped ones, not the missing ones
     measured = {curve.point for curve in curves} | {str(f.header.response_node) for f in contents.functions}
     if measured & places.keys():
         notes.missing.extend(name for name in places if name not in measured)
@@ -61,11 +61,11 @@ def curves_of(contents: UffContents, given: Sequence[Point] = ()) -> tuple[list[
 
 
 def points_by_order(names: Sequence[str], given: Sequence[Point], notes: Notebook) -> dict[str, Point]:
-    """Places that a user gives of the points of a file, in the order in which the file has them.
+    """Assign positions given by a user to the points of a file, in the order of the file.
 
     Raises
     ------
-    ScanError : another number of places than of points
+    ScanError : unequal numbers of positions and points
     """
     if len(names) != len(given):
         listed = ", ".join(names[:MOST_LISTED]) + (", ..." if len(names) > MOST_LISTED else "")
@@ -73,10 +73,10 @@ def points_by_order(names: Sequence[str], given: Sequence[Point], notes: Noteboo
             argument="at",
             given=f"{len(given)} places, for {len(names)} points ({listed})",
             allowed="one place for each point of the file",
-            cause="a place is missing, or the file holds other points",
+            cause="a place is missing, or the file has other points",
             next_step='give one for each point, in the order of the file: "0 mm, 0 mm; 5 mm, 0 mm"',
         )
-    notes.remark("places were taken as given, in the order of the points in the file")
+    notes.remark("the given places were used, in the order of the points in the file")
     return dict(zip(names, given, strict=True))
 
 
@@ -85,19 +85,19 @@ def _curve(function: Function, contents: UffContents, unused: Counter[str], is_p
     kind = RESPONSES.get(header.function)
     node = header.response_node
     name = str(node) if node else header.response_name or (function.source if is_placed else "")
-    if kind is None:  # time records make a scan of their own, see `uff_time`
+    if kind is None:  # for time records, see `uff_time`
         article = "an" if function.kind.startswith("auto") else "a"
-        what = f"{article} {function.kind}, not a frequency response"
-        notes.drop(f"{function.source}, point {name or '?'}", what)
+        reason = f"{article} {function.kind}, not a frequency response"
+        notes.drop(f"{function.source}, point {name or '?'}", reason)
         return None
     if not name:
-        notes.drop(function.source, "it does not say at which point it was measured")
-        return None
+        notes.drop(function.source, "it does not give its point")
+        notes.drop(function.source, "it does not give its point")
     if abs(header.response_axis) > 3:
         notes.drop(f"point {name} ({function.source})", "a rotation, not a motion along x, y or z")
         return None
     if header.response_axis == 0:
-        notes.remark("curves without a direction were taken as z, normal to the plate")
+        notes.remark("curves without a direction were read as z, normal to the plate")
     like = Curve(
         source=function.source, point=name, axis=header.response_axis or 3, kind="coherence",
         frequency=np.empty(0), values=np.empty(0), motion="velocity", reference=Reference(),
@@ -113,7 +113,7 @@ def _curve(function: Function, contents: UffContents, unused: Counter[str], is_p
     ratio = ratio_in(header, contents)
     if ratio.over.motion is None:
         unit = header.over.unit or header.over.label or f"type {header.over.kind}"
-        if header.function == SPECTRUM:  # of a reference channel, which vendors export beside the responses
+        if header.function == SPECTRUM:  # of a reference channel, which vendors export with the responses
             unused[unit] += 1
         else:
             notes.drop(
@@ -134,13 +134,13 @@ def _curve(function: Function, contents: UffContents, unused: Counter[str], is_p
 
 
 def estimator_of(lines: Iterable[str]) -> str:
-    """The estimator H1, H2 or Hv if lines of text name one and no other, or nothing."""
+    """Estimator H1, H2 or Hv in lines of text; "" if they give none or several."""
     names = {letter.lower() for line in lines for letter in _ESTIMATOR.findall(line)}
     return f"H{names.pop()}" if len(names) == 1 else ""
 
 
 def ratio_in(header: Header, contents: UffContents) -> Ratio:
-    """Units of the ordinate: as they are labelled, else by data type and the units of the file."""
+    """Units of the ordinate: from its labels, else from data type and units of the file."""
     ratio = ratio_of(header.over.unit)
     over, under = ratio.over, ratio.under
     notes, length, force = contents.notes, contents.length or 1.0, contents.force or 1.0
@@ -148,11 +148,11 @@ def ratio_in(header: Header, contents: UffContents) -> Ratio:
     if over.motion is None and typed is not None and not over.unit:
         over = UnitLabel(typed, "", 1 / length)
     elif typed is not None and over.motion is not None and typed != over.motion:
-        notes.remark(f'a curve of type {typed} has the unit "{header.over.unit}"; the unit was believed')
+        notes.remark(f'a curve of type {typed} has the unit "{header.over.unit}"; the unit was used')
     elif over.motion is not None and contents.length not in (None, 1.0):
         assert contents.length is not None
         if not np.isclose(over.factor * contents.length, 1.0):
-            notes.remark(f'the unit "{header.over.unit}" is not that of data set 164; the unit was believed')
+            notes.remark(f'the unit "{header.over.unit}" is not that of data set 164; the unit was used')
     if not under.unit:
         under = label_of(header.under.unit)
     if not under.unit and header.under.kind in REFERENCES:
@@ -170,7 +170,7 @@ def reference_of(header: Header, under: UnitLabel) -> Reference:
 
 
 def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
-    """Shapes at given frequencies (data set 55, analysis type 5) as curves over their frequencies."""
+    """Shapes at given frequencies (data set 55, analysis type 5) as curves over the frequency."""
     table: dict[tuple[int, int], list[tuple[float, complex]]] = {}
     motion: Motion | None = None
     for shape in contents.shapes:
@@ -189,7 +189,7 @@ def _frequency_shapes(contents: UffContents) -> Iterator[list[Curve]]:
                 table.setdefault((int(node), axis), []).append((float(shape["freq"]), factor * value))
     still = {axis: all(v == 0 for (_, a), row in table.items() if a == axis for _, v in row) for axis in AXES}
     for (node, axis), row in table.items():
-        if still[axis]:  # a laser fills the directions that it does not measure with zeros
+        if still[axis]:  # a laser writes zeros for directions that it does not measure
             continue
         row.sort(key=lambda pair: pair[0])
         lines, values = np.array([f for f, _ in row]), np.array([v for _, v in row], dtype=complex)

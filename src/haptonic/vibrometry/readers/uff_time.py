@@ -19,7 +19,7 @@ from haptonic.vibrometry.records import TimeScan
 
 @dataclass(frozen=True, eq=False)
 class _UffRecords:
-    """Records of the file; all points share the reference when there is one row of it."""
+    """Records of the file; all points share the reference if it has one row."""
 
     reference: list[list[Function]]
     response: list[list[Function]]
@@ -31,13 +31,13 @@ class _UffRecords:
 
 
 def has_records(contents: UffContents) -> bool:
-    """Whether there are time records of a motion in it."""
+    """True if the file has time records of a motion."""
     times = [f for f in contents.functions if f.header.function == TIME]
     return any(ratio_in(f.header, contents).over.motion for f in times)
 
 
 def time_scan_of(contents: UffContents, origin: Origin, title: str) -> TimeScan:
-    """The time records as a scan; curves that do not fit are named.
+    """Make a scan of the time records; curves that do not belong to it are noted.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def _paired(
     ratio: dict[int, Ratio],
     contents: UffContents,
 ) -> tuple[list[list[Function]], Reference]:
-    """Reference records of every point, or one row for all, and what the channel records."""
+    """Reference records of every point, or one row for all, and the quantity of the channel."""
     of_point: dict[int, list[Function]] = defaultdict(list)
     for function in references:
         of_point[function.header.response_node].append(function)
