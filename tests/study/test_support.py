@@ -9,7 +9,7 @@ import pytest
 from five_parts import assert_told, refusing
 from haptonic.analyses import NAMES
 from haptonic.analyses.export import ExportOptions
-from haptonic.cell import Pillar, Site, UnitCell
+from haptonic.cell import Pillar, Site, Solid, UnitCell
 from haptonic.cell.outlines import SECTIONS, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import StudyError
@@ -47,6 +47,8 @@ def features():
 
 
 FEATURES = dict(features())
+PLATES = {"plate", "simulate scan", "feel", "verdict"}
+WITHOUT_SOLIDS = {"design", "tolerance", "export", "reproduce", "scan", "ribbon", "waveguide"} | PLATES
 ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS for name in NAMES}
 
 
@@ -76,8 +78,22 @@ def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
                 assert_told(refusal, refusal.code, refusal.argument)
                 refused.add(name)
         opens_below = feature == "hole" or (feature == "blind hole" and each.faces == "both")
-        of_plates = {"plate", "simulate scan", "feel", "verdict"} if opens_below else set()
+        of_plates = PLATES if opens_below else set()
         assert refused - {"layers"} == {"design", "tolerance"} | of_plates
+
+
+def test_each_analysis_answers_for_solids_or_refuses_them(tmp_path):
+    """Sizes in a CAD file have no names, and its drawing is the file itself."""
+    (tmp_path / "cell.step").write_text("ISO-10303-21;")
+    solids = cell(None, solid=Solid(file=str(tmp_path / "cell.step")))
+    refused = {}
+    for name, analysis in ANALYSES.items():
+        options = ExportOptions() if name == "export" else None
+        refusal = analysis.supports(solids, options)
+        if refusal is not None:
+            assert_told(refusal, "unsupported", "cell.solid")
+            refused[name] = refusal
+    assert set(refused) == WITHOUT_SOLIDS
 
 
 def test_the_report_asks_each_analysis_as_well():

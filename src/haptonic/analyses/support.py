@@ -27,9 +27,7 @@ def no_cell(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for two loss factors, and for solids of a CAD file."""
-    if (refused := made_of_parts(cell, options)) is not None:
-        return refused
+    """The error for two loss factors."""
     of_plate = cell.material.loss_factor
     others = {at: solid.loss_factor for at, solid in cell.materials.items() if solid.loss_factor != of_plate}
     if not others:

@@ -14,7 +14,7 @@ from haptonic.bloch.resolution import Resolution, meeting
 from haptonic.cell import Filler, MeshPlan, Rows, TileShape, UnitCell
 from haptonic.cell.tile import MEET
 from haptonic.errors import ResourceError
-from haptonic.superelement import Superelement, Tiling, condense, steps_between
+from haptonic.superelement import Superelement, Tiling, condense, condense_solid, steps_between
 from haptonic.superelement.tiling import directions
 from haptonic.superelement.trace import trace_levels
 
@@ -170,8 +170,8 @@ class CondensedRows:
 @lru_cache(maxsize=4)
 def _condensed(tile: TileShape, plan: MeshPlan, resolution: Resolution) -> Superelement:
     """A tile; kept for rows along another direction, which stand on the same ones."""
-    size = directions(tile, resolution.block)
-    return condense(tile, plan, resolution.steps, block=size, measured=False)
+    way = condense if tile.solid is None else condense_solid
+    return way(tile, plan, resolution.steps, block=directions(tile, resolution.block), measured=False)
 
 
 def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
