@@ -5,16 +5,31 @@ from functools import cache
 import numpy as np
 import pytest
 from strategies import ALUMINIUM
-from test_mesh_files import ACROSS, PILLAR, PLATE, SQUARE, STEEL, THICKNESS, TRIANGULAR, UPWARD, cell_of
+from test_mesh_files import (
+    ACROSS,
+    COARSE,
+    PILLAR,
+    PLATE,
+    SQUARE,
+    STEEL,
+    THICKNESS,
+    TRIANGULAR,
+    UPWARD,
+    cell_of,
+)  # fmt: skip
+from test_ribbon import strip_waves
 
 from haptonic.bloch import Resolution
 from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.evanescent import bloch_waves
+from haptonic.bloch.guide import Guide
 from haptonic.bloch.layers import OUTGOING, Interface
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.ribbon import RibbonModel
 from haptonic.bloch.rows import CondensedRows, attenuation
-from haptonic.cell import Disc, UnitCell
+from haptonic.cell import Disc, Ribbon, UnitCell
+from haptonic.lattice import Lattice
 from haptonic.superelement import Tiling
 
 pytest.importorskip("ngsolve")
@@ -42,19 +57,23 @@ MESHES = {
 
 
 @pytest.fixture(scope="module")
-def rows(tmp_path_factory):
-    """Rows of a mesh by its name and the order of its elements."""
+def cells(tmp_path_factory):
+    """The cell of a mesh by its name."""
     folder = tmp_path_factory.mktemp("meshes")
 
     @cache
-    def condensed(name, order=2):
+    def of_mesh(name):
         mesh = MESHES[name]
         parts = {"pillar": STEEL} if "pillar" in mesh[2] else {}
-        return CondensedRows.of(
-            cell_of(write(folder / f"{name}.msh", *mesh), **parts), Resolution(order, 0), (0, 1)
-        )
+        return cell_of(write(folder / f"{name}.msh", *mesh), **parts)
 
-    return condensed
+    return of_mesh
+
+
+@pytest.fixture(scope="module")
+def rows(cells):
+    """Rows of a mesh by its name and the order of its elements."""
+    return cache(lambda name, order=2: CondensedRows.of(cells(name), Resolution(order, 0)))
 
 
 def shares(here, kilohertz, along, count=3, loss_factor=0.0):
@@ -144,3 +163,66 @@ class TestLayers:
         ]
         assert found[1] == pytest.approx(found[0], abs=0.15)
         assert found[0].max() > 5
+
+
+STRIP = UnitCell(SQUARE, THICKNESS, ALUMINIUM)
+
+
+def ribbon_modes(columns, phase, high, resolution=COARSE):
+    return RibbonModel.of(Ribbon(columns), resolution).solve(phase, 5e3, high)
+
+
+class TestRibbons:
+    def test_a_strip_of_mesh_and_plain_plate_has_its_guided_waves(self, cells):
+        """Two columns, one from a mesh, against polynomials over the section of the whole strip."""
+        found = ribbon_modes((cells("plate"), STRIP), 0.9, 45e3, Resolution(3, 0))
+        zone = 2 * np.pi / (7 * MM)
+        waves = [strip_waves(14 * MM, THICKNESS, 0.9 / (7 * MM) + shift * zone) for shift in (-1, 0)]
+        exact = np.sort(np.concatenate(waves))
+        exact = exact[(exact > 5e3) & (exact < 45e3)]
+        assert len(found.frequency) == len(exact) == 3
+        assert (np.abs(found.frequency - exact) <= found.error + 1e-5 * exact).all()
+        assert found.frequency == pytest.approx(exact, rel=1e-3)
+
+    @pytest.mark.nightly
+    def test_pillars_of_a_mesh_hold_the_waves_that_those_of_blocks_do(self, cells):
+        pillar = cells("pillar")
+        own = ribbon_modes((pillar, STRIP, pillar), 2.0, 45e3, Resolution(3, 0))
+        exact = ribbon_modes((BLOCKS, STRIP, BLOCKS), 2.0, 45e3, Resolution(3, 1))
+        assert (np.abs(own.frequency - exact.frequency) <= own.error + exact.error).all()
+        assert own.frequency == pytest.approx(exact.frequency, rel=4e-2)
+        share = [modes.energy[:, 0] / modes.energy.sum(axis=(1, 2))[:, None] for modes in (own, exact)]
+        assert share[0] == pytest.approx(share[1], abs=0.05)
+
+    def test_a_ribbon_and_its_mirror_image_have_the_same_waves(self, cells):
+        one = ribbon_modes((cells("corner"), STRIP), 1.3, 45e3)
+        other = ribbon_modes((STRIP, cells("mirrored")), 1.3, 45e3)
+        assert one.frequency == pytest.approx(other.frequency, rel=1e-6)
+        assert one.energy[:, 0] == pytest.approx(other.energy[:, 0, ::-1], rel=1e-3)
+        wrong = ribbon_modes((STRIP, cells("corner")), 1.3, 45e3)
+        assert np.abs(one.frequency / wrong.frequency - 1).max() > 1e-5
+
+
+class TestGuides:
+    PHASE, FREQUENCY = 1.4, 38.0  # no wave of these pillars propagates across them there
+
+    def guide(self, rows):
+        return Guide.of(rows, self.PHASE / (7 * MM))
+
+    def width(self, rows):
+        return self.guide(rows).width(self.FREQUENCY * KILOHERTZ, 0)
+
+    def test_a_strip_between_pillars_of_a_mesh_is_as_wide_as_between_those_of_blocks(self, rows):
+        coarse, fine = (self.width(rows("pillar", order)) for order in (2, 3))
+        exact = self.width(CondensedRows.of(BLOCKS, Resolution(3, 1)))
+        assert abs(fine - exact) < 2 * Resolution(3, 0)._of_singular * abs(fine - coarse)
+        assert fine == pytest.approx(exact, rel=6e-2)
+
+    def test_the_ribbon_of_this_width_has_the_guides_mode(self, cells, rows):
+        """Plate waves between two half-infinite mirrors against one joint of tiles."""
+        half = 0.5 * self.width(rows("pillar"))
+        strip = UnitCell(Lattice.rectangular(half, 7 * MM), THICKNESS, ALUMINIUM)
+        columns = (*[cells("pillar")] * 5, strip, strip, *[cells("pillar")] * 5)
+        model = RibbonModel.of(Ribbon(columns), COARSE)
+        found = model.frequencies(self.PHASE, 36e3, 40e3)
+        assert np.abs(found / (1e3 * self.FREQUENCY) - 1).min() < 2e-3

@@ -48,7 +48,7 @@ def features():
 
 FEATURES = dict(features())
 PLATES = {"plate", "simulate scan", "feel", "verdict"}
-WITHOUT_SOLIDS = {"design", "tolerance", "export", "reproduce", "scan", "ribbon", "waveguide"} | PLATES
+WITHOUT_SOLIDS = {"design", "tolerance", "export", "reproduce", "scan"} | PLATES
 ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS for name in NAMES}
 
 
