@@ -154,7 +154,7 @@ class TestPeriods:
                  "with_material": ["pillar"]}  # fmt: skip
         rest = {"order": 2, "rings": 0, "stiffness": np.stack([STEEL.stiffness, ALUMINIUM.stiffness]),
                 "density": np.array([STEEL.density, ALUMINIUM.density]), "along": np.array([0, 0.3, 1.0]),
-                "upward": np.array([0, 0.5, 1.0])}  # fmt: skip
+                "upward": np.array([0, 0.5, 1.0]), "inside": np.array([0, 0.5, 1.0])}  # fmt: skip
         read = solids.assembled(str(path), digest="file", **drawn, **rest)
         places, nodes, sets = PILLAR
         directly = NamedElements(

@@ -72,9 +72,17 @@ def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def whole_lower_face(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for a hole in the face that a finger touches, and for solids of a CAD file."""
-    if (refused := made_of_parts(cell, options)) is not None:
-        return refused
+    """The error for a hole in the face that a finger touches, or for something below it."""
+    if cell.solid is not None and not cell.solid_period.whole_below:
+        return StudyError.unsupported(
+            argument="cell.solid",
+            given="a cell whose lower face is no whole plane",
+            allowed="solids above a plane face that fills the cell, at the plate's lower side",
+            cause="a finger touches the lower face everywhere, and the scan's points lie on it; the file has "
+            "a hole there, or something below it",
+            next_step="turn the drawing upside down if its upper face is whole, or compute bands, layers or "
+            "a ribbon",
+        )
     if (path := cell.hole_below) is None:
         return None
     return StudyError.unsupported(

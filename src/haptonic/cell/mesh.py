@@ -61,12 +61,14 @@ class SurfaceMesh:
     """The surface of a tile of which the inside is not shown.
 
     points : (nodes, 3) m; cells : (m, 4) quadrilaterals, anticlockwise as seen from outside
+    lower : (k, n, n) nodes on Gauss-Lobatto-Legendre points of the quadrilaterals at z = 0
     rim_points : (around, 3) see `HexMesh`; unknowns : of the elements inside
     topology : of a plate in blocks with the same lateral faces
     """
 
     points: Array
     cells: Ints
+    lower: Ints
     rim_points: Array
     unknowns: int
     topology: Topology

@@ -149,7 +149,13 @@ class Solid:
         if found["problem"]:
             raise no_period(found, thickness, self.unit if self.is_mesh else "")
         kept = np.asarray(found["kept"], dtype=bool)
-        return SolidPeriod(tuple(found["parts"]), np.array(found["volumes"]), kept, float(found["elements"]))
+        return SolidPeriod(
+            names=tuple(found["parts"]),
+            volumes=np.array(found["volumes"]),
+            kept=kept,
+            elements=float(found["elements"]),
+            whole_below=bool(found["whole_below"]),
+        )
 
     @property
     def is_mesh(self) -> bool:
@@ -198,12 +204,14 @@ class SolidPeriod:
 
     names, volumes : of its solids or the parts of a mesh, m^3; kept : which maps leave them as they are
     elements : of their mesh, as many tetrahedra have its unknowns
+    whole_below : whether the plate's lower face is whole, and nothing lies below it
     """
 
     names: tuple[str, ...]
     volumes: Array
     kept: Bools
     elements: float
+    whole_below: bool
 
 
 def _unread(file: str, cause: str) -> Exception:

@@ -24,7 +24,7 @@ def unit_of(name: str) -> str | None:
 def values_of(plate: Plate) -> dict[str, float]:
     """All numbers of a plate that can be fitted, SI."""
     found = {}
-    of_one = not any(feature.solids for _, _, feature in plate.layout.features)
+    of_one = all(len(cell.materials) == 1 for cell in plate.layout.cells.values())
     # stiffness of the whole plate is in proportion to the modulus of a single material only
     if of_one and isinstance(plate.layout.material, IsotropicMaterial):
         found[YOUNG] = plate.layout.material.youngs_modulus
