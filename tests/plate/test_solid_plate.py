@@ -23,6 +23,7 @@ from haptonic.plate.parts import Force, Plate
 
 pytest.importorskip("ngsolve")
 
+from cad_cells import step_of
 from mesh_cells import hexahedra, write
 
 MM, HZ = 1e-3, 2 * np.pi
@@ -84,6 +85,7 @@ def modes(plate, order=2):
     return np.sqrt(la.eigh(*lossless(model_of(plate, order)), eigvals_only=True))[:5] / HZ
 
 
+@pytest.mark.nightly
 def test_pillars_of_a_mesh_have_the_resonances_of_pillars_of_blocks(cells):
     """As far apart as the orders of the mesh foretell."""
     coarse, fine = (modes(plate_of("o1o", cells("pillar")), order) for order in (2, 3))
@@ -92,6 +94,24 @@ def test_pillars_of_a_mesh_have_the_resonances_of_pillars_of_blocks(cells):
     allowed = Resolution(3, 0)._of_singular * (distance + np.sqrt(np.mean(distance**2)))
     assert (np.abs(fine - exact) / exact < allowed).all()
     assert fine == pytest.approx(exact, rel=4e-2)
+
+
+@pytest.mark.nightly
+def test_drawn_pillars_have_the_resonances_and_answers_of_pillars_of_blocks(tmp_path):
+    """Also seen on the curved elements below a pillar."""
+    disc = Disc(3 * MM, low=0.0, high=4 * MM, material=STEEL)
+    blocks = UnitCell(SQUARE, THICKNESS, ALUMINIUM, disc=(disc,))
+    path, names = step_of(blocks, tmp_path / "cell.step")
+    parts = tuple(SolidPart(name=name, material=solid) for name, solid in names.items())
+    drawn = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(path), part=parts))
+    force, omega = Force("F", (10 * MM, 2 * MM)), HZ * np.array([4e3, 13e3])
+    found = []
+    for cell in (drawn, blocks):
+        model = model_of(plate_of("o1o", cell, forces=(force,)), 3)
+        resonances = np.sqrt(la.eigh(*lossless(model), eigvals_only=True))[:5] / HZ
+        found.append((resonances, model.observed(ON_CELL) @ answered(model, {"F": 1.0}, omega)))
+    assert found[0][0] == pytest.approx(found[1][0], rel=3e-3)
+    assert found[0][1] == pytest.approx(found[1][1], rel=3e-2, abs=5e-3 * np.abs(found[1][1]).max())
 
 
 def test_a_mesh_of_plain_plate_answers_as_plain_plate_does(cells):

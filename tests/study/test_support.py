@@ -49,7 +49,7 @@ def features():
 
 FEATURES = dict(features())
 PLATES = {"plate", "simulate scan", "feel", "verdict"}
-WITHOUT_SOLIDS = {"design", "tolerance", "export", "reproduce", "scan"}
+WITHOUT_SOLIDS = {"design", "tolerance", "export", "reproduce"}
 ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS for name in NAMES}
 
 

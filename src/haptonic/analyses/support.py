@@ -43,15 +43,15 @@ def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def made_of_parts(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for solids of a CAD file or a mesh, of which an analysis knows nothing but their bands."""
+    """The error for solids of a CAD file or a mesh, whose sizes and outlines an analysis would need."""
     if cell.solid is None:
         return None
     return StudyError.unsupported(
         argument="cell.solid",
         given="a cell from a CAD file or mesh",
         allowed="a cell of pillars or discs, or plain plate",
-        cause="this analysis needs a cell that is meshed in blocks, or whose sizes have names",
-        next_step="compute its bands or a sweep of its materials, or write [cell.pillar] or [[cell.disc]]",
+        cause="this analysis needs outlines or sizes by name, which a file does not give",
+        next_step="compute bands, a sweep of materials, layers, a ribbon or a plate, or write [cell.pillar]",
     )
 
 

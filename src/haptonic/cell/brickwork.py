@@ -98,7 +98,8 @@ class Brickwork:
             )
         width, height = np.diag(cell.lattice.vectors).tolist()
         start, end = Fraction(0), Fraction(1)
-        return cls(width, height, (start, start), (Brick(start, start, end, end, cell, 0),))
+        brick = Brick(left=start, bottom=start, width=end, height=end, tile=cell, number=0)
+        return cls(width, height, (start, start), (brick,))
 
     @classmethod
     def _along(cls, cell: UnitCell, axis: int) -> Brickwork:

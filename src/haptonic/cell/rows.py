@@ -128,9 +128,13 @@ class Rows(Directed):
 
     @property
     def depths(self) -> list[tuple[int, float]]:
-        """Sites with pillars and how far behind the left face on average these stand in the first row, m."""
+        """Sites that are not empty, and how far behind the left face on average these lie in the first row.
+
+        In m. Solids of a file count as one site, in the middle of the cell.
+        """
         places = [one.position @ self.turn[0] - self.middle for one in self._row(self.cell, 0)]
-        return [(k, float(places[k])) for k, one in enumerate(self.cell.pillars) if one is not None]
+        there = [self.cell.solid] if self.cell.solid else self.cell.features
+        return [(k, float(places[k])) for k, feature in enumerate(there) if feature is not None]
 
     @property
     def is_straight(self) -> bool:
