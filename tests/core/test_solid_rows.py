@@ -173,6 +173,7 @@ def ribbon_modes(columns, phase, high, resolution=COARSE):
 
 
 class TestRibbons:
+    @pytest.mark.nightly
     def test_a_strip_of_mesh_and_plain_plate_has_its_guided_waves(self, cells):
         """Two columns, one from a mesh, against polynomials over the section of the whole strip."""
         found = ribbon_modes((cells("plate"), STRIP), 0.9, 45e3, Resolution(3, 0))

@@ -114,6 +114,7 @@ def test_drawn_pillars_have_the_resonances_and_answers_of_pillars_of_blocks(tmp_
     assert found[0][1] == pytest.approx(found[1][1], rel=3e-2, abs=5e-3 * np.abs(found[1][1]).max())
 
 
+@pytest.mark.nightly
 def test_a_mesh_of_plain_plate_answers_as_plain_plate_does(cells):
     """Also at points of the mesh, which lie on its elements as they come."""
     force = Force("F", (17 * MM, 2 * MM))
