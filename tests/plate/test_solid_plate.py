@@ -13,13 +13,14 @@ from bricks import ALUMINIUM, PITCH, THICKNESS
 from five_parts import refusing
 from haptonic.bloch import Resolution
 from haptonic.cell import Brickwork, Disc, Solid, SolidPart, UnitCell
-from haptonic.errors import GeometryError
+from haptonic.errors import GeometryError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
 from haptonic.plate.model import Fineness, PlateModel
 from haptonic.plate.parts import Force, Plate
+from haptonic.study import load
 
 pytest.importorskip("ngsolve")
 
@@ -180,3 +181,25 @@ def test_cells_that_are_no_rectangles_are_refused(cells):
     solid = cells("plate").solid
     with refusing(GeometryError, "unsupported", "cell.lattice", "a rectangle of several pillars"):
         Brickwork.of(UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, solid=solid))
+
+
+@pytest.mark.parametrize("place", ["3 mm", "7 mm", "10 mm"])
+def test_a_force_that_touches_a_cell_of_a_file_is_refused(tmp_path, place):
+    write(tmp_path / "cell.msh", *MESHES["pillar"])
+    (tmp_path / "study.toml").write_text(f"""
+material = "aluminium-2017a"
+[cell]
+lattice = "square"
+pitch = "7 mm"
+thickness = "1.5 mm"
+solid = {{file = "cell.msh", part = [{{name = "pillar", material = "aluminium-2017a"}}]}}
+[plate]
+map = "o1"
+tiles = {{o = "lattice", 1 = "guide"}}
+force = [{{name = "F", centre = ["{place}", "3 mm"]}}]
+""")
+    if place == "10 mm":
+        assert load(tmp_path / "study.toml").mounted_plate().forces
+    else:
+        with refusing(StudyError, "out-of-range", "centre", "one region of plain plate"):
+            load(tmp_path / "study.toml")
