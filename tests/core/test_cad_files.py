@@ -197,5 +197,5 @@ def test_a_study_finds_the_file_beside_it(tmp_path):
     study = load(tmp_path / "study.toml")
     assert study.cell.solid.sha256 == solids.solid.sha256
     with pytest.raises(HaptonicError) as caught:
-        study.layers()
+        study.tolerance()
     assert caught.value.argument == "cell.solid"

@@ -17,7 +17,7 @@ from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import CondensedRows, attenuation
-from haptonic.cell import Filler, Pillar, Rows, UnitCell
+from haptonic.cell import Disc, Filler, Pillar, Rows, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.superelement import Tiling
@@ -227,3 +227,8 @@ def test_a_spectrum_is_per_row_in_any_direction():
     fading = data["kappa_imag"].values[0]
     assert data["attenuation"].values[0, 0] == pytest.approx(20 / np.log(10) * fading[0])
     assert np.abs(data["kappa_real"].values).max() <= np.pi + 1e-9
+
+
+def test_discs_lie_in_their_row_as_pillars_do():
+    discs = UnitCell(Lattice.triangular(PITCH), 1.5 * MM, ALUMINIUM, disc=(Disc(3 * MM, empty=True),))
+    assert Rows(discs).depths == Rows(TRIANGULAR).depths != []

@@ -61,7 +61,7 @@ def model(name, order=3, rings=1):
 def whole(cell, order=2, steps=3, block=20):
     """The pencil before any reduction to a small basis, on the mesh that each tile has alone."""
     tiles = [one.tile for one in cell.tiles]
-    plans = meeting([Resolution(order, 1).plan(tile, tile.area / cell.area) for tile in tiles])
+    plans = meeting(tiles, [Resolution(order, 1).plan(tile, tile.area / cell.area) for tile in tiles])
     return lattice_pencil(Tiling.condensed(cell, plans, steps, block, measured=False))
 
 
@@ -89,8 +89,9 @@ def sites(draw, most=4):
 @settings(deadline=None)
 def test_tiles_fill_the_period_edge_to_edge(cell):
     assert sum(one.tile.area for one in cell.tiles) == pytest.approx(cell.lattice.area, rel=1e-9)
-    coarse = [COARSE.plan(one.tile) for one in cell.tiles]
-    joint = TiledMesh.of(cell, meeting(coarse)).joint  # refuses edges that do not meet
+    tiles = [one.tile for one in cell.tiles]
+    plans = meeting(tiles, [COARSE.plan(one) for one in tiles])
+    joint = TiledMesh.of(cell, plans).joint  # refuses edges that do not meet
     apart = joint.position - joint.shift @ cell.lattice.vectors - joint.position[joint.master]
     assert np.abs(apart).max() < 1e-6 * cell.lattice.pitch
     for one in cell.tiles:

@@ -37,7 +37,8 @@ def rows_of(cell, *rows):
 @cache
 def pencil(cell):
     """On the mesh that a pillar has alone, whatever there is beside it."""
-    plans = meeting([COARSE.plan(one.tile) for one in cell.tiles])
+    tiles = [one.tile for one in cell.tiles]
+    plans = meeting(tiles, [COARSE.plan(one) for one in tiles])
     return lattice_pencil(Tiling.condensed(cell, plans, 2, 10, measured=False))
 
 

@@ -4,12 +4,13 @@ from dataclasses import replace
 from importlib import import_module
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from five_parts import assert_told, refusing
 from haptonic.analyses import NAMES
 from haptonic.analyses.export import ExportOptions
-from haptonic.cell import Pillar, Site, UnitCell
+from haptonic.cell import Pillar, Site, Solid, UnitCell
 from haptonic.cell.outlines import SECTIONS, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import StudyError
@@ -47,6 +48,8 @@ def features():
 
 
 FEATURES = dict(features())
+PLATES = {"plate", "simulate scan", "feel", "verdict"}
+WITHOUT_SOLIDS = {"design", "tolerance", "export", "reproduce"}
 ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS for name in NAMES}
 
 
@@ -76,8 +79,33 @@ def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
                 assert_told(refusal, refusal.code, refusal.argument)
                 refused.add(name)
         opens_below = feature == "hole" or (feature == "blind hole" and each.faces == "both")
-        of_plates = {"plate", "simulate scan", "feel", "verdict"} if opens_below else set()
+        of_plates = PLATES if opens_below else set()
         assert refused - {"layers"} == {"design", "tolerance"} | of_plates
+
+
+def test_each_analysis_answers_for_solids_or_refuses_them(tmp_path):
+    """Sizes in a CAD file have no names, and its drawing is the file itself; plates have no holes below."""
+    pytest.importorskip("ngsolve")
+    from mesh_cells import hexahedra, write
+
+    across, upward = np.array([-3.5, -1.5, 1.5, 3.5]), np.array([0.0, 1.5])
+    whole = hexahedra(across, upward, lambda x, y, z: "plate")
+    hole = hexahedra(across, upward, lambda x, y, z: "" if x == y == 0 else "plate")
+    assert refusing_solids(write(tmp_path / "whole.vtu", *whole)) == WITHOUT_SOLIDS
+    assert refusing_solids(write(tmp_path / "hole.vtu", *hole)) == WITHOUT_SOLIDS | PLATES
+
+
+def refusing_solids(path):
+    """Names of the analyses that refuse the solids of a file."""
+    solids = cell(None, solid=Solid(file=str(path)))
+    refused = {}
+    for name, analysis in ANALYSES.items():
+        options = ExportOptions() if name == "export" else None
+        refusal = analysis.supports(solids, options)
+        if refusal is not None:
+            assert_told(refusal, "unsupported", "cell.solid")
+            refused[name] = refusal
+    return set(refused)
 
 
 def test_the_report_asks_each_analysis_as_well():

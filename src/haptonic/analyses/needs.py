@@ -11,7 +11,7 @@ from haptonic.bloch.gaps import gap_at
 from haptonic.bloch.reach import MeshLimits, check_memory, check_thickness, started
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import rows_need
-from haptonic.cell import Rows
+from haptonic.cell import Rows, UnitCell
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.reduction import BLOCK, STEPS
@@ -52,7 +52,8 @@ def fineness(study: Description) -> Fineness | None:
     usual = Fineness()
     order = usual.cell if order is None else order
     rings = usual.rings if rings is None else rings
-    return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order)
+    drawn = usual.drawn if mesh.order is None else order
+    return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order, drawn=drawn)
 
 
 def checked_fineness(study: Description) -> Fineness | None:
@@ -63,10 +64,16 @@ def checked_fineness(study: Description) -> Fineness | None:
     ResourceError : a mesh of a cell that this machine cannot hold, foreseen before anything is computed
     """
     chosen = fineness(study)
-    if chosen is not None:
-        for cell in study.mounted_plate().layout.cells.values():
-            check_memory(cell, Resolution(chosen.cell, chosen.rings, STEPS, BLOCK), MeshLimits.of(math.inf))
+    for cell in study.mounted_plate().layout.cells.values():
+        if chosen is not None or cell.solid is not None:
+            check_memory(cell, tile_resolution(cell, chosen), MeshLimits.of(math.inf))
     return chosen
+
+
+def tile_resolution(cell: UnitCell, chosen: Fineness | None) -> Resolution:
+    """Of a cell as a tile of a finite plate."""
+    fine = chosen or Fineness()
+    return Resolution(fine.of_cell(cell.solid), fine.rings, STEPS, BLOCK)
 
 
 def meshes_of(study: Description) -> list[Resolution]:

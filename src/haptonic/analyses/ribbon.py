@@ -11,7 +11,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import meshes
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import made_of_parts
+from haptonic.analyses.support import every_cell
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.model import best_model
 from haptonic.bloch.ribbon import RibbonModel, bulk_bands
@@ -140,7 +140,7 @@ ANALYSIS = Analysis(
     name="ribbon",
     result=RibbonWaves,
     compute=compute,
-    supports=made_of_parts,
+    supports=every_cell,
     cost=cost,
     check=check,
     reported=lambda study: NoOptions() if study.ribbon_settings else None,

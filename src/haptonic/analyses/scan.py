@@ -12,7 +12,7 @@ from haptonic.analyses.costs import size_of
 from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import Estimation, OnPlate, PlateInScan, compute_scan, on_plate
-from haptonic.analyses.support import made_of_parts
+from haptonic.analyses.support import every_cell
 from haptonic.analyses.verdict import compared, cost_of
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
@@ -171,7 +171,7 @@ ANALYSIS = Analysis(
     name="scan",
     result=ScanResult,
     compute=compute,
-    supports=made_of_parts,
+    supports=every_cell,
     cost=cost,
     options=ScanOptions,
     check=check,

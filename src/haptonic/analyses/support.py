@@ -27,9 +27,7 @@ def no_cell(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for two loss factors, and for solids of a CAD file."""
-    if (refused := made_of_parts(cell, options)) is not None:
-        return refused
+    """The error for two loss factors."""
     of_plate = cell.material.loss_factor
     others = {at: solid.loss_factor for at, solid in cell.materials.items() if solid.loss_factor != of_plate}
     if not others:
@@ -45,15 +43,15 @@ def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def made_of_parts(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for solids of a CAD file or a mesh, of which an analysis knows nothing but their bands."""
+    """The error for solids of a CAD file or a mesh, whose sizes and outlines an analysis would need."""
     if cell.solid is None:
         return None
     return StudyError.unsupported(
         argument="cell.solid",
         given="a cell from a CAD file or mesh",
         allowed="a cell of pillars or discs, or plain plate",
-        cause="this analysis needs a cell that is meshed in blocks, or whose sizes have names",
-        next_step="compute its bands or a sweep of its materials, or write [cell.pillar] or [[cell.disc]]",
+        cause="this analysis needs outlines or sizes by name, which a file does not give",
+        next_step="compute bands, a sweep of materials, layers, a ribbon or a plate, or write [cell.pillar]",
     )
 
 
@@ -74,9 +72,17 @@ def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def whole_lower_face(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for a hole in the face that a finger touches, and for solids of a CAD file."""
-    if (refused := made_of_parts(cell, options)) is not None:
-        return refused
+    """The error for a hole in the face that a finger touches, or for something below it."""
+    if cell.solid is not None and not cell.solid_period.whole_below:
+        return StudyError.unsupported(
+            argument="cell.solid",
+            given="a cell whose lower face is no whole plane",
+            allowed="solids above a plane face that fills the cell, at the plate's lower side",
+            cause="a finger touches the lower face everywhere, and the scan's points lie on it; the file has "
+            "a hole there, or something below it",
+            next_step="turn the drawing upside down if its upper face is whole, or compute bands, layers or "
+            "a ribbon",
+        )
     if (path := cell.hole_below) is None:
         return None
     return StudyError.unsupported(

@@ -13,7 +13,7 @@ from haptonic.analyses.layers import SQUARE_FACE
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import made_of_parts
+from haptonic.analyses.support import every_cell
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.layers import plain_plate
 from haptonic.bloch.mirrors import condensed_rows
@@ -126,7 +126,7 @@ ANALYSIS = Analysis(
     name="waveguide",
     result=Guides,
     compute=compute,
-    supports=made_of_parts,
+    supports=every_cell,
     cost=cost,
     reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
     options=WaveguideOptions,

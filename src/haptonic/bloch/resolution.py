@@ -99,14 +99,13 @@ class Resolution:
     def plans(self, cell: Period) -> tuple[MeshPlan, ...]:
         """Plan of each tile of a cell; their sides meet."""
         tiles = [one.tile for one in cell.tiles]
-        return meeting([self.plan(tile, tile.area / cell.area) for tile in tiles])
+        return meeting(tiles, [self.plan(tile, tile.area / cell.area) for tile in tiles])
 
     def lowered(self, cell: Period) -> tuple[MeshPlan, ...]:
         """The same blocks with orders one lower, to tell the error by."""
         tiles = [one.tile for one in cell.tiles]
-        return meeting([
-            plan.lowered(tile) for plan, tile in zip(self.plans(cell), tiles, strict=True)
-        ])  # fmt: skip
+        plans = [plan.lowered(tile) for plan, tile in zip(self.plans(cell), tiles, strict=True)]
+        return meeting(tiles, plans)
 
     def _meshed(self, cell: Period) -> list[Meshed]:
         """What differs of what is meshed, without the bodies of prisms, which take next to nothing."""
@@ -278,13 +277,20 @@ class Resolution:
         return needed + PER_CUBE * self._pencil(cell) ** 3
 
 
-def meeting(plans: Sequence[MeshPlan]) -> tuple[MeshPlan, ...]:
+def meeting(tiles: Sequence[TileShape], plans: Sequence[MeshPlan]) -> tuple[MeshPlan, ...]:
     """Plans of tiles with the same nodes on common sides: as many as any of them needs.
 
-    The same of the levels of their traces; a plain plate gets as many orders through it.
+    The same of the levels of their traces; a plain plate gets as many orders through it. Beside solids of a
+    file, whose elements can follow no more than their own plan says, plain plate has just as many.
     """
     if len(plans) == 1:
         return tuple(plans)
+    given = [plan for tile, plan in zip(tiles, plans, strict=True) if tile.solid is not None]
+    if given:
+        return tuple(
+            plan if tile.solid is not None else fitted(plan, given[0])
+            for tile, plan in zip(tiles, plans, strict=True)
+        )
     blocks = math.lcm(*(plan.blocks for plan in plans))
     order = max(plan.divided(blocks, 0).order for plan in plans)
     levels = max(trace_levels(replace(plan, levels=0)) for plan in plans)
@@ -298,6 +304,12 @@ def meeting(plans: Sequence[MeshPlan]) -> tuple[MeshPlan, ...]:
         )
         for plan in plans
     )
+
+
+def fitted(plain: MeshPlan, other: MeshPlan) -> MeshPlan:
+    """The plan of a plain tile with just the nodes on common sides that a tile of another plan has."""
+    levels = trace_levels(other)
+    return replace(plain, blocks=other.blocks, order=other.order, levels=levels, upward=levels - 1)
 
 
 # Each rung costs about twice the one before; orders grow, the foot is graded further.

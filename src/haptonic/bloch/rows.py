@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
 
 from haptonic.arrays import Array, Complex
 from haptonic.bloch.evanescent import Slab, Waves, bloch_waves, decibels
-from haptonic.bloch.resolution import Resolution, meeting
+from haptonic.bloch.resolution import Resolution, fitted, meeting
 from haptonic.cell import Filler, MeshPlan, Rows, TileShape, UnitCell
 from haptonic.cell.tile import MEET
 from haptonic.errors import ResourceError
-from haptonic.superelement import Superelement, Tiling, condense, steps_between
+from haptonic.superelement import Superelement, Tiling, condense, condense_solid, steps_between
 from haptonic.superelement.tiling import directions
 from haptonic.superelement.trace import trace_levels
 
@@ -51,8 +51,8 @@ class CondensedRows:
         own = list(dict.fromkeys(one.tile for one in cell.tiles))
         placed = [one for block in blocks for one in block.tiles] + [one for f in fillers for one in f.tiles]
         plain = [one for one in dict.fromkeys(one.tile for one in placed) if one not in own]
-        plans = meeting([resolution.plan(one, one.area / cell.area) for one in own])
-        plans += tuple(_fitted(resolution.plan(one, one.area / cell.area), plans[0]) for one in plain)
+        plans = meeting(own, [resolution.plan(one, one.area / cell.area) for one in own])
+        plans += tuple(fitted(resolution.plan(one, one.area / cell.area), plans[0]) for one in plain)
 
         made = {t: _condensed(t, plan, resolution) for t, plan in zip([*own, *plain], plans, strict=True)}
         return cls.joined(rows, made)
@@ -170,8 +170,8 @@ class CondensedRows:
 @lru_cache(maxsize=4)
 def _condensed(tile: TileShape, plan: MeshPlan, resolution: Resolution) -> Superelement:
     """A tile; kept for rows along another direction, which stand on the same ones."""
-    size = directions(tile, resolution.block)
-    return condense(tile, plan, resolution.steps, block=size, measured=False)
+    way = condense if tile.solid is None else condense_solid
+    return way(tile, plan, resolution.steps, block=directions(tile, resolution.block), measured=False)
 
 
 def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
@@ -194,12 +194,6 @@ def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
             next_step="choose smaller whole numbers, such as [0, 1], or ask for less accuracy",
         )
     return size, memory
-
-
-def _fitted(plain: MeshPlan, other: MeshPlan) -> MeshPlan:
-    """The plan of a plain tile with just the nodes on common sides that a tile of another plan has."""
-    levels = trace_levels(other)
-    return replace(plain, blocks=other.blocks, order=other.order, levels=levels, upward=levels - 1)
 
 
 def _periods(rows: Rows) -> tuple[tuple[Rows, ...], tuple[Filler, ...]]:

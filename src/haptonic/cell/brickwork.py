@@ -18,7 +18,7 @@ from haptonic.cell.directed import along_axis
 from haptonic.cell.geometry import UnitCell
 from haptonic.cell.rows import Rows
 from haptonic.cell.sectors import unmeshed
-from haptonic.cell.tile import SiteTile
+from haptonic.cell.tile import SiteTile, TileShape
 from haptonic.errors import GeometryError
 from haptonic.translations import SAME
 
@@ -33,7 +33,7 @@ class Brick:
     """A rectangle about a pillar; all but the tile in shares of its `Brickwork`'s width and height.
 
     left, bottom : position in the first period, from 0 to below 1
-    tile : tile about the pillar's axis
+    tile : tile about the pillar's axis, or about the middle of a file's solids
     number : index of the site
     """
 
@@ -41,7 +41,7 @@ class Brick:
     bottom: Fraction
     width: Fraction
     height: Fraction
-    tile: SiteTile
+    tile: TileShape
     number: int
 
 
@@ -69,6 +69,8 @@ class Brickwork:
         GeometryError : no row of pillars lies along an axis, the offset of rows is not zero, a half, a third
             or a quarter, or a pillar crosses the line halfway to the next
         """
+        if cell.solid is not None:
+            return cls._of_solids(cell)
         possible, refused = [], []
         for axis in (0, 1):
             try:
@@ -81,6 +83,23 @@ class Brickwork:
         for brick in work.bricks:
             _check_room(cell, brick)
         return work
+
+    @classmethod
+    def _of_solids(cls, cell: UnitCell) -> Brickwork:
+        """A lattice of a file's solids, each period of it a brick."""
+        if not cell.lattice.is_rectangular:
+            raise GeometryError.unsupported(
+                argument="cell.lattice",
+                given=cell.lattice.name,
+                allowed="a square or rectangular lattice, for a plate of cells from a CAD file or mesh",
+                cause="a plate consists of rectangles, and these cells are none",
+                next_step='draw a rectangle of several pillars and write lattice = "rectangular", or compute '
+                "layers or a ribbon",
+            )
+        width, height = np.diag(cell.lattice.vectors).tolist()
+        start, end = Fraction(0), Fraction(1)
+        brick = Brick(left=start, bottom=start, width=end, height=end, tile=cell, number=0)
+        return cls(width, height, (start, start), (brick,))
 
     @classmethod
     def _along(cls, cell: UnitCell, axis: int) -> Brickwork:

@@ -62,6 +62,7 @@ class SurfaceMesh:
 
     points : (nodes, 3) m
     cells : (m, 4) quadrilaterals, anticlockwise as seen from outside
+    lower : (k, n, n) nodes on Gauss-Lobatto-Legendre points of the quadrilaterals at z = 0
     rim_points : (around, 3) see `HexMesh`
     unknowns : number of displacement components of the elements inside
     topology : topology of a plate in blocks with the same lateral faces
@@ -69,6 +70,7 @@ class SurfaceMesh:
 
     points: Array
     cells: Ints
+    lower: Ints
     rim_points: Array
     unknowns: int
     topology: Topology

@@ -130,9 +130,13 @@ class Rows(Directed):
 
     @property
     def depths(self) -> list[tuple[int, float]]:
-        """Sites with features, and their mean distance behind the left face in the first row, m."""
+        """Sites with features, and their mean distance behind the left face in the first row, m.
+
+        Solids of a file count as one site, in the middle of the cell.
+        """
         places = [placed.position @ self.turn[0] - self.middle for placed in self._row(self.cell, 0)]
-        return [(k, float(places[k])) for k, pillar in enumerate(self.cell.pillars) if pillar is not None]
+        features = [self.cell.solid] if self.cell.solid else self.cell.features
+        return [(k, float(places[k])) for k, feature in enumerate(features) if feature is not None]
 
     @property
     def is_straight(self) -> bool:

@@ -150,9 +150,12 @@ class Solid:
             )
         if answer["problem"]:
             raise no_period(answer, thickness, self.unit if self.is_mesh else "")
-        unchanged = np.asarray(answer["kept"], dtype=bool)
         return SolidPeriod(
-            tuple(answer["parts"]), np.array(answer["volumes"]), unchanged, float(answer["elements"])
+            names=tuple(answer["parts"]),
+            volumes=np.array(answer["volumes"]),
+            kept=np.asarray(answer["kept"], dtype=bool),
+            elements=float(answer["elements"]),
+            whole_below=bool(answer["whole_below"]),
         )
 
     @property
@@ -203,12 +206,14 @@ class SolidPeriod:
     names, volumes : of its solids or the parts of a mesh, m^3
     kept : True for maps that leave them unchanged
     elements : number of tetrahedra with as many unknowns as their mesh
+    whole_below : True if the plate's lower face is whole, and nothing lies below it
     """
 
     names: tuple[str, ...]
     volumes: Array
     kept: Bools
     elements: float
+    whole_below: bool
 
 
 def _unread(file: str, cause: str) -> Exception:

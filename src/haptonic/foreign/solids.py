@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.foreign.meshes import MeshPeriod
-from haptonic.foreign.periods import SAME, DrawnPeriod
+from haptonic.foreign.periods import SAME, SAME_VOLUME, DrawnPeriod
 
 
 def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
@@ -30,7 +30,8 @@ def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
     ``names`` of the solids, or of the groups of a mesh, for materials; ``problem``, empty where they make a
     period, else what is wrong, with its ``number``, ``place`` and ``text``. If they do, ``parts``, names of
     what may have a material of its own, with ``volumes``, m^3; ``kept`` (n,) whether each map leaves them
-    as they are; ``elements`` of the mesh before it is refined, as many tetrahedra have their unknowns
+    as they are; ``elements`` of the mesh before it is refined, as many tetrahedra have their unknowns;
+    ``whole_below`` whether the plate's lower face is whole, and nothing lies below it
     """
     found = period_of(path, **drawn)
     whole = not found.problem
@@ -44,6 +45,7 @@ def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
         "volumes": [volume * found.metres**3 for volume in found.volumes] if whole else [],
         "kept": np.array([found.is_kept(turn) for turn in turns] if whole else [], dtype=np.uint8),
         "elements": found.elements if whole else 0.0,
+        "whole_below": whole and _is_whole_below(found),
     }
 
 
@@ -55,6 +57,7 @@ def assembled(
     density: NDArray[Any],
     along: NDArray[Any],
     upward: NDArray[Any],
+    inside: NDArray[Any],
     **drawn: Any,
 ) -> dict[str, Any]:
     """Matrices of a period on elements of an order; those of solids are refined towards singular edges.
@@ -65,6 +68,7 @@ def assembled(
     rings : how often elements at such edges are parted
     stiffness, density : (solids, 6, 6) Pa and (solids,) kg/m^3
     along, upward : places of the trace's nodes on each piece of a side and through the thickness, from 0 to 1
+    inside : the same of nodes along either axis of an element of the order
 
     Returns
     -------
@@ -72,7 +76,8 @@ def assembled(
     columns and values; ``lateral`` scalar unknowns on the lateral faces and ``trace`` (lateral, levels x
     places), their values from those of the trace; ``above`` like the mass, of what is beyond the plate's
     faces; ``points`` (n, 3) of the surface, ``cells`` (m, 4) quadrilaterals of it, seen from outside
-    anticlockwise, and ``shown``, values at the points from unknowns.
+    anticlockwise, ``lower`` (faces, n, n) nodes of quadrilaterals on the face at z = 0, and ``shown``, values
+    at the points from unknowns.
     """
     import ngsolve as ng
 
@@ -93,7 +98,7 @@ def assembled(
     beyond = ng.IfPos(ng.z - period.thickness, 1.0, ng.IfPos(ng.z, 0.0, 1.0))
     above = ng.BilinearForm(beyond * heavy * a * b * ng.dx).Assemble()
     lateral, trace = _trace(mesh, scalar, period, along, upward)
-    points, cells, shown = _surface(mesh, scalar)
+    points, cells, lower, shown = _surface(mesh, scalar, inside)
     return {
         "stiffness": _triplets(form, metres),
         "mass": _triplets(mass, metres**3),
@@ -103,6 +108,7 @@ def assembled(
         "trace": trace,
         "points": points * metres,
         "cells": cells,
+        "lower": lower,
         "shown": shown,
     }
 
@@ -202,31 +208,52 @@ def _trace(
     return lateral, np.asarray(solved)
 
 
-def _surface(mesh: Any, scalar: Any) -> tuple[NDArray[Any], NDArray[np.int64], dict[str, Any]]:
-    """Points of the surface, quadrilaterals between them, and values there from those of the unknowns."""
+def _surface(
+    mesh: Any, scalar: Any, inside: NDArray[Any]
+) -> tuple[NDArray[Any], NDArray[np.int64], NDArray[np.int64], dict[str, Any]]:
+    """Points of the surface, quadrilaterals between them, faces at z = 0, and values at the points.
+
+    A triangle is three quadrilaterals. Those at z = 0 have nodes at shares ``inside`` (n,) of either axis, so
+    many that the polynomials of elements, and of their curved edges, follow from values there.
+
+    Returns
+    -------
+    points (k, 3), cells (m, 4), lower (faces, n, n), numbers of points, and values there from unknowns
+    """
     import ngsolve as ng
 
-    local = {3: ((1, 0), (0, 1), (0, 0), (0.5, 0.5), (0, 0.5), (0.5, 0), (1 / 3, 1 / 3)),
-             4: ((0, 0), (1, 0), (1, 1), (0, 1), (0.5, 0), (1, 0.5), (0.5, 1), (0, 0.5), (0.5, 0.5)),
-    }  # fmt: skip
-    pieces = {3: ((0, 3, 6, 5), (1, 4, 6, 3), (2, 5, 6, 4)),
-              4: ((0, 4, 8, 7), (1, 5, 8, 4), (2, 6, 8, 5), (3, 7, 8, 6))}  # fmt: skip
+    third, halves = (1 / 3, 1 / 3), {(0, 1): (0.5, 0.5), (1, 2): (0.0, 0.5), (2, 0): (0.5, 0.0)}
+    corners = ((1.0, 0.0), (0.0, 1.0), (0.0, 0.0))
+    quarters = {
+        3: [(corners[k], halves[k, (k + 1) % 3], third, halves[(k + 2) % 3, k]) for k in range(3)],
+        4: [((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))],
+    }
+    coarse = {3: np.array([0.0, 1.0]), 4: np.array([0.0, 0.5, 1.0])}
+    grids = {
+        (sides, is_lower): np.stack([_grid(np.array(each), nodes) for each in quarters[sides]])
+        for sides in quarters
+        for is_lower, nodes in ((False, coarse[sides]), (True, inside))
+    }
     number: dict[tuple[int, ...], int] = {}
     points: list[NDArray[Any]] = []
     rows: list[tuple[int, list[int], NDArray[Any]]] = []
-    cells: list[list[int]] = []
+    cells: list[NDArray[np.int64]] = []
+    lower: list[NDArray[np.int64]] = []
     place, normal = ng.CF((ng.x, ng.y, ng.z)), ng.specialcf.normal(3)
     of_face = mesh.ngmesh.FaceDescriptors()
     for element in mesh.Elements(ng.BND):
         face = of_face[element.index]
         if face.domin and face.domout:
             continue  # between two solids
-        sides = len(element.vertices)
-        rule = ng.IntegrationRule([(*at, 0.0) for at in local[sides]], [1.0] * len(local[sides]))
-        mapped = mesh.GetTrafo(element)(rule)
+        is_lower = all(abs(mesh[vertex].point[2]) < SAME for vertex in element.vertices)
+        local = grids[len(element.vertices), is_lower]
+        places = local.reshape(-1, 2).tolist()
+        mapped = mesh.GetTrafo(element)(
+            ng.IntegrationRule([(*at, 0.0) for at in places], [1.0] * len(places))
+        )
         here, outward = np.array(place(mapped)), np.array(normal(mapped))[-1]
         own = []
-        for at, spot in zip(local[sides], here, strict=True):
+        for at, spot in zip(places, here, strict=True):
             key = tuple(np.round(spot / SAME).astype(int).tolist())
             if key not in number:
                 number[key] = len(points)
@@ -234,11 +261,34 @@ def _surface(mesh: Any, scalar: Any) -> tuple[NDArray[Any], NDArray[np.int64], d
                 shape = np.array(scalar.GetFE(element).CalcShape(*at))
                 rows.append((number[key], list(scalar.GetDofNrs(element)), shape))
             own.append(number[key])
-        (a, b, c), flipped = here[:3], face.domin == 0
-        turn = np.cross(b - a, c - a) @ outward * (-1.0 if flipped else 1.0)
-        cells += [[own[k] for k in (piece if turn > 0 else piece[::-1])] for piece in pieces[sides]]
-    return np.array(points), np.array(cells), {
+        numbers, spots = np.array(own).reshape(local.shape[:3]), here.reshape(*local.shape[:3], 3)
+        a, b, c = spots[0, 0, 0], spots[0, -1, 0], spots[0, -1, -1]
+        turn = np.cross(b - a, c - a) @ outward * (-1.0 if face.domin == 0 else 1.0)
+        around = (numbers[:, :-1, :-1], numbers[:, 1:, :-1], numbers[:, 1:, 1:], numbers[:, :-1, 1:])
+        cells.append(np.stack(around if turn > 0 else around[::-1], axis=-1).reshape(-1, 4))
+        if is_lower:
+            lower.extend(numbers)
+    return np.array(points), np.concatenate(cells), np.array(lower).reshape(-1, len(inside), len(inside)), {
         "rows": np.concatenate([np.full(len(shape), row) for row, _, shape in rows]),
         "columns": np.concatenate([np.array(dofs) for _, dofs, _ in rows]),
         "values": np.concatenate([shape for _, _, shape in rows]),
     }  # fmt: skip
+
+
+def _grid(corners: NDArray[Any], shares: NDArray[Any]) -> NDArray[Any]:
+    """(n, n, 2) places in a quadrilateral (4, 2) at shares (n,) of either axis, from 0 to 1."""
+    weights = np.stack([1 - shares, shares])
+    return np.asarray(np.einsum("ai,bj,abc->ijc", weights, weights, corners[[[0, 3], [1, 2]]]))
+
+
+def _is_whole_below(period: DrawnPeriod | MeshPeriod) -> bool:
+    """Whether the face at z = 0 fills the tile, and nothing lies below it."""
+    import ngsolve as ng
+
+    mesh = period.elements_of(1, 0)
+    at_zero = ng.IfPos(SAME - ng.z, 1.0, 0.0)
+    area = float(ng.Integrate(at_zero, mesh, ng.BND, definedon=mesh.Boundaries("inner.*")))
+    lowest = min(vertex.point[2] for vertex in mesh.vertices)
+    (x, y), (next_x, next_y) = period.corners.T, np.roll(period.corners, -1, axis=0).T
+    whole = 0.5 * float((x * next_y - y * next_x).sum())
+    return lowest > -SAME and area > (1 - SAME_VOLUME) * whole

@@ -18,7 +18,7 @@ import numpy as np
 from haptonic.cell import Brickwork, Pillar, UnitCell
 from haptonic.cell.brickwork import Brick, Steps, equal_pieces
 from haptonic.cell.stack import Feature
-from haptonic.cell.tile import SiteTile
+from haptonic.cell.tile import TileShape
 from haptonic.materials import Material
 
 Side = Literal["left", "right", "bottom", "top"]
@@ -214,7 +214,7 @@ class Layout:
     def _works(self) -> Mapping[str, Brickwork]:
         return {name: Brickwork.of(cell) for name, cell in self.cells.items()}
 
-    def brick(self, name: str, number: int) -> SiteTile:
+    def brick(self, name: str, number: int) -> TileShape:
         """The rectangle about its pillar of one of a lattice's bricks."""
         return self._works[name].bricks[number].tile
 
@@ -339,10 +339,11 @@ class Layout:
 
     @property
     def parts(self) -> str:
-        """How many pillars and stacks of discs there are, in words."""
-        stacks = len(self.features) - self.pillars
-        texts = [f"{self.pillars} pillars"] if self.pillars or not stacks else []
-        return " and ".join(texts + ([f"{stacks} stacks of discs"] if stacks else []))
+        """How many pillars, stacks of discs and cells of a file there are, in words."""
+        stacks, solids = len(self.features) - self.pillars, len(self.bricks) - len(self.features)
+        texts = [f"{self.pillars} pillars"] if self.pillars or not (stacks or solids) else []
+        texts += [f"{stacks} stacks of discs"] if stacks else []
+        return " and ".join(texts + ([f"{solids} cells of a file"] if solids else []))
 
 
 def _lines(

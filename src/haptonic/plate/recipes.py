@@ -10,7 +10,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from haptonic.arrays import Array
-from haptonic.cell import MeshPlan, TileShape, UnitCell
+from haptonic.cell import MeshPlan, Solid, TileShape, UnitCell
 from haptonic.cell.brickwork import Steps, equal_pieces
 from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread, threads
@@ -34,6 +34,7 @@ class Fineness:
 
     along, through, shear : of what tiles share, as in `haptonic.plate.skeleton.TraceOrders`
     cell, rings : of a lattice's cells, as in `haptonic.cell.MeshPlan.suited`
+    drawn : in place of ``cell`` of those of a STEP file, whose elements are refined towards all edges
     plain : of tiles of plain plate and of blocks with something glued to them
     """
 
@@ -43,6 +44,11 @@ class Fineness:
     rings: int = 1
     plain: int = 4
     shear: int = 2
+    drawn: int = 3
+
+    def of_cell(self, solid: Solid | None) -> int:
+        """Order of the elements of a cell, which may be of a file."""
+        return self.cell if solid is None or solid.is_mesh else self.drawn
 
     @property
     def trace(self) -> TraceOrders:
@@ -179,7 +185,7 @@ def _single_tile(plate: Plate, recipe: Recipe, highest: float, fineness: Finenes
 
 def _plan(brick: TileShape, recipe: Recipe, fineness: Fineness) -> MeshPlan:
     """Of a brick's mesh, whose elements end where the tiles beside it do, and hold what they share."""
-    plan = MeshPlan.suited(brick, fineness.cell, fineness.rings)
+    plan = MeshPlan.suited(brick, fineness.of_cell(brick.solid), fineness.rings)
     return plan.divided(equal_pieces(recipe.steps), fineness.along)
 
 
@@ -198,6 +204,7 @@ def _attached_tile(
         piece = _plain_body(layout, x, y, actuators, fineness)
     else:
         brick = layout.brick(*recipe.brick)
+        assert brick.solid is None, "a force on solids of a file"
         piece = body_of_brick(brick, _plan(brick, recipe, fineness), (x[0], x[-1]), (y[0], y[-1]))
     loads = {}
     for force in attached:

@@ -19,7 +19,8 @@ from haptonic.plate.skeleton import TraceOrders, rim_fields
 from haptonic.plate.surface import flat_faces
 from haptonic.plate.tile import OnMesh, Tile
 from haptonic.solvers import Pattern, chosen
-from haptonic.superelement import condense
+from haptonic.superelement import condense, condense_solid
+from haptonic.superelement.tiling import CLASSES
 
 EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all kept
 SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, where the others must serve
@@ -80,9 +81,11 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
 
     steps : between the lines that it lies on, m; elements of the plan end at each of them
     """
-    whole = condense(shape, plan, STEPS, block=BLOCK, measured=False)
+    if shape.solid is None:
+        whole = condense(shape, plan, STEPS, block=BLOCK, measured=False)
+    else:
+        whole = condense_solid(shape, plan, STEPS, block=CLASSES * BLOCK, measured=False)
     mesh = whole.mesh
-    assert isinstance(mesh, HexMesh)
     onto = _onto_rim(plan, steps, whole.levels, orders)
     trace = onto.shape[1]
     basis = la.block_diag(onto, np.eye(whole.size - whole.trace_size))
@@ -95,8 +98,10 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
     inside = OnMesh(
         size=len(mass),
         points=mesh.points + corner,
-        subcells=_corners(family.nodes for family in mesh.topology.families),
-        faces=tuple(flat_faces(mesh)),
+        subcells=_corners(family.nodes for family in mesh.topology.families)
+        if isinstance(mesh, HexMesh)
+        else mesh.linear_subcells(),
+        faces=tuple(flat_faces(mesh)) if isinstance(mesh, HexMesh) else (mesh.lower,),
         lift=lambda unknowns: whole.lifted(to_cell @ unknowns),
     )
     return Tile.plain(stiffness, mass, trace, inside)

@@ -209,11 +209,12 @@ def _check_placed(at: str, part: Actuator | Force, layout: Layout) -> None:
     """Refuse a patch or a force that leaves its region."""
     size = (part.size[0], part.size[1]) if part.size else (0.0, 0.0)
     box = _box(_centre(part, layout), size)
-    others = layout.cells if isinstance(part, Force) else ()
+    solids = {name for name, cell in layout.cells.items() if cell.solid is not None}
+    others = layout.cells.keys() - solids if isinstance(part, Force) else set()
     on = {part.region} if part.region else {*layout.regions, *others}
     names = [layout.at(tile) for tile in layout.under(box)]
     is_point = box[0] == box[2]  # which may lie on its region's border
-    if (any if is_point else all)(name in on for name in names):
+    if (any if is_point else all)(name in on for name in names) and solids.isdisjoint(names):
         return
     strange = next((name for name in names if name is not None and name not in on), None)
     if strange is None:

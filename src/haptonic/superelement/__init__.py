@@ -5,6 +5,7 @@ from haptonic.superelement.condense import Superelement, condense, condensed, on
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
 from haptonic.superelement.joint import Joint, JointImage, repeated, steps_between
+from haptonic.superelement.solid import condense_solid
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.tiling import TiledMesh, Tiling, whole_mesh
 from haptonic.superelement.trace import TraceOperation
@@ -20,6 +21,7 @@ __all__ = [
     "TraceOperation",
     "condense",
     "condense_by_parts",
+    "condense_solid",
     "condensed",
     "definite",
     "dynamic_stiffness",

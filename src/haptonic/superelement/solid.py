@@ -96,6 +96,7 @@ class SolidBody:
             density=np.array([solid.density for solid in solids]),
             along=0.5 * (1 + lobatto(plan.order)[0]),
             upward=0.5 * (1 + lobatto(plan.levels - 1)[0]),
+            inside=0.5 * (1 + lobatto(plan.upward)[0]),
         )
         count = int(made["unknowns"])
         outer = (np.arange(3)[:, None] * count + made["lateral"]).ravel()
@@ -112,6 +113,7 @@ class SolidBody:
         mesh = SurfaceMesh(
             points=made["points"],
             cells=made["cells"],
+            lower=made["lower"],
             rim_points=np.column_stack([rim, np.zeros(len(rim))]),
             unknowns=3 * count,
             topology=topology,

@@ -70,9 +70,8 @@ class Tiling:
         """
 
         def condense(tile: TileShape, plan: MeshPlan) -> Superelement:
-            if tile.solid is not None:
-                return condense_solid(tile, plan, steps, block=CLASSES * block, measured=measured)
-            return condense_by_parts(tile, plan, steps, block=directions(tile, block), measured=measured)
+            way = condense_by_parts if tile.solid is None else condense_solid
+            return way(tile, plan, steps, block=directions(tile, block), measured=measured)
 
         return cls.of(period, period.tiles, _each(period.tiles, plans, condense))
 
@@ -234,6 +233,8 @@ def _each(
 
 def directions(tile: TileShape, block: int) -> int:
     """Size of the blocks of a tile's Krylov space: one symmetry class gets as many in all as two do."""
+    if tile.solid is not None:
+        return CLASSES * block
     return block if folds_of(tile) else 2 * block
 
 

@@ -24,7 +24,7 @@ def unit_of(name: str) -> str | None:
 def values_of(plate: Plate) -> dict[str, float]:
     """All numbers of a plate that can be fitted, SI."""
     values = {}
-    is_of_one_material = not any(feature.solids for _, _, feature in plate.layout.features)
+    is_of_one_material = all(len(cell.materials) == 1 for cell in plate.layout.cells.values())
     # the stiffness of a plate is proportional to the modulus only if it is of a single material
     if is_of_one_material and isinstance(plate.layout.material, IsotropicMaterial):
         values[YOUNG] = plate.layout.material.youngs_modulus

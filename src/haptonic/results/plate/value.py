@@ -38,6 +38,8 @@ ERRORS = (
     "field was off by 0.9 % in the energy norm at a resonance, and by 1 to 3 % half-way between two."
 )
 
+OF_FILES = " Nor is the error of the mesh of the file's cells: `haptonic bands` estimates it for their bands."
+
 
 def _has_spectrum(result: PlateResult) -> bool:
     return len(result.response.frequency) > 1  # there is none of a single line
@@ -166,8 +168,13 @@ class PlateResult(Result):
             *([said] if levels else []),
             *border_text(self.plate.layout),
             f"Largest solver's error of the field at any line: {float(self.lines['solver_error'].max()):.1e} "
-            f"(a bound), of {self.lines.attrs['unknowns']} unknowns{found}. {ERRORS} Simulated.",
+            f"(a bound), of {self.lines.attrs['unknowns']} unknowns{found}. {self._errors} Simulated.",
         ]
+
+    @property
+    def _errors(self) -> str:
+        """What the solver's errors are, and what they leave out."""
+        return ERRORS + OF_FILES * any(cell.solid for cell in self.plate.layout.cells.values())
 
     def remarks(self) -> list[str]:
         if not self.plate.rigid:
