@@ -90,8 +90,8 @@ def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, 
     for frequency in data["frequency"].values[inside]:
         assert f"{frequency / 1e3:.2f}" in said
     for words in (
-        "The defect holds",
-        "Copies of it 3 cells apart",
+        "Modes of the defect",
+        "copies of the defect, 3 cells apart",
         f"quality to {1 / data.attrs['loss_factor']:.0f}",
     ):
         assert words in said, said
