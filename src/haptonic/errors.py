@@ -106,7 +106,7 @@ class HaptonicError(Exception):
         next_step: str = "choose one of these",
         command: str = "",
     ) -> Self:
-        """Error for an unknown name; the next step proposes the nearest known name.
+        """An unknown name; the message proposes the nearest one.
 
         Parameters
         ----------
@@ -120,7 +120,7 @@ class HaptonicError(Exception):
             "unknown",
             argument=argument,
             given=shown(given),
-            allowed=allowed or (f"one of {', '.join(names)}" if names else "no name: the list is empty"),
+            allowed=allowed or (f"one of {', '.join(names)}" if names else "none: the list is empty"),
             cause=cause,
             next_step=f'write "{guess}"' if guess else next_step,
             command="" if guess else command,
@@ -137,7 +137,7 @@ class HaptonicError(Exception):
         given: object = "nothing",
         command: str = "",
     ) -> Self:
-        """Error for a missing required value."""
+        """A required value is missing."""
         return cls(
             "missing", argument=argument, given=given, allowed=allowed, cause=cause, next_step=next_step,
             command=command,

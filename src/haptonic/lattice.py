@@ -202,10 +202,10 @@ class Lattice:
             having = [name for name, others in FURTHER.items() if field in others]
             allowed = f"{field} for a lattice that is {' or '.join(having)}, and for no other"
             if needed and value is None:
-                raise problem("missing", "nothing", allowed, "it is missing", f"add {field}", at=field)
+                raise problem("missing", "nothing", allowed, "it was left out", f"add {field}", at=field)
             if value is not None and not needed:
                 given = format_quantity(value, "rad" if field == "angle" else "m")
-                cause = f"a {self.name} lattice does not have it"
+                cause = f"a {self.name} lattice is given without it"
                 names = " or ".join(f'"{name}"' for name in having)
                 raise problem(
                     "conflict", given, allowed, cause, f"remove {field}, or write lattice = {names}", at=field

@@ -135,7 +135,7 @@ def to_si(text: object, unit: str, argument: str) -> float:
     if unit and not unit_text and number != 0:
         raise refused("the unit is missing", f"write the unit as well, with quotes around both: {example}")
     if unit_text and not unit:
-        raise refused("a unit where none is allowed", f"leave the unit out: write {allowed}")
+        raise refused("a unit where none belongs", f"leave the unit out: write {allowed}")
     try:
         exact = number * (_factor(unit_text, unit) if unit_text else 1)
         value = float(exact)

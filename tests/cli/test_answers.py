@@ -167,7 +167,8 @@ def test_a_scan_says_first_what_was_read_then_how_a_model_fits_and_the_gap(all_o
         scan.report.complete = True
     said = ScanResult.summary(scan)
     begun = ["3 points (2 low), 2 frequencies", "The model fits.", "Gap in the scan: lower edge",
-             "  no upper edge", "High contrast of the driven region", "namespace(", "Registered: scale"]  # fmt: skip
+             "  no upper edge", "High contrast of the driven region", "namespace(",
+             "Registered: scale"]  # fmt: skip
     assert len(said) == (len(begun) if all_of_it else 1)
     assert all(text.startswith(start) for text, start in zip(said, begun, strict=False)), said
     assert all_of_it == any("another range" in text for text in said)

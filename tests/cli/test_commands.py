@@ -186,7 +186,7 @@ def test_a_store_that_cannot_be_used_warns_and_stops_nothing(haptonic, study, tm
     blocked.write_text("")
     ran = haptonic("bands", study(), "--json", store=blocked / "store")
     assert ran.code == 0
-    assert "not kept" in ran.err
+    assert "not stored" in ran.err
     assert ran.json["gaps"]
 
 
