@@ -114,7 +114,7 @@ class TestProtocol:
         chances = one["waveguide"]["WG2"]
         assert chances["participants"] == [*range(2, 21), 90]
         assert chances["power"][-1] > 0.99
-        assert "90 participants show it" in one["summary"][1]
+        assert "with 90 participants the power to detect it" in one["summary"][1]
 
     def test_the_plate_names_the_waveguides(self, inside, study):
         """The one with the actuator is driven, the first other one idle, unless the study says."""
