@@ -165,7 +165,7 @@ class TestHere:
         assert [result(outcome) for outcome in outcomes] == [1, 9]
         assert told[0] > 0
         assert {str(one.message) for one in caught} == {str(caught[0].message)}, "one thing to say"
-        assert "are not kept" in str(caught[0].message)
+        assert "are not stored" in str(caught[0].message)
 
     def test_importing_it_does_not_import_dask(self) -> None:
         check = "import sys, haptonic.jobs; print('distributed' in sys.modules, 'dask' in sys.modules)"

@@ -1,8 +1,12 @@
-"""Plain English in pages and help texts, as far as it can be counted; see docs/writing.md."""
+"""Plain English in pages, help texts and sources, as far as it can be counted; see docs/writing.md."""
 
 from __future__ import annotations
 
+import ast
+import io
 import re
+import tokenize
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -29,6 +33,16 @@ DEVELOPERS = {
     "plates.md",
     "robustness.md",
 }
+SOURCE = ROOT / "src" / "haptonic"
+# packages whose docstrings, comments and messages are checked; "" for the modules at the top level
+CLEANED = ("", "analyses", "cli", "fields", "foreign", "pages", "results", "study", "templates")
+SOURCES = {
+    str(path.relative_to(SOURCE)): path
+    for package in CLEANED
+    for path in sorted((SOURCE / package).glob("*.*" if package == "" else "**/*.*"))
+    if path.suffix in {".py", ".pyi", ".toml", ".html"}
+}
+VAGUE_NAMES = {"one", "found", "made", "said", "told"}  # of variables and parameters
 LONGEST_PARAGRAPH = 90  # words
 WIDEST_CODE = 80  # columns
 
@@ -39,6 +53,8 @@ WORDS = re.compile(
     r"rungs?|ladders?|traction|to and fro|aloud|doubted|says?|said)\b",
     re.IGNORECASE,
 )
+
+WORDS_OF_SOURCES = re.compile(r"\bthere is none\b", re.IGNORECASE)
 
 
 def prose(page: str) -> str:
@@ -59,6 +75,41 @@ def paragraphs(page: str) -> list[str]:
 def dialect(text: str) -> list[str]:
     """Banned openings and words of a text."""
     return [match[0] for pattern in (OPENINGS, WORDS) for match in pattern.finditer(text)]
+
+
+def source_texts(path: Path) -> Iterator[str]:
+    """Docstrings, comments and messages of a module; comments of a TOML file; the text of a page."""
+    text = path.read_text("utf-8")
+    if path.suffix == ".toml":
+        yield from (line.partition("#")[2] for line in text.splitlines())
+    elif path.suffix == ".html":
+        yield re.sub(r"<style>.*?</style>|<[^>]*>", " ", text, flags=re.DOTALL)
+    else:
+        tokens = tokenize.generate_tokens(io.StringIO(text).readline)
+        yield from (token.string.lstrip("# ") for token in tokens if token.type == tokenize.COMMENT)
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value.strip():
+                yield node.value
+
+
+def dialect_of_source(path: Path) -> dict[str, list[str]]:
+    """Banned words by text of a source file; names in backticks do not count."""
+    texts = (" ".join(re.sub(r"`[^`]*`", "CODE", text).split()) for text in source_texts(path))
+    words = {text: dialect(text) + WORDS_OF_SOURCES.findall(text) for text in texts}
+    return {text: banned for text, banned in words.items() if banned}
+
+
+def vague_names(tree: ast.AST) -> set[str]:
+    """Names of variables and parameters that name no content; fields of classes do not count."""
+    classes = [node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
+    fields = {id(node.target) for kind in classes for node in kind.body if isinstance(node, ast.AnnAssign)}
+    variables = {
+        node.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and id(node) not in fields
+    }
+    parameters = {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
+    return (variables | parameters) & VAGUE_NAMES
 
 
 def help_texts() -> dict[str, str]:
@@ -99,6 +150,27 @@ def test_a_help_text_can_be_read_alone():
     assert len(texts) > 400
     assert {name: text for name, text in texts.items() if HELP_OPENINGS.match(text)} == {}
     assert {name: words for name, text in texts.items() if (words := dialect(text))} == {}
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_docstrings_comments_and_messages_have_no_banned_opening_or_word(name):
+    assert dialect_of_source(SOURCES[name]) == {}
+
+
+@pytest.mark.parametrize("name", [name for name, path in SOURCES.items() if path.suffix == ".py"])
+def test_variables_are_named_after_their_content(name):
+    assert vague_names(ast.parse(SOURCES[name].read_text("utf-8"))) == set()
+
+
+def test_banned_words_of_a_module_are_found_in_its_texts_and_not_in_its_keys(tmp_path):
+    module = tmp_path / "module.py"
+    module.write_text(
+        '"""An edge is told. `told` is a key."""\n# nobody says it\ntold = f"{0}: it stands there"\n'
+        'key = "said"\ngap = "there is none"\ndef f(one): ...\n'
+    )
+    banned = {word for words in dialect_of_source(module).values() for word in words}
+    assert banned == {"told", "says", "stands", "there is none"}
+    assert vague_names(ast.parse(module.read_text())) == {"told", "one"}
 
 
 def test_banned_words_are_found_in_prose_and_not_in_code():

@@ -296,7 +296,7 @@ class TestAtomicity:
             raise OSError(28, "No space left on device")
 
         monkeypatch.setattr(os, "fsync", fails)
-        with pytest.warns(HaptonicWarning, match="are not kept.*the disk is full"):
+        with pytest.warns(HaptonicWarning, match="are not stored.*the disk is full"):
             store.put(KEY, gaps(2.0))
         xr.testing.assert_identical(store.get(KEY), gaps(1.0))
         assert files_below(tmp_path) == [f"{KEY}.nc"]
@@ -396,7 +396,7 @@ class TestUnusableFolders:
     def test_a_folder_in_the_place_of_a_result(self, tmp_path: Path) -> None:
         Store(tmp_path).path(KEY).mkdir(parents=True)
         for use in (lambda: Store(tmp_path).get(KEY), lambda: Store(tmp_path).put(KEY, gaps())):
-            with pytest.warns(HaptonicWarning, match="there is a folder of that name"):
+            with pytest.warns(HaptonicWarning, match="a folder of this name exists"):
                 use()
 
     def test_output(self, blocked: Path) -> None:
@@ -570,7 +570,7 @@ class TestWholeSets:
 def test_a_store_that_cannot_keep_is_noticed_before_the_work(tmp_path: Path) -> None:
     """A read-only folder would not stop a test that runs as root; a file in the path does."""
     (tmp_path / "file").touch()
-    with pytest.warns(HaptonicWarning, match="results of this run are not kept"):
+    with pytest.warns(HaptonicWarning, match="results of this run are not stored"):
         assert Store(tmp_path / "file" / "store").get(KEY) is None
     with warnings.catch_warnings():
         warnings.simplefilter("error")

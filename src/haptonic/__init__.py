@@ -1,4 +1,4 @@
-"""haptonic: surfaces whose friction is shaped by phononic crystals, from the unit cell to the proof.
+"""haptonic: design and validation of surfaces whose friction is shaped by phononic crystals.
 
 >>> study = haptonic.load("studies/touchpad.toml")
 >>> bands = study.bands()
@@ -9,6 +9,6 @@ import lazy_loader as lazy
 
 __version__ = "0.2.0"
 
-# What a name needs is loaded when it is first asked for: half of the field's libraries would be, otherwise.
+# names are imported on first access; otherwise every import would load half of the scientific libraries
 __getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)
 __all__.append("__version__")

@@ -1,4 +1,4 @@
-"""Types of arrays by what is in them; their shapes stand in the docstrings of those who have them."""
+"""Types of arrays by their contents; docstrings give the shapes."""
 
 from typing import Any
 

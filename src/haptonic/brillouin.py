@@ -1,7 +1,7 @@
-"""The irreducible part of the Brillouin zone: its corners, the path along its edge, triangles that tile it.
+"""The irreducible part of the Brillouin zone: its corners, the path along its edge, and triangles in it.
 
-Operations of the point group and time reversal, k -> -k, take every wavevector of the zone to one in this
-part. It follows from all that breaks a symmetry: lattice, outline and material together.
+The point group and time reversal, k -> -k, map every wavevector of the zone to one in this part. The group is
+that of lattice, outline and material together.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice, PointGroup
 from haptonic.translations import SAME, voronoi_cell
 
-# names of the middles of the zone's sides, in the order of the path, and of its corners; Γ is the centre
+# names of the midpoints of the zone's sides, in the order of the path, and of its corners; Γ is the centre
 NAMES = {
     "square": ("XY", "M"),
     "rectangular": ("XY", "S"),
@@ -39,9 +39,9 @@ class Path:
 
     kappa : (n, 2) phases, rad
     distance : (n,) arc length of the wavevector from the start, rad/m
-    corners : positions of the labelled corners in the arrays
-    labels : their names, one each
-    segment : (n,) number of the segment that a point belongs to (a corner opens the next one)
+    corners : indices of the labelled corners in the arrays
+    labels : names of the corners
+    segment : (n,) segment number of each point (a corner belongs to the next segment)
     """
 
     kappa: Array
@@ -57,7 +57,7 @@ class Path:
 
 @dataclass(frozen=True)
 class IrreducibleZone:
-    """A convex polygon of wavevectors, walked in order by the path.
+    """Convex polygon of wavevectors; the path follows its edge.
 
     corners : (label, phases in units of pi), the centre of the zone first
     """
@@ -67,10 +67,11 @@ class IrreducibleZone:
 
     @classmethod
     def of(cls, lattice: Lattice, group: PointGroup) -> IrreducibleZone:
-        """The part of a lattice's zone that the operations of a group do not repeat.
+        """Irreducible zone of a lattice under the operations of a group.
 
-        It is the wedge between two neighbouring mirrors of the group, or without mirrors one of the angle of
-        its smallest turn. It begins at the middle of a side of the zone if it can, next to the x axis.
+        It is the wedge between two neighbouring mirrors of the group; without mirrors, its angle is that of
+        the smallest rotation. If possible it begins at the midpoint of a side of the zone, next to the x
+        axis.
         """
         turns = [sign * group.turn(op)[:2, :2] for op in group.operations for sign in (1, -1)]
         mirrors = [turn for turn in turns if np.linalg.det(turn) < 0]
@@ -84,13 +85,13 @@ class IrreducibleZone:
         first = min(starts)[1] - SAME
         away = [(_angle(point) - first + SAME) % (2 * math.pi) for _, point in border]
         inside = [number for number in np.argsort(away) if away[number] < 2 * math.pi / order + 2 * SAME]
-        names: dict[bool, list[str]] = {False: [], True: []}  # of middles, of corners
+        names: dict[bool, list[str]] = {False: [], True: []}  # midpoints, corners
         labelled = [("Γ", (0.0, 0.0))]
         for is_corner, point in (border[number] for number in inside):
             among, used = NAMES[lattice.name][is_corner], names[is_corner]
             used.append(among[len(used) % len(among)] + "\N{PRIME}" * (len(used) // len(among)))
-            one, other = (_simple(phase) for phase in lattice.vectors @ point / np.pi)
-            labelled.append((used[-1], (one, other)))
+            first_phase, second_phase = (_simple(phase) for phase in lattice.vectors @ point / np.pi)
+            labelled.append((used[-1], (first_phase, second_phase)))
         return cls(lattice, tuple(labelled))
 
     @cached_property
@@ -114,9 +115,9 @@ class IrreducibleZone:
         return np.asarray((kappa @ normals.T - offsets).min(axis=1))
 
     def path(self, points: int) -> Path:
-        """``points`` wavevectors once round the irreducible zone, corners included, ends counted both.
+        """Path of ``points`` wavevectors around the irreducible zone, with all corners and both ends.
 
-        Each segment gets a share in proportion to its length, so the spacing is even in rad/m.
+        The number of points in a segment is proportional to its length, so the spacing is even in rad/m.
         """
         labels = [label for label, _ in self.corners]
         corners = [self.corner_phases[label] for label in [*labels, labels[0]]]
@@ -131,7 +132,7 @@ class IrreducibleZone:
             )
         shares = np.cumsum([0.0, *lengths]) / sum(lengths)
         marks = np.round(shares * (points - 1)).astype(int)
-        for j in range(1, len(marks)):  # every segment keeps at least one inner point
+        for j in range(1, len(marks)):  # every segment has at least one inner point
             marks[j] = min(max(marks[j], marks[j - 1] + 2), points - 1 - 2 * (len(marks) - 1 - j))
         pieces, distances, start = [], [], 0.0
         for j, length in enumerate(lengths):
@@ -163,7 +164,7 @@ class IrreducibleZone:
         for fan in range(1, len(corners) - 1):
 
             def vertex(i: int, j: int, fan: int = fan) -> int:
-                # weights (n - i, i - j, j) of the fan's corners; vertices on a shared edge are met twice
+                # weights (n - i, i - j, j) of the fan's corners; vertices on a shared edge occur twice
                 key = (fan + 1, 0, i) if j == i else (fan, i - j, j)
                 key = (fan, 0, i) if j == 0 else key
                 key = (0, 0, 0) if i == 0 else key
@@ -182,9 +183,9 @@ class IrreducibleZone:
 
 
 def _border(lattice: Lattice) -> Array:
-    """(2 sides, 2) middles of the sides of the first Brillouin zone and, after each, its next corner, rad/m.
+    """(2 sides, 2) midpoints of the sides of the Brillouin zone, each with the next corner behind it, rad/m.
 
-    The zone is what lies nearer to the origin than to any other point of the reciprocal lattice.
+    The zone contains the points that are nearer to the origin than to any other reciprocal lattice point.
     """
     reciprocal = 2 * np.pi * np.linalg.inv(lattice.vectors).T
     neighbours, corners = voronoi_cell(reciprocal)
@@ -197,6 +198,6 @@ def _angle(point: Array) -> float:
 
 
 def _simple(phase: float) -> float:
-    """A phase in units of pi; a simple fraction, as symmetric zones have them, exactly."""
+    """A phase in units of pi; a simple fraction, as in symmetric zones, is exact."""
     fraction = float(Fraction(phase).limit_denominator(12))
     return fraction if abs(fraction - phase) < SAME else float(phase)

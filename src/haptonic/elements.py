@@ -1,7 +1,7 @@
-"""Spectral hexahedra: from a mesh to stiffness and lumped mass.
+"""Spectral hexahedra: stiffness and lumped mass of the elements of a mesh.
 
-Nodes and quadrature points coincide (Gauss-Lobatto-Legendre), so the mass matrix is diagonal and most
-sums in the stiffness collapse to a single product.
+Nodes and quadrature points coincide (Gauss-Lobatto-Legendre), so the mass matrix is diagonal and most sums
+in the stiffness have a single term.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class ElementMatrices:
 
     stiffness : (elements, k, 3, 3) contributions to the stiffness between two nodes, N/m; the last axes are
         the two displacement components
-    pairs : (2, k) local numbers, in raveled order, of those two nodes; the same two may be met several times
+    pairs : (2, k) local numbers of these two nodes, in raveled order; a pair may occur several times
     mass : (elements, nodes), kg; the same for each component
     """
 
@@ -38,13 +38,13 @@ def element_matrices(points: Array, nodes: Ints, material: Material) -> ElementM
     With local derivatives ``D``, quadrature weights ``w``, the inverse Jacobian ``G`` and elasticity
     ``c``, the stiffness of nodes I, J is the sum over points of ``D_a[q, I] C_ab[q] D_b[q, J]`` where
     ``C_ab = w det(J) G_ak c_ikjl G_bl``. For a = b the points share two indices with both nodes, for
-    a != b the sum has a single term. So each term of the sum couples few pairs, and no others are kept.
+    a != b the sum has a single term. So each term of the sum couples few pairs; only these are stored.
 
     Parameters
     ----------
     points : (n, 3) positions of a mesh's nodes, m
     nodes : (elements, n1, n2, n3) node numbers
-    material : what the elements are made of
+    material : of the elements
     """
     sizes = nodes.shape[1:]
     (_, w1, D1), (_, w2, D2), (_, w3, D3) = (lobatto(n - 1) for n in sizes)
@@ -74,7 +74,7 @@ def element_matrices(points: Array, nodes: Ints, material: Material) -> ElementM
 def matrices_by_region(
     points: Array, nodes: Ints, materials: Sequence[Material], region: Ints | Bools
 ) -> ElementMatrices:
-    """Stiffness and lumped mass of elements that consist of several materials; see `element_matrices`.
+    """Stiffness and lumped mass of elements of several materials; see `element_matrices`.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ def matrices_by_region(
     )
 
 
-# which nodes (a, b, c), (d, e, f) are coupled by which sums over points, for each pair of derivatives
+# coupled nodes (a, b, c), (d, e, f) with their sums over points, for each pair of derivatives
 TERMS = {
     "abc,dbc": {(0, 0): "qa,qd,xqbcij->xabcdij"},
     "abc,aec": {(1, 1): "qb,qe,xaqcij->xabceij"},
@@ -112,12 +112,12 @@ TERMS = {
 def coupled_pairs(sizes: tuple[int, int, int]) -> Ints:
     """(2, k) local numbers of the two nodes of each contribution to the stiffness of an element."""
     number = np.arange(np.prod(sizes)).reshape(sizes)
-    found = []
+    pairs = []
     for ends in TERMS:
         first, second = ends.split(",")
         letters = first + "".join(x for x in second if x not in first)
         shape = [sizes["abcdef".index(x) % 3] for x in letters]
         grid = dict(zip(letters, np.ix_(*map(range, shape)), strict=True))
         both = (number[tuple(grid[x] for x in end)] for end in (first, second))
-        found.append(np.stack([np.broadcast_to(one, shape).ravel() for one in both]))
-    return np.concatenate(found, axis=1)
+        pairs.append(np.stack([np.broadcast_to(numbers, shape).ravel() for numbers in both]))
+    return np.concatenate(pairs, axis=1)

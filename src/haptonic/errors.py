@@ -1,4 +1,4 @@
-"""The one error family. Every error that reaches a user has the same five parts."""
+"""The family of errors; every error for users has the same five parts."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ C = TypeVar("C", bound="HaptonicError", covariant=True)
 
 
 class Parts(TypedDict):
-    """What every error says; see `HaptonicError`."""
+    """The parts of an error; see `HaptonicError`."""
 
     argument: str
     given: object
@@ -25,40 +25,40 @@ class Parts(TypedDict):
     command: NotRequired[str]
 
 
-class _Made(Protocol[C]):
+class _Constructor(Protocol[C]):
     def __call__(self, **parts: Unpack[Parts]) -> C: ...
 
 
 class _Code:
-    """A constructor of every kind of error, named after the code that it gives; ``says`` is for the docs."""
+    """Descriptor for the constructor of an error code; its name is the code, ``meaning`` its docstring."""
 
-    def __init__(self, says: str) -> None:
-        self.__doc__ = says
+    def __init__(self, meaning: str) -> None:
+        self.__doc__ = meaning
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.code = name.replace("_", "-")
 
-    def __get__(self, error: E | None, kind: type[E]) -> _Made[E]:
+    def __get__(self, error: E | None, kind: type[E]) -> _Constructor[E]:
         return partial(kind, self.code)
 
 
 class HaptonicError(Exception):
-    """Something that the user can put right.
+    """Base class of errors that the user can correct.
 
-    It is raised by the constructor of its kind, ``StudyError.missing(argument=..., given=..., ...)``. That
-    constructor's name is the error's ``code``, which stays the same while wording changes: programs and
-    tests hang on the code and the argument. ``docs/errors.md`` lists all codes.
+    Errors are made by the constructor of their code, ``StudyError.missing(argument=..., given=..., ...)``.
+    The name of the constructor is the error's ``code``. Programs and tests may rely on the code and the
+    argument, which do not change with the wording. ``docs/errors.md`` lists all codes.
 
     Parameters
     ----------
-    argument : which argument or key is concerned, with its path (``cell.pillar.diameter``)
-    given : what was given
-    allowed : what is allowed
+    argument : argument or key, with its path (``cell.pillar.diameter``)
+    given : given value
+    allowed : allowed values
     cause : the likely cause
-    next_step : what to do now
-    command : the next step for users of the command line, where it differs from that in Python
+    next_step : action that solves the problem
+    command : next step for users of the command line, if it differs from that in Python
 
-    Any of them may quote what a file holds, so control characters are written out in all.
+    Parts may quote contents of files, so control characters are escaped in all of them.
     """
 
     def __init__(self, code: str, /, **parts: Unpack[Parts]) -> None:
@@ -76,16 +76,16 @@ class HaptonicError(Exception):
         )
 
     def parts(self) -> dict[str, str]:
-        """The code and the five parts as a mapping, for ``--json`` and for tables."""
+        """Code and parts as a mapping, for ``--json`` and for tables."""
         names = ("code", "argument", "given", "allowed", "cause", "next_step")
         return {name: getattr(self, name) for name in names}
 
     def for_command(self) -> Self:
-        """The same error with the next step for users of the command line."""
+        """The error with the next step for users of the command line."""
         return self.changed(type(self), next_step=self.command)
 
     def changed(self, kind: type[E], /, **parts: str) -> E:
-        """The same as an error of another kind, or with other parts."""
+        """The error as another class, or with other parts."""
         command = "" if "next_step" in parts else self.command
         return _rebuilt(kind, self.parts() | parts, command)
 
@@ -110,9 +110,9 @@ class HaptonicError(Exception):
 
         Parameters
         ----------
-        known : the names; slip : whether the nearest of them may be meant
-        allowed : in words, where that is more than one of the names
-        next_step, command : where no name is near
+        known : known names; slip : True if the name may be a misspelling of one of them
+        allowed : text, if more than the known names is allowed
+        next_step, command : used if no known name is similar
         """
         names = list(known)
         guess = nearest(str(given), names) if slip else None
@@ -120,8 +120,7 @@ class HaptonicError(Exception):
             "unknown",
             argument=argument,
             given=shown(given),
-            allowed=allowed
-            or (f"one of {', '.join(names)}" if names else "none: there is nothing to choose"),
+            allowed=allowed or (f"one of {', '.join(names)}" if names else "none: the list is empty"),
             cause=cause,
             next_step=f'write "{guess}"' if guess else next_step,
             command="" if guess else command,
@@ -181,7 +180,7 @@ class StudyError(HaptonicError):
 
 
 class GeometryError(HaptonicError):
-    """Sizes that do not make a body."""
+    """Sizes are not those of a possible body."""
 
 
 class ResponseError(HaptonicError):
@@ -197,11 +196,11 @@ class ChannelError(HaptonicError):
 
 
 class ScanError(HaptonicError):
-    """A scan file, or what it holds, cannot be used."""
+    """A scan file, or its content, cannot be used."""
 
 
 class NumericalError(HaptonicError):
-    """Numbers so far apart that rounding spoils what is computed from them."""
+    """Numbers are so far apart that rounding errors dominate the result."""
 
 
 class ResourceError(HaptonicError):
@@ -213,18 +212,18 @@ class HaptonicWarning(UserWarning):
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The known name closest to a misspelt one, in whatever case; None when nothing is near."""
-    names = {one.lower(): one for one in known}
+    """Known name that is most similar to a misspelt one; letter case is ignored; None if none is similar."""
+    names = {name.lower(): name for name in known}
     matches = difflib.get_close_matches(name.lower(), names, n=1, cutoff=0.5)
     return names[matches[0]] if matches else None
 
 
 def shown(value: object, longest: int = 60) -> str:
-    """``repr`` of anything, cut in depth and length to what suits a message."""
+    """``repr`` of a value, shortened in depth and length for a message."""
     short = reprlib.Repr()
     short.maxlevel, short.maxstring, short.maxother = 2, longest, longest
     try:
         text = short.repr(value)
-    except ValueError:  # an integer of thousands of digits: Python refuses to print it
+    except ValueError:  # Python refuses to print an integer of thousands of digits
         text = f"a number of {value.bit_length()} bits" if isinstance(value, int) else "a value without text"
     return text if len(text) <= longest else f"{text[: longest - 3]}..."

@@ -1,8 +1,8 @@
-"""The gate that every result passes: no NaN leaves the program unless it says what it means.
+"""Check of results: NaN is refused unless the variable declares its meaning.
 
-Some results are honestly undetermined: a motion at rest has no group velocity. A variable in which that may
-happen says so in its attribute ``nan_means``, and a dataset for its attributes; in all others NaN is refused,
-and infinity everywhere.
+Some results are undetermined; for example, a motion at rest has no group velocity. A variable that may
+contain NaN declares the meaning in its attribute ``nan_means``; a dataset does so for its attributes. In all
+others NaN is refused, and infinity is refused everywhere.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ WORD = "nan_means"
 
 
 def declared(dataset: xr.Dataset, **meanings: str) -> xr.Dataset:
-    """The same dataset, its variables marked with what a NaN in each means."""
+    """Declare the meaning of NaN in variables of a dataset, and return the dataset."""
     for name, meaning in meanings.items():
         dataset[name].attrs[WORD] = meaning
     return dataset
 
 
 def passed(dataset: xr.Dataset) -> xr.Dataset:
-    """The dataset itself if all of its numbers are some.
+    """Return the dataset if all its numbers are finite or declared undetermined.
 
     Raises
     ------
-    NumericalError : NaN that no ``nan_means`` declares, or infinity
+    NumericalError : an undeclared NaN, or infinity
     """
     for name, variable in dataset.variables.items():
         _look(str(name), variable.values, declared=WORD in variable.attrs)
@@ -44,11 +44,11 @@ def passed(dataset: xr.Dataset) -> xr.Dataset:
 
 
 def json_of(values: object) -> str:
-    """Plain values as JSON, which knows neither NaN nor infinity; an undetermined value is None.
+    """Plain values as JSON, which has neither NaN nor infinity; an undetermined value is None.
 
     Raises
     ------
-    NumericalError : a number that is none
+    NumericalError : NaN or infinity
     """
     for name, value in _numbers(values, ""):
         _look(name, value, declared=False)
@@ -56,16 +56,16 @@ def json_of(values: object) -> str:
 
 
 def json_from(text: str) -> Any:
-    """What a file of somebody else holds as JSON.
+    """Parse JSON from a file of unknown origin.
 
     Raises
     ------
-    ValueError : it is not JSON, or nested deeper than anything that is meant
+    ValueError : not JSON, or nested too deeply
     """
     try:
         return json.loads(text)
     except RecursionError:
-        raise ValueError("lists within lists, a thousand deep") from None
+        raise ValueError("lists nested more than a thousand deep") from None
 
 
 def _numbers(values: object, name: str) -> Iterator[tuple[str, float]]:
@@ -91,6 +91,6 @@ def _look(name: str, values: Any, *, declared: bool) -> None:
             given=f"{array[bad].flat[0]} in {int(bad.sum())} of {math.prod(array.shape)} values"
             + (f", the first at [{place}]" if place else ""),
             allowed="finite numbers",
-            cause="sizes so far apart that rounding is all that is left, or a fault of the program",
-            next_step="bring the sizes nearer to each other; if they are ordinary, report a fault",
+            cause="sizes so far apart that only rounding errors are left, or a fault of the program",
+            next_step="choose sizes that are closer together; if they are ordinary, report a fault",
         )

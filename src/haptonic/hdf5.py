@@ -1,4 +1,4 @@
-"""HDF5 files that come into being through Python, so that a full disk is an error and not a crash."""
+"""HDF5 files written through Python, so that a full disk raises an error instead of a crash."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 
 class _Sturdy(io.RawIOBase):
-    """A new file that goes on in memory, from its first failure on: see `written`."""
+    """A new file that continues in memory after its first failure; see `written`."""
 
     def __init__(self, path: Path) -> None:
         self.failure: OSError | None = None
@@ -21,7 +21,7 @@ class _Sturdy(io.RawIOBase):
         size = len(left)
         while left:
             try:
-                left = left[self._file.write(left) :]  # near the end of a disk only a part is written
+                left = left[self._file.write(left) :]  # a nearly full disk accepts only a part
             except OSError as error:
                 self._go_on_in_memory(error)
         return size
@@ -63,15 +63,15 @@ class _Sturdy(io.RawIOBase):
 
 @contextmanager
 def written(path: Path) -> Iterator[io.RawIOBase]:
-    """A new file to give to ``h5py.File`` or to xarray in place of its path.
+    """A new file for ``h5py.File`` or xarray, in place of its path.
 
-    HDF5 cannot close a file that it cannot write: the handle stays, and the process ends by SIGSEGV (seen
-    with HDF5 2.0 on a full disk). So it is not told, and what it reads back is what it wrote; it closes its
-    file, and the error comes afterwards. Until then the file is in memory.
+    HDF5 cannot close a file that it cannot write: the handle stays open, and the process ends with SIGSEGV
+    (observed with HDF5 2.0 on a full disk). Therefore the error is hidden from HDF5: the file continues in
+    memory, HDF5 reads back the data that it wrote and closes the file, and then the error is raised.
 
     Raises
     ------
-    OSError : the file cannot be made, or the first failure to write it
+    OSError : the file cannot be created, or the first failure to write it
     """
     with _Sturdy(path) as raw:
         try:

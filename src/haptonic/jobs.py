@@ -1,8 +1,8 @@
-"""Many computations, each kept in the store the moment it is finished.
+"""Many computations, each stored when it is finished.
 
-Parallel work goes to processes of this machine (`haptonic.parallel`), or through Dask to the workers of a
-scheduler that somebody runs. They send their datasets back and this process alone writes the store, so remote
-workers need no shared disk.
+Parallel work runs in processes of this machine (`haptonic.parallel`), or through Dask on the workers of a
+running scheduler. They return their datasets and only this process writes the store, so remote workers need
+no shared disk.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ if TYPE_CHECKING:
     Result = xr.Dataset | HaptonicError
     Results = Generator[tuple[str, Result], None, None]
 
-STORED = "in the store"  # what is said of a task that was computed before
+STORED = "in the store"  # progress text of a task that was computed before
 CONNECT_SECONDS = 5
 FIRST_WORKER_SECONDS = 30
 
 
 @dataclass(frozen=True)
 class Task:
-    """One computation: what names its result (see ``content_key``), and what the function is given."""
+    """A computation: inputs for the key of its result (see ``content_key``), and argument of the function."""
 
     key_inputs: dict[str, object]
     argument: object
@@ -47,7 +47,7 @@ class Task:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What came of a task: either the dataset or the error that stands in its place."""
+    """Outcome of a task: either a dataset or an error."""
 
     key: str
     dataset: xr.Dataset | None
@@ -64,27 +64,27 @@ def run_all(
     scheduler: str | None = None,
     progress: Progress = silent,
 ) -> list[Outcome]:
-    """Compute every task that is not in the store yet; the outcomes, in the order of the tasks.
+    """Compute all tasks that are not in the store; return the outcomes in the order of the tasks.
 
     Parameters
     ----------
     function : takes a task's argument and returns a dataset; for parallel work it must be importable
     workers : worker processes on this machine; 0 computes in this process
     scheduler : address of a running Dask scheduler, whose workers are used instead
-    progress : called with the tasks done and all of them; `STORED` says that this one was in the store
+    progress : called with the tasks done and their number; `STORED` marks a task that was in the store
 
-    A HaptonicError of one task becomes its outcome, as does a worker that dies on the same task twice; the
-    other tasks go on. Any other exception, and Ctrl-C, ends the run; what was finished is in the store, and
-    the next run goes on from there. Errors are not stored.
+    A HaptonicError of one task becomes its outcome, as does a worker that dies twice on the same task; the
+    other tasks continue. Any other exception, and Ctrl-C, ends the run; finished results are in the store,
+    and the next run continues from there. Errors are not stored.
 
-    On this machine a task costs two workers before it is given up. A running scheduler has its own setting of
-    how many deaths one attempt may cause, and there are two attempts.
+    On this machine a task is given up after two dead workers. A running scheduler has its own setting for the
+    number of deaths per attempt, and there are two attempts.
 
     Raises
     ------
-    HaptonicError : ``workers`` and ``scheduler`` do not go together, or ``workers`` is negative
-    ResourceError : no scheduler at that address, it has no workers, it is lost on the way, local workers do
-        not start, or the store cannot be used
+    HaptonicError : both ``workers`` and ``scheduler``, or negative ``workers``
+    ResourceError : no scheduler at this address, no workers, a lost scheduler, local workers that do not
+        start, or a store that cannot be used
     """
     check_workers(workers, scheduler)
     keys = [content_key(task.key_inputs) for task in tasks]
@@ -123,21 +123,21 @@ def run_all(
 
 
 def check_workers(workers: object, scheduler: object) -> None:
-    """Refuse what is no number of workers, no address of a scheduler, or both at once."""
+    """Refuse a wrong number of workers, a wrong address of a scheduler, or both together."""
     counted = isinstance(workers, int) and not isinstance(workers, bool) and workers >= 0
     if not counted or (scheduler is not None and (workers or not isinstance(scheduler, str))):
         raise HaptonicError.malformed(
             argument="workers",
             given=shown(workers) if scheduler is None else f"{workers!r}, and the scheduler {scheduler!r}",
             allowed="0 or more worker processes on this machine, or a scheduler with workers of its own",
-            cause="a slip, or two ways of computing asked for at once",
+            cause="a slip, or two ways of computing at the same time",
             next_step="give --workers N or --scheduler ADDRESS, not both",
         )
     if scheduler and importlib.util.find_spec("distributed") is None:
         raise ResourceError.not_installed(
             argument="scheduler",
             given=shown(scheduler),
-            allowed="an address where the package distributed is installed",
+            allowed="an address, with the package distributed installed",
             cause="distributed is an optional part of haptonic and is not installed",
             next_step='pip install "haptonic[scheduler]", or --workers N for processes on this machine',
         )
@@ -153,13 +153,13 @@ def _attempt(function: Function, argument: object) -> Result:
 
 
 def _attempt_there(argument: object, function: Function, expected: str) -> Result:
-    """As ``_attempt``, on a worker; refused where the code is not the code that the result is filed under."""
+    """Run ``_attempt`` on a worker; refuse it if the code differs from that in the key of the result."""
     if fingerprint() != expected:
         return ResourceError.worker(
             argument="worker",
-            given="one with another version of haptonic, numpy or scipy",
+            given="a worker with another version of haptonic, numpy or scipy",
             allowed="workers with the same versions as this process, so that results do not mix",
-            cause="haptonic was updated, there or while this run was starting",
+            cause="haptonic was updated on the worker or while this run was starting",
             next_step="install the same versions everywhere, restart the workers, and start again",
         )
     return _attempt(function, argument)
@@ -202,7 +202,7 @@ def _collected(client: Client, function: Function, missing: Mapping[str, object]
     futures = submitted(keys)
     waiting = {future.key: (key, future) for key, future in zip(keys, futures, strict=True)}
     finished = as_completed(futures, loop=client.loop)
-    del futures  # a worker keeps a dataset for as long as somebody holds its future
+    del futures  # a worker keeps a dataset as long as its future exists
     suspects = []
     for future in finished:
         key, _ = waiting.pop(future.key)
@@ -216,8 +216,8 @@ def _collected(client: Client, function: Function, missing: Mapping[str, object]
             )
             raise
 
-    # A worker that dies takes with it whatever it had been given, so the tasks it held are only suspected.
-    # Alone on the workers, a task answers for itself.
+    # A dead worker loses all its tasks, so they are only suspected of its death. Each is tried alone, to find
+    # the cause.
     for key in suspects:
         (future,) = submitted([key])
         try:
@@ -231,14 +231,14 @@ def _died_twice(argument: object) -> ResourceError:
         argument="worker process",
         given=f"died twice on the task {str(argument)[:200]}",
         allowed="a task that a worker can finish",
-        cause="more memory needed than a worker has, or a crash inside a numerical library",
-        next_step="run it again with fewer workers (each has more memory), or take this design out",
+        cause="the task needs more memory than a worker has, or a numerical library crashed",
+        next_step="run again with fewer workers (each has more memory), or remove this design",
     )
 
 
 @contextmanager
 def _remote_workers(address: str) -> Iterator[Client]:
-    # Importing distributed takes most of a second, which only a run that uses it should pay.
+    # importing distributed takes most of a second; only runs that use it should wait for it
     admitted("dask")
     from distributed import Client
     from distributed.utils import LoopRunner
@@ -246,7 +246,7 @@ def _remote_workers(address: str) -> Iterator[Client]:
     try:
         LoopRunner().run_sync(_reach, address)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # about other versions there; the ones that matter are compared
+            warnings.simplefilter("ignore")  # about other versions on workers; `_attempt_there` compares them
             client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         raise _no_scheduler(address, "it is not running, or the address is misspelt") from error
@@ -259,10 +259,10 @@ def _remote_workers(address: str) -> Iterator[Client]:
 
 
 async def _reach(address: str) -> None:
-    """Fail as a client would that cannot connect to the address, but leave no half-made client behind.
+    """Connect to the address and fail like a client that cannot connect, without a half-made client.
 
-    Dask's client does not close itself after every failure. The collector then closes it at any later moment,
-    and if another client is being started at that moment, the two wait for each other's lock.
+    Dask's client does not close itself after every failure. The garbage collector then closes it at a later
+    moment; if another client is being started at that moment, the two wait for each other's lock.
     """
     from distributed import Security
     from distributed.comm.core import connect
@@ -277,14 +277,14 @@ def _no_scheduler(address: str, cause: str) -> ResourceError:
         given=shown(address),
         allowed="the address of a running Dask scheduler with workers, such as tcp://127.0.0.1:8786",
         cause=cause,
-        next_step="start `dask scheduler` and `dask worker ADDRESS`, or give --workers N instead; what was "
-        "finished is in the store",
+        next_step="start `dask scheduler` and `dask worker ADDRESS`, or give --workers N instead; finished "
+        "results are in the store",
     )
 
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Nothing from Dask's loggers: what a user has to know is in the outcomes and errors."""
+    """Silence Dask's loggers; the outcomes and errors contain all information for users."""
     loggers = [logging.getLogger(name) for name in ("distributed", "distributed.client", "distributed.gc")]
     levels = [logger.level for logger in loggers]
     for logger in loggers:

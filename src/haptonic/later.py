@@ -1,7 +1,7 @@
-"""Libraries that most modules name and many runs never use: imported when a name of theirs is asked for.
+"""Libraries that most modules name but many runs do not use, imported on first access.
 
-``from haptonic.later import xarray as xr`` stands for ``import xarray as xr``. All that is below takes half
-a second to load, and what only lists, plans or refuses need not wait for them.
+``from haptonic.later import xarray as xr`` replaces ``import xarray as xr``. The libraries below take half a
+second to load; lists, plans and refusals do not need them.
 """
 
 from __future__ import annotations
@@ -44,10 +44,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes as Axes
     from matplotlib.figure import Figure as Figure
 else:
-    Axes = Figure = Any  # results name them in annotations alone; who draws imports matplotlib
+    Axes = Figure = Any  # used in annotations only; code that draws imports matplotlib
 
     class _Later(ModuleType):
-        """Stands for a module; `importlib.util.LazyLoader` would be loaded by the next ``import`` of it."""
+        """A module that is imported on first access; `LazyLoader` would load it on the next ``import``."""
 
         def __getattr__(self, name: str) -> Any:
             return getattr(import_module(self.__name__), name)
@@ -59,17 +59,17 @@ else:
     sparse, sparse_linalg = _Later("scipy.sparse"), _Later("scipy.sparse.linalg")
     csgraph = _Later("scipy.sparse.csgraph")
 
-ASKED_FOR = ("dask", "pint")  # by xarray, wherever they are installed, to know their arrays; it has none here
+ASKED_FOR = ("dask", "pint")  # xarray imports them if installed, to support their arrays; not used here
 
 
 def leave_out() -> None:
-    """Let nobody import what only xarray asks for, which takes 0.6 s; for a process that is ours alone."""
+    """Block imports that only xarray makes and that take 0.6 s; only for a process of our own."""
     for name in ASKED_FOR:
-        sys.modules.setdefault(name, None)  # type: ignore[arg-type]  # documented: an import of it fails
+        sys.modules.setdefault(name, None)  # type: ignore[arg-type]  # documented: its import then fails
 
 
 def admitted(name: str) -> Any:
-    """The module of this name after all, imported now."""
+    """Import a module that `leave_out` has blocked."""
     if sys.modules.get(name, ...) is None:
         del sys.modules[name]
     return import_module(name)

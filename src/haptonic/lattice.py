@@ -1,7 +1,7 @@
 """Bravais lattices of the plate: integer translations, and point groups.
 
-Wavevectors are given by the phases ``kappa = (k . a1, k . a2)`` in radians, so that everything but the
-physical length of a wavevector is independent of the size of the cell.
+Wavevectors are given by the phases ``kappa = (k . a1, k . a2)`` in radians, so that only the physical length
+of a wavevector depends on the size of the cell.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ Operation = tuple[tuple[int, int], tuple[int, int]]
 HALF_TURN: Operation = ((-1, 0), (0, -1))
 DIAGONAL: Operation = ((0, 1), (1, 0))
 
-# Of the periods of a rectangle: no mesh has a use for more, and its square is far from 1 / SAME.
+# ratio of a rectangle's periods: meshes need no larger one, and its square is far from 1 / SAME
 MOST_ELONGATED = 1000.0
-# Of a cell of six sides, in radii of the circle within: at 4e-5 bands were still those of the square that it
-# nearly is.
+# shortest side of a six-sided cell, in radii of the inscribed circle; at 4e-5 the bands still agreed with
+# those of the square that the cell nearly is
 LEAST_SIDE = 1e-3
 USUAL_ANGLE = (math.radians(20), math.radians(160))
-# what lattices are given by, besides the pitch
+# keys of a lattice besides the pitch
 FURTHER: dict[str, tuple[str, ...]] = {
     "square": (), "rectangular": ("pitch_y",), "triangular": (), "centred": ("pitch_y",),
     "oblique": ("pitch_2", "angle"), "honeycomb": (), "kagome": (), "lieb": (),
@@ -46,11 +46,11 @@ LETTERS = {0: "x", 90: "y", 135: "d"}  # names of mirrors, by the angle of their
 
 @dataclass(frozen=True)
 class PointGroup:
-    """Turns and mirrors of the plane that take a lattice, and what stands on it, to themselves.
+    """Rotations and mirrors of the plane that map a lattice, and everything on it, to itself.
 
-    An operation is an integer matrix W that takes the lattice point ``n1 a1 + n2 a2`` to that of ``W n``.
-    With the translations as rows of V it turns the plane by ``R = V^T W V^-T``, and takes the phases kappa of
-    a wavevector to ``W^-T kappa``.
+    An operation is an integer matrix W that maps the lattice point ``n1 a1 + n2 a2`` to that of ``W n``. With
+    the translations as rows of V it maps the plane by ``R = V^T W V^-T``, and the phases kappa of a
+    wavevector to ``W^-T kappa``.
 
     vectors : a1 and a2, m; operations : closed under products
     """
@@ -65,71 +65,71 @@ class PointGroup:
         return len(self.operations)
 
     def turn(self, operation: Operation) -> Array:
-        """(3, 3) orthogonal map of space that an operation is; it keeps the plate's normal."""
+        """(3, 3) orthogonal map of space for an operation; it keeps the plate's normal."""
         translations = np.array(self.vectors).T
         space = np.eye(3)
         space[:2, :2] = translations @ np.array(operation) @ np.linalg.inv(translations)
-        near = np.round(space)  # turns by right angles are exact
+        near = np.round(space)  # rotations by right angles are exact
         return np.where(np.abs(space - near) < SAME, near, space)
 
     def kept(self, leaves: Callable[[Array], bool]) -> PointGroup:
-        """The operations whose map of space (3, 3) leaves something else as it is, too."""
+        """The operations whose map of space (3, 3) also leaves another object unchanged, by ``leaves``."""
         return replace(self, operations=tuple(op for op in self.operations if leaves(self.turn(op))))
 
     def little_group(self, kappa: Array) -> PointGroup:
         """The operations that leave a wavevector unchanged up to a reciprocal lattice vector."""
-        kept = []
+        operations = []
         for op in self.operations:
             turns = (np.linalg.inv(np.array(op)).T @ kappa - kappa) / (2 * np.pi)
             if np.allclose(turns, np.round(turns), atol=SAME):
-                kept.append(op)
-        return replace(self, operations=tuple(kept))
+                operations.append(op)
+        return replace(self, operations=tuple(operations))
 
     @property
     def mirrors(self) -> dict[str, Operation]:
-        """All reflections, named after their normals: x, y, d, or an angle from the x axis.
+        """All reflections, by the names of their normals: x, y, d, or an angle from the x axis.
 
         d is the reflection in the diagonal x = y.
         """
-        found = {}
+        mirrors = {}
         for op in self.operations:
             turn = self.turn(op)[:2, :2]
-            if np.linalg.det(turn) < 0:  # 1 - 2 n n^T, so that its angle is twice that of n, and half a turn
+            if np.linalg.det(turn) < 0:  # 1 - 2 n n^T: its angle is twice that of n plus half a turn
                 angle = round(math.degrees(0.5 * (math.atan2(turn[0, 1], turn[0, 0]) + math.pi))) % 180
-                found[LETTERS.get(angle, f"{angle}°")] = op
-        return dict(sorted(found.items(), key=lambda item: ("xyd".find(item[0]) % 4, item[0])))
+                mirrors[LETTERS.get(angle, f"{angle}°")] = op
+        return dict(sorted(mirrors.items(), key=lambda item: ("xyd".find(item[0]) % 4, item[0])))
 
     @property
     def distinct_mirrors(self) -> dict[str, Operation]:
-        """Reflections that tell modes apart: those with a letter, and one of each further class of others.
+        """Reflections that distinguish modes: those with a letter, and one of each further class.
 
-        The others are conjugate: a representation has the same character for them.
+        Reflections of one class are conjugate: a representation has the same character for them.
         """
         mirrors = self.mirrors
-        kept = {name: op for name, op in mirrors.items() if name in LETTERS.values()}
+        distinct = {name: op for name, op in mirrors.items() if name in LETTERS.values()}
         for name, op in mirrors.items():
-            if not any(self._conjugate(op, other) for other in kept.values()):
-                kept[name] = op
-        return kept
+            if not any(self._conjugate(op, other) for other in distinct.values()):
+                distinct[name] = op
+        return distinct
 
-    def _conjugate(self, one: Operation, other: Operation) -> bool:
+    def _conjugate(self, first: Operation, second: Operation) -> bool:
         matrices = [np.array(op) for op in self.operations]
-        return any(np.array_equal(g @ np.array(one), np.array(other) @ g) for g in matrices)
+        return any(np.array_equal(g @ np.array(first), np.array(second) @ g) for g in matrices)
 
 
 @described("cell", GeometryError, kw_only=True)
 class Lattice:
-    """Two translations ``a1``, ``a2`` in the plane of the plate, m, the shortest that there are.
+    """Two translations ``a1``, ``a2`` in the plane of the plate, m; the shortest of the lattice.
 
-    ``name`` is that of the symmetry that is meant. A rectangle whose sides happen to be equal stays one, so
-    that a sweep of a side meets no other zone there. ``pitch`` is the yardstick of every geometric tolerance.
-    A lattice given by two vectors, ``Lattice(a1=..., a2=...)``, is what it is by its name, see `named`, and
-    sites at shares count in the vectors that were given.
+    ``name`` is the name of the intended symmetry. A rectangle with equal sides keeps its name, so that a
+    sweep of a side does not switch to another zone there. All geometric tolerances are relative to
+    ``pitch``. A lattice from two vectors, ``Lattice(a1=..., a2=...)``, gets its name from them, see `named`;
+    sites at shares refer to the given vectors.
 
     Raises
     ------
-    GeometryError : a period that is not positive, one too many or too few, or far longer than the other; a
-        cell of six sides one of which is next to nothing; vectors that span no plane, or none with a name
+    GeometryError : a period that is not positive, missing, superfluous, or far longer than the other; a cell
+        with six sides of which one is too short; vectors that span no plane, or whose lattice has no name
     """
 
     form: (
@@ -139,15 +139,15 @@ class Lattice:
         alias="lattice",
         default="square",
         title="Lattice",
-        description="How the cells repeat in the plane; the last three have two sites or three each. "
+        description="Repetition of the cells in the plane; the last three have two or three sites. "
         '"hexagonal" is read as triangular.',
     )
     period: Annotated[float, size(100e-9, 100e-3)] | None = Field(
         alias="pitch",
         default=None,
         title="Pitch",
-        description="Period of the lattice; along x for a rectangular or a centred one. Needed unless a1 and "
-        "a2 are given.",
+        description="Period of the lattice; along x for a rectangular or a centred one. Required unless a1 "
+        "and a2 are given.",
     )
     pitch_y: Annotated[float, size(100e-9, 100e-3)] | None = setting(
         None,
@@ -158,20 +158,20 @@ class Lattice:
         None, "Length of the second translation of an oblique lattice.", title="Second pitch"
     )
     angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = setting(
-        None, "From the first pitch, along x, to that of an oblique lattice."
+        None, "Angle from the first pitch, along x, to the second one of an oblique lattice."
     )
     first: tuple[Coordinate, Coordinate] | None = Field(
         alias="a1",
         default=None,
         title="First vector",
-        description="Along x and y, in place of a named lattice and its pitch; its symmetry is found.",
+        description="Components along x and y, in place of a named lattice; its symmetry is detected.",
         examples=['["7 mm", "0 mm"]'],
     )
     second: tuple[Coordinate, Coordinate] | None = Field(
         alias="a2",
         default=None,
         title="Second vector",
-        description="See a1.",
+        description="Components along x and y; see a1.",
         examples=['["3.5 mm", "6 mm"]'],
     )
 
@@ -183,7 +183,7 @@ class Lattice:
     @model_validator(mode="before")
     @classmethod
     def _without_default(cls, given: Any) -> Any:
-        """Vectors have no name beside them unless somebody wrote it there."""
+        """Remove the default name of a lattice that is given by vectors."""
         named = getattr(given, "kwargs", given)
         by_vectors = isinstance(named, dict) and any(named.get(key) is not None for key in ("a1", "a2"))
         return {"lattice": None, **named} if by_vectors else given
@@ -215,55 +215,55 @@ class Lattice:
             raise problem(
                 "out-of-range", " and ".join(format_quantity(float(length), "m") for length in lengths),
                 f"periods whose ratio is at most {MOST_ELONGATED:g}",
-                "one is far longer than the other", "check their units", at=[*FURTHER[self.name], "pitch"][0],
+                "the ratio is too large", "check their units", at=[*FURTHER[self.name], "pitch"][0],
             )  # fmt: skip
         if self.shortest_side < LEAST_SIDE:
             raise problem(
                 "out-of-range",
-                f"{self.name}, a side of its cell {self.shortest_side:.2g} of the circle within",
-                f"six sides, none shorter than {LEAST_SIDE:g} of the radius of the circle within",
-                "its points nearly stand in rectangles; so short a side cannot be meshed", 'change a '
+                f"{self.name}, a side of its cell {self.shortest_side:.2g} radii of the inscribed circle",
+                f"six sides, none shorter than {LEAST_SIDE:g} radii of the inscribed circle",
+                "its points nearly form rectangles; so short a side cannot be meshed", 'change a '
                 'size by a thousandth, or write lattice = "square" or "rectangular"', at="lattice",
             )  # fmt: skip
 
     def _check_vectors(self) -> None:
         given = {"lattice": self.form, "pitch": self.period, "pitch_y": self.pitch_y,
                  "pitch_2": self.pitch_2, "angle": self.angle}  # fmt: skip
-        check_vectors(self.first, self.second, beside=[key for key, one in given.items() if one is not None])
+        check_vectors(self.first, self.second, beside=[key for key in given if given[key] is not None])
         try:
             self.named  # noqa: B018
         except GeometryError as error:
-            told = " and ".join(vector_text(one) for one in self.given)
-            raise handed_on(error.changed(GeometryError, given=told, next_step="change them"), "a1") from None
+            text = " and ".join(vector_text(vector) for vector in self.given)
+            raise handed_on(error.changed(GeometryError, given=text, next_step="change them"), "a1") from None
 
     @cached_property
     def named(self) -> Lattice:
-        """The same lattice by name and sizes: itself, unless it was given by vectors.
+        """The lattice by name and sizes; the lattice itself unless it was given by vectors.
 
-        Vectors within `MEANT` of those of a square or a triangle, say, have its symmetry, and its sizes.
+        Vectors within `MEANT` of those of a square or another named lattice get its symmetry and its sizes.
         """
         return self if self.first is None else Lattice(**dict[str, Any](recognised(self.given)))
 
     @property
     def name(self) -> str:
-        """Of the symmetry that is meant, or that vectors have."""
+        """Name of the intended symmetry, or of the symmetry of the vectors."""
         assert self.named.form is not None
         return self.named.form
 
     @property
     def pitch(self) -> float:
-        """Period, m; along x."""
+        """Period along x, m."""
         assert self.named.period is not None
         return self.named.period
 
     def counted(self, shares: Array) -> Array:
-        """(2,) shares of the translations from those of the vectors that were given, if any were."""
+        """(2,) shares of the translations, converted from shares of the given vectors, if any."""
         if self.first is None:
             return shares
         steps = np.round(self.given @ np.linalg.inv(self.vectors))
-        found = shares @ steps
-        near = np.round(found)
-        return np.asarray(np.where(np.abs(found - near) < SAME, near, found) % 1.0)
+        converted = shares @ steps
+        near = np.round(converted)
+        return np.asarray(np.where(np.abs(converted - near) < SAME, near, converted) % 1.0)
 
     @classmethod
     def square(cls, pitch: float) -> Lattice:
@@ -284,17 +284,17 @@ class Lattice:
 
     @classmethod
     def centred(cls, pitch: float, pitch_y: float) -> Lattice:
-        """Rectangles of these sides (m) with lattice points at their corners and in their middles."""
+        """Centred lattice: rectangles with these sides (m), with points at their corners and centres."""
         return cls(lattice="centred", pitch=pitch, pitch_y=pitch_y)
 
     @classmethod
     def oblique(cls, pitch: float, pitch_2: float, angle: float) -> Lattice:
-        """Lattice of any two periods (m), the first along x, with an angle (rad) between them."""
+        """Oblique lattice of two periods (m), the first along x, with an angle (rad) between them."""
         return cls(lattice="oblique", pitch=pitch, pitch_2=pitch_2, angle=angle)
 
     @cached_property
     def vectors(self) -> Array:
-        """(2, 2): the rows are a1 and a2, m."""
+        """(2, 2) translations a1 and a2 as rows, m."""
         if self.named is not self:
             return self.named.vectors
         first = (self.pitch, 0.0)
@@ -313,7 +313,7 @@ class Lattice:
 
     @property
     def given(self) -> Array:
-        """(2, 2) vectors that sites count in, as rows, m: those that were given, or else `vectors`."""
+        """(2, 2) vectors that sites refer to, as rows, m: the given ones, or else `vectors`."""
         return self.vectors if self.first is None else np.array([self.first, self.second])
 
     @property
@@ -328,17 +328,17 @@ class Lattice:
 
     @property
     def is_rectangular(self) -> bool:
-        """Whether the translations lie along x and y."""
+        """True if the translations lie along x and y."""
         return max(abs(self.a1[1]), abs(self.a2[0])) <= SAME * self.pitch
 
     def scaled(self, factor: float) -> Lattice:
-        """The same lattice with all periods multiplied by ``factor``."""
+        """The lattice with all periods multiplied by ``factor``."""
         periods = {name: getattr(self, name) for name in ("period", "pitch_y", "pitch_2")}
         vectors = {name: getattr(self, name) for name in ("first", "second")}
         return remade(
             self,
             **{name: value and value * factor for name, value in periods.items()},
-            **{name: value and tuple(factor * one for one in value) for name, value in vectors.items()},
+            **{name: value and tuple(factor * part for part in value) for name, value in vectors.items()},
         )
 
     @property
@@ -367,25 +367,25 @@ class Lattice:
 
     @cached_property
     def shortest_side(self) -> float:
-        """Of the cell, over the radius of the circle within; 0 where a cell meant to have six has four.
+        """Shortest side of the cell, in radii of the inscribed circle; 0 for four sides in place of six.
 
-        Infinite for lattices whose cells have no short side whatever their sizes.
+        Infinite for lattices whose cells never have a short side.
         """
         if self.name not in ("centred", "oblique"):
-            return math.inf  # of theirs none can be next to nothing
+            return math.inf  # their sides cannot be too short
         sides = np.linalg.norm(self.corners - np.roll(self.corners, 1, axis=0), axis=1)
         return float(sides.min() / self.inradius) if len(sides) == 6 else 0.0
 
     @cached_property
     def point_group(self) -> PointGroup:
-        """All operations of the symmetry that is meant, which leave the lattice as it is."""
+        """All operations of the intended symmetry, which leave the lattice unchanged."""
         metric = self.vectors @ self.vectors.T
-        found = []
-        for a, b, c, d in product((1, 0, -1), repeat=4):  # enough for the shortest translations
+        operations = []
+        for a, b, c, d in product((1, 0, -1), repeat=4):  # sufficient for the shortest translations
             matrix = np.array([[a, b], [c, d]])
             if np.abs(matrix.T @ metric @ matrix - metric).max() < SAME * metric.max():
-                found.append(((a, b), (c, d)))
-        return PointGroup((self.a1, self.a2), tuple(found)).kept(self._is_meant)
+                operations.append(((a, b), (c, d)))
+        return PointGroup((self.a1, self.a2), tuple(operations)).kept(self._is_meant)
 
     def _is_meant(self, turn: Array) -> bool:
         match self.name:

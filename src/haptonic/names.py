@@ -1,7 +1,7 @@
-"""A name that somebody chose is data: what becomes of it where it is shown or filed, medium by medium.
+"""Names that users choose, and their safe forms on each medium: terminal, file, table, LaTeX, NetCDF.
 
-HTML is escaped by its templates, JSON by its writer, formulas in pictures are switched off in
-`haptonic.plots.style`, and markup in a terminal in `haptonic.cli.console`.
+HTML is escaped by templates, JSON by its writer. `haptonic.plots.style` switches off formulas in pictures,
+and `haptonic.cli.console` markup in a terminal.
 """
 
 from __future__ import annotations
@@ -11,17 +11,18 @@ import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 
-LONGEST_PART = 40  # characters of a name in a file's name, far below every system's limit
+LONGEST_PART = 40  # characters of a name in the name of a file, far below the limit of every system
 LONGEST_SLUG = 24
-DIGITS = 16  # hexadecimal, of the digest of a name that cannot be its file's
+DIGITS = 16  # hexadecimal digits of the digest of a name that cannot be the name of a file
 
-# Moves the cursor, hides or reorders text, or cannot be encoded: C0, C1, line and paragraph separators, the
-# marks of Unicode's bidirectional algorithm, surrogates. Tabs and line ends are text in a message.
+# Characters that move the cursor, hide or reorder text, or cannot be encoded: C0, C1, line and paragraph
+# separators, marks of Unicode's bidirectional algorithm, surrogates. Tabs and line ends are text in a
+# message.
 _HIDDEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 _LINES = re.compile(r"[\t\n]")
 _PLAIN = re.compile(rf"[A-Za-z0-9_][A-Za-z0-9_-]{{0,{LONGEST_PART - 1}}}")
 _OTHERS = re.compile(r"[^A-Za-z0-9_-]+")
-# devices of Windows, whatever follows a point
+# names of devices in Windows, with any ending
 _RESERVED = re.compile(r"(?i)con|prn|aux|nul|com[0-9]|lpt[0-9]")
 _FORMULA = re.compile(r"'*[=+\-@\t\r]")
 _SIGNS = {
@@ -42,38 +43,38 @@ _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
 def hidden_in(name: str) -> str | None:
-    """The first character of a name that is a control character, or None."""
-    found = _HIDDEN.search(name) or _LINES.search(name)
-    return found[0] if found else None
+    """First control character of a name; None without one."""
+    match = _HIDDEN.search(name) or _LINES.search(name)
+    return match[0] if match else None
 
 
 def names_in(text: str, known: Collection[str]) -> tuple[str, ...]:
-    """Names with commas between; a known name may hold commas itself, and the longest one is taken."""
-    parts, found = text.split(","), list[str]()
+    """Names separated by commas; a known name may contain commas, and the longest known name is taken."""
+    parts, names = text.split(","), list[str]()
     while parts:
         joined = {count: ",".join(parts[:count]) for count in range(len(parts), 0, -1)}
         count = next((k for k, name in joined.items() if name in known or name.strip() in known), 1)
         name = joined[count] if joined[count] in known else joined[count].strip()
-        found += [name] if name else []
+        names += [name] if name else []
         parts = parts[count:]
-    return tuple(found)
+    return tuple(names)
 
 
 def visible(text: str) -> str:
-    """A text for a terminal or a message: control characters are written out, as in ``\\\\x1b``."""
-    return _HIDDEN.sub(lambda found: ascii(found[0])[1:-1], text)
+    """A text for a terminal or a message, with control characters escaped, as in ``\\\\x1b``."""
+    return _HIDDEN.sub(lambda match: ascii(match[0])[1:-1], text)
 
 
 def file_parts(names: Iterable[str]) -> Mapping[str, str]:
-    """What names become in names of files: themselves where plain, else something readable and a digest.
+    """Forms of names in names of files: plain names unchanged, others as a readable part and a digest.
 
-    Letters, digits, "_", "-" and "+" of ASCII only, so that no name leaves its folder on any system;
-    different names become different ones, also where a system takes capitals for small letters.
+    Only ASCII letters, digits, "_", "-" and "+" occur, so that no name leaves its folder on any system.
+    Different names get different forms, also on systems that ignore the case of letters.
     """
     names = list(dict.fromkeys(names))
     alike = Counter(name.casefold() for name in names)
-    kept = {name for name in names if alike[name.casefold()] == 1 and _is_plain(name)}
-    return {name: name if name in kept else _digested(name) for name in names}
+    unchanged = {name for name in names if alike[name.casefold()] == 1 and _is_plain(name)}
+    return {name: name if name in unchanged else _digested(name) for name in names}
 
 
 def _is_plain(name: str) -> bool:
@@ -81,28 +82,28 @@ def _is_plain(name: str) -> bool:
 
 
 def _digested(name: str) -> str:
-    # "+" is in no plain name, so this one cannot be that of another name
+    # no plain name contains "+", so this form cannot be another name
     digest = hashlib.sha256(name.encode("utf-8", "surrogatepass")).hexdigest()[:DIGITS]
     return f"{_OTHERS.sub('_', name)[:LONGEST_SLUG]}+{digest}"
 
 
 def cell(value: object) -> object:
-    """A value for a table in CSV: text that a spreadsheet would compute gets the "'" that makes it text."""
+    """A value for a CSV table; a text that a spreadsheet would compute gets a leading "'"."""
     if isinstance(value, str) and _FORMULA.match(value) and not _NUMBER.fullmatch(value.lstrip("'")):
         return f"'{value}"
     return value
 
 
 def latex(text: str) -> str:
-    """A text for LaTeX, which prints it as it is: no letter of it is a command, none needs a package."""
+    """A text for LaTeX that prints it literally: no letter is a command, and no package is needed."""
     return visible(text).translate(_IN_LATEX)
 
 
 def from_cell(text: str) -> str:
-    """The text that `cell` made safe; any other text as it is."""
+    """The original of a text from `cell`; any other text is unchanged."""
     return text[1:] if text.startswith("'") and cell(text[1:]) == text else text
 
 
 def variable(text: str) -> str:
-    """A text as the name of a variable in NetCDF, where "/" parts groups."""
+    """A text as the name of a NetCDF variable, in which "/" separates groups."""
     return text.replace("%", "%25").replace("/", "%2F")

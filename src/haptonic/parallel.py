@@ -1,6 +1,6 @@
-"""Work side by side, in threads or in processes: one way to spread it and one to stop it.
+"""Parallel work in threads or in processes: starting and stopping it.
 
-Many designs, whose results are kept one by one, go through `haptonic.jobs`.
+Many designs whose results are stored one by one use `haptonic.jobs`.
 """
 
 from __future__ import annotations
@@ -30,27 +30,27 @@ THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 
 
 class StartError(RuntimeError):
-    """No process can be started."""
+    """No worker process can be started."""
 
 
 def cores() -> int:
-    """That this process may run on."""
-    # not every system can tell which these are
+    """Number of cores that this process may use."""
+    # not every system reports the cores of a process
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def threads() -> int:
-    """Threads to use: ``OMP_NUM_THREADS`` if it is set, else as many as there are cores."""
+    """Number of threads: ``OMP_NUM_THREADS`` if it is set, otherwise the number of cores."""
     wanted = os.environ.get("OMP_NUM_THREADS", "")
     return max(1, int(wanted)) if wanted.isdigit() else cores()
 
 
 @contextmanager
 def one_thread() -> Iterator[None]:
-    """Linear algebra without threads of its own: ours do more, and most matrices are too small for any.
+    """Run linear algebra on one thread: our own threads are faster, and most matrices are too small for more.
 
-    A limit holds for libraries that are loaded, and SciPy brings its own, which is loaded when first used: a
-    first answer had a thread more than the next, and differed in its seventh digit.
+    A limit applies to loaded libraries only, and SciPy loads its own library on first use. Without the import
+    here, a first result used one thread more than the next and differed in the seventh digit.
     """
     import_module("scipy.linalg")
     with threadpool_limits(1):
@@ -58,11 +58,11 @@ def one_thread() -> Iterator[None]:
 
 
 def each(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
-    """Results of all items in their order, from threads of our own; linear algebra inside has one each.
+    """Results of all items in their order, computed by threads; linear algebra in each uses one thread.
 
     Raises
     ------
-    whatever the work on an item raises; what has not begun by then is not begun any more
+    any exception of the work on an item; items that have not begun are then skipped
     """
     every = list(items)
     workers = min(threads(), len(every))
@@ -73,14 +73,14 @@ def each(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
 def streamed(
     work: Callable[[Item], Result], items: Iterable[Item], workers: int, ahead: int
 ) -> Generator[Result, None, None]:
-    """Results in the order of items that come one after the other, from threads.
+    """Results in the order of the items, computed by threads.
 
     Parameters
     ----------
-    workers : threads that work; 0 works in this one
-    ahead : items that may be taken before the first result is asked for, which bounds the memory
+    workers : number of threads; 0 for the calling thread
+    ahead : items that may be taken before the first result is requested, which bounds the memory
 
-    Whoever closes the generator, by an error or Ctrl-C, cancels what has not begun.
+    Closing the generator, by an error or Ctrl-C, cancels work that has not begun.
     """
     if not workers:
         yield from map(work, items)
@@ -104,28 +104,28 @@ def finished(
     workers: int,
     died: Callable[[Item], Result],
 ) -> Generator[tuple[Key, Result], None, None]:
-    """Results of items by their keys, as they come, from processes; no item is taken before one is free.
+    """Results of items by key, as they are finished by processes; items are taken one by one.
 
-    A process that dies takes its own item with it and no other; the item is tried once more.
+    A process that dies loses only its own item, which is tried once more.
 
     Parameters
     ----------
-    work : importable
-    workers : processes that work; 0 works in this one
-    died : what stands in place of the result of an item on which two processes died
+    work : importable function
+    workers : number of processes; 0 for this process
+    died : returns the result of an item on which two processes died
 
-    Whoever closes the generator, by an error or Ctrl-C, ends the processes without waiting for their work.
+    Closing the generator, by an error or Ctrl-C, ends the processes without waiting for their work.
 
     Raises
     ------
     StartError : no process can be started
-    whatever the work on an item raises, after the results that came with it
+    any exception of the work on an item, after the results that came with it
     """
     if not workers:
         yield from ((key, work(item)) for key, item in items)
         return
     coming = ((key, item, 0) for key, item in items)
-    again: deque[tuple[Key, Item, int]] = deque()  # with how many processes died on it
+    again: deque[tuple[Key, Item, int]] = deque()  # with the number of processes that died on it
     with ExitStack() as stack:
         idle = _started(workers, workers, stack)
         running: dict[Future[Result], tuple[Key, Item, int, ProcessPoolExecutor]] = {}
@@ -136,7 +136,7 @@ def finished(
             if not running:
                 return
             done, _ = wait(running, return_when=FIRST_COMPLETED)
-            for future in sorted(done, key=lambda one: one.exception() is not None):
+            for future in sorted(done, key=lambda future: future.exception() is not None):
                 key, item, deaths, pool = running.pop(future)
                 try:
                     yield key, future.result()
@@ -150,12 +150,12 @@ def finished(
 
 
 def _started(count: int, workers: int, stack: ExitStack) -> list[ProcessPoolExecutor]:
-    """Pools of one process each, one of ``workers`` that share the cores; they end with the stack."""
-    # spawned, because a fork of a process with threads may hang
+    """Pools of one process each, each with its share of the cores among ``workers``; the stack ends them."""
+    # spawned, because the fork of a process with threads may hang
     spawned = multiprocessing.get_context("spawn")
     pools = [ProcessPoolExecutor(1, mp_context=spawned) for _ in range(count)]
     share = str(max(1, cores() // workers))
-    with _interrupts_held(), _environment(dict.fromkeys(THREAD_LIMITS, share)):
+    with _interrupts_delayed(), _environment(dict.fromkeys(THREAD_LIMITS, share)):
         try:
             names = [pool.submit(os.getpid) for pool in pools]
             for pool, name in zip(pools, names, strict=True):
@@ -166,27 +166,27 @@ def _started(count: int, workers: int, stack: ExitStack) -> list[ProcessPoolExec
 
 
 def _end(pool: ProcessPoolExecutor, process: int) -> None:
-    """End a process without waiting for what it is doing, which nobody wants any more."""
-    with _interrupts_held(), suppress(psutil.Error):
+    """End a process without waiting for its work."""
+    with _interrupts_delayed(), suppress(psutil.Error):
         pool.shutdown(wait=False, cancel_futures=True)
         psutil.Process(process).kill()
 
 
 @contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """Let Ctrl-C wait until the block is done: half a set of processes would stay behind.
+def _interrupts_delayed() -> Iterator[None]:
+    """Delay Ctrl-C until the end of the block; it would leave processes of an incomplete set behind.
 
-    The signal is also blocked in the threads and processes that are started meanwhile. A terminal sends it to
-    every process of the run, and only this one is to react.
+    The signal is also blocked in threads and processes that are started in the block. A terminal sends it to
+    every process of the run, but only this one should react.
     """
     seen: list[int] = []
     blocks = hasattr(signal, "pthread_sigmask")  # not on Windows
-    # Python allows handlers in the main thread only; elsewhere Ctrl-C does not arrive anyway.
+    # Python allows signal handlers in the main thread only; Ctrl-C does not arrive in other threads
     handles = threading.current_thread() is threading.main_thread()
     if handles:
         handler = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
     if blocks:
-        # Started on demand otherwise, by a thread that would then unblock the signal.
+        # otherwise it is started on demand, by a thread that would then unblock the signal
         resource_tracker.ensure_running()
         mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
@@ -202,7 +202,7 @@ def _interrupts_held() -> Iterator[None]:
 
 @contextmanager
 def _environment(values: Mapping[str, str]) -> Iterator[None]:
-    """Set variables for a while."""
+    """Set environment variables for a block."""
     before = {name: os.environ.get(name) for name in values}
     os.environ.update(values)
     try:

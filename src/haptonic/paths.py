@@ -1,4 +1,4 @@
-"""A path that a user gave, checked before anything waits for it or writes to it."""
+"""Paths from users, checked before they are read or written."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from haptonic.errors import HaptonicError, Parts, ResourceError, shown
 E = TypeVar("E", bound=HaptonicError)
 
 
-LONGEST = 255  # bytes of one name, on every common file system
-# Without it, opening a pipe that nobody writes to would wait for ever; files take no notice of it.
+LONGEST = 255  # bytes of a name, on every common file system
+# opening a pipe without a writer would otherwise wait for ever; the flag has no effect on files
 _UNBLOCKED = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)
 
 
 def source(given: object, argument: str, kind: type[HaptonicError] = ResourceError) -> Path:
-    """A file or folder that can be read, or nothing: what is missing or forbidden is told by who reads it.
+    """Check the path of a file or folder to read; the reader reports a missing or forbidden file.
 
     Parameters
     ----------
@@ -26,7 +26,8 @@ def source(given: object, argument: str, kind: type[HaptonicError] = ResourceErr
 
     Raises
     ------
-    HaptonicError : no path, one that no file can have, a pipe or device, or a file whose first byte fails
+    HaptonicError : not a path, an impossible path, a pipe or device, or a file whose first byte cannot be
+        read
     """
     path = _path(given, argument, kind)
     try:
@@ -34,7 +35,7 @@ def source(given: object, argument: str, kind: type[HaptonicError] = ResourceErr
     except (FileNotFoundError, NotADirectoryError, PermissionError, IsADirectoryError):
         return path
     except OSError as error:
-        raise _unreadable(path, argument, kind, _said(error)) from None
+        raise _unreadable(path, argument, kind, _message(error)) from None
     try:
         form = os.fstat(handle).st_mode
         if not (stat.S_ISREG(form) or stat.S_ISDIR(form)):
@@ -42,36 +43,36 @@ def source(given: object, argument: str, kind: type[HaptonicError] = ResourceErr
         if stat.S_ISREG(form):
             os.read(handle, 1)
     except OSError as error:
-        raise _unreadable(path, argument, kind, _said(error)) from None
+        raise _unreadable(path, argument, kind, _message(error)) from None
     finally:
         os.close(handle)
     return path
 
 
 def unread(kind: type[E], error: Exception, **parts: Unpack[Parts]) -> E:
-    """The error of a file that was not read: `not-found` if there is none, else `unreadable` as given."""
+    """Error for a file that could not be read: `not-found` if it does not exist, otherwise `unreadable`."""
     if not isinstance(error, FileNotFoundError):
         return kind("unreadable", **parts)
-    parts["cause"], parts["next_step"] = "there is no such file", "check the name and the folder"
+    parts["cause"], parts["next_step"] = "the file does not exist", "check the name and the folder"
     return kind("not-found", **parts)
 
 
 def target(given: object, argument: str = "--out") -> Path:
-    """A folder or file that can be made there, as far as its name tells.
+    """Check the path of a folder or file to write, as far as its name allows.
 
     Raises
     ------
-    ResourceError : no path, or one that no file can have
+    ResourceError : not a path, or an impossible path
     """
     return _path(given, argument, ResourceError)
 
 
 def inside(folder: Path, name: str | PurePosixPath) -> Path:
-    """A file of a folder, or by a path one of a folder below it. Its name leads nowhere else, on any system.
+    """Path of a file in a folder, or below it. The name cannot lead out of the folder on any system.
 
     Raises
     ------
-    ResourceError : a name, or a part of a path, with a folder, a drive or a step upwards in it, or none
+    ResourceError : a name or part with a folder, a drive or a step upwards in it, or an empty name
     """
     parts = name.parts if isinstance(name, PurePosixPath) else (name,)
     plain = all({PurePosixPath(part).name, PureWindowsPath(part).name} == {part} for part in parts)
@@ -80,8 +81,8 @@ def inside(folder: Path, name: str | PurePosixPath) -> Path:
             argument="output file",
             given=shown(str(name), 200),
             allowed="a name without folders",
-            cause="a name of somebody's choice became the name of a file as it is",
-            next_step="report a fault: names of files are made by haptonic.names.file_parts",
+            cause="a name chosen by a user was used as the name of a file without change",
+            next_step="report a fault: haptonic.names.file_parts makes names of files",
         )
     return target(folder / name)
 
@@ -100,7 +101,7 @@ def _path(given: object, argument: str, kind: type[HaptonicError]) -> Path:
         raise refused("a value of another type", 'give a text in quotes, such as "plate.toml"')
     text = os.fspath(given)
     if not text or "\0" in text:
-        raise refused("the text is empty, or holds a NUL", "give the name of a file or folder")
+        raise refused("the text is empty or contains a NUL", "give the name of a file or folder")
     path = Path(text)
     if any(len(os.fsencode(part)) > LONGEST for part in path.parts):
         raise refused(f"a name in it is longer than {LONGEST} bytes", "choose a shorter name")
@@ -111,9 +112,9 @@ def _path(given: object, argument: str, kind: type[HaptonicError]) -> Path:
     except RuntimeError:
         raise refused(f'there is no user "{path.parts[0][1:]}" here', "write the whole path") from None
     except (FileNotFoundError, NotADirectoryError, PermissionError):
-        pass  # whoever reads or writes it says so
+        pass  # the reader or writer reports it
     except OSError as error:
-        raise refused(f"the system says: {_said(error)}", "check the path") from None
+        raise refused(f"error of the system: {_message(error)}", "check the path") from None
     return path
 
 
@@ -123,9 +124,9 @@ def _unreadable(path: Path, argument: str, kind: type[HaptonicError], cause: str
         given=shown(str(path), 200),
         allowed="a file or folder that can be read",
         cause=cause,
-        next_step="check the path, or copy what it holds to a file and give that",
+        next_step="check the path, or copy the content to a file and give that",
     )
 
 
-def _said(error: OSError) -> str:
+def _message(error: OSError) -> str:
     return error.strerror or str(error)

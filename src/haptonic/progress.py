@@ -1,4 +1,4 @@
-"""How long work tells how far it is: one callback with one signature, everywhere."""
+"""Progress of long work: one callback with the same signature everywhere."""
 
 from __future__ import annotations
 
@@ -9,26 +9,26 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
-PATIENCE, PAUSE = 1.0, 0.2  # s before a notebook is told anything, and between two words
+PATIENCE, PAUSE = 1.0, 0.2  # s before a notebook shows a bar, and between two updates
 
 
 class Progress(Protocol):
-    """Called with what is done, what is planned, and if it helps a word on what is done now.
+    """Callback with the number of steps done and planned, and optionally the name of the current step.
 
-    planned : 0 while nobody knows yet
+    planned : 0 while the number is unknown
     """
 
     def __call__(self, done: int, planned: int, what: str = "", /) -> object: ...
 
 
 def silent(done: int, planned: int, what: str = "", /) -> None:
-    """Tell nobody."""
+    """Report nothing."""
 
 
 @contextmanager
 def in_notebook(doing: str) -> Iterator[Progress]:
-    """A bar below the cell of a notebook that takes more than a moment, gone at its end; else silence."""
-    module = sys.modules.get("IPython")  # there already if this is a notebook
+    """A progress bar below the cell of a notebook if the work takes longer; no output elsewhere."""
+    module = sys.modules.get("IPython")  # loaded if this is a notebook
     if module is None or not hasattr(module.get_ipython(), "kernel"):
         yield silent
         return

@@ -1,7 +1,7 @@
-"""Sparse symmetric direct solvers behind one small interface.
+"""Sparse symmetric direct solvers with a common interface.
 
-A `Pattern` is analysed once; every set of numbers on it is then factorised without a new analysis. MKL
-Pardiso is used where it is installed, else CHOLMOD, else SciPy's SuperLU. ``HAPTONIC_SOLVER`` forces one.
+A `Pattern` is analysed once; any values on it are then factorised without a new analysis. MKL Pardiso is
+used if it is installed, otherwise CHOLMOD, otherwise SciPy's SuperLU. ``HAPTONIC_SOLVER`` selects one.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ Indices = NDArray[np.int32]
 
 @dataclass(frozen=True)
 class Pattern:
-    """Upper triangle of a symmetric sparse matrix in compressed rows, every diagonal entry present.
+    """Pattern of the upper triangle of a symmetric sparse matrix in compressed rows, with the whole diagonal.
 
     indptr : (n + 1,), indices : (nnz,) ascending within a row
-    order : (n,) unknowns in the order of their elimination, if that is known; else the solver seeks one
+    order : (n,) unknowns in the order of elimination, if known; otherwise the solver computes one
     """
 
     indptr: Indices
@@ -44,7 +44,7 @@ class Pattern:
         return len(self.indptr) - 1
 
     def matrix(self, data: Array) -> sp.csr_array:
-        """The whole symmetric matrix; numbers that happen to be zero keep their place."""
+        """The whole symmetric matrix; values that are zero keep their entries."""
         rows = np.repeat(np.arange(self.size, dtype=np.int32), np.diff(self.indptr))
         off = rows != self.indices
         both = (np.concatenate([rows, self.indices[off]]), np.concatenate([self.indices, rows[off]]))
@@ -53,7 +53,7 @@ class Pattern:
 
 @contextmanager
 def definite() -> Iterator[None]:
-    """Around what needs a cell's stiffness and mass to be positive: NumericalError where they are not."""
+    """Raise NumericalError if a cell's stiffness or mass, which must be positive, is not."""
     try:
         yield
     except np.linalg.LinAlgError as error:
@@ -67,14 +67,14 @@ def definite() -> Iterator[None]:
 
 
 class Solver(Protocol):
-    """Analysed pattern that holds at most one factorisation at a time."""
+    """Analysed pattern with at most one factorisation at a time."""
 
     name: str
 
     def __init__(self, pattern: Pattern) -> None: ...
 
     def factorise(self, data: Array, *, definite: bool = True) -> int:
-        """Factorise the numbers ``data`` on the pattern; returns the count of negative eigenvalues.
+        """Factorise the values ``data`` on the pattern and return the number of negative eigenvalues.
 
         Raises ``numpy.linalg.LinAlgError`` if the matrix is singular, or not definite when it should be.
         """
@@ -86,11 +86,11 @@ class Solver(Protocol):
 
 
 class PardisoSolver:
-    """MKL Pardiso, without its iterative refinement, which costs a factor of 40 on many right-hand sides.
+    """MKL Pardiso without iterative refinement, which costs a factor of 40 for many right-hand sides.
 
-    Always on one thread, whoever calls: OpenMP's limits hold for the calling thread only, and an analysis
-    made with another number of threads than its factorisation gives wrong counts and worse. Threads of our
-    own, each with its solver, use the cores better.
+    It always uses one thread: OpenMP's limits apply to the calling thread only, and an analysis with another
+    number of threads than its factorisation gives wrong counts or crashes. Several threads of our own, each
+    with its solver, use the cores better.
     """
 
     name = "MKL Pardiso"
@@ -107,10 +107,10 @@ class PardisoSolver:
         self._settings[[0, 1, 4, 7, 9, 20, 34]] = 1, 2, pattern.order is not None, 0, 8, 1, 1
 
     def factorise(self, data: Array, *, definite: bool = True) -> int:
-        # an analysis for matrices of any sign serves definite ones as well
+        # an analysis for indefinite matrices can be used for definite ones too
         self._type = 2 if definite and -2 not in self._handles else -2
         self._data = np.ascontiguousarray(data, dtype=np.float64)
-        if definite and not (self._data[self._rows[:-1]] > 0).all():  # pivots that it would not look at
+        if definite and not (self._data[self._rows[:-1]] > 0).all():  # Pardiso does not check these pivots
             raise np.linalg.LinAlgError("the matrix is not definite: its diagonal is not positive")
         if self._type not in self._handles:
             self._handles[self._type] = np.zeros(64, dtype=np.int64)
@@ -161,7 +161,7 @@ class PardisoSolver:
 
     def __del__(self) -> None:
         if sys.is_finalizing():
-            return  # the process takes its memory with it
+            return  # the memory is freed with the process
         for kind in list(self._handles):
             self._type = kind
             self._call(-1)
@@ -178,7 +178,7 @@ class CholmodSolver:
         self._indefinite: SuperLUSolver | None = None
 
     def factorise(self, data: Array, *, definite: bool = True) -> int:
-        if not definite:  # CHOLMOD's L D L' has no pivoting; SuperLU counts more safely
+        if not definite:  # CHOLMOD's L D L' has no pivoting; the count of SuperLU is more reliable
             self._indefinite = SuperLUSolver(self._pattern)
             return self._indefinite.factorise(data, definite=False)
         from sksparse import cholmod  # optional dependency
@@ -200,7 +200,7 @@ class CholmodSolver:
 
 
 class SuperLUSolver:
-    """SciPy's SuperLU: slower by an order of magnitude, but always there."""
+    """SciPy's SuperLU, slower by an order of magnitude but always available."""
 
     name = "SciPy SuperLU"
 
@@ -219,7 +219,7 @@ class SuperLUSolver:
             )
         except RuntimeError:
             raise np.linalg.LinAlgError("the matrix is singular") from None
-        # Without row exchanges U's diagonal is that of L D L', whose signs count eigenvalues (Sylvester).
+        # without row exchanges U's diagonal is that of L D L', whose signs count eigenvalues (Sylvester)
         if not np.array_equal(self._factor.perm_r, self._factor.perm_c):
             raise np.linalg.LinAlgError("SuperLU had to exchange rows; the count of signs would be wrong")
         negative = int((self._factor.U.diagonal() < 0).sum())
@@ -233,8 +233,8 @@ class SuperLUSolver:
 
 @cache
 def _mkl_functions() -> tuple[Any, Any]:
-    """Pardiso, and what sets the number of MKL's threads for the calling thread and returns the former."""
-    # idle threads of MKL otherwise spin for 0.2 s after every call and take the cores from others
+    """Pardiso, and the function that sets MKL's threads for the calling thread, returning the old number."""
+    # idle threads of MKL otherwise spin for 0.2 s after every call and occupy the cores
     os.environ.setdefault("KMP_BLOCKTIME", "0")
     if "PYPARDISO_MKL_RT" not in os.environ and (library := _mkl_library()):
         os.environ["PYPARDISO_MKL_RT"] = library
@@ -245,7 +245,7 @@ def _mkl_functions() -> tuple[Any, Any]:
 
 
 def _mkl_library() -> str | None:
-    """Where pip put MKL; to find it pypardiso would look through the whole environment, a second long."""
+    """Path of pip's MKL; without it pypardiso searches the whole environment, which takes a second."""
     try:
         files = importlib.metadata.files("mkl") or []
     except importlib.metadata.PackageNotFoundError:
@@ -261,7 +261,7 @@ SOLVERS: dict[str, tuple[str | None, type[Solver]]] = {
 
 
 def available() -> list[str]:
-    """Short names of the solvers that are installed here, best first."""
+    """Short names of the installed solvers, the fastest first."""
     return [
         name for name, (module, _) in SOLVERS.items()
         if module is None or importlib.util.find_spec(module) is not None
@@ -269,7 +269,7 @@ def available() -> list[str]:
 
 
 def chosen() -> type[Solver]:
-    """The best solver that is installed, or the one that ``HAPTONIC_SOLVER`` names."""
+    """The fastest installed solver, or the one in ``HAPTONIC_SOLVER``."""
     wanted = os.environ.get("HAPTONIC_SOLVER") or available()[0]
     if wanted not in available():
         cause = "the name is misspelt, or that solver's package is not installed"

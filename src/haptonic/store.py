@@ -1,9 +1,8 @@
-"""Results on disk, found again by what made them.
+"""Store of results on disk, with keys from their inputs.
 
-A result is filed under the SHA-256 of its inputs and of the code that computed it (``content_key``). So a run
-that was killed goes on where it was, a run that was done is instant, and a result is never taken from code
-that has changed since. A file appears whole or not at all: it is written under a temporary name, brought to
-the disk, then renamed.
+The key of a result is the SHA-256 of its inputs and of the code that computed it (``content_key``). So an
+interrupted run continues, a repeated run is immediate, and results of changed code are never used. A file is
+complete or absent: it is written under a temporary name, flushed to the disk, and then renamed.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ from haptonic.gate import passed
 from haptonic.later import xarray as xr
 from haptonic.paths import target
 
-# Parts of the package that show or compare results but do not make them.
+# parts of the package that show or compare results without computing them
 SHOWING = frozenset({"cli", "plots", "report", "verification", "workshop"})
 
 DIGEST_BYTES = hashlib.sha256().digest_size
@@ -46,23 +45,23 @@ _KEY = re.compile(r"[0-9a-f]{64}")
 
 _CAUSES = {
     errno.ENOSPC: "the disk is full",
-    errno.EDQUOT: "your share of the disk is used up",
+    errno.EDQUOT: "your disk quota is used up",
     errno.EFBIG: "the file is larger than the system lets you write",
-    errno.EACCES: "you may not write there",
-    errno.EPERM: "you may not write there",
-    errno.EROFS: "the disk can only be read",
+    errno.EACCES: "you have no permission to write there",
+    errno.EPERM: "you have no permission to write there",
+    errno.EROFS: "the disk is read-only",
     errno.ENOTDIR: "a part of the path is a file, not a folder",
     errno.EEXIST: "a part of the path is a file, not a folder",
-    errno.EISDIR: "there is a folder of that name",
+    errno.EISDIR: "a folder of this name exists",
     errno.ENAMETOOLONG: "the name is too long",
 }
 
 
 @cache
 def fingerprint() -> str:
-    """Hash of the code that computes: the package's numerical source and the versions of numpy and scipy.
+    """Hash of the computing code: the numerical source of the package and the versions of numpy and scipy.
 
-    Read once per process.
+    It is computed once per process.
     """
     return _fingerprint(Path(__file__).parent, {"numpy": np.__version__, "scipy": scipy.__version__})
 
@@ -83,19 +82,19 @@ def _fingerprint(package: Path, versions: Mapping[str, str]) -> str:
 def content_key(inputs: Mapping[str, object]) -> str:
     """Key of a result: SHA-256 (64 hexadecimal digits) of its inputs and of ``fingerprint()``.
 
-    ``inputs`` must hold everything that the result depends on, the kind of computation included: the frozen
-    values themselves, not chosen fields of theirs, so that a new field changes the key; see `canonical`.
+    ``inputs`` must contain everything that the result depends on, including the kind of computation. Use the
+    frozen values themselves, not some of their fields, so that a new field changes the key; see `canonical`.
     """
     text = json.dumps(canonical(dict(inputs)), separators=(",", ":"))
     return hashlib.sha256(f"{fingerprint()}\n{text}".encode()).hexdigest()
 
 
 def canonical(value: object, where: str = "inputs") -> list[Any]:
-    """Nested lists of JSON types that are equal for equal values only, each led by what kind of value it is.
+    """Nested lists of JSON types that are equal for equal values only; each begins with the kind of value.
 
-    Knows dataclasses (their type and every field), text, numbers (floats bit by bit, NaN apart), None, enums,
-    arrays, bytes, sequences, mappings and sets. The order of mappings and sets does not matter; 1 and 1.0 are
-    different; a list and a tuple are the same, as are a number of numpy and that number.
+    It supports dataclasses (type and all fields), text, numbers (floats exactly, NaN excluded), None, enums,
+    arrays, bytes, sequences, mappings and sets. The order of mappings and sets does not matter. 1 and 1.0
+    differ; a list and a tuple are equal, as are a number of numpy and the same Python number.
     """
     if isinstance(value, np.generic):
         value = value.item()
@@ -105,26 +104,26 @@ def canonical(value: object, where: str = "inputs") -> list[Any]:
         case None | bool() | int() | str():
             return [type(value).__name__, value]
         case float():
-            return ["float", value.hex()]  # a repr would do as well; this one needs no rounding to be read
+            return ["float", value.hex()]  # exact, and readable without rounding
         case complex():
             return ["complex", value.real.hex(), value.imag.hex()]
         case bytes():
             return ["bytes", value.hex()]
         case np.ndarray():
-            assert value.dtype != object, f"{where}: an array of objects cannot name a result"
+            assert value.dtype != object, f"{where}: an array of objects cannot be part of a key"
             return ["array", value.dtype.str, list(value.shape), value.tobytes().hex()]
         case list() | tuple():
-            return ["list", *(canonical(one, f"{where}[{i}]") for i, one in enumerate(value))]
+            return ["list", *(canonical(item, f"{where}[{i}]") for i, item in enumerate(value))]
         case set() | frozenset():
-            return ["set", *sorted((canonical(one, where) for one in value), key=json.dumps)]
+            return ["set", *sorted((canonical(item, where) for item in value), key=json.dumps)]
         case Mapping():
-            pairs = [[canonical(k, where), canonical(one, f"{where}.{k}")] for k, one in value.items()]
+            pairs = [[canonical(k, where), canonical(item, f"{where}.{k}")] for k, item in value.items()]
             return ["mapping", *sorted(pairs, key=json.dumps)]
     has_fields = is_dataclass(value) and not isinstance(value, type)
-    assert has_fields, f"{where}: {type(value).__name__} has no fields that could name a result"
-    names = [one.name for one in fields(value)]  # type: ignore[arg-type]  # it is a dataclass, see above
-    held = [[name, canonical(getattr(value, name), f"{where}.{name}")] for name in names]
-    return ["value", _type_of(value), *held]
+    assert has_fields, f"{where}: {type(value).__name__} has no fields and cannot be part of a key"
+    names = [field.name for field in fields(value)]  # type: ignore[arg-type]  # it is a dataclass, see above
+    pairs_of_fields = [[name, canonical(getattr(value, name), f"{where}.{name}")] for name in names]
+    return ["value", _type_of(value), *pairs_of_fields]
 
 
 def _type_of(value: object) -> str:
@@ -133,21 +132,21 @@ def _type_of(value: object) -> str:
 
 @dataclass(frozen=True)
 class Store:
-    """Datasets in files below ``root``, each named by its ``content_key``.
+    """Datasets in files below ``root``, each with the name of its ``content_key``.
 
-    A file is NetCDF (HDF5), followed by its key and by the SHA-256 of all that comes before that. NetCDF
-    readers ignore the addition; ``get`` uses it to recognise a file that was damaged or is another key's.
+    A file is NetCDF (HDF5), followed by its key and by the SHA-256 of everything before. NetCDF readers
+    ignore this addition; ``get`` uses it to detect a damaged file or a file with another key.
     """
 
     root: Path
 
     @classmethod
     def default(cls) -> Store:
-        """The folder named by ``$HAPTONIC_STORE``, else this user's cache folder.
+        """The store in ``$HAPTONIC_STORE``, or else in the user's cache folder.
 
         Raises
         ------
-        ResourceError : that variable names no possible folder
+        ResourceError : the variable is not a possible folder
         """
         chosen = os.environ.get("HAPTONIC_STORE")
         root = (
@@ -158,20 +157,20 @@ class Store:
         return cls(root.absolute())
 
     def path(self, key: str) -> Path:
-        """Where the result of this key is or would be."""
+        """Path of the file for this key."""
         assert _KEY.fullmatch(key), f"{key!r} does not come from content_key"
         return self.root / key[:2] / f"{key}.nc"
 
     def __contains__(self, key: str) -> bool:
-        """Whether there is a file for this key; only ``get`` finds out whether it is sound."""
+        """True if a file for this key exists; only ``get`` checks its content."""
         return self.path(key).is_file()
 
     def get(self, key: str) -> xr.Dataset | None:
-        """The dataset of this key, in memory; None when there is none.
+        """The dataset of this key, in memory; None without one.
 
-        A file that is damaged or holds the result of another key counts as none: it is renamed to
-        ``<name>.corrupt`` and a HaptonicWarning says so. A HaptonicWarning also says, before anybody computes
-        what was not found, that nothing can be kept here.
+        A damaged file, or one with another key, does not count: it is renamed to ``<name>.corrupt`` with a
+        HaptonicWarning. If the store cannot be written, a HaptonicWarning is issued before a missing result
+        is computed.
         """
         path = self.path(key)
         try:
@@ -185,31 +184,32 @@ class Store:
         except OSError as error:
             self._warn(error)
             return None
-        # A quantity whose unit is the second stays a number instead of becoming a timedelta.
+        # decode_timedelta=False: a quantity in seconds stays a number
         return xr.load_dataset(io.BytesIO(content), engine="h5netcdf", decode_timedelta=False)
 
     def kept(self, question: Mapping[str, object], make: Callable[[], xr.Dataset]) -> xr.Dataset:
-        """What answers a question, all of which becomes its key; it is made if it is not here yet."""
+        """The stored result for these inputs, which form its key; it is computed and stored if missing."""
         key = content_key(question)
-        found = self.get(key)
-        if found is None:
-            found = make()
-            self.put(key, found)
-        return found
+        dataset = self.get(key)
+        if dataset is None:
+            dataset = make()
+            self.put(key, dataset)
+        return dataset
 
     def put(self, key: str, dataset: xr.Dataset) -> None:
-        """Keep a dataset under this key, in place of one that is there.
+        """Store a dataset under this key; an existing one is replaced.
 
-        Its attributes must be ones that NetCDF knows: text, numbers, and lists of numbers, not booleans. If
-        it cannot be written, a HaptonicWarning says so: a result is worth more than its copy.
+        Its attributes must be of types of NetCDF: text, numbers, and lists of numbers, not booleans. If the
+        file cannot be written, a HaptonicWarning is issued instead of an error, so that the result is not
+        lost.
 
         Raises
         ------
-        NumericalError : a number in it is none, see `haptonic.gate`
+        NumericalError : NaN or infinity in the dataset, see `haptonic.gate`
         """
         path = self.path(key)
         passed(dataset)
-        # Made in memory first: HDF5 reports a full disk by errors of many kinds, a plain write by one.
+        # first in memory: HDF5 raises errors of many kinds on a full disk, a plain write only one
         content = io.BytesIO()
         dataset.to_netcdf(content, engine="h5netcdf")
         content.seek(0, io.SEEK_END)
@@ -231,8 +231,8 @@ class Store:
     def _warn(self, error: BaseException | None) -> None:
         assert isinstance(error, OSError)
         warnings.warn(
-            "results of this run are not kept, and are computed again the next time: the results store "
-            f"{self.root} cannot be used: {_cause(error)}. Free or permit that folder, or name another one: "
+            "results of this run are not stored and will be computed again: the store "
+            f"{self.root} cannot be used: {_cause(error)}. Free or permit that folder, or choose another: "
             "HAPTONIC_STORE=FOLDER haptonic ...",
             HaptonicWarning,
             stacklevel=3,
@@ -240,14 +240,14 @@ class Store:
 
 
 def write_atomically(path: Path, writer: Callable[[Path], object]) -> None:
-    """Write a file so that it appears whole or not at all; missing folders are made.
+    """Write a file that is complete or absent; missing folders are created.
 
-    ``writer`` is given a temporary path in the same folder and with the same suffix, and writes that. When
-    it fails, nothing is left behind and a file that was there before is untouched.
+    ``writer`` writes to a temporary path in the same folder with the same suffix. If it fails, no file is
+    left and an existing file is not changed.
 
     Raises
     ------
-    ResourceError : the folder cannot be made or written, or the disk is full
+    ResourceError : the folder cannot be created or written, or the disk is full
     """
     try:
         _replace(path, writer)
@@ -257,17 +257,17 @@ def write_atomically(path: Path, writer: Callable[[Path], object]) -> None:
 
 @contextmanager
 def whole_set(folder: Path, *, overwrite: bool) -> Iterator[Path]:
-    """A new empty folder to write files into, which come to stand in ``folder`` when the block ends well.
+    """A new empty folder for files, which are moved to ``folder`` at the end of the block.
 
-    If it does not end well, none of them is there, and ``folder`` is as it was. Two processes that write
-    into the same folder do not meet before the files are renamed.
+    If the block fails, no file is moved, and ``folder`` is not changed. Two processes that write into the
+    same folder do not interfere until their files are renamed.
 
     Raises
     ------
-    ResourceError : a name is taken, the folder cannot be made or written, or the disk is full
+    ResourceError : a name is taken, the folder cannot be created or written, or the disk is full
     """
     with draft_for(folder) as (draft, _):
-        with _asked_for(folder, draft):
+        with _errors_for(folder, draft):
             yield draft
         files = sorted(path.relative_to(draft) for path in draft.rglob("*") if path.is_file())
         for name in files:
@@ -281,35 +281,35 @@ def whole_set(folder: Path, *, overwrite: bool) -> Iterator[Path]:
 
 
 @contextmanager
-def _asked_for(path: Path, made: Path) -> Iterator[None]:
-    """Errors tell of the path that was asked for, not of what was made in its place."""
+def _errors_for(path: Path, temporary: Path) -> Iterator[None]:
+    """Replace a temporary path in errors by the path that the user gave."""
     try:
         yield
     except ResourceError as error:
-        raise error.changed(ResourceError, given=error.given.replace(str(made), str(path))) from error
+        raise error.changed(ResourceError, given=error.given.replace(str(temporary), str(path))) from error
 
 
 @contextmanager
 def draft_for(folder: Path) -> Iterator[tuple[Path, Path]]:
-    """An empty folder on the disk where ``folder`` is or would be, gone after the block; then what of the
-    path of ``folder`` is not there yet.
+    """A temporary empty folder on the disk of ``folder``, and the part of its path that does not exist yet.
 
-    Its name is its own and no other folder is made, so runs at the same time do not meet.
+    The name of the temporary folder is random and no other folder is created, so parallel runs do not
+    interfere.
 
     Raises
     ------
-    ResourceError : nothing can be written there
+    ResourceError : the place cannot be written
     """
     whole = folder.absolute()
     try:
-        there = next(one for one in (whole, *whole.parents) if one.exists())
-        _remove_stale(there)
-        draft = there / f"{TEMPORARY}{secrets.token_hex(8)}.tmp"
+        existing = next(parent for parent in (whole, *whole.parents) if parent.exists())
+        _remove_stale(existing)
+        draft = existing / f"{TEMPORARY}{secrets.token_hex(8)}.tmp"
         draft.mkdir()
     except OSError as error:
         raise _unwritable(folder, error) from error
     try:
-        yield draft, whole.relative_to(there)
+        yield draft, whole.relative_to(existing)
     finally:
         shutil.rmtree(draft, ignore_errors=True)
 
@@ -325,50 +325,50 @@ def _unwritable(path: Path, error: OSError) -> ResourceError:
 
 
 def refuse_overwrite(path: Path, overwrite: bool) -> None:
-    """Raise ResourceError if something of that name exists and was not asked to be replaced."""
+    """Raise ResourceError if the path exists and may not be overwritten."""
     if path.is_dir():
         raise _unwritable(path, IsADirectoryError(errno.EISDIR, ""))
     if os.path.lexists(path) and not overwrite:
         raise ResourceError.repeated(
             argument="output file",
             given=path,
-            allowed="a name that is not taken, unless overwriting was asked for",
+            allowed="a name that is not taken, unless files may be overwritten",
             cause="an earlier run wrote it",
-            next_step="choose another folder (--out DIR), or replace what is there: --overwrite, or "
+            next_step="choose another folder (--out DIR), or replace the files: --overwrite, or "
             "overwrite=True in Python",
         )
 
 
 def _replace(path: Path, writer: Callable[[Path], object]) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    # Not tempfile: its files are for their owner only, and results follow the umask like any other file.
+    # not tempfile: its files are private to their owner, but results should follow the umask
     temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}.tmp{path.suffix}"
     try:
-        with _asked_for(path, temporary):
+        with _errors_for(path, temporary):
             writer(temporary)
         assert temporary.exists(), f"the writer of {path.name} wrote nothing"
-        with temporary.open("rb+") as written:
-            os.fsync(written.fileno())
+        with temporary.open("rb+") as content:
+            os.fsync(content.fileno())
         temporary.replace(path)
     finally:
         temporary.unlink(missing_ok=True)
 
 
 def _remove_stale(folder: Path) -> None:
-    """Remove what killed runs left; what is younger than a day may be another run's work in progress."""
+    """Remove leftovers of killed runs; younger ones than a day may belong to a running one."""
     for leftover in folder.glob(f"{TEMPORARY}*.tmp*"):
-        with suppress(OSError):  # gone meanwhile, or somebody else's: not a reason to fail
+        with suppress(OSError):  # already removed, or the file of another user
             if time.time() - leftover.stat().st_mtime > STALE_SECONDS:
                 shutil.rmtree(leftover) if leftover.is_dir() else leftover.unlink()
 
 
 def _fault(content: bytes, key: str) -> str:
-    """What is wrong with a file of the store; "" if nothing is."""
+    """Fault of a file of the store; "" for a sound file."""
     view = memoryview(content)
     if hashlib.sha256(view[:-DIGEST_BYTES]).digest() != view[-DIGEST_BYTES:]:
         return "was damaged"
     if view[-2 * DIGEST_BYTES : -DIGEST_BYTES] != bytes.fromhex(key):
-        return "is that of another question"
+        return "has another key"
     return ""
 
 
@@ -383,5 +383,5 @@ def _set_aside(path: Path, fault: str) -> None:
 
 
 def _cause(error: OSError) -> str:
-    known = _CAUSES.get(error.errno or 0)
-    return known or error.strerror or str(error)
+    cause = _CAUSES.get(error.errno or 0)
+    return cause or error.strerror or str(error)

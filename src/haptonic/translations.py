@@ -1,4 +1,4 @@
-"""Two translations of the plane: the shortest of their lattice, its cell, and the name that it has."""
+"""Two translations of the plane: reduction to the shortest ones, the cell, and the name of their lattice."""
 
 from __future__ import annotations
 
@@ -12,38 +12,38 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array
 from haptonic.fields import SMALLEST, problem
 
-SAME = 1e-9  # relative: lengths, and entries of matrices, that differ by less are equal
-# Of the shortest translation: given vectors that differ by less from those of a square, a triangle or a
-# rectangle are meant to be these. Four digits of the root of three leave 3e-5.
+SAME = 1e-9  # relative difference of lengths, and of entries of matrices, that count as equal
+# relative to the shortest translation: vectors that differ by less from those of a square, a triangle or a
+# rectangle count as these; four digits of the root of three leave 3e-5
 MEANT = 1e-4
-LEAST_SINE = 1e-3  # of the angle between given vectors
+LEAST_SINE = 1e-3  # sine of the angle between given vectors
 
 
 def shortest(vectors: Array) -> Array:
-    """(2, 2) the shortest two translations that span the same lattice, in the same sense of turning.
+    """(2, 2) shortest two translations of the same lattice, with the same orientation.
 
-    By Lagrange's reduction. Of translations of equal length those that are given stay.
+    Lagrange's reduction; among translations of equal length the given ones are kept.
     """
-    one, other = vectors
+    first, second = vectors
     while True:
-        along = float(one @ other / (one @ one))
+        along = float(first @ second / (first @ first))
         if abs(along) > 0.5 + SAME:
-            other = other - round(along) * one
-        elif other @ other < (1 - SAME) * (one @ one):
-            one, other = other, -one
+            second = second - round(along) * first
+        elif second @ second < (1 - SAME) * (first @ first):
+            first, second = second, -first
         else:
-            return np.array([one, other])
+            return np.array([first, second])
 
 
 def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], ...], Array]:
-    """What lies nearer to the origin than to any other point of a lattice: a polygon of four or six sides.
+    """Voronoi cell of the origin of a lattice: a polygon of four or six sides.
 
     vectors : (2, 2) translations, as rows
 
     Returns
     -------
-    the translations across its sides, anticlockwise from the lowest side on, and (sides, 2) its corners, each
-    at the beginning of its side
+    the translations across its sides, anticlockwise from the lowest side, and (sides, 2) its corners, each at
+    the beginning of its side
     """
     counts = [pair for pair in product(range(-2, 3), repeat=2) if pair != (0, 0)]
     points = np.array(counts) @ vectors
@@ -54,42 +54,42 @@ def voronoi_cell(vectors: NDArray[np.floating]) -> tuple[tuple[tuple[int, int], 
     order = on_border[np.argsort((angle + 0.5 * np.pi + SAME) % (2 * np.pi))]
     middles = 0.5 * points[order]
     corners = [
-        np.linalg.solve(np.stack([one, other]), [one @ one, other @ other])
-        for one, other in zip(np.roll(middles, 1, axis=0), middles, strict=True)
+        np.linalg.solve(np.stack([left, right]), [left @ left, right @ right])
+        for left, right in zip(np.roll(middles, 1, axis=0), middles, strict=True)
     ]
     return tuple(counts[number] for number in order), np.array(corners)
 
 
 def recognised(vectors: Array) -> dict[str, float | str]:
-    """What names the lattice of two translations (2, 2): arguments of `haptonic.lattice.Lattice`.
+    """Arguments of `haptonic.lattice.Lattice` that describe the lattice of two translations (2, 2).
 
     Raises
     ------
-    PydanticCustomError : a lattice that is turned against the x axis
+    PydanticCustomError : a lattice that is rotated relative to the x axis
     """
-    found, least = _named(vectors), shortest(vectors)
+    named, least = _named(vectors), shortest(vectors)
     is_box = len(voronoi_cell(least)[0]) == 4
-    if found is not None and not (is_box and found["lattice"] in ("centred", "oblique")):
-        return found
+    if named is not None and not (is_box and named["lattice"] in ("centred", "oblique")):
+        return named
     upright = least if is_box else vectors
     turned = upright @ np.array([upright[0], (-upright[0, 1], upright[0, 0])]).T / np.linalg.norm(upright[0])
-    one, other = (vector_text(vector) for vector in turned)
+    first, second = (vector_text(vector) for vector in turned)
     raise problem(
         "unsupported",
-        " and ".join(vector_text(one) for one in vectors),
-        "vectors some sum of which lies along x; a square or a rectangle has its sides along x and y",
-        "the lattice is turned against the x axis",
-        f"write a1 = {one} and a2 = {other}, and turn the axes of a material that has any",
+        " and ".join(vector_text(vector) for vector in vectors),
+        "vectors of which a sum lies along x; a square or a rectangle must have its sides along x and y",
+        "the lattice is rotated relative to the x axis",
+        f"write a1 = {first} and a2 = {second}, and rotate the axes of an anisotropic material",
         at="a1",
     )
 
 
 def _named(vectors: Array) -> dict[str, float | str] | None:
-    """See `recognised`; None if no translation lies along x, so that no name stands for the lattice."""
-    one, other = shortest(vectors)
-    least, area = float(np.linalg.norm(one)), float(abs(np.linalg.det(vectors)))
+    """Arguments as in `recognised`; None if no translation lies along x, so that the lattice has no name."""
+    first, second = shortest(vectors)
+    least, area = float(np.linalg.norm(first)), float(abs(np.linalg.det(vectors)))
     counts = np.array(list(product(range(-6, 7), repeat=2)))
-    points = np.concatenate([vectors, -vectors, counts @ np.array([one, other])])
+    points = np.concatenate([vectors, -vectors, counts @ np.array([first, second])])
 
     def period(axis: int) -> float | None:
         on = (np.abs(points[:, 1 - axis]) < MEANT * least) & (points[:, axis] > 0.5 * least)
@@ -129,7 +129,8 @@ def check_vectors(
 
     Raises
     ------
-    PydanticCustomError : one of them missing or of no length, nearly parallel ones, a lattice given twice
+    PydanticCustomError : a missing vector, a vector of length zero, nearly parallel ones, a lattice given
+        twice
     """
     if beside:
         raise problem(
@@ -144,9 +145,9 @@ def check_vectors(
         if vector is None or math.hypot(*vector) < SMALLEST:
             raise problem(
                 "missing" if vector is None else "out-of-range",
-                "nothing" if vector is None else "a vector of no length",
+                "nothing" if vector is None else "a vector of length zero",
                 "two vectors that span the plane",
-                "one alone spans no lattice",
+                "one vector spans no lattice",
                 f'write {key} = ["3.5 mm", "6 mm"], for example',
                 at=key,
             )
@@ -154,14 +155,14 @@ def check_vectors(
     if abs(np.linalg.det(vectors)) < LEAST_SINE * np.linalg.norm(vectors, axis=1).prod():
         raise problem(
             "out-of-range",
-            " and ".join(vector_text(one) for one in vectors),
+            " and ".join(vector_text(vector) for vector in vectors),
             f"vectors at an angle whose sine is at least {LEAST_SINE:g}",
-            "they are parallel, or nearly, and span no plane",
-            "turn one of them away from the other",
+            "they are nearly parallel and span no plane",
+            "rotate one of them away from the other",
             at="a2",
         )
 
 
 def vector_text(vector: Array) -> str:
-    """As a study would give it."""
-    return "[{}]".format(", ".join(f'"{round(1e3 * one, 9) + 0.0:.6g} mm"' for one in vector))
+    """A vector as text for a study file."""
+    return "[{}]".format(", ".join(f'"{round(1e3 * part, 9) + 0.0:.6g} mm"' for part in vector))

@@ -1,8 +1,8 @@
-"""Units at the border: text with a unit comes in, SI floats are used inside, text with a unit goes out.
+"""Units: text with a unit is converted to SI floats on input, and back on output.
 
-Text is matched against a fixed form, ``<number> <unit>``, before anything interprets it: study files come
-from other people, so nothing in them is ever evaluated. Numbers are converted as exact fractions and
-rounded once; ``"14.7 mm"`` is therefore the same float as ``0.0147``.
+Text must have the fixed form ``<number> <unit>`` before anything interprets it: study files may come from
+other people, so their contents are never evaluated. Numbers are converted as exact fractions and rounded
+once; ``"14.7 mm"`` is therefore the same float as ``0.0147``.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import pint
 
 LONGEST_TEXT = 80
-LARGEST_EXPONENT = 400  # beyond the range of a float either way; a power of ten of that size is still cheap
+LARGEST_EXPONENT = 400  # beyond the range of floats, while powers of ten of this size are still cheap
 
 PREFIXES = {"n": -9, "µ": -6, "m": -3, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
 PREFIXES_OF = {
@@ -69,13 +69,13 @@ _NUMBER = r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]
 _NAME = r"[A-Za-zµ][A-Za-z0-9_µ]*(?:(?:\^|\*\*)-?[1-9])?"
 _QUANTITY = re.compile(rf"\s*{_NUMBER}\s*(?P<unit>{_NAME}(?:(?:\s*[*/]\s*|\s+){_NAME})*)?\s*")
 _NOT_FINITE = re.compile(r"\s*[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
-_MU = "\u03bc"  # the Greek letter; prefixes are written with the micro sign, and people type either
+_MU = "\u03bc"  # the Greek letter; prefixes are written with the micro sign, and users type either
 TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "\u00d7": "*", "²": "^2", "³": "^3"})
 
 
 @dataclass(frozen=True)
 class In:
-    """The SI unit of a number, ``Annotated[float, In("Hz")]``; JSON writes it into the number's name."""
+    """SI unit of a number, ``Annotated[float, In("Hz")]``; JSON appends it to the name."""
 
     unit: str
 
@@ -85,17 +85,17 @@ Hertz = Annotated[float, In("Hz")]
 
 @cache
 def registry() -> pint.UnitRegistry[Fraction]:
-    """The unit registry; made on first use.
+    """The unit registry, made on first use.
 
-    Importing pint and building a registry takes most of a second, and the units of the table above, which
-    nearly every study uses, need neither.
+    Importing pint and building the registry takes most of a second. Nearly every study uses only units of the
+    table above, which need neither.
     """
-    made: pint.UnitRegistry[Fraction] = admitted("pint").UnitRegistry(non_int_type=Fraction)
-    return made
+    units: pint.UnitRegistry[Fraction] = admitted("pint").UnitRegistry(non_int_type=Fraction)
+    return units
 
 
 def to_si(text: object, unit: str, argument: str) -> float:
-    """SI value of a quantity written with its unit.
+    """SI value of a quantity with a unit.
 
     Parameters
     ----------
@@ -153,20 +153,20 @@ def to_si(text: object, unit: str, argument: str) -> float:
 
 
 def format_quantity(value: float, unit: str, *, prefer: str | None = None, digits: int | None = 4) -> str:
-    """Text with a unit, for people: ``format_quantity(0.007, "m")`` is ``"7 mm"``.
+    """Text of a quantity with a unit, for people: ``format_quantity(0.007, "m")`` is ``"7 mm"``.
 
     Parameters
     ----------
     value : in ``unit``
     unit : SI unit, such as ``"m"``; empty for a dimensionless quantity
-    prefer : prefixed unit to write in, such as ``"mm"``; by default the one that leaves 1 to 999 before the
+    prefer : unit with a prefix, such as ``"mm"``; by default the one that leaves 1 to 999 before the
         point
-    digits : significant digits; None writes as many as `to_si` needs to read the same float again
+    digits : significant digits; None for as many as `to_si` needs to read the same float
     """
     if not math.isfinite(value):
         return f"{value} {unit}".rstrip()
     if unit == "rad" and prefer is None and digits is not None:
-        return f"{math.degrees(value) + 0.0:.{digits}g} deg"  # how people give angles
+        return f"{math.degrees(value) + 0.0:.{digits}g} deg"  # the usual unit of angles
     exact = Decimal(repr(float(value) + 0.0))  # no sign before a zero
     rounded = exact if digits is None or value == 0 else Decimal(f"{exact:.{digits - 1}e}")
     scales = {f"{prefix}{unit}": PREFIXES[prefix] for prefix in ["", *PREFIXES_OF.get(unit, "")]}
@@ -180,37 +180,38 @@ def format_quantity(value: float, unit: str, *, prefer: str | None = None, digit
 
 
 def duration(seconds: float) -> str:
-    """Text of a time that people wait for: ``"45 s"``, ``"10 min"``, ``"2.5 h"``; `to_si` reads it."""
+    """Text of a duration: ``"45 s"``, ``"10 min"``, ``"2.5 h"``; `to_si` reads it."""
     if seconds < 60:
         return f"{max(seconds, 1.0):.2g} s"
     return f"{seconds / 60:.3g} min" if seconds < 6000 else f"{seconds / 3600:.3g} h"
 
 
 def frequency_scale(*frequencies: float) -> tuple[str, float]:
-    """The unit in which frequencies (Hz) are shown, kHz, MHz or GHz, and what to multiply them by.
+    """Unit for frequencies (Hz), kHz, MHz or GHz, and the factor to it.
 
-    The largest one decides. Below 1 MHz that is kHz, which plates for fingers are given in.
+    The largest frequency selects it. Below 1 MHz the unit is kHz, the usual one for plates touched by
+    fingers.
     """
-    largest = max((abs(one) for one in frequencies if math.isfinite(one)), default=0.0)
+    largest = max((abs(frequency) for frequency in frequencies if math.isfinite(frequency)), default=0.0)
     unit = "GHz" if largest >= 1e9 else "MHz" if largest >= 1e6 else "kHz"
     return unit, 10.0 ** -PREFIXES[unit[0]]
 
 
 def hz_text(*frequencies: float, form: str = ".4g", error: float | None = None) -> str:
-    """Frequencies (Hz) with the unit that suits: ``52.51 kHz``, ``54.36 MHz``, ``8.1 to 8.9 GHz``.
+    """Text of frequencies (Hz) with a suitable unit: ``52.51 kHz``, ``54.36 MHz``, ``8.1 to 8.9 GHz``.
 
     Parameters
     ----------
-    form : of each number, as `format` has it
-    error : bound of the error of the last one, Hz
+    form : number format, as in `format`
+    error : error bound of the last frequency, Hz
     """
     unit, scale = frequency_scale(*frequencies)
-    text = " to ".join(format(one * scale, form) for one in frequencies)
+    text = " to ".join(format(frequency * scale, form) for frequency in frequencies)
     return f"{text}{'' if error is None else f' ± {error * scale:{form}}'} {unit}"
 
 
 def kind_of(unit: str) -> str:
-    """What a unit measures: "time" for "us", "another quantity" for "dB"; empty if no such unit is known."""
+    """Quantity of a unit: "time" for "us", "another quantity" for "dB"; empty for an unknown unit."""
     match = _QUANTITY.fullmatch(f"1 {unit}".translate(TYPOGRAPHIC))
     if match is None or not match["unit"]:
         return ""
@@ -230,12 +231,12 @@ def _kind(unit_text: str, unit: str) -> str:
 
 
 def example_of(unit: str) -> str:
-    """A quantity in the given SI unit, as an example for a message: ``"7 mm"`` for ``"m"``."""
+    """Example of a quantity in a given SI unit, for messages: ``"7 mm"`` for ``"m"``."""
     return EXAMPLES.get(unit, f"1 {unit}".rstrip())
 
 
 class _UnknownUnitError(Exception):
-    """No such unit."""
+    """The unit is unknown."""
 
 
 class _OtherKindError(Exception):
@@ -271,24 +272,24 @@ def _why_not_a_quantity(text: str) -> str:
 
 def _factor(unit_text: str, unit: str) -> Fraction:
     """Value of one ``unit_text`` in ``unit``, exact."""
-    known = _table(unit)
-    if unit_text in known:
-        return known[unit_text]
+    factors = _table(unit)
+    if unit_text in factors:
+        return factors[unit_text]
     try:
         quantity = registry().Quantity(Fraction(1), unit_text)
         if unit == "Hz" and (turns := _turns(quantity)) is not None:
             return turns
         return Fraction(quantity.to(unit).magnitude)
-    except Exception as error:  # noqa: BLE001 - pint raises many kinds, some of them only while it writes its text
+    except Exception as error:  # noqa: BLE001 - pint raises many kinds, some only while it formats its message
         if type(error).__name__ in {"UndefinedUnitError", "DefinitionSyntaxError"}:
             raise _UnknownUnitError from None
         raise _OtherKindError from None
 
 
 def _turns(quantity: pint.Quantity[Fraction]) -> Fraction | None:
-    """Turns a second of an angle per time, exact for rpm; None for another quantity.
+    """Turns per second of an angle per time, exact for rpm; None for another quantity.
 
-    To pint an angle has no dimension, so that it takes 1 rad/s for 1 Hz, and 1 rpm for 0.105 Hz.
+    For pint an angle has no dimension, so it would read 1 rad/s as 1 Hz, and 1 rpm as 0.105 Hz.
     """
     power = dict(quantity.to_root_units().unit_items()).get("radian", 0)
     if power == 0:
@@ -301,7 +302,7 @@ def _turns(quantity: pint.Quantity[Fraction]) -> Fraction | None:
 
 @cache
 def _table(unit: str) -> dict[str, Fraction]:
-    """Units read without pint: the SI unit itself and the prefixes that are used for it."""
+    """Units that are read without pint: the SI unit and its prefixed forms."""
     prefixes = ["", *PREFIXES_OF.get(unit, "")]
     table = {f"{prefix}{unit}": Fraction(10) ** PREFIXES[prefix] for prefix in prefixes}
     table |= TIMES if unit == "s" else {}
@@ -316,6 +317,6 @@ def _nearest_unit(unit_text: str, unit: str) -> str | None:
 
 
 def _plain(number: Decimal) -> str:
-    """Shortest text of a decimal: no trailing zeros, a power of ten only far from one."""
+    """Shortest text of a decimal: no trailing zeros, with a power of ten only far from one."""
     number = number.normalize()
     return f"{number:f}" if -5 < number.adjusted() < 16 else f"{number:e}"

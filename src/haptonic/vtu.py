@@ -1,4 +1,4 @@
-"""Mode shapes and vibrations in VTK's unstructured format, for ParaView and its like."""
+"""Mode shapes and vibrations in VTK's unstructured format, for ParaView and similar programs."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from haptonic.store import refuse_overwrite, write_atomically
 def write_modes(path: Path, dataset: xr.Dataset, overwrite: bool = False) -> Path:
     """Write the mode shapes of a result as one file.
 
-    The mesh is that of the small hexahedra between the nodes, in m. Every mode is a pair of vectors on the
-    nodes, named such as ``M1 7.66 kHz real`` and ``M1 7.66 kHz imaginary``, with the largest component 1; an
-    integer field on the mesh, ``element``, numbers the spectral element that a small cell belongs to.
+    The mesh consists of the small hexahedra between the nodes, in m. Each mode is a pair of vector fields on
+    the nodes, with names such as ``M1 7.66 kHz real`` and ``M1 7.66 kHz imaginary``, with the largest
+    component 1. The integer field ``element`` gives the number of the spectral element of each small
+    hexahedron.
 
     Parameters
     ----------

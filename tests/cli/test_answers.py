@@ -105,7 +105,7 @@ def test_the_answer_is_there_before_the_pictures_are_drawn(inside, study, tmp_pa
     monkeypatch.setattr("haptonic.plots.save", stopped)
     ran = inside("bands", study(), "--out", tmp_path / "out")
     assert ran.code == 130
-    assert ran.out.startswith(("Complete gap", "There is no"))
+    assert ran.out.startswith(("Complete gap", "The computed bands have no complete gap"))
     assert not (tmp_path / "out").exists()
 
 
@@ -120,7 +120,7 @@ def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):
     ran = inside("bands", study(), "--out", tmp_path / "out")
     assert ran.code == 0
     assert [line for line in ran.err.splitlines() if not line.strip()] == []
-    assert ran.out.startswith(("Complete gap", "There is no"))
+    assert ran.out.startswith(("Complete gap", "The computed bands have no complete gap"))
 
 
 def test_the_option_is_every_command_s(inside, study, tmp_path):
@@ -152,7 +152,7 @@ def test_a_report_says_first_what_each_part_found(others):
 
 @pytest.mark.parametrize("all_of_it", [True, False])
 def test_a_scan_says_first_what_was_read_then_how_a_model_fits_and_the_gap(all_of_it):
-    """How it was read and registered comes last; of what was not asked or not found nothing is said."""
+    """Reading and registration come last; parts that are not asked for are not mentioned."""
     moved = SimpleNamespace(scale=1.0, angle=0.0, shift=np.zeros(2), misfit=0.0)
     edges = LatticeGap(Edge(66e3, 100.0), None, ("no upper edge",))
     stands_out = SimpleNamespace(lower=53e3, upper=59e3, lower_error=10.0, upper_error=20.0)
@@ -166,8 +166,9 @@ def test_a_scan_says_first_what_was_read_then_how_a_model_fits_and_the_gap(all_o
         scan.verdict = scan.lattice = scan.measured = scan.registration = None
         scan.report.complete = True
     said = ScanResult.summary(scan)
-    begun = ["3 points (2 low), 2 lines", "The model fits.", "Gap in the scan: lower edge", "  no upper edge",
-             "The driven region stands out", "namespace(", "Registered: scale"]  # fmt: skip
+    begun = ["3 points (2 low), 2 frequencies", "The model fits.", "Gap in the scan: lower edge",
+             "  no upper edge", "High contrast of the driven region", "namespace(",
+             "Registered: scale"]  # fmt: skip
     assert len(said) == (len(begun) if all_of_it else 1)
     assert all(text.startswith(start) for text, start in zip(said, begun, strict=False)), said
     assert all_of_it == any("another range" in text for text in said)

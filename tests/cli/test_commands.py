@@ -102,7 +102,7 @@ def test_a_row_of_which_no_design_can_be_computed_says_so(inside, study, tmp_pat
     ran = inside("sweep", path, "--out", tmp_path / "swept")
     assert ran.code == 0, ran.err
     assert "No design along cell.thickness could be computed." in ran.out
-    assert "design 2 of the sweep was left out" in ran.err
+    assert "design 2 of the sweep is left out" in ran.err
 
 
 def test_nothing_is_overwritten_without_being_told(inside, study, tmp_path):
@@ -163,7 +163,7 @@ def test_accuracy_beyond_the_budget_is_answered_with_what_was_reached(inside, st
     path = study(("accuracy = 2e-2", "accuracy = 1e-6"), ("[mesh]\norder = 2\nfoot_rings = 0\n", ""))
     ran = inside("bands", path, "--budget", "5 s", "--out", tmp_path / "out")
     assert ran.code == 0, ran.err
-    assert "The accuracy asked for, 1e-06, is not reached" in ran.err
+    assert "The required accuracy, 1e-06, is not reached" in ran.err
     assert "--budget" in ran.err or "budget" in ran.err
 
 
@@ -186,7 +186,7 @@ def test_a_store_that_cannot_be_used_warns_and_stops_nothing(haptonic, study, tm
     blocked.write_text("")
     ran = haptonic("bands", study(), "--json", store=blocked / "store")
     assert ran.code == 0
-    assert "not kept" in ran.err
+    assert "not stored" in ran.err
     assert ran.json["gaps"]
 
 
@@ -268,7 +268,7 @@ def test_reproduce_ends_with_a_report(haptonic, inside, study, tmp_path):
     [
         (3, 0, "3 comparisons: no bands missing"),
         (1, 1, "1 comparison: 1 band missing"),
-        (0, 0, "not counted"),
+        (0, 0, "not checked"),
     ],
 )
 def test_counts_in_words(checked, missed, said):

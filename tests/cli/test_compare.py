@@ -168,7 +168,7 @@ def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export,
         ("0,1\n0.5,inf\n1,3\n", "malformed", "theirs.csv", "line 2"),
         ("0,1\n0.5,one\n1,3\n2,3\n", "malformed", "theirs.csv, column 2", "line 2"),
         ("nan,1\n0.5,2\n1,3\n", "malformed", "theirs.csv", "line 1"),
-        ("0,1,2\n1,2,3\n0,4,5\n1,2,4\n", "malformed", "theirs.csv", "begins anew in line 3"),
+        ("0,1,2\n1,2,3\n0,4,5\n1,2,4\n", "malformed", "theirs.csv", "starts again in line 3"),
         ("0,1\n4,2\n", "mismatch", "theirs.csv, wavevector", "0 to 4"),
     ],
 )
@@ -206,8 +206,8 @@ def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
 @pytest.mark.parametrize(
     ("head", "why"),
     [
-        ("Period (us)", "a period is no frequency"), ("T [ms]", "a period is no frequency"),
-        ("x / s", "a period is no frequency"), ("wavelength (mm)", "one of length"),
+        ("Period (us)", "a period is not a frequency"), ("T [ms]", "a period is not a frequency"),
+        ("x / s", "a period is not a frequency"), ("wavelength (mm)", "one of length"),
         ("max(w) (mm)", "one of length"), ("level [dB]", "of another quantity"),
         ("angle (deg)", "one of angle"),
         ("Period", ""), ("Wellenlänge", ""),
@@ -224,7 +224,7 @@ def test_what_is_measured_in_something_else_is_no_frequency(tmp_path, head, why,
     assert not why or head.split()[0] in error.given
 
 
-@pytest.mark.parametrize(("unit", "why"), [("us", "a period is no frequency"), ("mm", "one of length")])
+@pytest.mark.parametrize(("unit", "why"), [("us", "a period is not a frequency"), ("mm", "one of length")])
 def test_a_frequency_unit_of_something_else(tmp_path, unit, why):
     path = tmp_path / "theirs.csv"
     path.write_text("k,f\n0,5\n1,2\n2,3\n3,5\n")
@@ -474,7 +474,7 @@ class TestCommand:
         # the highest band alone may be missing
         wavevectors = len(position) - (row < 4)
         assert len(relative) == wavevectors
-        said = "nothing says of which band" if row < 4 else "fewer than 5 frequencies"
+        said = "its band is unknown" if row < 4 else "fewer than 5 frequencies"
         assert said in ran.err
 
     def test_more_than_a_tenth_apart_is_an_error_unless_asked_for(self, inside, tmp_path, bands):

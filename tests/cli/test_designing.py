@@ -148,7 +148,7 @@ class TestDesign:
         # once more, for a person: from the store, and not over the same files
         again = here("design", question, "--pareto", "--tables", "--out", tmp_path / "again")
         assert again.code == 0, again.err
-        for words in ("design found", "with a margin of", "cell.pillar.height", "14.7 mm",
+        for words in ("best design", "with a margin of", "cell.pillar.height", "14.7 mm",
                       "widest gap around the carrier", "none", f"files: {tmp_path / 'again'}"):  # fmt: skip
             assert words in again.out.replace("\n", ""), words
         assert (tmp_path / "again" / "design.toml").read_text() == (out / "design.toml").read_text()
@@ -252,9 +252,10 @@ class TestTolerance:
         # from here on the store has everything
         spoken = here("tolerance", path, "--tables", "--out", tmp_path / "again")
         assert spoken.code == 0, spoken.err
-        for words in ("what moves the edges", "Hz per 10 µm", "100.0",
-                      f"all 180 of a plate with {answer['chance_of_a_plate']:.2%}",
-                      f"may be {answer['loosest_factor']:.2f} times as loose for 99.0%"):  # fmt: skip
+        for words in ("effects on the edges", "Hz per 10 µm", "100.0",
+                      f"{answer['chance_of_a_plate']:.2%} for all 180 pillars",
+                      f"may be {answer['loosest_factor']:.2f} times as large for a confidence of 99.0%",
+                      ):  # fmt: skip
             assert words in spoken.out, words
         assert (tmp_path / "again" / "tolerance.svg").read_bytes() == (out / "tolerance.svg").read_bytes()
 
@@ -410,7 +411,7 @@ class TestExport:
         ("changes", "said"),
         [
             ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell holds it"),
-            ((('carrier = "60 kHz"', ""),), "see carrier: the study does not say which frequency"),
+            ((('carrier = "60 kHz"', ""),), "see carrier: the study does not give the frequency"),
         ],
         ids=["no gap", "no carrier"],
     )
@@ -453,11 +454,11 @@ class TestExport:
     @pytest.mark.parametrize(
         ("spreads", "said"),
         [
-            ([TOLERANCE], "none keeps the carrier in the gap with 99.0%, as [tolerance] asks; with the "
-                          "study's own spreads the chance is 42.00%"),
+            ([TOLERANCE], "no tolerance keeps the carrier in the gap with the confidence of "
+                          "[tolerance], 99.0%; with the study's own spreads the probability is 42.00%"),
             ([], "the study gives no spreads"),
             ([TOLERANCE.replace("cell.pillar.height", "material.density").replace("20 um", "9 kg/m^3")],
-             "the study gives spreads of the material or of what is not drawn only"),
+             "the study gives spreads only for material constants or sizes that are not drawn"),
         ],
     )  # fmt: skip
     def test_a_drawing_without_tolerances_says_why(self, here, asking, tmp_path, monkeypatch, spreads, said):

@@ -76,7 +76,7 @@ class TestProtocol:
         assert not re.search(r"<(script|link|img)|https?:", sheet)
         rate, track = scipy.io.wavfile.read(tmp_path / "plan" / "metronome.wav")
         assert len(track) / rate == pytest.approx(8 * 1.6 + 1)
-        for words in ("less friction assumed", "says nothing about others", "steady drift", "simulated"):
+        for words in ("less friction assumed", "not for other people", "steady drift", "simulated"):
             assert words in ran.out
 
     def test_what_it_says_to_machines(self, inside, study, tmp_path):
@@ -107,14 +107,14 @@ class TestProtocol:
     def test_one_participant_proves_nothing(self, inside, study):
         ran = inside("protocol", study(SMALL, ("participants = 2", "participants = 1")), "--json")
         assert ran.json["shown"] is None
-        assert "proves nothing about others" in ran.json["summary"][0]
+        assert "allows no conclusion on other people" in ran.json["summary"][0]
 
     def test_more_participants_than_are_needed(self, inside, study):
         one = inside("protocol", study(SMALL, ("participants = 2", "participants = 90")), "--json").json
         chances = one["waveguide"]["WG2"]
         assert chances["participants"] == [*range(2, 21), 90]
         assert chances["power"][-1] > 0.99
-        assert "90 participants show it" in one["summary"][1]
+        assert "with 90 participants the power to detect it" in one["summary"][1]
 
     def test_the_plate_names_the_waveguides(self, inside, study):
         """The one with the actuator is driven, the first other one idle, unless the study says."""

@@ -30,16 +30,16 @@ def test_friction_writes_its_files_and_tables(inside, tmp_path):
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == FILES
     for words in (
-        "24 trials, none of them left out",
+        "24 trials, none of them excluded",
         "friction of each condition",
         "tests of the difference",
         "Holm",
         "WG1 trials, as published; WG2 trials, as published: trials of one participant are treated",
         "mixed model",
         "Share of the reduction that does not reach WG2",
-        "one-sided test against the 11%",
+        "one-sided test against the noticeable 11%",
         "Drift over a session",
-        "Simulated: these trials were made up",
+        "Simulated: these trials are simulated, not measured",
         "Two averages of the same trials",
     ):
         assert words in ran.out, words
@@ -59,7 +59,7 @@ def test_friction_writes_its_files_and_tables(inside, tmp_path):
     rows &= table["actuation"] == first["actuation"]
     assert first["friction_sd"] == pytest.approx(table["friction"][rows].std())
     page = (out / "quality.html").read_text("utf-8")
-    assert "Simulated: these trials were made up" in page
+    assert "Simulated: these trials are simulated, not measured" in page
     assert page.count('<section id="sheet') == 6
     assert "http" not in page.split("<body>")[0]
     assert_five_parts(

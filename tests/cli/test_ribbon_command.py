@@ -41,7 +41,7 @@ def test_ribbon_writes_its_files_and_says_what_is_held(ran):
     told, folder = ran
     assert {path.name for path in folder.iterdir()} == FILES
     said = " ".join(told["summary"])
-    for words in ("The guide holds", "dB per row", "0x3", "group velocity"):
+    for words in ("The guide has", "dB per row", "0x3", "group velocity"):
         assert words in said, said
     names = {"frequency_hz", "frequency_error_hz", "group_velocity_m_per_s", "decay_db_per_row"}
     assert names <= set(told["guided"])
@@ -90,8 +90,8 @@ def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, 
     for frequency in data["frequency"].values[inside]:
         assert f"{frequency / 1e3:.2f}" in said
     for words in (
-        "The defect holds",
-        "Copies of it 3 cells apart",
+        "Modes of the defect",
+        "copies of the defect, 3 cells apart",
         f"quality to {1 / data.attrs['loss_factor']:.0f}",
     ):
         assert words in said, said

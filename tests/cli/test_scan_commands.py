@@ -405,7 +405,7 @@ class TestScan:
         monkeypatch.setattr(TimeScan, "chunks", stops)
         ran = inside("scan", recorded / "scan.h5", tiny, "--out", out)
         assert (ran.code, seen) == (130, [0, 50, 100, 150])
-        assert "goes on from there" in ran.err
+        assert "run the same command to continue" in ran.err
         assert [path.name for path in out.iterdir()] == ["estimating"]
         done = json.loads((out / "estimating" / "progress.json").read_text())["done"]
         assert done >= 100  # what the two threads had in hand may be lost

@@ -56,7 +56,7 @@ class TestCommand:
         assert ran.code == 1
         assert ran.json["failed"] == [CHEAP]
         assert ran.json["comparisons"][0]["difference"] == pytest.approx(1 / 1.2 - 1)
-        assert "outside their errors: square-by-points" in inside("verify", CHEAP).out
+        assert "outside the errors: square-by-points" in inside("verify", CHEAP).out
 
     def test_an_unknown_case_is_refused_with_the_nearest_name(self, inside):
         assert_five_parts(inside("verify", "square-by-point"), CHEAP, code="unknown", argument="CASE")

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings, strategies as st
 
 from five_parts import refusing
 from haptonic.analyses.designing import refusals, tasks
-from haptonic.analyses.designing.search import _rounded, compute_design
+from haptonic.analyses.designing.search import _round_to_micrometres, compute_design
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap, Resolution, gaps_of
 from haptonic.bloch.settings import BandSettings, MeshSettings
@@ -405,7 +405,7 @@ def test_a_design_is_written_in_whole_micrometres_and_stays_allowed(place, slend
     low, high = brief.box[1]
     share[1] = np.clip((slenderness * brief.values(share)[0] - low) / (high - low), 0, 1)
     assume(brief.allows(share))
-    values = _rounded(brief, Visited(share, 3, 1.0, 2.0, 0.0))
+    values = _round_to_micrometres(brief, Visited(share, 3, 1.0, 2.0, 0.0))
     assert tuple(values) == brief.paths
     for value, exact, (low, high) in zip(values.values(), brief.values(share), brief.box, strict=True):
         assert 1e6 * value == pytest.approx(round(1e6 * value), abs=1e-6)
@@ -498,13 +498,13 @@ class TestRefusal:
         assert ("slenderness" in refusal.cause) == slender
         at_bounds = [path for path, one in zip(brief.paths, share, strict=True) if not 0.005 < one < 0.995]
         assert all(f"{path} = " in refusal.cause for path in at_bounds)
-        held = "held back by" in refusal.cause
+        held = "limited by" in refusal.cause
         assert held == ("widen" in refusal.next_step)
         assert held or not (at_bounds or slender)
         beyond = sum(end <= 1 for end in ends)
         assert (f"the 8 bands end below it in {beyond} of {len(ends)} " in refusal.cause) == (beyond > 0)
         assert ("count" in refusal.next_step) == (beyond > 0)
-        missed = re.search(r"seen, (\S+) to (\S+) kHz, misses it by (\S+) kHz", refusal.cause)
+        missed = re.search(r"closest gap, (\S+) to (\S+) kHz, misses it by (\S+) kHz", refusal.cause)
         if missed:
             low, high, by = map(float, missed.groups())
             assert low < high
@@ -513,9 +513,9 @@ class TestRefusal:
         elif visit.is_open(carrier):
             assert visit.margin >= 0
             assert not exact
-            assert "holds it in the coarse model" in refusal.cause
+            assert "contains it only in the coarse model" in refusal.cause
         else:
-            assert "no design seen has a gap" in refusal.cause
+            assert "no examined design has a gap" in refusal.cause
             assert not exact
 
     @given(st.lists(st.floats(1e-2, 1e7), min_size=1, max_size=4))

@@ -291,7 +291,7 @@ class _counted:  # noqa: N801
     """Counts how the reading process ended meanwhile."""
 
     def __init__(self, counts: Counts) -> None:
-        self.counts, self.told = counts, process._told
+        self.counts, self.told = counts, process._error_for
 
     def __enter__(self) -> None:
         def told(path, error, limits):
@@ -299,10 +299,10 @@ class _counted:  # noqa: N801
             setattr(self.counts, kind, getattr(self.counts, kind) + 1)
             return self.told(path, error, limits)
 
-        process._told = told
+        process._error_for = told
 
     def __exit__(self, *_) -> None:
-        process._told = self.told
+        process._error_for = self.told
 
 
 def peak_memory() -> float:

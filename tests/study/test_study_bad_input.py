@@ -216,7 +216,7 @@ def test_list_of_problems_is_cut():
 
 def test_number_of_sweeps_is_limited(reference_text):
     row = '[[sweep]]\nvary = "cell.pitch"\nfrom = "7 mm"\nto = "8 mm"\nsteps = 2\n'
-    assert "at most 50 of them" in refused(reference_text + row * 49).allowed
+    assert "at most 50 entries" in refused(reference_text + row * 49).allowed
     assert len(loads(reference_text + row * 48).sweep_settings) == 50
 
 
@@ -251,7 +251,7 @@ def test_constants_of_a_built_in_material_cannot_be_varied():
         ("[cell\npitch = 3", ["line 1"]),
         ('title = "open', ["line 1"]),
         ('title = "a"\ntitle = "b"', ["line 2", "overwrite"]),
-        ("[cell]\n[cell]", ["line 2", "once only"]),
+        ("[cell]\n[cell]", ["line 2", "only once"]),
         ("a = " + "[" * 100_000, ["nested"]),
         ("a" + ".a" * 400 + " = 1", ["no key has this name", "{...}"]),
         ("[a" + ".a" * 50_000 + "]", ["too many dots"]),

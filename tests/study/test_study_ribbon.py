@@ -122,8 +122,8 @@ def changed(*pairs, text=STUDY + RIBBON):
     ("text", "code", "argument", "words"),
     [
         (changed(("ooo1111ooo", "ooooo"), ('1 = "guide"', ""), ('guide = "8 mm"', "")), "conflict",
-         "ribbon.map", "nothing in them guides a wave"),
-        (changed(("ooo1111ooo", "ooo11x1ooo")), "unknown", "ribbon.map", "[ribbon.tiles] does not say"),
+         "ribbon.map", "no column guides a wave"),
+        (changed(("ooo1111ooo", "ooo11x1ooo")), "unknown", "ribbon.map", "[ribbon.tiles] does not explain"),
         (changed(("ooo1111ooo", "ooo1..1ooo")), "malformed", "ribbon.map", "no holes"),
         (changed(('"ooo1111ooo"', '"""' + 12 * "ooo1111ooo\n" + 'o11"""')), "malformed", "ribbon.map", "13"),
         (changed(('"ooo1111ooo"', '"""' + 13 * "ooo1111ooo\n" + '"""')), "malformed",
@@ -141,7 +141,7 @@ def changed(*pairs, text=STUDY + RIBBON):
         (changed(("rows = 20", "rows = 20\nalong = [0, 2]"), ('guide = "8 mm"', "")), "out-of-range",
          "ribbon.along", "without a common divisor"),
         (changed(("rows = 20", "rows = 20\nalong = [1, 1]")), "unsupported",
-         "ribbon.widths.guide", "no rectangles"),
+         "ribbon.widths.guide", "tiles that are rectangles"),
         (changed(("rows = 20", 'lowest = "60 kHz"\nhighest = "50 kHz"')), "conflict",
          "ribbon.highest", "60 kHz"),
         (changed(('"ooo1111ooo"', '"ooo1111oof"'), ('1 = "guide"', '1 = "guide"\nf = "low"'))

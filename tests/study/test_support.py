@@ -121,7 +121,7 @@ def test_the_report_asks_each_analysis_as_well():
         compute=lambda *_: asked.append("computed"),
     )
     with refusing(StudyError, "unsupported", "cell"):
-        reproduce._answered(refusing_one, SimpleNamespace(cell=cell(None)), None, None)
+        reproduce._compute(refusing_one, SimpleNamespace(cell=cell(None)), None, None)
     assert asked == []
 
 

@@ -1,7 +1,7 @@
-"""The table of analyses: what can be asked of a study, one file each.
+"""The table of analyses; each is a module of this package.
 
-`NAMES` is the one list of them. The command line, ``study.run("bands")``, the report and whatever is to come
-read it; a new analysis is a module here with an ``ANALYSIS``, and its line below.
+`NAMES` is their only list. The command line, ``study.run("bands")`` and the report read it. A new analysis
+needs a module here with an ``ANALYSIS``, and a line in `NAMES`.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 from haptonic.errors import StudyError
 
-if TYPE_CHECKING:  # to list the analyses, none of them and nothing that they need is loaded
+if TYPE_CHECKING:  # the table of names imports no analysis, and none of its libraries
     from haptonic.analyses.analysis import Analysis
 
-# name: what it gives, a sentence; in the order of the help. "simulate scan" is the module simulate_scan
+# name: result, in one sentence, in the order of the help. "simulate scan" is the module simulate_scan
 NAMES = {
     "plan": "Map and sizes of a study, with time and memory of each command, before anything is computed.",
     "bands": "Band diagram, gaps and mode shapes of the unit cell.",
@@ -24,7 +24,7 @@ NAMES = {
     "layers": "Insertion loss of rows of cells between plain plates, and the number of rows for the carrier.",
     "waveguide": "Width, length and frequency of a waveguide between two such mirrors.",
     "ribbon": "Waves along columns of cells side by side: projected bands, and modes of guides and edges.",
-    "design": "The cell whose gap holds the carrier with the widest margin, within the study's [design].",
+    "design": "The cell whose gap contains the carrier with the widest margin, within the study's [design].",
     "tolerance": "Probability that the gap contains the carrier, the size that matters most, and the loosest "
     "tolerances.",
     "export": "Files for the workshop, of the plate or a piece of lattice; all of them if none is named. The "
@@ -43,16 +43,16 @@ NAMES = {
 
 
 def named(name: str) -> Analysis:
-    """An analysis by its name; its module is imported now.
+    """Import the module of an analysis and return its record.
 
     Raises
     ------
-    StudyError : there is none of this name
+    StudyError : no analysis has this name
     """
     if name not in NAMES:
-        raise StudyError.unknown("name of the analysis", name, NAMES, "there is no such analysis")
-    found: Analysis = import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS
-    return found
+        raise StudyError.unknown("name of the analysis", name, NAMES, "no analysis has this name")
+    analysis: Analysis = import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS
+    return analysis
 
 
 __all__ = ["NAMES", "named"]

@@ -1,4 +1,4 @@
-"""Amplitudes of vibration by waveguide, as `haptonic feel` or a user gives them."""
+"""Amplitudes of vibration of the waveguides, from `haptonic feel` or from a user's file."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
     Raises
     ------
     ResourceError : the file cannot be read
-    FrictionError : it holds something else
+    FrictionError : the file contains something else
     """
     path = source(given, "--from")
     try:
@@ -28,13 +28,13 @@ def read_amplitudes(given: str | Path) -> dict[str, float]:
             argument="--from",
             given=path,
             allowed='a JSON file such as {"WG1": 1e-6, "WG2": 3e-7}',
-            cause="it cannot be read, or is not JSON",
-            next_step="write it anew",
+            cause="the file cannot be read, or it is not JSON",
+            next_step="write the file again",
         ) from None
     if isinstance(values, dict) and isinstance(values.get("regions"), dict):  # the output of `haptonic feel`
         values = {name: region.get("amplitude_m") for name, region in values["regions"].items()}
     numbers = isinstance(values, dict) and all(
-        isinstance(one, int | float) and not isinstance(one, bool) for one in values.values()
+        isinstance(value, int | float) and not isinstance(value, bool) for value in values.values()
     )
     if not numbers or not values:
         raise FrictionError.malformed(

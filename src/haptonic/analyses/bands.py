@@ -22,13 +22,13 @@ from haptonic.store import Store
 from haptonic.study.schema import Description
 
 DIAGRAM, PER_WAVEVECTOR = 1.5, 0.02  # s, of names, shapes and pictures; of ten bands
-COUNTED = 1.8  # times the meshes: the exact counts have some of their own
-SURFACE = 6.0  # s, of the whole zone
+COUNTED = 1.8  # factor for the exact eigenvalue counts, which need meshes of their own
+SURFACE = 6.0  # s, for the whole zone
 
 
 @dataclass(frozen=True)
 class BandsOptions:
-    """What may be chosen."""
+    """Options of the bands."""
 
     surface: bool = option(False, "Also contours over the zone and the density of states.")
     modes_at: str | None = option(
@@ -39,7 +39,7 @@ class BandsOptions:
 
 
 def check(study: Description, options: BandsOptions) -> None:
-    """Raise StudyError if there is no such wavevector."""
+    """Raise StudyError if ``modes_at`` names no wavevector of the zone."""
     if options.modes_at is not None:
         wavevector_at(study.cell.zone, options.modes_at, "--modes-at")
 
@@ -49,7 +49,7 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
 
     Raises
     ------
-    ResourceError : the accuracy needs more memory than there is
+    ResourceError : the accuracy needs more memory than this machine has
     """
     return compute_bands(
         study.cell, study.bands_settings, surface=options.surface, inputs=study.inputs(),
@@ -67,13 +67,13 @@ def compute_bands(
     store: Store,
     modes_at: str | None = None,
 ) -> Bands:
-    """Bands of a cell, from the store if they were computed before.
+    """Compute the bands of a cell, or take them from the store.
 
     Parameters
     ----------
     surface : also sample the whole zone evenly
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`
-    inputs : plain values of what was asked, for the result's attributes
+    inputs : plain values of the inputs, for the attributes of the result
     carrier : Hz, marked in the diagram
     """
     dataset = store.kept(
@@ -86,7 +86,7 @@ def compute_bands(
 
 
 def cost(study: Description, options: BandsOptions) -> Cost:
-    """Of meshes, the diagram and the zone."""
+    """Estimated cost of meshes, diagram and zone."""
     shown = DIAGRAM + PER_WAVEVECTOR * study.bands_settings.points + (SURFACE if options.surface else 0.0)
     return meshes(study).times(COUNTED) + Cost(shown)
 

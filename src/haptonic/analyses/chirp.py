@@ -1,4 +1,4 @@
-"""The drive of a scan, and the points that it visits."""
+"""The drive of a scan, and the order of its points."""
 
 from __future__ import annotations
 
@@ -49,14 +49,14 @@ class Excitation(Result):
     def dataset(self) -> xr.Dataset:
         """One period of the drive, and the points of the plan in the order of the stage."""
         time = np.arange(len(self.drive.samples)) / self.drive.sample_rate
-        made = xr.Dataset(
+        dataset = xr.Dataset(
             {"drive": ("time", self.drive.samples, {"units": self.drive.unit})},
             coords={"time": ("time", time, {"units": "s"})},
         )
         if self.plan is None:
-            return made
+            return dataset
         x, y = self.plan.points.T
-        return made.assign_coords(x=("point", x, {"units": "m"}), y=("point", y, {"units": "m"}))
+        return dataset.assign_coords(x=("point", x, {"units": "m"}), y=("point", y, {"units": "m"}))
 
     @file("drive.wav", "drive.csv", "drive.h5")
     def _write_drive(self, path: Path) -> None:
@@ -84,19 +84,20 @@ class Excitation(Result):
         return plots.plate_plan(self.plate, self.plan.points)
 
     def tables(self) -> list[Table]:
-        told, plan = self.facts(), self.facts()["plan"]
+        facts = self.facts()
+        plan = facts["plan"]
         rows = [
-            ("band", hz_text(told['low'], told['high'], form='.5g')),
-            ("lines", f"{told['lines']:.0f}, {told['line_spacing_hz']:.4g} Hz apart"),
-            ("period", f"{told['duration_s'] * 1e3:.4g} ms, {told['averages']:.0f} recorded at each point"),
-            ("sample rate", hz_text(told['sample_rate'], form='.5g')),
+            ("band", hz_text(facts['low'], facts['high'], form='.5g')),
+            ("lines", f"{facts['lines']:.0f}, {facts['line_spacing_hz']:.4g} Hz apart"),
+            ("period", f"{facts['duration_s'] * 1e3:.4g} ms, {facts['averages']:.0f} recorded at each point"),
+            ("sample rate", hz_text(facts['sample_rate'], form='.5g')),
             ("largest value",
-             f"{told['full_scale']:.4g} {told['unit']}, crest factor {told['crest_factor']:.3f}"),
+             f"{facts['full_scale']:.4g} {facts['unit']}, crest factor {facts['crest_factor']:.3f}"),
         ]  # fmt: skip
         if plan:
             rows += [
                 ("points", f"{plan['points']}, {plan['left_out']} left out"),
-                ("way", f"{plan['travel_m']:.3g} m, {plan['measuring_s']:.0f} s of recording"),
+                ("path", f"{plan['travel_m']:.3g} m, {plan['measuring_s']:.0f} s of recording"),
             ]
         return [Table("excitation", ("what", "value"), rows)]
 
@@ -119,11 +120,11 @@ class Excitation(Result):
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Excitation:
-    """One period of the drive, and the plan for the study's plate if it has one.
+    """One period of the drive; for a study with a plate also the plan of the scan.
 
     Raises
     ------
-    ScanError : settings that do not fit together
+    ScanError : settings that contradict each other
     """
     settings = study.scan_settings
     plate = study.mounted_plate() if study.finite_plate else None
@@ -136,5 +137,5 @@ ANALYSIS = Analysis(
     result=Excitation,
     compute=compute,
     supports=no_cell,
-    cost=lambda study, options: Cost(2.0),  # of a drive's files and pictures
+    cost=lambda study, options: Cost(2.0),  # files and pictures of a drive
 )

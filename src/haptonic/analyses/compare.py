@@ -1,4 +1,4 @@
-"""Two sets of bands beside each other: studies, results, or what another program exported."""
+"""Comparison of two sets of bands: of studies, of results, or of a table from another program."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from haptonic.study.schema import Description
 from haptonic.study.template import ENDING
 
 RESULT = "bands.nc"  # in the folder of `haptonic bands`
-FINE = 201  # wavevectors of a study, so that straight lines between them are no worse than its accuracy
+FINE = 201  # wavevectors of a study: linear interpolation between them stays within its accuracy
 
 
 @dataclass(frozen=True, kw_only=True)
 class CompareOptions(UnitsOfFile):
-    """What may be chosen."""
+    """Options of the comparison."""
 
     first: Path = option(help="A study, or the folder of its bands.", place="before")
     second: Path = option(help="Another one, or a table of bands from another program.", place="before")
@@ -43,58 +43,58 @@ class CompareOptions(UnitsOfFile):
 
     @property
     def of_table(self) -> OfTable:
-        """What the user says of the table."""
+        """The user's statements about the table."""
         return OfTable(
             wavevector=self.wavevector, frequency_unit=self.frequency_unit, skip_lines=self.skip_lines
         )
 
     @cached_property
     def studies(self) -> dict[Path, Description]:
-        """Those of the two that are studies, each read once."""
+        """The studies among the two files, each read once."""
         paths = dict.fromkeys(path for path in (self.first, self.second) if kind_of(path) == "study")
         return {path: load_as(path, Description) for path in paths}
 
 
 def kind_of(path: Path) -> str:
-    """ "study", "result" or "table"."""
+    """Kind of a file: "study", "result" or "table"."""
     if path.suffix == ENDING:
         return "study"
     return "result" if path.suffix == ".nc" or path.is_dir() else "table"
 
 
 def check(study: None, options: CompareOptions) -> None:
-    """Raise HaptonicError if the first is not ours, or the second a table that cannot be laid over it."""
+    """Raise HaptonicError if the first is a table, or if the second is a table that does not fit its path."""
     if kind_of(options.first) == "table":
         raise StudyError.conflict(
             argument="FIRST",
             given=shown(str(options.first), 100),
             allowed="a study (.toml), or a folder of `haptonic bands`",
-            cause="a table of another program has no lattice, and so no path of its own",
+            cause="a table of another program has no lattice, so it defines no path",
             next_step=f"haptonic compare {options.second} {options.first}"
             if kind_of(options.second) != "table"
             else "describe the cell in a study: `haptonic new`",
         )
     if kind_of(options.second) == "table":
-        # what the table does not say is asked before bands are computed
+        # missing units are refused before bands are computed
         ours = options.studies.get(options.first)
         path = None if ours is None else OurPath.of_cell(ours.cell)
         check_table(options.second, path, options.of_table)
 
 
 def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
-    """Bands of both, a study's from the store if they were computed before.
+    """Compare two sets of bands; those of a study come from the store if they were computed before.
 
     Raises
     ------
-    StudyError : no study, no result, or lattices whose paths differ
-    ChannelError : a table that cannot be read, or of which nobody says the units
-    StudyError : a table that is more than `MOST_APART` apart, unless that is allowed
+    StudyError : neither a study nor a result, or lattices with different paths
+    ChannelError : a table that cannot be read, or whose units are not given
+    StudyError : a table that differs by more than `MOST_APART`, unless ``any_difference`` is set
     """
     names = _names(options.first, options.second)
-    own = bands_of(options.first, options.studies.get(options.first), runner)
-    first = of_dataset(names[0], own)
+    ours = bands_of(options.first, options.studies.get(options.first), runner)
+    first = of_dataset(names[0], ours)
     if kind_of(options.second) == "table":
-        theirs = of_table(options.second, OurPath.of_dataset(own), options.of_table)
+        theirs = of_table(options.second, OurPath.of_dataset(ours), options.of_table)
         result = Comparison(first, theirs)
         if not options.any_difference:
             result.refuse_apart()
@@ -105,18 +105,18 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
             argument="SECOND",
             given=f"a path {' '.join(second.labels)}",
             allowed=f"{' '.join(first.labels)}, the path of {first.name}",
-            cause="lattices of another kind have another zone, and nothing says which places belong together",
+            cause="lattices of different kinds have different zones, so their wavevectors do not correspond",
             next_step="compare lattices of one kind",
         )
     return Comparison(first, second, {path: key.unit for path, key in table(Description).items()})
 
 
 def bands_of(path: Path, study: Description | None, runner: Runner) -> xr.Dataset:
-    """Of a study, computed now at more wavevectors than a diagram needs; of a result, as they are."""
+    """Compute the bands of a study, at more wavevectors than a diagram needs; read the bands of a result."""
     if study is None:
         return of_file(path / RESULT if path.is_dir() else path)
     settings = study.bands_settings
-    found = compute_bands(
+    bands = compute_bands(
         study.cell,
         remade(settings, points=max(settings.points, FINE)),
         surface=False,
@@ -124,11 +124,11 @@ def bands_of(path: Path, study: Description | None, runner: Runner) -> xr.Datase
         carrier=study.carrier,
         store=runner.store,
     )
-    return found.dataset
+    return bands.dataset
 
 
 def _names(*paths: Path) -> list[str]:
-    """Short ones that differ."""
+    """Short names of the files that differ; otherwise their paths."""
     short = [path.absolute().stem for path in paths]
     return short if len(set(short)) == len(short) else [str(path) for path in paths]
 

@@ -1,4 +1,4 @@
-"""Reads what is compared: bands of ours, of a result, and those that another program exported."""
+"""Readers for the comparison: bands of haptonic, of a result file, and of a table from another program."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ PARTS = {
     **dict.fromkeys(("gap_below", "gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error"), ("gap",)),
     **dict.fromkeys(("gap_lower_kappa", "gap_upper_kappa"), ("gap", "axis")),
     **dict.fromkeys(("gap_complete", "gap_direction", "gap_samples", "gap_waves"), ("gap",)),
-}  # of bands.nc
+}  # variables of bands.nc with their dimensions
 
 
 @dataclass(frozen=True, kw_only=True)
 class OfTable:
-    """What a user says of a table: units that it does not name, lines above it that are no part of it."""
+    """Settings of a user for a table: units missing in it, and the number of lines to skip."""
 
     wavevector: str | None = None
     frequency_unit: str | None = None
@@ -41,7 +41,7 @@ class OfTable:
 
 
 def of_dataset(name: str, data: xr.Dataset) -> BandSet:
-    """Bands that haptonic computed."""
+    """Band set of a dataset that haptonic computed."""
     path = OurPath.of_dataset(data)
     inputs = json_from(data.attrs["inputs"])
     frequency = np.sort(data["frequency"].values, axis=1)
@@ -59,11 +59,11 @@ def of_dataset(name: str, data: xr.Dataset) -> BandSet:
 
 
 def of_file(path: Path) -> xr.Dataset:
-    """Bands of a file that `haptonic bands` wrote, as far as they are compared.
+    """Read the variables that are compared from a file of `haptonic bands`.
 
     Raises
     ------
-    StudyError : another file, or a damaged one
+    StudyError : another kind of file, or a damaged one
     """
     try:
         content = ask("hdf5.tree", path, deep=False)
@@ -82,18 +82,18 @@ def of_file(path: Path) -> xr.Dataset:
             argument="bands of an earlier run",
             given=shown(str(path), 200),
             allowed="bands.nc of `haptonic bands`, or its folder",
-            cause="another file, or damaged",
+            cause="the file is of another kind, or it is damaged",
             next_step="give the study, or run `haptonic bands` again",
         ) from error
     return data
 
 
 def of_table(path: Path, ours: OurPath, asked: OfTable) -> BandSet:
-    """Bands of a text file, on our path.
+    """Read the bands of a text table and place them on our path.
 
     Raises
     ------
-    ChannelError : no table, units that nobody says, an axis that is none, or another path
+    ChannelError : not a table, missing units, an axis that is not a wavevector, or another path
     """
     table, unit = _read(path, ours, asked)
     places = positions(path, table, ours, unit)
@@ -114,7 +114,7 @@ def of_table(path: Path, ours: OurPath, asked: OfTable) -> BandSet:
 
 
 def check_table(path: Path, ours: OurPath | None, asked: OfTable) -> None:
-    """Raise what `of_table` raises, as far as it is known before bands are computed."""
+    """Raise the errors of `of_table` that can be detected before bands are computed."""
     if ours is None:
         columns_of(_text_table(path, asked), asked.frequency_unit)
     else:
@@ -129,8 +129,8 @@ def _text_table(path: Path, asked: OfTable) -> TextTable:
             argument=path.name,
             given=error.strerror or "nothing",
             allowed="a text table that can be read",
-            cause="it is not there, or you may not read it",
-            next_step="check the path, and that you may read it",
+            cause="the file does not exist, or you have no permission to read it",
+            next_step="check the path and the permissions of the file",
         ) from error
 
 
@@ -139,7 +139,7 @@ def _read(path: Path, ours: OurPath, asked: OfTable) -> tuple[TableOfBands, str]
     try:
         table = columns_of(text, asked.frequency_unit)
     except ChannelError as error:
-        if error.argument == "--frequency-unit" and not asked.frequency_unit:  # first what comes first
+        if error.argument == "--frequency-unit" and not asked.frequency_unit:  # report the first column first
             table = columns_of(text, "Hz")
             positions(path, table, ours, unit_of(path, table, ours, asked.wavevector))
         raise
@@ -147,7 +147,7 @@ def _read(path: Path, ours: OurPath, asked: OfTable) -> tuple[TableOfBands, str]
 
 
 def loss_of(inputs: Mapping[str, Any]) -> float | None:
-    """The loss factor of every mode of a cell of one material; None where there are several."""
+    """Loss factor of every mode of a cell of one material; None for several materials."""
     material, pillar = inputs.get("material"), (inputs.get("cell") or {}).get("pillar") or {}
     if not isinstance(material, Mapping) or pillar.get("material") is not None:
         return None

@@ -1,4 +1,4 @@
-"""The cell whose gap holds the carrier with the widest margin."""
+"""Design search: the cell whose gap contains the carrier with the widest margin."""
 
 from __future__ import annotations
 
@@ -22,23 +22,23 @@ from haptonic.results.cost import Cost
 from haptonic.results.design import Design
 from haptonic.study.schema import Description
 
-# of what one mesh is foreseen to take, for a design that a search sees: twenty drawn searches of squares took
-# 0.15 to 0.4 s, those of honeycomb and kagome cells 1.0 and 0.8 s
+# share of the estimate for one mesh, per design of a search: twenty drawn searches of square lattices took
+# 0.15 to 0.4 s per design, those of honeycomb and kagome lattices 1.0 and 0.8 s
 QUICK_DESIGN = 0.19
-REFINED = 6  # designs that a search computes as exactly as asked for
+REFINED = 6  # designs of a search that are computed to the full accuracy
 
 
 @dataclass(frozen=True)
 class DesignOptions:
-    """What may be chosen."""
+    """Options of the design search."""
 
     pareto: bool = option(False, "Also the widest gap against the pitch.")
 
 
 def check(study: Description, options: DesignOptions) -> None:
-    """Raise StudyError if nothing may change; for a front the pitch and something else have to."""
+    """Raise StudyError if no parameter may vary; a front needs the pitch and another parameter."""
     brief(study)
-    names = [one.parameter for one in study.design_settings.vary]
+    names = [item.parameter for item in study.design_settings.vary]
     if options.pareto and ("cell.pitch" not in names or len(names) < 2):
         raise StudyError.missing(
             argument="design.vary",
@@ -50,18 +50,18 @@ def check(study: Description, options: DesignOptions) -> None:
 
 
 def brief(study: Description) -> Brief:
-    """What is asked of a design, as the core computes with it.
+    """Requirements for a design, in the form of `haptonic.design`.
 
     Raises
     ------
-    StudyError : no carrier, or nothing that may change
+    StudyError : no carrier, or no parameter to vary
     """
     section, carrier = study.design_settings, need_carrier(study)
     if not section.vary:
         raise StudyError.missing(
             argument="design.vary",
             allowed="at least one [[design.vary]] table with parameter, from and to",
-            cause="the study does not say what may change",
+            cause="the study does not name a parameter to vary",
             next_step='add [[design.vary]] with parameter = "cell.pillar.height", from and to',
         )
     if section.limits.finger_force is not None and not isinstance(study.cell.material, IsotropicMaterial):
@@ -69,53 +69,53 @@ def brief(study: Description) -> Brief:
             argument="design.finger_force",
             given=f"with {study.cell.material.name}",
             allowed="an isotropic material",
-            cause="the formula for a plate under a finger knows no others",
-            next_step="leave the finger out and bound cell.thickness instead",
+            cause="the formula for a plate under a finger is for isotropic materials",
+            next_step="leave design.finger_force out and bound cell.thickness instead",
         )
     return Brief(
         cell=study.cell,
         carrier=carrier,
         count=study.bands_settings.count,
-        bounds={one.parameter: (one.low, one.high) for one in section.vary},
+        bounds={item.parameter: (item.low, item.high) for item in section.vary},
         allowed=section.limits,
     )
 
 
 def compute(study: Description, options: DesignOptions, runner: Runner) -> Design:
-    """The design, as a study of its own, and if it is asked for the widest margin of each pitch.
+    """Search the design and return it as a study; with ``pareto`` also the widest margin of each pitch.
 
     Raises
     ------
-    StudyError : bounds that contradict each other, or a carrier that no allowed design reaches
+    StudyError : contradicting bounds, or a carrier that no allowed design reaches
     """
     section = study.design_settings
-    found = compute_design(
+    design = compute_design(
         brief(study), study.bands_settings, starts=section.starts, climbs=section.climbs, steps=section.steps,
         inputs=study.inputs(), runner=runner,
     )  # fmt: skip
-    own = study.parameters()
+    values = study.parameters()
     return replace(
-        found,
-        own={path: own[path] for path in found.values},
-        study=study.without_plate().with_parameters(found.values).to_toml(),
-        front=front(study, found, runner) if options.pareto else None,
+        design,
+        own={path: values[path] for path in design.values},
+        study=study.without_plate().with_parameters(design.values).to_toml(),
+        front=front(study, design, runner) if options.pareto else None,
     )
 
 
 def front(study: Description, best: Design, runner: Runner) -> xr.Dataset:
-    """The widest margin against the pitch, between its bounds."""
+    """Widest margin against the pitch, between the bounds of the pitch."""
     asked, count = brief(study), study.design_settings.pitches
     low, high = asked.bounds["cell.pitch"]
     pitches = [low + (high - low) * i / (count - 1) for i in range(count)]
-    made = compute_front(asked, best.values, pitches, steps=study.design_settings.steps, runner=runner)
-    return stamped(made, study.inputs())
+    front = compute_front(asked, best.values, pitches, steps=study.design_settings.steps, runner=runner)
+    return stamped(front, study.inputs())
 
 
 def cost(study: Description, options: DesignOptions) -> Cost:
-    """Of a search; more where the carrier is hard to reach."""
+    """Estimated cost of a search; a carrier that is hard to reach takes longer."""
     section = study.design_settings
     seen = section.starts + section.climbs * section.steps
-    refined = replace(gaps(study).times(REFINED), refusal=None)  # the search looks at other cells
+    refined = replace(gaps(study).times(REFINED), refusal=None)  # other cells may be possible
     once = Cost(QUICK_DESIGN * QUICK.seconds(study.cell) * seen) + refined
     return once.times(1 + section.pitches / 2) if options.pareto else once
 

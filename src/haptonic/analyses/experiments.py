@@ -1,4 +1,4 @@
-"""From [protocol] and [participants] of a study to an order of trials, and the truth of a simulation."""
+"""Trials of a study: their order from [protocol], the truth of a simulation from [participants]."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from haptonic.results.protocol import StrokeTask
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
 
-SHORTEST, LONGEST = 0.4, 10.0  # s that a stroke may last: touching down and lifting take a third of one
-PUBLISHED = ("WG1", "WG2")  # names of the waveguides where the study has no plate [daunizeau-haptics]
+SHORTEST, LONGEST = 0.4, 10.0  # s, duration of a stroke; touching down and lifting take a third of it
+PUBLISHED = ("WG1", "WG2")  # names of the waveguides of a study without a plate [daunizeau-haptics]
 
 
 def protocol_of(study: Description) -> Protocol:
-    """The order of trials that a study asks for.
+    """Order of the trials of a study.
 
     Raises
     ------
-    StudyError : no two waveguides to compare
+    StudyError : fewer than two waveguides
     """
     section = study.protocol_settings
     balanced = section.order == "balanced"
@@ -43,16 +43,16 @@ def waveguides_of(study: Description) -> tuple[str, str]:
     StudyError : a name that the plate does not have, or a plate with fewer than two regions
     """
     section, plate = study.protocol_settings, study.finite_plate
-    known = plate.regions if plate else []
+    regions = plate.regions if plate else []
     for key in ("driven", "idle"):
         name = getattr(section, key)
-        if plate and name is not None and name not in known:
+        if plate and name is not None and name not in regions:
             raise StudyError.unknown(
-                f"protocol.{key}", name, known, "no region of the plate has this name",
-                next_step="choose one of them, or leave [plate] out",
+                f"protocol.{key}", name, regions, "no region of the plate has this name",
+                next_step="choose one of these, or leave [plate] out",
             )  # fmt: skip
-    actuated = [one.region for one in plate.actuator if one.region] if plate else []
-    names = known or list(PUBLISHED)
+    actuated = [actuator.region for actuator in plate.actuator if actuator.region] if plate else []
+    names = regions or list(PUBLISHED)
     driven = section.driven or next((n for n in [*actuated, *names] if n != section.idle), None)
     idle = section.idle or next((name for name in names if name != driven), None)
     if driven is None or idle is None:
@@ -66,11 +66,11 @@ def waveguides_of(study: Description) -> tuple[str, str]:
 
 
 def task_of(study: Description) -> StrokeTask:
-    """What people are asked to do: force and speed of [touch], the rest of [protocol].
+    """Task of the participants: force and speed from [touch], the rest from [protocol].
 
     Raises
     ------
-    StudyError : strokes that last too short or too long
+    StudyError : strokes that are too short or too long
     """
     section, touch = study.protocol_settings, study.touch
     task = StrokeTask(touch.speed, touch.force, section.stroke, section.pause)
@@ -80,38 +80,38 @@ def task_of(study: Description) -> StrokeTask:
             given=f"{format_quantity(task.stroke, 'm')} at {format_quantity(task.speed, 'm/s')}, "
             f"{format_quantity(task.lasting, 's')}",
             allowed=f"a stroke that lasts {SHORTEST:g} to {LONGEST:g} s",
-            cause="the unit of touch.speed or of the length slipped",
+            cause="a slip in the unit of touch.speed or protocol.stroke",
             next_step="change one of them",
         )
     return task
 
 
 def basis_of(study: Description, amplitudes: Mapping[str, float] | None) -> str:
-    """A sentence: whose reductions of friction are assumed, and how to take those of the study's plate."""
+    """Sentence on the origin of the assumed reductions, and on the way to use those of the study's plate."""
     if amplitudes is not None:
-        return "The reductions follow from the amplitudes that --from gives, by load sharing."
+        return "The reductions are computed from the amplitudes of --from with the load-sharing model."
     people, published = study.participants, Participants()
     numbers = f"{people.driven:.0%} and {people.idle:.0%}"
     if (people.driven, people.idle) != (published.driven, published.idle):
-        return f"The reductions, {numbers}, are those of [participants] in the study."
+        return f"The reductions, {numbers}, are given in [participants] of the study."
     if study.finite_plate is None:
-        return f"The reductions, {numbers}, are those of the published prototype."
+        return f"The reductions, {numbers}, are values of the published prototype."
     return (
-        f"The reductions, {numbers}, are those of the published prototype, not of this plate: "
-        "`haptonic feel STUDY --json > feel.json` computes this plate's, and `--from feel.json` takes them."
+        f"The reductions, {numbers}, are values of the published prototype, not of this plate. "
+        "`haptonic feel STUDY --json > feel.json` computes those of this plate; `--from feel.json` uses them."
     )
 
 
 def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) -> Truth:
-    """What is true of the people of a simulation.
+    """True values of a simulation of friction trials.
 
     Parameters
     ----------
-    amplitudes : waveguide -> m; else those that explain the reductions of [participants]
+    amplitudes : waveguide -> m; by default those that explain the reductions of [participants]
 
     Raises
     ------
-    StudyError : no carrier, no two waveguides, or one without an amplitude
+    StudyError : no carrier, fewer than two waveguides, or a waveguide without an amplitude
     FrictionError : amplitudes or reductions that load sharing does not explain
     """
     people, carrier, names = study.participants, need_carrier(study), waveguides_of(study)
@@ -125,7 +125,7 @@ def truth_of(study: Description, amplitudes: Mapping[str, float] | None = None) 
             raise StudyError.mismatch(
                 argument="amplitudes",
                 given=", ".join(amplitudes) or "none",
-                allowed=f"one for each of {' and '.join(names)}",
+                allowed=f"an amplitude for each of {' and '.join(names)}",
                 cause="they were computed for another plate",
                 next_step=f'add "{name}", or name the waveguides in [protocol]',
             )

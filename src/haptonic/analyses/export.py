@@ -28,16 +28,20 @@ from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, dimensions_of
 
 KINDS = ("step", "dxf", "stl", "drawing")
-FILES = 3.0  # s, of outlines, solids and the drawing of a cell
-PER_FACE, BYTES_OF_FACE = 1e-3, 6e4  # s and B, of a face of a solid
-PER_PAIR = 1.5e-7  # s, of two of them
-DRAWN = 0.04  # s, of a pillar on the drawing of a plate
-UNANSWERED = {"missing", "no-answer", "too-large"}  # no carrier, no gap that holds it, none within reach
+FILES = 3.0  # s, for outlines, solids and the drawing of a cell
+PER_FACE, BYTES_OF_FACE = 1e-3, 6e4  # s and B per face of a solid
+PER_PAIR = 1.5e-7  # s per pair of faces
+DRAWN = 0.04  # s per pillar on the drawing of a plate
+UNANSWERED = {
+    "missing",
+    "no-answer",
+    "too-large",
+}  # no carrier, no gap that contains it, no mesh within reach
 
 
 @dataclass(frozen=True)
 class ExportOptions:
-    """What may be chosen; all kinds of files are made if none is named."""
+    """Options of the export; all kinds of files are written if none is named."""
 
     step: bool = option(False, "Solid, for CAD (needs haptonic[cad]).")
     dxf: bool = option(False, "Outlines seen from above.")
@@ -51,15 +55,15 @@ class ExportOptions:
 
     @property
     def kinds(self) -> list[str]:
-        """Of files that are asked for."""
+        """Kinds of files to write."""
         return [kind for kind in KINDS if getattr(self, kind)] or list(KINDS)
 
     def part(self, study: Description) -> Part:
-        """What is made.
+        """Part to export: the plate of the study, or a piece of its lattice.
 
         Raises
         ------
-        GeometryError : an impossible number of cells, or a plate that cannot be made
+        GeometryError : an impossible number of cells, or a plate that cannot be manufactured
         """
         if study.finite_plate is not None and self.columns is None and self.rows is None:
             return Part.whole(study.mounted_plate(), study.cell)
@@ -68,7 +72,7 @@ class ExportOptions:
 
     @staticmethod
     def named(kind: str, stem: str, materials: Sequence[Material] = ()) -> list[str]:
-        """The files of a kind; surfaces are one file for each material, the plate's first."""
+        """Names of the files of a kind; a surface has one file per material, the plate's first."""
         if kind == "drawing":
             return [f"{stem}.pdf", f"{stem}-drawing.dxf"]
         others = materials[1:] if kind == "stl" else ()
@@ -77,7 +81,7 @@ class ExportOptions:
         return [f"{stem}.{kind}", *more]
 
     def names(self, stem: str) -> list[str]:
-        """Of all files."""
+        """Names of all files."""
         return [name for kind in self.kinds for name in self.named(kind, stem)]
 
 
@@ -85,10 +89,10 @@ class ExportOptions:
 class Workshop(Result):
     """A plate, or a piece of lattice, as files for the workshop.
 
-    part, cell, study, stem : what is made, the study's cell and title, and the beginning of the files' names
-    tolerances : half-widths (SI) of the sizes in the drawing; why_none : why there are none, if so
-    wants_tolerances : whether the study asks for tolerances
-    left_out : kinds of files that cannot be made here, and why
+    part, cell, study, stem : the part, the study's cell and title, and the beginning of the files' names
+    tolerances : half-widths (SI) of the sizes in the drawing; why_none : reason for a drawing without any
+    wants_tolerances : True if the study asks for tolerances
+    left_out : kinds of files that cannot be written on this machine, each with the reason
     """
 
     title = "Files for the workshop"
@@ -149,12 +153,12 @@ class Workshop(Result):
                 workshop.write_dxf(paths[0], self.part)
 
     def summary(self) -> list[str]:
-        what = "the whole plate"
-        aside = "; regions, patches and what is held are marked, and no part of the solid"
+        name = "the whole plate"
+        aside = "; regions, patches and supports are marked but are not part of the solid"
         if self.part.count is not None:
-            what, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
+            name, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
         sizes = " x ".join(format_quantity(side / MM, "m") for side in self.part.size)
-        return [f"part: {what}, {sizes}, with {self.part.parts}{aside}"]
+        return [f"part: {name}, {sizes}, with {self.part.parts}{aside}"]
 
     def remarks(self) -> list[str]:
         missing = [f"{', '.join(self._names_of(kind))} is not written: {why}"
@@ -164,28 +168,28 @@ class Workshop(Result):
         return [*missing, f"the drawing has no tolerances: {self.why_none}"]
 
     def facts(self) -> dict[str, Any]:
-        made = {"whole_plate": self.part.count is None, "size_m": [side / MM for side in self.part.size],
-                "pillars": self.part.number, "stacks": self.part.number_of_stacks,
-                "materials": [material.name for material in self.part.materials]}  # fmt: skip
+        facts = {"whole_plate": self.part.count is None, "size_m": [side / MM for side in self.part.size],
+                 "pillars": self.part.number, "stacks": self.part.number_of_stacks,
+                 "materials": [material.name for material in self.part.materials]}  # fmt: skip
         if self.left_out:
-            made |= {"left_out": self.left_out}
+            facts |= {"left_out": self.left_out}
         if "drawing" not in self.options.kinds:
-            return made
-        return made | {"tolerances": self.tolerances, "why_no_tolerances": self.why_none or None}
+            return facts
+        return facts | {"tolerances": self.tolerances, "why_no_tolerances": self.why_none or None}
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"files": [str(folder / name) for name in self._names_of(*self.kinds)]}
 
 
 def check(study: Description, options: ExportOptions) -> None:
-    """Refuse a part that cannot be made, and a solid that is asked for by name without the extra for it."""
+    """Refuse a part that cannot be manufactured, and ``step`` by name if its extra is not installed."""
     options.part(study)
     if options.step:
         workshop.need_opencascade()
 
 
 def left_out(options: ExportOptions) -> dict[str, str]:
-    """Kinds of files that nobody named and that cannot be made here, each with the reason."""
+    """Kinds of files that nobody named and that cannot be written on this machine, each with the reason."""
     if "step" not in options.kinds:
         return {}
     try:
@@ -196,7 +200,7 @@ def left_out(options: ExportOptions) -> dict[str, str]:
 
 
 def compute(study: Description, options: ExportOptions, runner: Runner) -> Workshop:
-    """The files; the drawing has the tolerances found, or says why not."""
+    """Prepare the files; the drawing has the computed tolerances, or the reason why there are none."""
     tolerances, why_none = dict[str, float](), ""
     if "drawing" in options.kinds:
         tolerances, why_none = drawn_tolerances(study, runner)
@@ -208,44 +212,44 @@ def compute(study: Description, options: ExportOptions, runner: Runner) -> Works
 
 
 def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, float], str]:
-    """Half-widths (SI) of the sizes that the study gives spreads for: the loosest that keep its confidence.
+    """Half-widths (SI) for the drawing: the loosest tolerances that keep the study's confidence.
 
-    There is none for a draft of zero, which the drawing does not show.
+    A draft angle of zero has none, because the drawing does not show it.
 
     Returns
     -------
-    the half-widths, and why there are none, if there are none
+    the half-widths, and the reason if there are none
     """
     section = study.tolerance_settings
     if not section.of:
         return {}, "the study gives no spreads, [tolerance] of"
     try:
         result = tolerance.compute(study, NoOptions(), runner)
-    except HaptonicError as error:  # what is wrong with the spreads themselves is refused
+    except HaptonicError as error:  # errors in the spreads themselves are raised
         if error.code not in UNANSWERED:
             raise
-        return {}, f"there is no gap to keep, see {error.argument}: {error.cause}"
+        return {}, f"no gap contains the carrier, see {error.argument}: {error.cause}"
     shown = dimensions_of(study.cell)
     drawn = {s.parameter: result.loosest * s.half_range for s in section.of if s.parameter in shown}
     if not drawn:
-        return {}, "the study gives spreads of the material or of what is not drawn only"
+        return {}, "the study gives spreads only for material constants or sizes that are not drawn"
     if result.loosest > 0:
         return drawn, ""
     return {}, (
-        f"none keeps the carrier in the gap with {section.confidence:.1%}, as [tolerance] asks; with the "
-        f"study's own spreads the chance is {percent(result.plate)}"
+        f"no tolerance keeps the carrier in the gap with the confidence of [tolerance], "
+        f"{section.confidence:.1%}; with the study's own spreads the probability is {percent(result.plate)}"
     )
 
 
 def cost(study: Description, options: ExportOptions) -> Cost:
-    """Of the files; of the tolerances in a drawing where the study gives spreads."""
+    """Estimated cost of the files, and of the tolerances in a drawing if the study gives spreads."""
     part, total = options.part(study), Cost(FILES)
     if "step" in options.kinds:
         total += Cost(PER_FACE * part.faces + PER_PAIR * part.faces**2, BASE + BYTES_OF_FACE * part.faces)
     if "drawing" in options.kinds:
         total += Cost(DRAWN * (part.number + part.number_of_stacks))
         if study.carrier and study.tolerance_settings.of:
-            # without an answer the drawing has no tolerances
+            # if the tolerances are refused, the drawing has none
             total += replace(tolerance.cost(study, NoOptions()), refusal=None)
     return total
 

@@ -1,4 +1,4 @@
-"""What a finger feels of the plate."""
+"""Friction under a finger on the plate."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from haptonic.units import format_quantity
 
 @dataclass(frozen=True)
 class FeelOptions:
-    """What may be chosen."""
+    """Options of the friction map."""
 
     voltage: float | None = option(
         None, 'Voltage of the first actuator, such as "200 V".', unit="V", metavar="VOLTAGE"
@@ -47,23 +47,23 @@ class FeelOptions:
 
 
 def check(study: Description, options: FeelOptions) -> None:
-    """Raise StudyError for a reduction that is no share of friction."""
+    """Raise StudyError for a reduction that is not between 0 and 1."""
     if options.reduction is not None:
         check_reduction(options.reduction)
 
 
 def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
-    """Friction wherever the finger lies, by the study's [touch].
+    """Friction map of the plate for the finger of [touch].
 
-    Without a frequency it is the resonance of the driven region that is loudest near the carrier; without a
-    voltage that of [touch], or else the plate's.
+    The default frequency is the resonance near the carrier at which the driven region vibrates most. The
+    default voltage is that of [touch], then that of the plate.
 
     Raises
     ------
-    StudyError : no [plate], no carrier, nothing that drives the plate, or a voltage for a force
-    ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
+    StudyError : no [plate], no carrier, no drive, or a voltage for a plate that a force drives
+    ResourceError : a grid or a plate that is too large for this machine, refused before the computation
     """
-    plate, carrier, own, finger = (
+    plate, carrier, settings, finger = (
         study.mounted_plate(),
         need_carrier(study),
         response_settings(study),
@@ -71,22 +71,22 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     )
     drive = amplitude(plate, finger.voltage if options.voltage is None else options.voltage)
     middle = carrier if options.at is None else options.at
-    finger.at(middle)  # refused before anything is computed
+    finger.at(middle)  # raises before the computation
     check_cost(plate, highest(middle))
-    check_grid(plate, own.grid, len(LOADS))
+    check_grid(plate, settings.grid, len(LOADS))
     chosen = checked_fineness(study)
     gap = gap_of_plate(study, plate, carrier, runner)
-    found = compute_loaded(
+    vibration_below = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,
         diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at,
         gap=(gap.lower, gap.upper) if gap else None,
-        grid=own.grid, tolerance=own.tolerance, fineness=chosen,
+        grid=settings.grid, tolerance=settings.tolerance, fineness=chosen,
     )  # fmt: skip
     friction = FrictionOnPlate(
-        loaded=found,
-        below=whole_finger_by_region(found, plate.layout, finger.pad.diameter),
+        loaded=vibration_below,
+        below=whole_finger_by_region(vibration_below, plate.layout, finger.pad.diameter),
         driven=driven_regions(plate),
-        touch=finger.at(found.attrs["frequency_hz"]),
+        touch=finger.at(vibration_below.attrs["frequency_hz"]),
         skin=finger.skin,
         drive=drive,
     )
@@ -96,11 +96,11 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
 def compute_loaded(
     store: Store, inputs: Mapping[str, Any], progress: Progress, *, plate: Plate, **asked: Any
 ) -> xr.Dataset:
-    """Vibration below a finger, from the store if it was computed before; see `haptonic.plate.loaded.loaded`.
+    """Vibration below a finger, computed or from the store; see `haptonic.plate.loaded.loaded`.
 
     Parameters
     ----------
-    inputs : plain values of what was asked; asked : all that `loaded` is given besides
+    inputs : plain values of the inputs; asked : further arguments of `loaded`
     """
     asked = {**asked, "plate": replace(plate, finger=None)}  # the finger of [touch] takes its place
     return store.kept(
@@ -110,21 +110,21 @@ def compute_loaded(
 
 
 def amplitude(plate: Plate, voltage: float | None) -> float:
-    """Of the first drive, V or N: the voltage given, or else the plate's own.
+    """Amplitude of the first drive, V or N: the given voltage, or by default that of the plate.
 
     Raises
     ------
-    StudyError : no voltage at all, or one for a force
+    StudyError : not a voltage, or a voltage for a plate that a force drives
     """
-    _, own = reference_of(plate)
+    _, default = reference_of(plate)
     if voltage is None:
-        return own
+        return default
     if not VOLTAGE.holds(voltage):
         raise StudyError.out_of_range(
             argument="voltage",
             given=format_quantity(voltage, "V"),
             allowed=VOLTAGE.allowed,
-            cause="it is zero or negative, or its unit slipped",
+            cause="it is zero or negative, or a slip in the unit",
             next_step='give the amplitude, such as "200 V"',
         )
     first = next(drive for drive in drives_of(plate) if drive.amplitude)
@@ -132,15 +132,15 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
         raise StudyError.conflict(
             argument="voltage",
             given=format_quantity(voltage, "V"),
-            allowed="nothing, because a force drives the plate",
-            cause="the first drive of the plate is no actuator",
+            allowed="no voltage, because a force drives the plate",
+            cause="the first drive of the plate is a force",
             next_step="change the force of [[plate.force]] instead, or leave the voltage out",
         )
     return voltage
 
 
 def cost(study: Description, options: FeelOptions) -> Cost:
-    """As that of the plate."""
+    """Estimated cost, equal to that of the plate."""
     return vibration.cost(study, vibration.PlateOptions(at=options.at))
 
 

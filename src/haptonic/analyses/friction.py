@@ -29,12 +29,12 @@ from haptonic.study.loading import load_trials_as
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
 
-TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s, of statistics and pictures; of a byte that is read and filtered
+TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s for statistics and pictures; s per byte that is read and filtered
 
 
 @dataclass(frozen=True)
 class FrictionOptions:
-    """What is read, and how it is processed."""
+    """Options: the records and how they are processed."""
 
     path: Path = option(
         help="Folder with trials.csv, or a single table of all samples.", metavar="PATH", place="before"
@@ -52,28 +52,28 @@ class FrictionOptions:
 
 
 def check(study: None, options: FrictionOptions) -> None:
-    """Refuse what is no folder of trials."""
+    """Raise ResourceError if the folder of trials does not exist."""
     source(options.path, "folder of trials")
 
 
 def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionResult | TrialDraft:
-    """All trials, measured, and what they prove; or a draft of the table of trials.
+    """Measure all trials and test the reductions; with ``draft`` write a draft of the table of trials.
 
     Raises
     ------
-    ResourceError : no such file or folder
-    FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
+    ResourceError : the file or folder does not exist
+    FrictionError : a faulty table, no valid trial, or an unknown waveguide
     """
     path = options.path
     if options.draft:
         return _drafted(path)
     section, whole = _asked(path, options.study)
     driven = driven_region(whole.mounted_plate()) if whole is not None and whole.finite_plate else None
-    found = compute_friction(
+    result = compute_friction(
         path, section.sensor, section, section.exclude, driven=section.driven or driven,
         workers=runner.workers, progress=runner.progress,
     )  # fmt: skip
-    return replace(found, published=options.references.friction if options.references else {})
+    return replace(result, published=options.references.friction if options.references else {})
 
 
 def compute_friction(
@@ -86,17 +86,17 @@ def compute_friction(
     workers: int = 0,
     progress: Progress = silent,
 ) -> FrictionResult:
-    """Read and measure all trials, and say what they prove.
+    """Read and measure all trials, and test the reductions.
 
     Parameters
     ----------
     path : a folder with ``trials.csv``, or a single table; see `haptonic.friction.recordings.analysed`
-    driven : the waveguide that carries the vibration; else the one with the largest reduction
+    driven : waveguide that carries the vibration; by default that with the largest reduction
 
     Raises
     ------
-    ResourceError : no such file or folder
-    FrictionError : a table that is wrong, no trial that counts, or no waveguide of that name
+    ResourceError : the file or folder does not exist
+    FrictionError : a faulty table, no valid trial, or an unknown waveguide
     """
     path = source(path, "folder of trials")
     read = analysed(path, sensor, rules, excluded, workers=workers, progress=progress)
@@ -119,7 +119,7 @@ def _drafted(folder: Path) -> TrialDraft:
         raise ResourceError.unwritable(
             argument="--draft",
             given=folder / TABLE,
-            allowed="a folder in which you may write, without such a table",
+            allowed="a folder in which you may write, without a table of trials",
             cause=error.strerror or type(error).__name__,
             next_step="choose another folder, or change its permissions",
         ) from error
@@ -134,7 +134,7 @@ def _asked(path: Path, study: Path | None) -> tuple[TrialSettings, Description |
 
 
 def cost(study: None, options: FrictionOptions) -> Cost:
-    """Of what is read."""
+    """Estimated cost, from the size of the files."""
     return Cost(TESTED + BYTE_OF_TRIALS * size_of(options.path))
 
 

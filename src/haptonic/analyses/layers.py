@@ -1,4 +1,4 @@
-"""What rows of cells let through between two plain plates, and how waves fade in the lattice."""
+"""Insertion loss of rows of cells between two plain plates, and decay of waves in the lattice."""
 
 from __future__ import annotations
 
@@ -37,23 +37,23 @@ from haptonic.results.layers import Layers
 from haptonic.study.schema import Description
 
 CHUNK = 12  # frequencies of one task
-MIRROR, SQUARE_FACE = 0.035, 72  # s of a row at a frequency, where so many unknowns are on a face
+MIRROR, SQUARE_FACE = 0.035, 72  # s per row and frequency, for this number of unknowns on a face
 
 
 def check(study: Description, options: NoOptions) -> None:
-    """Refuse a study without a carrier, and rows in a direction that is none or costs too much."""
+    """Refuse a study without a carrier, and rows in an impossible or too expensive direction."""
     need_carrier(study)
     need_rows(study)
 
 
 @one_thread()
 def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
-    """Spectra of a mirror, a few frequencies at a time, and how many rows it needs at the carrier.
+    """Spectra of a mirror in chunks of frequencies, and the number of rows that it needs at the carrier.
 
     Raises
     ------
-    StudyError : no carrier, ends of the spectrum in the wrong order, a cell without a pillar, or no wave that
-        propagates towards the rows at the carrier
+    StudyError : no carrier, ends of the spectrum in the wrong order, a cell without a pillar, or no wave
+        that propagates towards the rows at the carrier
     """
     cell, settings, layers = study.cell, study.bands_settings, study.layers_settings
     carrier = need_carrier(study)
@@ -80,15 +80,15 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
     pieces = runner.run(spectra, tasks, 1)
     spectrum = xr.concat(pieces, "frequency", data_vars="minimal", coords="minimal")
     rows = condensed_rows(cell, resolution, along)
-    found = at_carrier(rows, carrier, incidence)
+    transmission = at_carrier(rows, carrier, incidence)
     lossless = at_carrier(rows, carrier, replace(incidence, loss_factor=0.0))
-    dataset = spectrum.merge(carrier_dataset(found))
+    dataset = spectrum.merge(carrier_dataset(transmission))
     omega = 2 * np.pi * carrier
     waves, _ = bloch_waves(rows.slab(0.0).at(omega), omega)
     dataset.attrs = {
         "carrier_hz": carrier,
         "carrier_attenuation_db": rows.decay(waves),
-        "energy_balance": max(float(np.abs(one.dissipated).max()) for one in lossless.values()),
+        "energy_balance": max(float(np.abs(result.dissipated).max()) for result in lossless.values()),
         "angle": incidence.angle,
         "along": list(along),
         "loss_factor": incidence.loss_factor,
@@ -102,13 +102,13 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
 def spectra(
     argument: tuple[UnitCell, Resolution, tuple[int, int], Array, Incidence],
 ) -> xr.Dataset:
-    """Spectra at a few frequencies; what a worker is given to do."""
+    """Spectra at a few frequencies; the function of a worker."""
     cell, resolution, along, frequency, incidence = argument
     return mirror_dataset(condensed_rows(cell, resolution, along), frequency, incidence)
 
 
 def cost(study: Description, options: NoOptions) -> Cost:
-    """Of a mirror's spectra."""
+    """Estimated cost of the spectra of a mirror."""
     settings = study.layers_settings
     on_face, memory = need_rows(study)
     each = MIRROR * (on_face / SQUARE_FACE) ** 2.5

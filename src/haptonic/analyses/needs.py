@@ -1,4 +1,4 @@
-"""What several analyses need of a study: its carrier, its plate's mesh, the gap of the plate's lattice."""
+"""Inputs that several analyses need: a study's carrier, its plate's mesh, the gap of the plate's lattice."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ def need_carrier(study: Description) -> float:
 
     Raises
     ------
-    StudyError : the study does not give it
+    StudyError : the study has no carrier
     """
     if study.carrier is None:
         raise StudyError.missing(
             argument="carrier",
             allowed="the frequency of the drive",
-            cause="the study does not say which frequency the gap has to hold",
+            cause="the study does not give the frequency that the gap has to contain",
             next_step='add carrier = "60 kHz" at the top of the study',
         )
     return study.carrier
@@ -44,7 +44,7 @@ def response_settings(study: Description) -> ResponseSettings:
 
 
 def fineness(study: Description) -> Fineness | None:
-    """Of the finite plate's mesh, if [mesh] says one."""
+    """Fineness of the finite plate's mesh, if [mesh] gives it."""
     mesh = study.bands_settings.mesh
     order, rings = mesh.order, mesh.foot_rings
     if order is None and rings is None:
@@ -57,11 +57,11 @@ def fineness(study: Description) -> Fineness | None:
 
 
 def checked_fineness(study: Description) -> Fineness | None:
-    """The same, once it is sure that it can be had.
+    """`fineness` after a check of the memory.
 
     Raises
     ------
-    ResourceError : a mesh of a cell that this machine cannot hold, foreseen before anything is computed
+    ResourceError : the estimated memory for the mesh of a cell exceeds that of this machine
     """
     chosen = fineness(study)
     for cell in study.mounted_plate().layout.cells.values():
@@ -77,7 +77,7 @@ def tile_resolution(cell: UnitCell, chosen: Fineness | None) -> Resolution:
 
 
 def meshes_of(study: Description) -> list[Resolution]:
-    """The mesh that a study's cell is computed on first, and the next if it fits as well.
+    """First mesh for a study's cell, and the next one if it is within the limits too.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def meshes_of(study: Description) -> list[Resolution]:
 
 
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:
-    """The gap of the plate's lattice that holds the carrier (Hz), if there is one."""
+    """Gap of the plate's lattice that contains the carrier (Hz); None without such a gap."""
     cells, settings = list(plate.layout.cells.values()), study.bands_settings
     if not cells:
         return None
@@ -108,17 +108,17 @@ def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runne
 
 
 def has_mirror(study: Description) -> bool:
-    """Whether a mirror, and a waveguide between two of them, can be asked for.
+    """True if the study allows a mirror, and a waveguide between two mirrors.
 
-    There is a carrier, and something that reflects; on which lattice does not matter.
+    It needs a carrier and pillars or discs; the kind of lattice does not matter.
     """
     return study.carrier is not None and study.cell.has_features
 
 
 def need_rows(study: Description, table: str = "layers") -> tuple[int, float]:
-    """What the rows of a study's mirror take on the mesh that is tried first; see `rows_need`.
+    """Unknowns on a face and memory (bytes) of a study's mirror on its first mesh; see `rows_need`.
 
-    table : of the study that gives their direction
+    table : table of the study that gives the direction
     """
     first = meshes_of(study)[0]
     along = (study.layers_settings if table == "layers" else study.waveguide_settings).direction
@@ -126,5 +126,5 @@ def need_rows(study: Description, table: str = "layers") -> tuple[int, float]:
 
 
 def has_plate(study: Description) -> bool:
-    """Whether a finite plate can be asked for."""
+    """True if the study has a finite plate and a carrier."""
     return study.finite_plate is not None and study.carrier is not None

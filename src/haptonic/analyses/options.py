@@ -1,6 +1,6 @@
-"""What may be chosen of an analysis, declared once: for the command, its help, Python and whatever asks.
+"""Options of analyses, declared once for the command, its help and Python.
 
-Also options that several analyses have.
+Options that several analyses share are here too.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from haptonic.units import to_si
 
 @dataclass(frozen=True)
 class Option:
-    """What is known of something that may be chosen, besides its name, type and default.
+    """Declaration of an option, besides its name, type and default.
 
     unit : SI unit of a quantity, which may be given as a text such as "58.8 kHz"
-    read : what becomes of a text otherwise
-    metavar : stands for the value in a help; flag : what a command line calls it
-    place : whether a command line takes it by its place, before the study or behind it
+    read : function that reads a text or the path of a file
+    metavar : name of the value in a help; flag : name on the command line
+    place : "option", or an argument of the command line before or behind the study
     """
 
     help: str
@@ -33,14 +33,14 @@ class Option:
     least: int | None = None
 
     def value(self, given: Any) -> Any:
-        """What was given, read if it is a text, or the path of a file that is read."""
+        """Value for the analysis: a text is converted by the unit or by `read`, a path by `read`."""
         if self.unit and isinstance(given, str):
             return to_si(given, self.unit, self.flag)
         return self.read(fspath(given)) if self.read and isinstance(given, str | PathLike) else given
 
 
 def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
-    """A field of an options class; see `Option`."""
+    """Declare a field of an options class; see `Option`."""
     if default is MISSING:
         return field(metadata={"option": Option(help, **more)})
     return field(default=default, metadata={"option": Option(help, **more)})
@@ -48,20 +48,24 @@ def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
 
 @dataclass(frozen=True)
 class NoOptions:
-    """Nothing may be chosen."""
+    """Options of an analysis that has none."""
 
 
-def option_of(one: Any) -> Option | None:
-    """What is declared of a field of an options class; None for one that only Python can give."""
-    found: Option | None = one.metadata.get("option")
-    if found is None or found.flag:
-        return found
-    return Option(**{**vars(found), "flag": f"--{one.name.replace('_', '-')}"})
+def option_of(item: Any) -> Option | None:
+    """Declaration of a field of an options class; None for a field that only Python can give."""
+    declaration: Option | None = item.metadata.get("option")
+    if declaration is None or declaration.flag:
+        return declaration
+    return Option(**{**vars(declaration), "flag": f"--{item.name.replace('_', '-')}"})
 
 
 def path_of(options: Any) -> Path | None:
-    """The file or folder that is analysed, if the options name one; several are one name after the other."""
-    placed = [one.name for one in fields(options) if (found := option_of(one)) and found.place == "before"]
+    """Path of the analysed file or folder, None without one; several paths are joined to one name."""
+    placed = [
+        item.name
+        for item in fields(options)
+        if (declaration := option_of(item)) and declaration.place == "before"
+    ]
     paths = [Path(getattr(options, name)) for name in placed]
     if len(paths) < 2:
         return next(iter(paths), None)
@@ -70,14 +74,14 @@ def path_of(options: Any) -> Path | None:
 
 @dataclass(frozen=True, kw_only=True)
 class Seeded:
-    """Of what draws by chance."""
+    """Option of analyses that draw random numbers."""
 
     seed: int = option(0, "Seed of all random numbers.", metavar="N", least=0)
 
 
 @dataclass(frozen=True, kw_only=True)
 class UnitsOfFile:
-    """Of what reads files that may not say their units."""
+    """Option of analyses that read files without units."""
 
     frequency_unit: str | None = option(
         None, 'Unit of frequencies in files that give none, such as "kHz".', metavar="UNIT"

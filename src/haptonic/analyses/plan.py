@@ -1,4 +1,4 @@
-"""What a study describes and what it will cost, without computing anything."""
+"""Plan of a study: its sizes and the cost of each command, without computing anything."""
 
 from __future__ import annotations
 
@@ -12,10 +12,14 @@ from haptonic.study.schema import Description
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan:
-    """Sizes, the plate if there is one, and the forecast of every command that the study can be asked for."""
+    """Sizes of the study, its plate if it has one, and the estimated cost of every command that applies."""
     plate = study.mounted_plate() if study.finite_plate else None
     every = ((name, named(name)) for name in NAMES)
-    costs = {name: one.cost(study, one.options()) for name, one in every if one.cost and one.foreseen(study)}
+    costs = {
+        name: analysis.cost(study, analysis.options())
+        for name, analysis in every
+        if analysis.cost and analysis.foreseen(study)
+    }
     return StudyPlan(
         study=study.title,
         carrier=study.carrier,

@@ -1,4 +1,4 @@
-"""How the finite plate vibrates."""
+"""Vibration of the finite plate."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ from haptonic.store import Store, content_key
 from haptonic.study.schema import Description
 
 PARTS = ("response", "maps", "lines", "modes", "body")
-STAMPED = ("lines", "modes", "body")  # a response brings its own inputs
+STAMPED = ("lines", "modes", "body")  # parts that get the inputs here; a response contains its inputs
 
 
 @dataclass(frozen=True)
 class PlateOptions:
-    """What may be chosen.
+    """Options of the plate.
 
-    settings : other lines and points than those of [plate.response], in Python only
+    settings : other frequencies and points than in [plate.response], in Python only
     """
 
     at: float | None = option(None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY")
@@ -47,12 +47,12 @@ def check(study: Description, options: PlateOptions) -> None:
 
 
 def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateResult:
-    """How the plate answers its drives over the band of [plate.response], or at a single frequency.
+    """Response of the plate to its drives over the band of [plate.response], or at one frequency.
 
     Raises
     ------
-    StudyError : no [plate], no carrier, or nothing that drives the plate
-    ResourceError : a grid or a plate that this machine cannot hold, found before anything is computed
+    StudyError : no [plate], no carrier, or no drive
+    ResourceError : a grid or a plate that is too large for this machine, refused before the computation
     """
     plate, at = study.mounted_plate(), options.at
     carrier = need_carrier(study) if at is None else at
@@ -62,7 +62,7 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     check_cost(plate, settings.highest, single=at is not None)
     place = "plate.response.grid" if options.settings is None else "scan.grid"
     check_grid(plate, settings.grid, settings.points, place)
-    chosen = checked_fineness(study)  # refused before a gap is looked for
+    chosen = checked_fineness(study)  # raises before the gap is searched
     return compute_plate(
         plate,
         settings,
@@ -86,20 +86,20 @@ def compute_plate(
     fineness: Fineness | None = None,
     progress: Progress = silent,
 ) -> PlateResult:
-    """How a plate answers its drives, from the store if it was computed before.
+    """Response of a plate to its drives, computed or from the store.
 
     Parameters
     ----------
     carrier : Hz, near which modes are listed
-    gap : for the maps below, in and above it; without one the only map is at the carrier
-    inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
-    progress : called with the shifts done and planned, then with the lines that are answered one by one
+    gap : for maps below, in and above it; without a gap the only map is at the carrier
+    inputs : plain values of the inputs; fineness : of the mesh, if not the usual one
+    progress : called with shifts done and planned, then with the frequencies that are solved one by one
 
     Raises
     ------
-    StudyError : nothing drives the plate, or it has no loss
-    ResourceError : the basis would need more memory than there is
-    HaptonicError : lines that cannot be made as exact as asked for
+    StudyError : no drive, or a plate without loss
+    ResourceError : the basis needs more memory than this machine has
+    HaptonicError : frequencies at which the required tolerance cannot be reached
     """
     reference_of(plate)
     need_loss(plate)
@@ -111,15 +111,15 @@ def compute_plate(
         )
         for part in PARTS
     ]  # fmt: skip
-    kept = [dataset for key in keys if (dataset := store.get(key)) is not None]
-    if len(kept) < len(keys):
-        found = band_response(
+    parts = [dataset for key in keys if (dataset := store.get(key)) is not None]
+    if len(parts) < len(keys):
+        computed = band_response(
             plate, settings, carrier, edges, inputs=inputs, fineness=fineness, progress=progress
         )
-        kept = [stamped(found[name], inputs) if name in STAMPED else found[name] for name in PARTS]
-        for key, dataset in zip(keys, kept, strict=True):
+        parts = [stamped(computed[name], inputs) if name in STAMPED else computed[name] for name in PARTS]
+        for key, dataset in zip(keys, parts, strict=True):
             store.put(key, dataset)
-    response, marked, lines, modes, body = kept
+    response, marked, lines, modes, body = parts
     return PlateResult(
         plate=plate,
         gap=gap,
@@ -133,7 +133,7 @@ def compute_plate(
 
 
 def cost(study: Description, options: PlateOptions) -> Cost:
-    """Of a plate's response, and of its lattice's gap."""
+    """Estimated cost of the plate's response and of its lattice's gap."""
     plate, settings = study.mounted_plate(), response_settings(study)
     if options.at is not None:
         return response(study, plate, settings.single(options.at))

@@ -1,4 +1,4 @@
-"""Trials with people before they are made: their order, and how many participants are needed."""
+"""Planning of friction trials: their order, and how many participants are needed."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from haptonic.results.cost import Cost
 from haptonic.results.protocol import TrialPlan
 from haptonic.study.schema import Description
 
-MOST_DRAWN = 20  # participants up to which the power is always computed
+MOST_DRAWN = 20  # participants; the power is always computed up to this number
 
 
 @dataclass(frozen=True)
 class ProtocolOptions:
-    """What may be chosen."""
+    """Options of the protocol."""
 
     amplitudes: Any = option(
         None, 'Output of `feel --json`, or {"WG1": 1e-6, ...} in m (JSON).', read=read_amplitudes,
@@ -35,11 +35,11 @@ class ProtocolOptions:
 
 
 def compute(study: Description, options: ProtocolOptions, runner: Runner) -> TrialPlan:
-    """The order of a study's trials, what people are asked to do, and how many of them are needed.
+    """Order of a study's trials, task of the participants, and how many participants are needed.
 
     Raises
     ------
-    StudyError : no two waveguides to compare, or strokes that last too short or too long
+    StudyError : fewer than two waveguides, or strokes that are too short or too long
     FrictionError : amplitudes that load sharing does not explain
     """
     section, people, protocol = study.protocol_settings, study.participants, protocol_of(study)
@@ -53,15 +53,15 @@ def compute(study: Description, options: ProtocolOptions, runner: Runner) -> Tri
     }
     participants = section.participants
     pairs = protocol.pairs
-    found, needed = [], []
+    powers, needed = [], []
     for population in populations.values():
         needed.append(participants_needed(population, pairs, wanted=section.power, seed=section.seed))
     most = max([MOST_DRAWN, *(people + 2 for people in needed if people)])
     tried = sorted({*range(2, most + 1), max(participants, 2)})
     for population in populations.values():
         chance = power(population, tried, [pairs], tests=len(populations), seed=section.seed)
-        found.append(chance.isel(trials=0))
-    joined = xr.concat(found, dim="waveguide", combine_attrs="identical").assign_coords(
+        powers.append(chance.isel(trials=0))
+    joined = xr.concat(powers, dim="waveguide", combine_attrs="identical").assign_coords(
         waveguide=list(populations)
     )
     least = None
@@ -91,6 +91,6 @@ ANALYSIS = Analysis(
     compute=compute,
     supports=no_cell,
     options=ProtocolOptions,
-    cost=lambda study, options: Cost(3.0),  # of simulated experiments
+    cost=lambda study, options: Cost(3.0),  # simulated experiments
     doing="simulated experiments",
 )

@@ -1,4 +1,4 @@
-"""Everything that a study describes in one report, beside reference values if its example brings some."""
+"""Report of everything that a study describes, compared with reference values if they exist."""
 
 from __future__ import annotations
 
@@ -41,15 +41,15 @@ from haptonic.results.table import Table
 from haptonic.study.schema import Description
 
 ALARMS = 400  # simulated experiments without an effect
-WRITTEN = ("bands", "sweep", "layers", "plate", "feel")  # whose files come to lie beside the report
+WRITTEN = ("bands", "sweep", "layers", "plate", "feel")  # parts whose files are written beside the report
 
 T = TypeVar("T")
-PICTURES = 30.0  # s, of a report with a plate, and of the simulated scan and trials
+PICTURES = 30.0  # s, for a report with a plate, and for simulated scan and trials
 
 
 @dataclass(frozen=True)
 class ReproduceOptions:
-    """What may be chosen."""
+    """Options of the report."""
 
     references: Any = option(
         None, "Reference values; by default references/STUDY beside the study.", read=References.read,
@@ -59,7 +59,7 @@ class ReproduceOptions:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Reproduction(Result):
-    """All results of a study, and the report made of them."""
+    """All results of a study, and their report."""
 
     title = "Report"
 
@@ -68,19 +68,19 @@ class Reproduction(Result):
 
     @property
     def bands(self) -> Bands:
-        """Every study has them."""
-        found = self.parts["bands"]
-        assert isinstance(found, Bands)
-        return found
+        """The bands, which every study has."""
+        bands = self.parts["bands"]
+        assert isinstance(bands, Bands)
+        return bands
 
     @property
     def dataset(self) -> xr.Dataset:
-        """That of the bands; the others are in ``parts``."""
+        """Dataset of the bands; those of the other results are in ``parts``."""
         return self.bands.dataset
 
     @classmethod
     def names(cls, options: Any = None) -> list[Any]:
-        return ["report.html", *(name for one in WRITTEN for name in named(one).result.names())]
+        return ["report.html", *(name for part in WRITTEN for name in named(part).result.names())]
 
     def put(self, draft: Path, *_: object) -> None:
         for name in WRITTEN:
@@ -89,53 +89,55 @@ class Reproduction(Result):
         report.write_report(self.results, draft / "report.html")
 
     def summary(self) -> list[str]:
-        """The bands; of a plate the first sentence of each part, the others are in the report."""
-        said = [self.parts[name].summary()[0] for name in ("plate", "feel") if name in self.parts]
-        return [self.bands.summary()[0], *said] if said else self.bands.summary()
+        """Bands; for a plate the first sentence of each part, because the report contains the others."""
+        plate = [self.parts[name].summary()[0] for name in ("plate", "feel") if name in self.parts]
+        return [self.bands.summary()[0], *plate] if plate else self.bands.summary()
 
     def tables(self) -> list[Table]:
         return self.bands.tables()
 
     def remarks(self) -> list[str]:
-        return [f"{name}: {text}" for name, one in self.parts.items() for text in one.remarks()]
+        return [f"{name}: {text}" for name, part in self.parts.items() for text in part.remarks()]
 
     def facts(self) -> dict[str, Any]:
         sweeps = self.parts.get("sweep")
-        told = {**self.bands.facts(), "seconds": self.results.timings, **(sweeps.facts() if sweeps else {})}
-        rows = [asdict(one) for one in self.results.comparisons]
-        return told | ({"comparison": rows} if rows else {})
+        facts = {**self.bands.facts(), "seconds": self.results.timings, **(sweeps.facts() if sweeps else {})}
+        rows = [asdict(row) for row in self.results.comparisons]
+        return facts | ({"comparison": rows} if rows else {})
 
     def located(self, folder: Path) -> dict[str, Any]:
         return {"report": str(folder / "report.html")}
 
 
 def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Reproduction:
-    """Every analysis that belongs into the report of such a study, and what follows from them."""
+    """Run every analysis of the study's report, and the simulated measurements that follow from them."""
     references = options.references or References.beside(runner.about)
     started, timings = datetime.now(UTC), dict[str, float]()
     parts: dict[str, Result] = {}
-    for one, chosen in _reported(study):
-        with _timed(timings, one.name):
-            found = _tried(one.name, partial(_answered, one, study, chosen, _of(runner, one)))
-        if found is not None:
-            parts[one.name] = found
+    for analysis, chosen in _reported(study):
+        with _timed(timings, analysis.name):
+            result = _try_part(
+                analysis.name, partial(_compute, analysis, study, chosen, _labelled(runner, analysis))
+            )
+        if result is not None:
+            parts[analysis.name] = result
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
     if isinstance(plate, PlateResult):
         with _timed(timings, "simulated scan"):
-            made = partial(rescanned, study, plate, store=runner.store, progress=runner.progress)
-            scan = _tried("simulated scan", made)
+            scanning = partial(rescanned, study, plate, store=runner.store, progress=runner.progress)
+            scan = _try_part("simulated scan", scanning)
         parts |= {"scan": scan} if scan else {}
     if isinstance(feel, Feel):
-        with _timed(timings, "made-up trials"):
-            trials = _tried("made-up trials", lambda: _trials(study, feel, runner))
+        with _timed(timings, "simulated trials"):
+            trials = _try_part("simulated trials", lambda: _trials(study, feel, runner))
             alarms = _alarms(study) if trials else {}
         if trials:
-            known = references.friction if references else {}
-            parts["friction"] = replace(trials, published=known)
+            published = references.friction if references else {}
+            parts["friction"] = replace(trials, published=published)
     varied: list[tuple[Variant, float | None]] = []
     if references is not None:
         with _timed(timings, "variants"):
-            varied = [(one, _varied(study, one, runner)) for one in references.variant]
+            varied = [(variant, _vary(study, variant, runner)) for variant in references.variant]
     results = Results(
         study,
         parts,
@@ -148,36 +150,36 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     return Reproduction(parts, results)
 
 
-def _answered(one: Analysis, study: Description, chosen: Any, runner: Runner) -> Result:
-    """The result of an analysis; a cell that it does not support is refused, and its chapter says so."""
-    one.need_supported(study, chosen)
-    return one.compute(study, chosen, runner)
+def _compute(analysis: Analysis, study: Description, chosen: Any, runner: Runner) -> Result:
+    """Compute an analysis; an unsupported cell is refused, and the chapter of the report gives the reason."""
+    analysis.need_supported(study, chosen)
+    return analysis.compute(study, chosen, runner)
 
 
 def _reported(study: Description) -> Iterator[tuple[Analysis, Any]]:
-    """The analyses that the report of a study has, with their options."""
-    for one in map(named, NAMES):
-        if one.reported is not None and (chosen := one.reported(study)) is not None:
-            yield one, chosen
+    """Analyses in the report of a study, with their options."""
+    for analysis in map(named, NAMES):
+        if analysis.reported is not None and (chosen := analysis.reported(study)) is not None:
+            yield analysis, chosen
 
 
-def _of(runner: Runner, one: Analysis) -> Runner:
-    """The same, telling what it is about."""
+def _labelled(runner: Runner, analysis: Analysis) -> Runner:
+    """The runner with the name of the analysis in its progress."""
 
     def progress(done: int, planned: int, what: str = "", /) -> None:
-        runner.progress(done, planned, f"{one.name}, {what}" if what else one.name)
+        runner.progress(done, planned, f"{analysis.name}, {what}" if what else analysis.name)
 
     return replace(runner, progress=progress)
 
 
-def _tried(name: str, make: Callable[[], T]) -> T | None:
-    """A part of the report, or a warning that says why it is left out; no report is without bands."""
+def _try_part(name: str, make: Callable[[], T]) -> T | None:
+    """Compute a part of the report; if it fails, warn with the reason. Only the bands are required."""
     try:
         return make()
     except HaptonicError as error:
         if name == "bands":
             raise
-        warnings.warn(f"no {name}: {error.cause}", HaptonicWarning, stacklevel=2)
+        warnings.warn(f"the report has no {name}: {error.cause}", HaptonicWarning, stacklevel=2)
         return None
 
 
@@ -190,21 +192,21 @@ def _timed(timings: dict[str, float], part: str) -> Iterator[None]:
 
 
 def _trials(study: Description, feel: Feel, runner: Runner) -> FrictionResult:
-    """Trials of made-up people on the plate as it is computed, analysed like measured ones."""
+    """Simulate trials on the computed plate, and analyse them like measured ones."""
     protocol, count = protocol_of(study), study.protocol_settings.participants
     truth = truth_of(study, {name: feel.friction.amplitude(name) for name in feel.friction.regions})
-    made = SimulatedFriction(
+    simulated = SimulatedFriction(
         experiment=Experiment(truth, protocol, count), study=study.to_toml(), suffix=".h5", per="block"
     )
     with TemporaryDirectory() as name:
-        made.put(Path(name), runner.progress)
+        simulated.put(Path(name), runner.progress)
         return compute_friction(
             Path(name), Sensor(), study.trials, driven=protocol.waveguides[0], progress=runner.progress
         )
 
 
 def _alarms(study: Description) -> dict[str, Alarms]:
-    """How often each test cries wolf in trials like those of the study."""
+    """False-alarm rate of each test in trials like those of the study."""
     section, people = study.protocol_settings, study.participants
     if section.participants < 2:
         return {}
@@ -213,32 +215,32 @@ def _alarms(study: Description) -> dict[str, Alarms]:
     return dict(false_alarms(population, section.participants, each, simulations=ALARMS))
 
 
-def _varied(study: Description, variant: Variant, runner: Runner) -> float | None:
-    """The value of a variant; None if it has none, or if the study cannot be changed so."""
+def _vary(study: Description, variant: Variant, runner: Runner) -> float | None:
+    """Value of a variant; None if the result lacks it, or if the study cannot be changed in this way."""
     runner.progress(0, 0, variant.label)
-    one = named(variant.analysis)
+    analysis = named(variant.analysis)
     try:
-        found = one.compute(
-            changed(study, variant.change, variant.label), one.options(), Runner(runner.store)
+        result = analysis.compute(
+            changed(study, variant.change, variant.label), analysis.options(), Runner(runner.store)
         )
     except HaptonicError as error:
         warnings.warn(f"{variant.table}, {variant.label}: {error}", HaptonicWarning, stacklevel=2)
         return None
-    value = found_at(found.to_json(), variant.path)
+    value = found_at(result.to_json(), variant.path)
     return float(value) if isinstance(value, int | float) else None
 
 
 def changed(study: Description, changes: Mapping[str, Any], origin: str) -> Description:
-    """One design: a study without sweeps, with what its file gives changed.
+    """A study with changed values and without sweeps.
 
     Parameters
     ----------
-    changes : new values by key of the file, ``cell.site[2].pillar.height``; whole tables and lists too
-    origin : what an error calls the study
+    changes : new values by key of the file, ``cell.site[2].pillar.height``; also whole tables and lists
+    origin : name of the study in error messages
 
     Raises
     ------
-    HaptonicError : no such key, or a value that it cannot have
+    HaptonicError : an unknown key, or a value that is not allowed
     """
     try:
         return study.with_keys(changes)
@@ -248,13 +250,13 @@ def changed(study: Description, changes: Mapping[str, Any], origin: str) -> Desc
 
 
 def cost(study: Description, options: ReproduceOptions) -> Cost:
-    """Of every analysis in the report."""
+    """Estimated cost of every analysis in the report."""
     total = Cost(PICTURES if has_plate(study) else 0.0)
-    for one, chosen in _reported(study):
-        if one.cost and one.name != "feel":  # the plate is not computed twice
-            part = one.cost(study, chosen)
-            # no report is without bands; other parts are left out
-            total += part if one.name == "bands" else replace(part, refusal=None)
+    for analysis, chosen in _reported(study):
+        if analysis.cost and analysis.name != "feel":  # the plate is not computed twice
+            part = analysis.cost(study, chosen)
+            # a report requires the bands; other parts are left out if they are refused
+            total += part if analysis.name == "bands" else replace(part, refusal=None)
     return total
 
 

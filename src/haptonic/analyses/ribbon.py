@@ -27,16 +27,19 @@ from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity
 
-BESIDE = 0.15  # of a gap's width, on either side of it, where modes are sought as well
-COLUMN, BULK = 0.17, 0.2  # s of a column of a ribbon at a wavevector, where it has one tile; of a crystal
+BESIDE = 0.15  # search range on either side of a gap, relative to its width
+COLUMN, BULK = (
+    0.17,
+    0.2,
+)  # s per column of a ribbon with one tile and wavevector; s per wavevector of a crystal
 
 
-def _needed(study: Description) -> RibbonSettings:
+def _need_ribbon(study: Description) -> RibbonSettings:
     if study.ribbon_settings is None:
         raise StudyError.missing(
             argument="ribbon",
             allowed="a [ribbon] table with map and tiles",
-            cause="the study does not say what lies side by side",
+            cause="the study does not give the cells of the ribbon",
             next_step='add map = "ooooo1111ooooo" to [ribbon], and o = "lattice" and 1 = "guide" to '
             "[ribbon.tiles]",
         )
@@ -45,40 +48,40 @@ def _needed(study: Description) -> RibbonSettings:
 
 def check(study: Description, options: NoOptions) -> None:
     """Raise StudyError if the study has no ribbon."""
-    _needed(study)
+    _need_ribbon(study)
 
 
 @one_thread()
 def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWaves:
-    """Projected bands, and the modes that a guide or an edge holds.
+    """Projected bands, and the modes of a guide or an edge.
 
-    With a length in cells, wavevectors are those of its resonances: at a free end a wave gains a quarter of
-    an interval.
+    With a length in cells, the wavevectors are those of its resonances; a free end adds a quarter of an
+    interval to the phase.
 
     Raises
     ------
-    StudyError : no ribbon, or nothing says at which frequencies to look
+    StudyError : no ribbon, or no range of frequencies
     """
-    asked, settings = _needed(study), study.bands_settings
+    asked, settings = _need_ribbon(study), study.bands_settings
     ribbon, rows = asked.ribbon(study.cell), asked.rows
     crystals = ribbon.crystals
     bests = [best_model(cell, settings) for cell in crystals or ribbon.first[:1]]
-    models = [one.model for one in bests]
+    models = [best.model for best in bests]
     resolution = max(
-        (one.resolution for one in models), key=lambda one: (one.order, one.foot_rings, one.steps)
+        (model.resolution for model in models), key=lambda mesh: (mesh.order, mesh.foot_rings, mesh.steps)
     )
     low, high = _range(study, crystals, runner)
     kappa = (np.arange(rows) + 0.5) * np.pi / rows if rows else np.linspace(0.0, np.pi, asked.wavevectors)
     bulk = np.empty((0, len(kappa), 0, 2))
     if crystals:
-        bulk = np.array([bulk_bands(one, ribbon, [float(k) for k in kappa]) for one in models])
+        bulk = np.array([bulk_bands(crystal, ribbon, [float(k) for k in kappa]) for crystal in models])
     model = RibbonModel.of(ribbon, resolution)
-    found = []
+    waves = []
     for done, phase in enumerate(kappa):
         runner.progress(done, len(kappa), "wavevectors")
-        found.append(model.solve(float(phase), low, high))
+        waves.append(model.solve(float(phase), low, high))
     runner.progress(len(kappa), len(kappa), "wavevectors")
-    dataset = ribbon_dataset(model, found, bulk, rows)
+    dataset = ribbon_dataset(model, waves, bulk, rows)
     dataset = dataset.merge(bulk_dataset(kappa, bulk, asked.names))
     dataset.attrs = {
         "range_hz": [low, high],
@@ -88,18 +91,18 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
         "loss_factor": list(ribbon.first[0].loss_factors),
         "unknowns": len(model.fine.order),
         "mesh": json.dumps([resolution.order, resolution.foot_rings]),
-        **max(bests, key=lambda one: one.model.worst_error).attributes(settings),
+        **max(bests, key=lambda best: best.model.worst_error).attributes(settings),
     } | ({"carrier_hz": study.carrier} if study.carrier is not None else {})
     result = RibbonWaves(dataset)
     best = result.best
     if best is not None:
-        dataset = dataset.merge(field_dataset(model, best, found))
+        dataset = dataset.merge(field_dataset(model, best, waves))
     return RibbonWaves(stamped(dataset.assign_attrs(result.dataset.attrs), study.inputs()))
 
 
 def _range(study: Description, crystals: Sequence[UnitCell], runner: Runner) -> tuple[float, float]:
-    """Hz: as given, else about the gap of the first crystal, else about the carrier."""
-    asked, carrier = _needed(study), study.carrier
+    """Range of frequencies, Hz: as given, otherwise around the gap of the first crystal or the carrier."""
+    asked, carrier = _need_ribbon(study), study.carrier
     low, high = asked.lowest, asked.highest
     if low is None or high is None:
         gaps = runner.gaps(crystals[0], study.bands_settings) if crystals else ()
@@ -112,7 +115,7 @@ def _range(study: Description, crystals: Sequence[UnitCell], runner: Runner) -> 
             raise StudyError.missing(
                 argument="ribbon.lowest",
                 allowed="the range of frequencies in which modes are sought",
-                cause="there is no complete gap about which to look, and no carrier",
+                cause="the lattice has no complete gap and the study no carrier to search around",
                 next_step='add lowest = "40 kHz" and highest = "70 kHz" to [ribbon]',
             )
         low, high = low or ends[0], high or ends[1]
@@ -121,19 +124,19 @@ def _range(study: Description, crystals: Sequence[UnitCell], runner: Runner) -> 
             argument="ribbon.lowest",
             given=format_quantity(low, "Hz"),
             allowed=f"less than the highest frequency, {format_quantity(high, 'Hz')}",
-            cause="only one end of the range was given, beyond the other's default",
+            cause="only one end of the range was given, and it lies beyond the default of the other",
             next_step="give both ribbon.lowest and ribbon.highest",
         )
     return low, high
 
 
 def cost(study: Description, options: NoOptions) -> Cost:
-    """Of the modes of a ribbon at each wavevector, and of the bulk bands of its crystals."""
-    section = _needed(study)
-    made = section.ribbon(study.cell)
-    tiles = max(len(cell.tiles) for cell in made.cells) * len(made.lines)
-    each = Cost(COLUMN * tiles**2 * len(made.first) + BULK * len(made.crystals) * len(made.lines))
-    return meshes(study).times(max(1, len(made.cells))) + each.times(section.rows or section.wavevectors)
+    """Estimated cost of the modes of a ribbon at each wavevector, and of the bulk bands of its crystals."""
+    section = _need_ribbon(study)
+    ribbon = section.ribbon(study.cell)
+    tiles = max(len(cell.tiles) for cell in ribbon.cells) * len(ribbon.lines)
+    each = Cost(COLUMN * tiles**2 * len(ribbon.first) + BULK * len(ribbon.crystals) * len(ribbon.lines))
+    return meshes(study).times(max(1, len(ribbon.cells))) + each.times(section.rows or section.wavevectors)
 
 
 ANALYSIS = Analysis(

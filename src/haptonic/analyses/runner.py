@@ -1,4 +1,4 @@
-"""Several rounds of tasks that make one result."""
+"""Run the tasks of a result, in several rounds if necessary."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from haptonic.store import Store
 
 @dataclass(frozen=True)
 class Runner:
-    """How and where something is computed; see `haptonic.jobs.run_all` for tasks.
+    """Place and means of a computation; see `haptonic.jobs.run_all` for tasks.
 
-    about : the file that is analysed, of a study or of a measurement, if there is one
-    folder : where the result will be written, if it will; what was begun may wait there to be gone on with
+    about : analysed file, a study or a measurement, if any
+    folder : folder for the result, if any; an interrupted analysis may keep its state there
     """
 
     store: Store = field(default_factory=Store.default)
-    workers: int = option(0, "Worker processes on this machine; 0 works in this one.", metavar="N")
-    scheduler: str | None = option(None, "A running Dask scheduler to work on.", metavar="ADDRESS")
+    workers: int = option(0, "Worker processes on this machine; 0 uses the main process.", metavar="N")
+    scheduler: str | None = option(None, "Address of a running Dask scheduler.", metavar="ADDRESS")
     progress: Progress = silent
     about: Path | None = None
     folder: Path | None = None
@@ -37,21 +37,21 @@ class Runner:
         check_workers(self.workers, self.scheduler)
         for name, allowed, fits in (
             ("store", "a haptonic.store.Store", isinstance(self.store, Store)),
-            ("progress", "a function that is called with (done, planned, what)", callable(self.progress)),
+            ("progress", "a function of (done, planned, what)", callable(self.progress)),
         ):
             if not fits:
                 raise HaptonicError.malformed(
                     argument=name,
                     given=repr(getattr(self, name)),
                     allowed=allowed,
-                    cause="it is something else, as the name of a folder would be",
+                    cause="it is of another type, such as the name of a folder",
                     next_step="leave it out",
                 )
 
     def run(
         self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
     ) -> list[xr.Dataset]:
-        """Datasets of all tasks; ``done`` tasks of the search were finished before."""
+        """Datasets of all tasks; ``done`` is the number of tasks that the search finished before."""
         outcomes = self.tried(function, tasks, done)
         for outcome in outcomes:
             if outcome.error is not None:
@@ -59,7 +59,7 @@ class Runner:
         return [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
 
     def tried(self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int) -> list[Outcome]:
-        """What came of each task, in their order: a dataset, or the error that stands in its place."""
+        """Outcome of each task, in their order: a dataset or an error."""
 
         def counted(now: int, total: int, what: str = "", /) -> None:
             self.progress(done + now, done + total, what)
@@ -70,17 +70,17 @@ class Runner:
         )  # fmt: skip
 
     def gaps(self, cell: UnitCell, settings: BandSettings) -> tuple[Gap, ...]:
-        """Complete gaps of a cell, the task of one design of a sweep."""
+        """Complete gaps of a cell."""
         (dataset,) = self.run(design_gaps, [gaps_task(cell, settings)], 0)
         return gaps_of(dataset)
 
 
 def gaps_task(cell: UnitCell, settings: BandSettings) -> Task:
-    """The complete gaps of a cell, to be computed by `design_gaps`."""
+    """Task of `design_gaps` for a cell."""
     return Task({"kind": "gaps", "cell": cell, "settings": settings}, (cell, settings))
 
 
 def design_gaps(design: tuple[UnitCell, BandSettings]) -> xr.Dataset:
-    """Complete gaps of one design; what a worker is given to do."""
-    found: xr.Dataset = gaps_dataset(*design)
-    return found
+    """Complete gaps of one design; the function of a worker."""
+    gaps: xr.Dataset = gaps_dataset(*design)
+    return gaps

@@ -1,4 +1,4 @@
-"""From the content of scan files to all that a scan tells, with the plate of a study or without one."""
+"""Analysis of the content of scan files, with the plate of a study or without one."""
 
 from __future__ import annotations
 
@@ -46,16 +46,16 @@ from haptonic.vibrometry.on_plate import contrast_range, decay_in, guide_waves, 
 from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
 
-FAR = 0.5  # of a step of the grid: a worse misfit of a registration is told
-SAME_SCALE = 0.05  # by which a registration may scale before it is told
+FAR = 0.5  # registration misfit relative to the step of the grid; a larger misfit gives a remark
+SAME_SCALE = 0.05  # relative change of scale by a registration; a larger change gives a remark
 
 
 def flags_of(text: str) -> tuple[str, ...]:
-    """Flags of points, parted by commas.
+    """Read flags of points, separated by commas.
 
     Raises
     ------
-    ScanError : there is no such flag
+    ScanError : an unknown flag
     """
     names = tuple(name for part in text.split(",") if (name := part.strip()))
     check_flags(names)
@@ -64,9 +64,9 @@ def flags_of(text: str) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Estimation:
-    """How records become responses; see `haptonic.vibrometry.estimate`.
+    """Options for estimating responses from records; see `haptonic.vibrometry.estimate`.
 
-    segment : length of one transform, s; None takes the period of the study's drive, or a whole record
+    segment : length of one transform, s; None for the period of the study's drive, or a whole record
     repair : flags of points that are replaced
     """
 
@@ -86,11 +86,11 @@ class Estimation:
 
 
 def corners_of(text: str) -> Array:
-    """Four corners written as eight numbers and a unit.
+    """Read four corners, written as eight numbers and a unit.
 
     Raises
     ------
-    ScanError : another form
+    ScanError : a text of another form
     """
     *numbers, unit = re.split(r"[\s,;]+", text.strip()) or [""]
     if len(numbers) != 8:
@@ -98,7 +98,7 @@ def corners_of(text: str) -> Array:
             argument="--corners",
             given=f'"{text}"',
             allowed='eight numbers and a unit of length, such as "0 0 127 0 127 140 0 140 mm"',
-            cause="a number is missing, or the unit",
+            cause="a number or the unit is missing",
             next_step="give x and y of the four corners, from the lower left one anticlockwise",
         )
     return np.array([to_si(f"{number} {unit}", "m", "--corners") for number in numbers]).reshape(4, 2)
@@ -106,13 +106,13 @@ def corners_of(text: str) -> Array:
 
 @dataclass(frozen=True, kw_only=True)
 class PlateInScan:
-    """Where a scan sees the plate.
+    """Options for the position of the plate in the scan.
 
-    corners : (4, 2) of the plate, m; else the points are fitted to the planned ones
+    corners : (4, 2) of the plate, m; by default the points are fitted to the planned ones
     """
 
     corners: Any = option(
-        None, "The plate's corners as the scan has them, from the lower left anticlockwise: "
+        None, "The plate's corners in the coordinates of the scan, from the lower left anticlockwise: "
         '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES",
     )  # fmt: skip
     mirrored: bool = option(False, "The scan shows the plate's map from behind.")
@@ -120,9 +120,9 @@ class PlateInScan:
 
 @dataclass(frozen=True)
 class OnPlate:
-    """What a study says about a scanned plate.
+    """Facts of a study about a scanned plate.
 
-    carrier : Hz; gap : of its lattice; bands : what is asked of its bands; seen : where the scan has it
+    carrier : Hz; gap : of its lattice; bands : settings of its bands; seen : its position in the scan
     """
 
     plate: Plate
@@ -134,11 +134,11 @@ class OnPlate:
 
 
 def on_plate(study: Description, seen: PlateInScan = PlateInScan(), *, store: Store | None = None) -> OnPlate:
-    """What an analysis of a scan has to know of the plate; see `compute_scan`.
+    """Facts of a study that the analysis of a scan needs; see `compute_scan`.
 
     Parameters
     ----------
-    seen : where the scan has the plate
+    seen : position of the plate in the scan
 
     Raises
     ------
@@ -166,34 +166,34 @@ def compute_scan(
     store: Store,
     progress: Progress = silent,
 ) -> ScanResult:
-    """All that a scan tells.
+    """Analyse a scan.
 
     Parameters
     ----------
-    at : frequency of the operating shape and its animation, Hz; else the loudest
-    state : folder from which a stopped estimation goes on
+    at : frequency of the operating shape and its animation, Hz; by default the loudest one
+    state : folder from which an interrupted estimation continues
     progress : called with the points done and their number
 
     Raises
     ------
-    ScanError : settings that do not fit the scan, or nothing left of it
-    ResponseError : ``at`` is not covered
+    ScanError : settings that do not fit the scan, or no points left
+    ResponseError : ``at`` is outside the measured range
     """
-    found = _estimated(scan, how, on, state, progress)
+    estimated = _estimated(scan, how, on, state, progress)
     if how.repair:
-        found = found.repaired(*how.repair)
-    response = found.response
+        estimated = estimated.repaired(*how.repair)
+    response = estimated.response
     if at is not None:
         at = float(response.at(at).frequency[0])
-    report = scan.report.followed_by(found.report)
+    report = scan.report.followed_by(estimated.report)
     data = xr.Dataset({"average": average_spectrum(response)})
     axes = [str(name) for name in response.dataset["direction"].values]
-    unseen = [] if "z" in axes else [f"no maps: motions along {', '.join(axes)}, none normal to the plate"]
+    unseen = [] if "z" in axes else [f"no maps: motion only along {', '.join(axes)}, not normal to the plate"]
     plain = ScanResult(
         response=response,
-        quality=found.quality,
+        quality=estimated.quality,
         report=report,
-        averages=found.averages,
+        averages=estimated.averages,
         data=data,
         shapes=(),
         undetermined=tuple(unseen),
@@ -208,12 +208,12 @@ def compute_scan(
     )
     driven = driven_region(on.plate)
     mirror = mirror_beside(layout, driven) if driven else None
-    told = []
-    for seen, why in (region_levels(response, driven), guide_waves(response, layout)):
-        data.update(seen)
-        told += why
-    stands_out, why = _beside_lattice(response, on.plate, mirror, data)
-    told += [*why, *unseen]
+    remarks = []
+    for part, reasons in (region_levels(response, driven), guide_waves(response, layout)):
+        data.update(part)
+        remarks += reasons
+    stands_out, reasons = _beside_lattice(response, on.plate, mirror, data)
+    remarks += [*reasons, *unseen]
     lattice = lattice_gap(response, on.plate, data)
     edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
     names = [str(name) for name in response.dataset["region"].values]
@@ -224,29 +224,29 @@ def compute_scan(
         span = float(response.frequency[0]), float(response.frequency[-1])
         parts = layout, on.bands, span, on.gap, guides_of(layout), mirror
         waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
-        told += without_mode(layout)
+        remarks += without_mode(layout)
         shortest = 2 * np.pi / float(waves["wavenumber"].max())
         warn_if_aliased(grid_step(response), shortest, f"the flexural wave at {hz_text(span[1], form='.4g')}")
     if registration.misfit > FAR * grid_step(response):
-        told.append(
-            f"points lie {registration.misfit * 1e3:.2g} mm off the planned places: check the registration"
+        remarks.append(
+            f"the points lie {registration.misfit * 1e3:.2g} mm from the planned ones: check the registration"
         )
     if abs(registration.scale - 1) > SAME_SCALE:
-        told.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
+        remarks.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
     outside = sum(name is None for name in tile_names(layout, response.points))
     if outside:
-        told.append(f"{outside} points lie beside the plate of the study")
+        remarks.append(f"{outside} points lie outside the plate of the study")
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
         measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,
-        undetermined=tuple(told),
+        undetermined=tuple(remarks),
     )  # fmt: skip
 
 
 def _estimated(
     scan: Scan, how: Estimation, on: OnPlate | None, state: Path | None, progress: Progress
 ) -> Estimate:
-    """The response of a scan and the quality of its points, estimated where the scan has time records."""
+    """Response of a scan and quality of its points, estimated if the scan contains time records."""
     if isinstance(scan.content, FrequencyResponse):
         return Estimate.by_instrument(scan.content, scan.report)
     records = scan.records
@@ -276,12 +276,17 @@ def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
 def _beside_lattice(
     response: FrequencyResponse, plate: Plate, mirror: Mirror | None, data: xr.Dataset
 ) -> tuple[MeasuredGap | None, list[str]]:
-    """The range in which the driven region stands out, its decay put in the dataset; why they miss."""
+    """Frequency range with high contrast of the driven region; also adds the decay to the dataset.
+
+    Returns
+    -------
+    the range, None without one, and the reasons for missing results
+    """
     if driven_region(plate) is None:
-        return None, ["no contrast: the study does not say which region is driven"]
-    found, reasons = None, []
+        return None, ["no contrast: the study does not name the driven region"]
+    contrast, reasons = None, []
     try:
-        found = contrast_range(response, plate)
+        contrast = contrast_range(response, plate)
     except (ScanError, ResponseError) as error:
         reasons.append(f"no range of high contrast: {error.given}")
     if mirror is not None:
@@ -292,4 +297,4 @@ def _beside_lattice(
         else:
             data.update(decay.rename(error="error_of_decay"))
             data.attrs["decay"] = json.dumps(decay.attrs)
-    return found, reasons
+    return contrast, reasons

@@ -1,4 +1,4 @@
-"""Made-up strokes of made-up people, as a folder that the analysis of friction reads."""
+"""Simulated strokes of simulated participants, as a folder that the analysis of friction reads."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from haptonic.results.cost import Cost
 from haptonic.results.simulated_trials import SimulatedFriction
 from haptonic.study.schema import Description
 
-FILM, STROKE = 3.0, 0.006  # s, of load sharing; of a stroke that is made up and written
+FILM, STROKE = 3.0, 0.006  # s for load sharing; s per stroke that is simulated and written
 
 
 @dataclass(frozen=True, kw_only=True)
 class SimulateFrictionOptions(Seeded):
-    """What may be chosen."""
+    """Options of the simulation."""
 
     participants: int | None = option(None, "Number of participants; by default the study's.", metavar="N")
     form: Literal["csv", "h5", "mat", "tdms"] = option("csv", "Format of the force records.", flag="--format")
@@ -34,11 +34,11 @@ class SimulateFrictionOptions(Seeded):
 
 
 def compute(study: Description, options: SimulateFrictionOptions, runner: Runner) -> SimulatedFriction:
-    """The people and the order of their strokes, which are made when they are written.
+    """Participants and order of the strokes; the records are simulated when they are written.
 
     Raises
     ------
-    StudyError : no carrier, no two waveguides, or one without an amplitude
+    StudyError : no carrier, fewer than two waveguides, or a waveguide without an amplitude
     FrictionError : amplitudes or reductions that load sharing does not explain
     """
     count = study.protocol_settings.participants if options.participants is None else options.participants
@@ -56,7 +56,7 @@ def compute(study: Description, options: SimulateFrictionOptions, runner: Runner
 
 
 def cost(study: Description, options: SimulateFrictionOptions) -> Cost:
-    """Of every stroke."""
+    """Estimated cost of all strokes."""
     asked = study.protocol_settings
     people = options.participants or asked.participants
     return Cost(FILM + STROKE * people * asked.blocks * asked.trials)

@@ -1,4 +1,4 @@
-"""What a laser vibrometer would record of the study's plate: a simulation, whose truth is known."""
+"""Simulated records of a laser vibrometer on the study's plate, with known truth."""
 
 from __future__ import annotations
 
@@ -38,19 +38,21 @@ from haptonic.vibrometry.instrument import recorded
 from haptonic.vibrometry.of_settings import drive_for, plan_for, response_for
 from haptonic.vibrometry.settings import ScanSettings
 
-NEAR = 0.01  # of the grid, within which a point of the plan is one of the response
-SHIFTED = 0.01  # of the distance of lines, by which a computed line may be off one of a periodic drive
-RECORDED = 0.008  # s, of a point that is made up and written
+NEAR = 0.01  # of the grid; a planned point has a point of the response within this distance
+SHIFTED = 0.01  # of the line spacing; a computed frequency may differ from a drive's by this much
+RECORDED = 0.008  # s per point that is simulated and written
 
 
 @dataclass(frozen=True, kw_only=True)
 class SimulateScanOptions(Seeded):
-    """What may be chosen."""
+    """Options of the simulation."""
 
     form: Literal["h5", "nc", "uff", "mat", "csv", "tdms"] = option(
         "h5", "Format of the scan's file.", flag="--format"
     )
-    time: bool | None = option(None, "Records, or responses; else what the format has.", flag="--time/--frf")
+    time: bool | None = option(
+        None, "Records or responses; by default those usual for the format.", flag="--time/--frf"
+    )
     response: Any = option(
         None, "The plate's response, instead of computing it.", read=response_in, flag="--from",
         metavar="FILE",
@@ -58,22 +60,22 @@ class SimulateScanOptions(Seeded):
 
     @property
     def kind(self) -> Kind:
-        """Time records or responses."""
+        """Content of the file: time records or responses."""
         return kind_of(self.form, None if self.time is None else "time" if self.time else "frf")
 
 
 def check(study: Description, options: SimulateScanOptions) -> None:
-    """Refuse a form of file that does not hold what is asked for."""
+    """Refuse a format that cannot contain records, or responses, as chosen."""
     _ = options.kind
 
 
 def compute(study: Description, options: SimulateScanOptions, runner: Runner) -> SimulatedScan:
-    """The scan; the plate's response is computed at the lines of the drive, or given at them.
+    """Simulate a scan; the response of the plate is computed at the frequencies of the drive, or given.
 
     Raises
     ------
-    StudyError : no [plate], no carrier, or nothing that drives the plate
-    ScanError : settings of [scan] that do not fit together, or a response at other lines or points
+    StudyError : no [plate], no carrier, or no drive
+    ScanError : settings of [scan] that contradict each other, or a response at other frequencies or points
     """
     body, settings = study.mounted_plate(), study.scan_settings
     signal = drive_for(settings, body)
@@ -83,11 +85,11 @@ def compute(study: Description, options: SimulateScanOptions, runner: Runner) ->
         asked = response_for(settings, response_settings(study).tolerance, signal)
         result = plate.compute(study, plate.PlateOptions(settings=asked), runner)
         gap, response = result.gap, result.response
-    made = simulated_scan(body, settings, signal, response, gap=gap, seed=options.seed)
+    simulated = simulated_scan(body, settings, signal, response, gap=gap, seed=options.seed)
     estimated = (
-        estimate(made.records, band=signal.band, workers=2).response if options.kind == "frf" else None
+        estimate(simulated.records, band=signal.band, workers=2).response if options.kind == "frf" else None
     )
-    return replace(made, form=options.form, kind=options.kind, estimated=estimated)
+    return replace(simulated, form=options.form, kind=options.kind, estimated=estimated)
 
 
 def simulated_scan(
@@ -99,20 +101,20 @@ def simulated_scan(
     gap: Gap | None = None,
     seed: int,
 ) -> SimulatedScan:
-    """The scan of a plate whose response is known at the points of the plan and the lines of the drive.
+    """Scan of a plate whose response is known at the points of the plan and the frequencies of the drive.
 
     Raises
     ------
-    ScanError : a response at other points or lines
+    ScanError : a response at other points or frequencies
     """
     plan = plan_for(settings, plate).points
     distance, order = scipy.spatial.cKDTree(response.points).query(plan)
     if distance.max() > NEAR * settings.grid:
         raise ScanError.mismatch(
             argument="response",
-            given=f"no point within {distance.max() * 1e3:.3g} mm of a planned one",
+            given=f"no point within {distance.max() * 1e3:.3g} mm of a planned point",
             allowed="a response at the points of the scan plan",
-            cause="it was computed on another grid, or for another plate",
+            cause="the response was computed on another grid, or for another plate",
             next_step="compute it with the grid of [scan], or leave --from out",
         )
     true = FrequencyResponse(response.dataset.isel(point=order))
@@ -136,29 +138,29 @@ def rescanned(
     store: Store | None = None,
     progress: Progress = silent,
 ) -> ScanResult:
-    """What a scan of a plate that was computed would tell: simulated records, analysed like measured ones.
+    """Simulate a scan of a computed plate and analyse it like a measured one.
 
-    The drive's period is that whose lines are the computed ones, so nothing of the plate is computed again; a
-    line that is off by a hundredth of the lines' distance or less counts as the drive's.
+    The period of the drive is chosen so that its frequencies are the computed ones; the plate is not computed
+    again. A computed frequency may differ from that of the drive by 1 % of the line spacing.
 
     Parameters
     ----------
-    computed : of the same study
+    computed : plate of the same study
     progress : called with the points analysed and their number
 
     Raises
     ------
-    ScanError : lines that no periodic drive has, or a scan of other points than the plate was computed at
+    ScanError : frequencies that no periodic drive has, or a scan at other points than the computed ones
     """
     lines = computed.response.frequency
     settings = _periodic(lines, study)
     driven = (round(settings.lowest * settings.record) + np.arange(len(lines))) / settings.record
     response = FrequencyResponse(computed.response.dataset.assign_coords(frequency=driven))
-    with warnings.catch_warnings():  # a simulated plate is in its steady state, however short the period
+    with warnings.catch_warnings():  # a simulated plate is in its steady state, even if the period is short
         warnings.filterwarnings("ignore", "the period of", HaptonicWarning)
         signal = drive_for(settings, computed.plate)
-    made = simulated_scan(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
-    scan = Scan(made.records, ReadReport("simulated records", "memory", len(made.records.names)))
+    simulated = simulated_scan(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
+    scan = Scan(simulated.records, ReadReport("simulated records", "memory", len(simulated.records.names)))
     on = OnPlate(
         plate=computed.plate,
         scan=settings,
@@ -170,19 +172,19 @@ def rescanned(
 
 
 def _periodic(lines: Array, study: Description) -> ScanSettings:
-    """The study's scan with a drive that has these lines, evenly spaced, Hz, at the points of the plate."""
+    """The study's [scan] with a drive at these evenly spaced frequencies (Hz) and the points of the plate."""
     spacing = float(lines[-1] - lines[0]) / max(len(lines) - 1, 1)
     first = round(lines[0] / spacing) if spacing else 0
     if first < 1 or abs(lines[0] - first * spacing) > SHIFTED * spacing:
         raise ScanError.out_of_range(
             argument="plate.response",
-            given=f"{len(lines)} lines from {lines[0]:g} to {lines[-1]:g} Hz",
-            allowed="evenly spaced lines at multiples of their distance, as a periodic drive has them",
-            cause="the lowest frequency is no multiple of the distance of the lines",
-            next_step="choose lowest, highest and points of [plate.response] so that it is",
+            given=f"{len(lines)} frequencies from {lines[0]:g} to {lines[-1]:g} Hz",
+            allowed="evenly spaced frequencies at multiples of their spacing, as in a periodic drive",
+            cause="the lowest frequency is not a multiple of the spacing",
+            next_step="choose lowest, highest and points of [plate.response] accordingly",
         )
     rate = np.ceil(max(study.scan_settings.rate, 2 * lines[-1]) / spacing) * spacing
-    return unchecked(  # `drive` refuses what no drive has; a scan in earnest has more lines
+    return unchecked(  # `drive` checks the frequencies; their number may be below that of a real scan
         study.scan_settings,
         lowest=first * spacing,
         highest=(first + len(lines) - 1) * spacing,
@@ -193,15 +195,15 @@ def _periodic(lines: Array, study: Description) -> ScanSettings:
 
 
 def cost(study: Description, options: SimulateScanOptions) -> Cost:
-    """Of the plate's response in the band of the drive, if it is not given, and of every point."""
+    """Estimated cost of the plate's response in the band of the drive, if not given, and of every point."""
     mounted, asked = study.mounted_plate(), study.scan_settings
-    made = Cost(RECORDED * len(plan_for(asked, mounted).points))
+    points = Cost(RECORDED * len(plan_for(asked, mounted).points))
     if options.response is not None:
-        return made
+        return points
     lines = ResponseSettings(
         lowest=asked.lowest, highest=asked.highest, points=round(asked.lines), grid=asked.grid
     )
-    return response(study, mounted, lines) + gaps(study) + made
+    return response(study, mounted, lines) + gaps(study) + points
 
 
 ANALYSIS = Analysis(

@@ -1,8 +1,8 @@
-"""What of a cell an analysis supports.
+"""Kinds of cells that an analysis supports.
 
-Every analysis says so by a function of the cell and its options: None, or the error with which it refuses.
-`Analysis.admit` asks it before any work starts, for every command, method and report alike. So each analysis
-answers for a new feature of a cell or refuses it.
+Every analysis has a function of the cell and its options. It returns None, or the error for an unsupported
+cell. `Analysis.admit` calls it before work starts, for every command, method and report. So each analysis
+supports a new feature of a cell or refuses it.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ Supports = Callable[[UnitCell, Any], HaptonicError | None]
 
 
 def every_cell(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """None: every outline, material, lattice and face of a cell is supported, as its mesh is."""
+    """None: every outline, material, lattice and face of a cell is supported."""
     return None
 
 
 def no_cell(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """None: the answer does not depend on a cell."""
+    """None: the result does not depend on a cell."""
     return None
 
 
 def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for two loss factors."""
+    """Error for a cell with two loss factors."""
     of_plate = cell.material.loss_factor
     others = {at: solid.loss_factor for at, solid in cell.materials.items() if solid.loss_factor != of_plate}
     if not others:
@@ -43,7 +43,7 @@ def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def made_of_parts(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for solids of a CAD file or a mesh, whose sizes and outlines an analysis would need."""
+    """Error for a cell from a CAD file or a mesh, whose sizes and outlines an analysis would need."""
     if cell.solid is None:
         return None
     return StudyError.unsupported(
@@ -56,7 +56,7 @@ def made_of_parts(cell: UnitCell, options: Any) -> HaptonicError | None:
 
 
 def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for discs and solids, of which an analysis knows nothing."""
+    """Error for a cell with discs, or from a CAD file."""
     if (refused := made_of_parts(cell, options)) is not None:
         return refused
     if not cell.disc_tables:
@@ -67,16 +67,16 @@ def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
         given="a cell with discs",
         allowed="pillars, or plain plate",
         cause="this analysis varies, draws or cuts pillars only",
-        next_step="compute its bands, a sweep, layers, a ribbon or a plate, or write [cell.pillar] in place",
+        next_step="compute its bands, a sweep, layers, a ribbon or a plate, or replace it by [cell.pillar]",
     )
 
 
 def whole_lower_face(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """The error for a hole in the face that a finger touches, or for something below it."""
+    """Error for a hole in the face that a finger touches, or for something below that face."""
     if cell.solid is not None and not cell.solid_period.whole_below:
         return StudyError.unsupported(
             argument="cell.solid",
-            given="a cell whose lower face is no whole plane",
+            given="a cell whose lower face is not a whole plane",
             allowed="solids above a plane face that fills the cell, at the plate's lower side",
             cause="a finger touches the lower face everywhere, and the scan's points lie on it; the file has "
             "a hole there, or something below it",

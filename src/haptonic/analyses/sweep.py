@@ -1,4 +1,4 @@
-"""Complete gaps of the designs that the sweeps of a study describe."""
+"""Complete gaps along the sweeps of a study."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study.schema import Description
 from haptonic.study.sweeps import SweepSettings
 
-RESONANCES = 3  # of the pillar alone
+RESONANCES = 3  # number of resonances of the pillar alone
 VALUES = ("value", "second_value")  # variables of the first and the second expression
 
 
@@ -40,27 +40,27 @@ def check(study: Description, options: NoOptions) -> None:
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
-    """Complete gaps of every design; those that could not be computed are left out, and it is said.
+    """Complete gaps of every design; a result with designs that could not be computed lists them.
 
     Raises
     ------
-    HaptonicError : what the first design was refused for, if no design could be computed
+    HaptonicError : the error of the first design, if no design could be computed
     """
     rows = [[design.cell for design in study.designs(sweep)] for sweep in study.sweep_settings]
     tasks = [gaps_task(cell, study.bands_settings) for row in rows for cell in row]
-    found = runner.tried(design_gaps, tasks, 0)
-    refused = [one.error for one in found if one.error is not None]
-    if len(refused) == len(found):
+    outcomes = runner.tried(design_gaps, tasks, 0)
+    refused = [outcome.error for outcome in outcomes if outcome.error is not None]
+    if len(refused) == len(outcomes):
         raise refused[0]
-    outcomes = iter(found)
+    remaining = iter(outcomes)
     each = zip(study.sweep_settings, rows, strict=True)
-    return Sweeps(tuple(swept(study, sweep, row, [next(outcomes) for _ in row]) for sweep, row in each))
+    return Sweeps(tuple(swept(study, sweep, row, [next(remaining) for _ in row]) for sweep, row in each))
 
 
 def swept(
     study: Description, sweep: SweepSettings, cells: Sequence[UnitCell], outcomes: Sequence[Outcome]
 ) -> Sweep:
-    """The designs of one sweep; gaps that could not be computed are NaN."""
+    """One sweep; values that could not be computed are NaN."""
     slots = max([o.dataset.sizes["gap"] for o in outcomes if o.dataset is not None], default=0)
     names = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below")
     table = {name: np.full((len(cells), slots), np.nan) for name in names}
@@ -92,14 +92,14 @@ def swept(
         missed_accuracy="the accuracy was reached, or the design could not be computed",
         **dict.fromkeys(("euler_bernoulli", "timoshenko"), "no formula for this pillar"),
     )
-    known: dict[str, str | float | None] = {
+    facts: dict[str, str | float | None] = {
         "carrier_hz": study.carrier,
         "accuracy": study.bands_settings.accuracy,
     }
     for name, prefix, axis in zip(VALUES, ("", "second_"), sweep.axes, strict=False):
         dataset[name].attrs = {"units": axis.unit or "1", "long_name": axis.vary}
-        known |= {f"{prefix}expression": axis.vary, f"own_{name}": axis.expression.value(study.parameters())}
-    dataset.attrs = {name: value for name, value in known.items() if value is not None}
+        facts |= {f"{prefix}expression": axis.vary, f"own_{name}": axis.expression.value(study.parameters())}
+    dataset.attrs = {name: value for name, value in facts.items() if value is not None}
     failed = {step: o.error.parts() for step, o in enumerate(outcomes) if o.error is not None}
     return Sweep(stamped(dataset, study.inputs()), failed)
 
@@ -109,17 +109,21 @@ def _cantilever(cell: UnitCell) -> tuple[np.ndarray, np.ndarray]:
     if cell.pillar is None or not isinstance(solid, IsotropicMaterial):
         return np.full(RESONANCES, np.nan), np.full(RESONANCES, np.nan)
     slender = np.full(RESONANCES, np.nan)
-    if cell.pillar.is_cylinder:  # equation (3) knows no other
+    if cell.pillar.is_cylinder:  # equation (3) is for cylinders
         slender = euler_bernoulli(cell.pillar, solid)
     return slender, timoshenko(cell.pillar, solid, RESONANCES)
 
 
 def cost(study: Description, options: NoOptions) -> Cost:
-    """Of all designs of all rows; refused where each of them is."""
+    """Estimated cost of all designs; refused if each of them is."""
     designs = (design for sweep in study.sweep_settings for design in study.designs(sweep))
-    costs = (gaps(one) for one in (study, *designs))
+    costs = (gaps(design) for design in (study, *designs))
     refused = next(costs)
-    each = refused if refused.refusal is None else next((one for one in costs if not one.refusal), refused)
+    each = (
+        refused
+        if refused.refusal is None
+        else next((design for design in costs if not design.refusal), refused)
+    )
     return each.times(sum(sweep.count for sweep in study.sweep_settings))
 
 

@@ -1,4 +1,4 @@
-"""What the columns of another program's table of bands hold: wavevectors, frequencies, damping, others."""
+"""Meaning of the columns of another program's table of bands: wavevectors, frequencies, damping, others."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from haptonic.units import kind_of, to_si
 Settings = tuple[tuple[str, float], ...]
 Damping = Literal["quality factor", "damping ratio", "loss factor", "imaginary part"]
 
-SAME = 1e-3  # share by which two columns of one frequency may differ: tables have four digits and more
+SAME = 1e-3  # relative difference of two columns of the same frequency; tables have four digits or more
 _HERTZ = re.compile(r"[kMGT]?Hz", re.IGNORECASE)
 _ANGULAR = re.compile(r"[kMG]?rad(?:\s*/\s*s(?:ec)?|\s+s\^?-1|\*s\^?-1)|rpm|(?:deg|°)/s")
 _WAVEVECTOR_UNIT = re.compile(r"(?:rad|1)/[nuµmck]?m|(?:rad\s+)?[nuµmck]?m\^?-1|(?:2\s*\*?\s*)?(?:pi|π)/a")
@@ -35,13 +35,13 @@ _INDEX = re.compile(
     r"(?:number|index|no\.?|nr\.?|#|id)",
     re.IGNORECASE,
 )
-# of numbers in Hz that are no eigenfrequencies
+# names of columns in Hz that are not eigenfrequencies
 _BESIDE = (
     r"quality|\bq\b|qeig|q[ _-]?fac|damping|zeta|ζ|loss|\berr|err$|fehler|residu|uncert|\bstd|tolerance|"
     r"target|\bsearch|\bshift|\bstep|\breference|güte|dämpfung|amortissement|facteur|line ?width"
 )
 _NO_EIGENFREQUENCY = re.compile(_BESIDE, re.IGNORECASE)
-_NO_FREQUENCY = re.compile(  # without a unit
+_NO_FREQUENCY = re.compile(  # names of columns without a unit that are not frequencies
     rf"{_BESIDE}|\bbeta\b|η|polari[sz]|^p[_ ]?[a-z]{{1,3}}$|parit|symmetr|participation|degenera|weight|"
     r"\bperiods?\b|périod|wavelength|wellenlänge|longueur|longitud\b|velocity|phase|character|energy|"
     r"\bratio|\bfraction",
@@ -59,13 +59,13 @@ _SETTING = re.compile(r"(?P<name>[A-Za-zκβ_][\w.]*)\s*=\s*(?P<value>[+-]?[\d.]
 
 @dataclass(frozen=True, eq=False)
 class TableOfBands:
-    """A table of bands by its meaning.
+    """A table of bands, with its columns assigned.
 
-    wavevector : (row, 1 or 2) as the file writes it; axes : "k", or "x" and "y" of each
-    unit : of the wavevector, "" where the file does not say
-    frequency : (row, column) Hz, NaN where there is none
+    wavevector : (row, 1 or 2) as in the file; axes : "k", or "x" and "y" of each
+    unit : of the wavevector, "" if the file does not give it
+    frequency : (row, column) Hz, NaN for a missing one
     loss : (row, column) loss factors, 1/Q, or None
-    blocks, lines : (row,) of the text; left : names of other columns; from_column : where the loss is from
+    blocks, lines : (row,) of the text; left : names of unused columns; from_column : origin of the loss
     """
 
     wavevector: Array
@@ -81,11 +81,11 @@ class TableOfBands:
 
 
 def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
-    """The columns of a table by their names and units; without names the wavevector comes first.
+    """Assign the columns of a table by names and units; without names, the wavevector is the first column.
 
     Raises
     ------
-    ChannelError : no wavevector or no frequencies, a unit that nobody says, or words among the numbers
+    ChannelError : no wavevector, no frequencies, a missing unit, or words among the numbers
     """
     if len(table.columns) < 2:
         raise _refused(table, "a single column", "columns of the wavevector and of frequencies")
@@ -93,8 +93,8 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
         raise _refused(
             table,
             table.remarks[0],
-            "names that belong to columns, parted as the numbers are or by two blanks",
-            f"part the names in line {table.unmatched} by two blanks; if it has none, leave it out: "
+            "names of columns, separated like the numbers or by two blanks",
+            f"separate the names in line {table.unmatched} by two blanks; if it has no names, skip it: "
             f"--skip-lines={table.unmatched}",
         )
     if table.short:
@@ -111,13 +111,13 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
         line = int(table.lines[np.argwhere(np.isinf(values))[0, 0]])
         raise _refused(table, f"an infinite frequency in line {line}", "finite frequencies")
     left = _without(table.columns, [*chosen, *axes])
-    values, kept = _once(values, chosen)
-    left += _without(chosen, kept)
-    loss, source = _loss(table, left, kept, frequency, values.shape)
-    settings = [_setting(c) for c in kept]
+    values, distinct = _drop_repeated(values, chosen)
+    left += _without(chosen, distinct)
+    loss, source = _loss(table, left, distinct, frequency, values.shape)
+    settings = [_setting(c) for c in distinct]
     named = tuple(c.name for c in sorted(left, key=lambda c: c.number))
     if not axes or (settings[0] and all(settings)):
-        return _by_headings(table, kept, values, settings, named, axes)
+        return _by_headings(table, distinct, values, settings, named, axes)
     wavevector = np.stack([np.real(table.numbers(c)) for c in axes], axis=1).astype(float)
     if not np.isfinite(wavevector).all():
         row = int(np.argwhere(~np.isfinite(wavevector))[0, 0])
@@ -129,7 +129,9 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
     names = "".join(_axis_name(c) for c in axes) or "k"
     if "z" in names:
         if np.any(wavevector[:, names.index("z")] != 0):
-            raise _refused(table, "wavevectors with a part along z", "wavevectors in the plane of the plate")
+            raise _refused(
+                table, "wavevectors with a component along z", "wavevectors in the plane of the plate"
+            )
         keep = [k for k, name in enumerate(names) if name != "z"]
         wavevector, names = wavevector[:, keep], names.replace("z", "")
     units = {c.unit for c in axes}
@@ -142,16 +144,16 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
 
 
 def _axes(table: TextTable) -> list[TextColumn]:
-    """The columns of the wavevector: kx and ky, or one."""
+    """Columns of the wavevector: kx and ky, or a single column."""
     pair = [column for column in table.columns if _axis_name(column)]
     if pair:
         return sorted(pair, key=_axis_name)
     by_unit = [c for c in table.columns if _WAVEVECTOR_UNIT.fullmatch(c.unit)]
     by_name = [c for c in table.columns if c.heading.name and _WAVEVECTOR.fullmatch(_stem(c))]
-    for found in (by_name, by_unit):
-        if found:
-            both = [c for c in found if c in by_unit]
-            return (both or found)[:1]
+    for matches in (by_name, by_unit):
+        if matches:
+            both = [c for c in matches if c in by_unit]
+            return (both or matches)[:1]
     others = [
         c
         for c in table.columns
@@ -163,13 +165,13 @@ def _axes(table: TextTable) -> list[TextColumn]:
 
 
 def _axis_name(column: TextColumn) -> str:
-    """ "x", "y" or "z" for a component of the wavevector, else ""."""
-    found = _AXIS.fullmatch(_stem(column)) or _AXIS_IN_BRACKETS.fullmatch(_stem(column))
-    return found["axis"].lower() if found else ""
+    """ "x", "y" or "z" for a component of the wavevector, otherwise ""."""
+    match = _AXIS.fullmatch(_stem(column)) or _AXIS_IN_BRACKETS.fullmatch(_stem(column))
+    return match["axis"].lower() if match else ""
 
 
 def _stem(column: TextColumn) -> str:
-    """The name without what COMSOL writes behind it."""
+    """Name of a column without the parameters that COMSOL appends."""
     return _AT.sub("", column.heading.name).strip()
 
 
@@ -178,7 +180,7 @@ def _is_frequency_unit(unit: str) -> bool:
 
 
 def _is_beside(column: TextColumn) -> bool:
-    """True if the name is that of something else than bands; those in Hz may be "symmetric"."""
+    """True for a column that is not of bands, by its name; columns in Hz may be called "symmetric"."""
     pattern = _NO_EIGENFREQUENCY if _is_frequency_unit(column.unit) else _NO_FREQUENCY
     return bool(pattern.search(_stem(column)) or _IMAGINARY.search(_stem(column)))
 
@@ -186,7 +188,7 @@ def _is_beside(column: TextColumn) -> bool:
 def _frequencies(
     table: TextTable, axes: Sequence[TextColumn], frequency_unit: str | None
 ) -> list[TextColumn]:
-    """The columns of frequencies: those in hertz, else those in rad/s, else those without a unit."""
+    """Columns of frequencies: those in hertz, or else those in rad/s, or else those without a unit."""
     rest = [c for c in _without(table.columns, axes) if not c.is_text]
     units = {c.unit for c in rest} - {"", "1"}
     others = {unit for unit in units if kind_of(unit) not in ("", "frequency")}
@@ -194,16 +196,16 @@ def _frequencies(
     rest = [c for c in rest if c.unit not in others]
     plain = [c for c in rest if not _is_beside(c)]
     for kind in (_HERTZ, _ANGULAR):
-        if found := [c for c in plain if kind.fullmatch(c.unit)]:
-            return found
+        if matches := [c for c in plain if kind.fullmatch(c.unit)]:
+            return matches
     unknown = [
         c for c in plain if not c.unit and not (_INDEX.fullmatch(_stem(c)) and not c.heading.name.isdigit())
     ]
     strange = {c.unit for c in plain if c.unit not in ("", "1")}
     if not unknown and frequency_unit is None and strange:
         raise _ask_unit(table, ", ".join(sorted(strange)))
-    found = unknown or ([c for c in plain if c.unit] if frequency_unit else [])
-    if not found and other:
+    chosen = unknown or ([c for c in plain if c.unit] if frequency_unit else [])
+    if not chosen and other:
         raise ChannelError.malformed(
             argument=table.path.name,
             given=f"the column {other[0].name} in {other[0].unit}",
@@ -211,20 +213,20 @@ def _frequencies(
             cause=_no_frequency(other[0].unit),
             next_step="export frequencies" + ", 1 / period," * (kind_of(other[0].unit) == "time") + " in Hz",
         )
-    if not found:
+    if not chosen:
         raise _refused(
             table,
             f"the columns {shown(', '.join(table.names), 200)}",
             "a column of frequencies, in Hz, kHz or rad/s",
         )
-    return found
+    return chosen
 
 
 def _factors(table: TextTable, chosen: Sequence[TextColumn], frequency_unit: str | None) -> dict[str, float]:
-    """Hz in one of each unit of the columns; the unit of the user goes before that of the file."""
+    """Factors to Hz for each unit of the columns; the unit of the user has priority over that of the file."""
     units = {c.unit for c in chosen}
-    known = units - {""}
-    only = known.pop() if len(known) == 1 else ""
+    given = units - {""}
+    only = given.pop() if len(given) == 1 else ""
     return {unit: _hertz(table, frequency_unit or unit or only, frequency_unit) for unit in units}
 
 
@@ -246,9 +248,9 @@ def _hertz(table: TextTable, unit: str, frequency_unit: str | None) -> float:
 
 
 def _no_frequency(unit: str) -> str:
-    """Why a unit does not measure frequencies."""
+    """Reason why a unit is not one of frequency."""
     kind = kind_of(unit)
-    return "a period is no frequency" if kind == "time" else f"the unit is one of {kind}, not of frequency"
+    return "a period is not a frequency" if kind == "time" else f"the unit is one of {kind}, not of frequency"
 
 
 def _ask_unit(table: TextTable, given: str) -> ChannelError:
@@ -256,74 +258,74 @@ def _ask_unit(table: TextTable, given: str) -> ChannelError:
         argument="--frequency-unit",
         given=given,
         allowed="Hz, kHz, MHz, rad/s, ...",
-        cause=f"columns of {table.path.name} have no unit, or none of a frequency",
-        next_step="say it: --frequency-unit=kHz",
+        cause=f"columns of {table.path.name} have no unit, or not a unit of frequency",
+        next_step="give the unit: --frequency-unit=kHz",
     )
 
 
-def _once(values: Array, columns: Sequence[TextColumn]) -> tuple[Array, list[TextColumn]]:
-    """Frequencies of which no column is another one, as "Frequency" beside "Eigenfrequency" is.
+def _drop_repeated(values: Array, columns: Sequence[TextColumn]) -> tuple[Array, list[TextColumn]]:
+    """Drop columns of frequencies that repeat another column, such as "Frequency" beside "Eigenfrequency".
 
-    Numbered columns are bands, which may be equal where the lattice is symmetric.
+    Numbered columns are bands; they may be equal in a symmetric lattice.
     """
     numbering: dict[tuple[str, str], int] = {}
     of = np.array([numbering.setdefault(_numbering(c), len(numbering)) for c in columns])
-    kept = np.ones(len(columns), dtype=bool)
+    keep = np.ones(len(columns), dtype=bool)
     differing = int((np.diff(np.sort(values, axis=1), axis=1) > 0).sum(axis=1).argmax()) if len(values) else 0
     for k in range(len(columns)) if len(numbering) > 1 else ():
-        twins = np.flatnonzero(kept[:k] & (of[:k] != of[k]))
-        for rows in (slice(differing, differing + 1), slice(None)):  # few are left after a single row
+        twins = np.flatnonzero(keep[:k] & (of[:k] != of[k]))
+        for rows in (slice(differing, differing + 1), slice(None)):  # a single row excludes most columns
             if len(twins):
                 near = np.isclose(
                     values[rows, twins], values[rows, [k]], rtol=SAME, atol=1e-9, equal_nan=True
                 )
                 twins = twins[near.all(axis=0)]
-        kept[k] = len(twins) == 0
-    return values[:, kept], [column for column, keep in zip(columns, kept, strict=True) if keep]
+        keep[k] = len(twins) == 0
+    return values[:, keep], [column for column, keep in zip(columns, keep, strict=True) if keep]
 
 
 def _numbering(column: TextColumn) -> tuple[str, str]:
-    """What the columns of all bands have in common: the name without numbers, and the unit."""
+    """Name without numbers, and unit: the part that the columns of all bands share."""
     return re.sub(r"[\d@].*$|\d+", "", column.heading.name).strip(" _-"), column.unit
 
 
 def _without(columns: Sequence[TextColumn], others: Sequence[TextColumn]) -> list[TextColumn]:
-    """Columns without some of them."""
+    """Columns except for some."""
     numbers = {column.number for column in others}
     return [column for column in columns if column.number not in numbers]
 
 
 def _loss(
-    table: TextTable, left: Sequence[TextColumn], kept: Sequence[TextColumn], read: dict[int, NDArray[Any]],
-    shape: tuple[int, ...],
+    table: TextTable, left: Sequence[TextColumn], columns: Sequence[TextColumn],
+    read: dict[int, NDArray[Any]], shape: tuple[int, ...],
 ) -> tuple[Array | None, str]:  # fmt: skip
-    """Loss factors, from complex frequencies or a column of damping, and where they are from."""
+    """Loss factors from complex frequencies or a column of damping, and the name of their origin."""
     with np.errstate(divide="ignore", invalid="ignore"):
         for kind, pattern in _DAMPING.items():
             for column in left:
                 if pattern.search(_stem(column)) and column.bad is None and not column.is_text:
                     values = np.real(column.values).astype(float)
                     percent = 0.01 if column.unit == "%" else 1.0
-                    made = {"quality factor": 1 / values, "damping ratio": 2 * percent * values}.get(
+                    loss = {"quality factor": 1 / values, "damping ratio": 2 * percent * values}.get(
                         kind, percent * values
                     )
-                    return np.broadcast_to(made[:, None], shape), column.name
-        if any(read[c.number].dtype.kind == "c" for c in kept):
-            made = np.stack(
-                [2 * np.abs(np.imag(read[c.number])) / np.real(read[c.number]) for c in kept], axis=1
+                    return np.broadcast_to(loss[:, None], shape), column.name
+        if any(read[c.number].dtype.kind == "c" for c in columns):
+            loss = np.stack(
+                [2 * np.abs(np.imag(read[c.number])) / np.real(read[c.number]) for c in columns], axis=1
             )
-            return made, "imaginary parts"
+            return loss, "imaginary parts"
     return None, ""
 
 
 def _setting(column: TextColumn) -> Settings:
-    """Values of parameters behind a name: "freq @ kx=0.1, ky=0" gives those of kx and ky."""
+    """Values of parameters behind a name: kx and ky for "freq @ kx=0.1, ky=0"."""
     behind = _AT.search(column.heading.name)
     pairs = _SETTING.finditer((behind["what"] or behind["other"]) if behind else "")
     return tuple(
-        (one["name"], float(one["value"]))
-        for one in pairs
-        if _WAVEVECTOR.fullmatch(one["name"]) or _AXIS.fullmatch(one["name"])
+        (pair["name"], float(pair["value"]))
+        for pair in pairs
+        if _WAVEVECTOR.fullmatch(pair["name"]) or _AXIS.fullmatch(pair["name"])
     )
 
 
@@ -331,18 +333,18 @@ def _by_headings(
     table: TextTable, columns: Sequence[TextColumn], values: Array, settings: Sequence[Settings],
     left: tuple[str, ...], axes: Sequence[TextColumn],
 ) -> TableOfBands:  # fmt: skip
-    """A table in which each column of frequencies belongs to the wavevector in its heading."""
-    names = {tuple(name for name, _ in one) for one in settings}
+    """Table in which each column of frequencies belongs to the wavevector in its heading."""
+    names = {tuple(name for name, _ in setting) for setting in settings}
     if len(names) != 1 or not settings[0]:
         raise _refused(
             table,
             f"the columns {shown(', '.join(table.names), 200)}",
             "a column of the wavevector, such as k, or kx and ky",
         )
-    found = [_AXIS.fullmatch(name) for name in names.pop()]
+    axis_matches = [_AXIS.fullmatch(name) for name in names.pop()]
     return TableOfBands(
-        wavevector=np.array([[value for _, value in one] for one in settings]),
-        axes="".join(one["axis"].lower() for one in found if one) or "k",
+        wavevector=np.array([[value for _, value in setting] for setting in settings]),
+        axes="".join(match["axis"].lower() for match in axis_matches if match) or "k",
         unit="",
         frequency=values.T,
         blocks=np.zeros(len(columns), dtype=np.int64),
@@ -357,7 +359,7 @@ def _refused(table: TextTable, given: str, allowed: str, next_step: str = "") ->
         argument=table.path.name,
         given=given,
         allowed=allowed,
-        cause="another export than it seems, or a line above the numbers that is not the line of names",
+        cause="another kind of export, or a line above the numbers that does not contain the names",
         next_step=next_step
         or "export the wavevector and the frequencies, with their names and units above them",
     )

@@ -1,4 +1,4 @@
-"""Where the wavevectors of another program's table lie on our path, and which rows belong together."""
+"""Positions of another program's wavevectors on our path, and the grouping of its rows."""
 
 from __future__ import annotations
 
@@ -21,25 +21,23 @@ from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice
 
 _PREFIXES = {"": 1.0, "m": 1e-3, "c": 1e-2, "u": 1e-6, "µ": 1e-6, "n": 1e-9, "k": 1e3}
-LENGTHS = {f"{one}/{prefix}m": 1 / scale for one in ("rad", "1") for prefix, scale in _PREFIXES.items()}
-OF_PITCH = {"pi/a": 1.0, "2pi/a": 2.0}  # in pi over the pitch
+LENGTHS = {f"{angle}/{prefix}m": 1 / scale for angle in ("rad", "1") for prefix, scale in _PREFIXES.items()}
+OF_PITCH = {"pi/a": 1.0, "2pi/a": 2.0}  # in units of pi over the pitch
 ALONG = ("share", "segments")
 WAVEVECTORS = ("rad/m", "rad/mm", "1/m", "pi/a", "2pi/a", *ALONG)
-SAME_PATH = 0.02  # share by which two lengths of one path may differ
-ON_PATH = (
-    2e-3  # of a reciprocal vector: tables give wavevectors with four digits or more, or three of a share
-)
+SAME_PATH = 0.02  # relative difference of two lengths of the same path
+ON_PATH = 2e-3  # of a reciprocal vector: tables give wavevectors with four digits or more, shares with three
 SAME_PLACE = 1e-6  # of a reciprocal vector
-LEAST_STEP = 1e-4  # of the highest frequency: rigid modes, which are rounding, lie below it
-SAME_ROWS = 2e-3  # share by which frequencies of one wavevector may differ that is given twice
+LEAST_STEP = 1e-4  # of the highest frequency; rigid modes, which are rounding errors, lie below it
+SAME_ROWS = 2e-3  # relative difference of the frequencies of a wavevector that is given twice
 
 
 @dataclass(frozen=True, eq=False)
 class OurPath:
-    """The path of bands that haptonic computed.
+    """Path of the bands that haptonic computed.
 
-    labels : of the corners, the first one again at the end; distance : of each along the path, rad/m
-    phases : (corner, 2) rad; lattice, operations : for wavevectors that lie elsewhere; None where not known
+    labels : of the corners, the first one repeated at the end; distance : of each along the path, rad/m
+    phases : (corner, 2) rad; lattice, operations : for wavevectors off the path; None if not known
     """
 
     labels: tuple[str, ...]
@@ -50,7 +48,7 @@ class OurPath:
 
     @classmethod
     def of_dataset(cls, data: xr.Dataset) -> OurPath:
-        """The path of a result."""
+        """Path of a result."""
         labels = tuple(json_from(data.attrs["path_labels"]))
         distance = data["distance"].values[json_from(data.attrs["path_corners"])]
         if not {"lattice", "zone", "point_group"} <= data.attrs.keys():
@@ -66,7 +64,7 @@ class OurPath:
 
     @classmethod
     def of_cell(cls, cell: UnitCell) -> OurPath:
-        """The path of a cell, before its bands are computed."""
+        """Path of a cell, before its bands are computed."""
         labels = tuple(label for label, _ in cell.zone.corners)
         labels = (*labels, labels[0])
         phases = np.array([cell.zone.corner_phases[label] for label in labels])
@@ -82,11 +80,11 @@ class OurPath:
 
 
 def unit_of(path: Path, table: TableOfBands, ours: OurPath, asked: str | None) -> str:
-    """The unit of the wavevector: what the user says, else what the file says.
+    """Unit of the wavevector: the unit of the user, or else that of the file.
 
     Raises
     ------
-    ChannelError : nobody says it, or it is none
+    ChannelError : no unit is given, or it is not a unit of wavevectors
     """
     unit = plain_unit(asked or table.unit)
     allowed = [u for u in WAVEVECTORS if table.axes == "k" or u not in ALONG]
@@ -94,24 +92,24 @@ def unit_of(path: Path, table: TableOfBands, ours: OurPath, asked: str | None) -
         return unit
     if table.axes == "k":
         first, last = float(table.wavevector.min()), float(table.wavevector.max())
-        cause = f"the wavevector of {path.name} goes from {first:g} to {last:g}, and nobody says of what"
+        cause = f"the wavevector of {path.name} goes from {first:g} to {last:g}, and its unit is not given"
         likely = _likely(last, ours)
     else:
         largest = float(np.abs(table.wavevector).max())
-        cause = f"the wavevectors of {path.name} go up to {largest:g}, and nobody says of what"
+        cause = f"the wavevectors of {path.name} go up to {largest:g}, and their unit is not given"
         likely = _likely_of_parts(largest, ours)
     raise ChannelError.missing(
         argument="--wavevector",
         given=shown(unit or table.unit) if unit or table.unit else "nothing",
         allowed=f"one of {', '.join(allowed)}",
         cause=cause,
-        next_step=f"say it: --wavevector={likely}"
+        next_step=f"give the unit: --wavevector={likely}"
         + ("; share is of the whole path, segments count its corners from 0" if table.axes == "k" else ""),
     )
 
 
 def plain_unit(text: str) -> str:
-    """A unit of wavevectors in one way of writing: "2π/a", "2*pi / a" and "rad m^-1" are known too."""
+    """Normalise the unit of a wavevector; also accepts "2π/a", "2*pi / a" and "rad m^-1"."""
     unit = text.replace(" ", "").replace("*", "").replace("π", "pi").replace("\u03bc", "µ")
     if unit.endswith(("m^-1", "m-1")):
         body = unit.removesuffix("-1").removesuffix("^")
@@ -120,7 +118,7 @@ def plain_unit(text: str) -> str:
 
 
 def _likely(last: float, ours: OurPath) -> str:
-    """What a column without a unit may be, by its end; to be said, not to be taken."""
+    """Likely unit of a column without a unit, from its last value; used only as advice in an error."""
     length = float(ours.distance[-1])
     ends = {"segments": len(ours.distance) - 1.0, "share": 1.0, "rad/m": length, "rad/mm": length / 1e3}
     return min(ends, key=lambda name: abs(np.log(max(last, 1e-12) / ends[name])))
@@ -135,11 +133,11 @@ def _likely_of_parts(largest: float, ours: OurPath) -> str:
 
 
 def positions(path: Path, table: TableOfBands, ours: OurPath, unit: str) -> Array:
-    """(row,) where each row lies on our path: corners count 0, 1, 2, ...; NaN where it lies beside it.
+    """(row,) position of each row on our path: corners count 0, 1, 2, ...; NaN for a row off the path.
 
     Raises
     ------
-    ChannelError : a wavevector beyond the path, or none on it
+    ChannelError : a wavevector beyond the end of the path, or no wavevector on the path
     """
     scale = LENGTHS.get(unit, 1.0)
     if unit in OF_PITCH:
@@ -158,7 +156,7 @@ def positions(path: Path, table: TableOfBands, ours: OurPath, unit: str) -> Arra
         largest = np.abs(vectors).max()
         raise _other_path(
             path, f"no wavevector on the path; the largest part is {largest:g} rad/m",
-            f"wavevectors on {'-'.join(ours.labels)}, or where symmetry takes them there", ours,
+            f"wavevectors on {'-'.join(ours.labels)}, or symmetric to such", ours,
         )  # fmt: skip
     return places
 
@@ -180,7 +178,7 @@ def _along(path: Path, axis: Array, unit: str, scale: float, ours: OurPath) -> A
 
 
 def _on_path(vectors: Array, ours: OurPath) -> Array:
-    """Places of wavevectors, rad/m, or of equal ones by symmetry, on our path; NaN for those beside it."""
+    """Positions of wavevectors (rad/m), or of their symmetric images, on our path; NaN for those off it."""
     assert ours.lattice is not None
     assert ours.phases is not None
     period = 2 * np.pi
@@ -190,8 +188,8 @@ def _on_path(vectors: Array, ours: OurPath) -> Array:
     corners = ours.lattice.wavevector(ours.phases)
     shifts = np.array(list(product((-1, 0, 1), repeat=2)))
     operations = {
-        tuple(map(tuple, np.multiply(sign, one)))
-        for one in (*ours.operations, ((1, 0), (0, 1)))
+        tuple(map(tuple, np.multiply(sign, operation)))
+        for operation in (*ours.operations, ((1, 0), (0, 1)))
         for sign in (1, -1)
     }
     for operation in sorted(operations):
@@ -203,7 +201,7 @@ def _on_path(vectors: Array, ours: OurPath) -> Array:
                 along = second - first
                 share = np.clip((points - first) @ along / (along @ along), 0, 1)
                 miss = np.linalg.norm(points - first - share[:, None] * along, axis=1)
-                # the earlier place stays where two are as near, such as the centre of the zone at both ends
+                # a tie keeps the earlier position, such as the centre of the zone at both ends of the path
                 better = miss < misses - 1e-9 * size
                 places[better], misses[better] = k + share[better], miss[better]
     return places
@@ -212,44 +210,46 @@ def _on_path(vectors: Array, ours: OurPath) -> Array:
 def gathered(
     path: Path, table: TableOfBands, position: Array
 ) -> tuple[Array, Array, Array | None, list[str]]:
-    """Positions in order, the frequencies of each in order (NaN where there are fewer), their loss, remarks.
+    """Positions in order, the sorted frequencies of each (NaN if it has fewer), their loss, and remarks.
 
-    Rows of one wavevector belong together wherever they are; a wavevector that is given twice with all its
+    Rows of the same wavevector are grouped, wherever they are; a wavevector that is repeated with all its
     frequencies counts once.
 
     Raises
     ------
-    ChannelError : one wavevector with other frequencies at two places, or blocks of unknown kind
+    ChannelError : different frequencies for the same wavevector, or blocks of unknown kind
     """
     remarks = []
     on = np.isfinite(position)
     if not on.all():
-        remarks.append(f"{int((~on).sum())} rows of {path.name} lie beside the path and are left out")
+        remarks.append(f"{int((~on).sum())} rows of {path.name} are off the path and are left out")
     size = max(float(np.abs(table.wavevector).max()), 1e-300)
     _, group = np.unique(np.round(table.wavevector / (SAME_PLACE * size)), axis=0, return_inverse=True)
     group = group.reshape(-1)
     by_group = np.argsort(group, kind="stable")
     by_group = by_group[on[by_group]]
     rows = np.split(by_group, np.flatnonzero(np.diff(group[by_group])) + 1)
-    usual = int(np.bincount([len(one) for one in rows]).argmax())
+    usual = int(np.bincount([len(group_rows) for group_rows in rows]).argmax())
     _refuse_segments(path, table, group)
     sets: dict[float, list[tuple[Array, Array | None, int]]] = {}
-    holes = [one for one in rows if _has_hole(table.frequency[one].ravel())]
+    holes = [group_rows for group_rows in rows if _has_hole(table.frequency[group_rows].ravel())]
     if holes:
         remarks.append(
             f"{len(holes)} wavevectors of {path.name} are left out, the first in line "
-            f"{table.lines[holes[0][0]]}: a frequency is missing among them, and nothing says of which band"
+            f"{table.lines[holes[0][0]]}: one of their frequencies is missing, and its band is unknown"
         )
     if len(holes) == len(rows):
         raise _refused(
             path, "a missing frequency at every wavevector", "frequencies of bands from the lowest"
         )
-    for one in rows:
-        if _has_hole(table.frequency[one].ravel()):
+    for group_rows in rows:
+        if _has_hole(table.frequency[group_rows].ravel()):
             continue
-        values, loss = _of_wavevector(path, table, one, usual)
-        sets.setdefault(round(float(position[one[0]]), 6), []).append((values, loss, int(one[0])))
-    chosen = {place: _agreed(path, table, found) for place, found in sorted(sets.items())}
+        values, loss = _of_wavevector(path, table, group_rows, usual)
+        sets.setdefault(round(float(position[group_rows[0]]), 6), []).append(
+            (values, loss, int(group_rows[0]))
+        )
+    chosen = {place: _agreed(path, table, candidates) for place, candidates in sorted(sets.items())}
     most = max(len(values) for values, _ in chosen.values())
     if most == 0:
         raise _refused(path, "no finite frequency", "finite frequencies")
@@ -268,23 +268,23 @@ def gathered(
 
 
 def _has_hole(values: Array) -> bool:
-    """True if a frequency is missing and others follow, so that bands cannot be counted from the lowest.
+    """True if a frequency is missing before others, so that bands cannot be counted from the lowest.
 
-    Missing ones at the end of ascending frequencies are those of the highest bands.
+    Missing frequencies at the end of an ascending row belong to the highest bands.
     """
     finite = np.isfinite(values)
-    there = int(finite.sum())
-    if there in (0, len(values)):
+    present = int(finite.sum())
+    if present in (0, len(values)):
         return False
-    # rigid modes at the zone's centre are rounding, in any order
+    # rigid modes at the zone's centre are rounding errors, in any order
     rounding = LEAST_STEP * float(np.nanmax(np.abs(values)))
-    return not (finite[:there].all() and bool((np.diff(values[:there]) >= -rounding).all()))
+    return not (finite[:present].all() and bool((np.diff(values[:present]) >= -rounding).all()))
 
 
 def _of_wavevector(
     path: Path, table: TableOfBands, rows: NDArray[np.int64], usual: int
 ) -> tuple[Array, Array | None]:
-    """(band,) frequencies of one wavevector in order, each once, and their loss factors."""
+    """(band,) frequencies of one wavevector in order, without repetitions, and their loss factors."""
     values = table.frequency[rows].ravel()
     order = np.argsort(values, kind="stable")[: int(np.isfinite(values).sum())]
     wide = table.frequency.shape[1] > 1
@@ -303,9 +303,9 @@ def _of_wavevector(
 
 
 def _refuse_segments(path: Path, table: TableOfBands, group: NDArray[np.int64]) -> None:
-    """Refuse wavevectors that begin anew where every run of them has several frequencies each.
+    """Refuse wavevectors that start again if every run of them has several frequencies per wavevector.
 
-    Such runs may be other bands, or other parts of the path.
+    Such runs may be different bands, or different parts of the path.
     """
     if table.axes != "k":
         return
@@ -321,22 +321,22 @@ def _refuse_segments(path: Path, table: TableOfBands, group: NDArray[np.int64]) 
         run[run > 0].min() * table.frequency.shape[1] > 1 for run in runs
     ):
         values = [np.sort(table.frequency[a:b], axis=None) for a, b in pairwise(starts)]
-        if all(len(one) == len(values[0]) and np.allclose(one, values[0], rtol=SAME_ROWS) for one in values):
+        if all(len(run) == len(values[0]) and np.allclose(run, values[0], rtol=SAME_ROWS) for run in values):
             return
         raise _refused(
             path,
-            f"a wavevector that begins anew in line {table.lines[starts[1]]}, with several frequencies "
+            f"a wavevector that starts again in line {table.lines[starts[1]]}, with several frequencies "
             "in each block",
-            "blocks of one band each, or rows that each have another wavevector",
+            "blocks of one band each, or rows with different wavevectors",
         )
 
 
 def _agreed(
-    path: Path, table: TableOfBands, found: Sequence[tuple[Array, Array | None, int]]
+    path: Path, table: TableOfBands, candidates: Sequence[tuple[Array, Array | None, int]]
 ) -> tuple[Array, Array | None]:
-    """The frequencies of one place, which symmetric wavevectors share."""
-    values, loss, row = max(found, key=lambda one: len(one[0]))
-    for others, _, other in found:
+    """Frequencies at one position of the path, which symmetric wavevectors must share."""
+    values, loss, row = max(candidates, key=lambda candidate: len(candidate[0]))
+    for others, _, other in candidates:
         if not np.allclose(others, values[: len(others)], rtol=SAME_PATH, atol=1.0):
             raise _refused(
                 path,

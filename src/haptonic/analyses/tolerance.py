@@ -1,4 +1,4 @@
-"""How sure the gap is to hold the carrier on plates that are not alike."""
+"""Probability that the gap contains the carrier on plates with manufacturing tolerances."""
 
 from __future__ import annotations
 
@@ -27,21 +27,21 @@ from haptonic.results.tolerance import Tolerance
 from haptonic.study.schema import Description
 
 BATCH = 8  # designs of one task
-DRAWN = 2000  # plates in the result's dataset
-# Of what its mesh is foreseen to take, for a design beside the study's own: 0.58 and 0.68 of the prototype's
-# cell, pillars on one face and on both; 0.64 of a centred one, 0.66 oblique, 0.38 kagome, 0.29 Lieb.
+DRAWN = 2000  # plates in the dataset of the result
+# share of the estimate for a mesh, per design beside the study's own; measured: 0.58 and 0.68 for the
+# prototype's cell with pillars on one face and on both, 0.64 centred, 0.66 oblique, 0.38 kagome, 0.29 Lieb
 SAMPLE = 0.6
 
 
 def check(study: Description, options: NoOptions) -> None:
-    """Raise StudyError without a carrier or spreads, or with too few samples for them."""
+    """Raise StudyError without a carrier, without spreads, or with too few samples for the spreads."""
     need_carrier(study)
     section = study.tolerance_settings
     if not section.of:
         raise StudyError.missing(
             argument="tolerance.of",
             allowed="at least one [[tolerance.of]] table with parameter and spread",
-            cause="the study does not say what differs",
+            cause="the study gives no spread of a parameter",
             next_step='add [[tolerance.of]] with parameter = "cell.pillar.diameter", spread = "20 um"',
         )
     count, needed = section.samples, terms_needed(len(section.of))
@@ -51,16 +51,16 @@ def check(study: Description, options: NoOptions) -> None:
             given=count,
             allowed=f"at least {2 * needed} for {len(section.of)} spreads",
             cause=f"a quadratic in so many parameters has {needed} coefficients",
-            next_step="compute more samples, or leave spreads out that hardly matter",
+            next_step="compute more samples, or leave out spreads of little effect",
         )
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance:
-    """First-order answer from exact slopes, full answer from designs that are computed.
+    """First-order result from exact slopes, full result from computed designs.
 
     Raises
     ------
-    StudyError : as `check`, or a gap that does not hold the carrier as drawn
+    StudyError : as `check`, or a nominal gap that does not contain the carrier
     """
     check(study, options)
     section = study.tolerance_settings
@@ -71,8 +71,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     except HaptonicError as error:
         raise StudyError.out_of_range(
             argument="tolerance.of",
-            given="spreads that lead to bodies that cannot be",
-            allowed=f"spreads of which {REACH:g} times as large ones still make a body",
+            given="spreads that lead to impossible bodies",
+            allowed=f"spreads for which {REACH:g} times their size still gives a body",
             cause=f"{error.argument} would be {error.given}: {error.cause}",
             next_step="give smaller spreads",
         ) from None
@@ -81,13 +81,13 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
         Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap)) for cells in (*batches, [cell])
     ]
     datasets = runner.run(beside_dataset, tasks, 1)
-    *parts, own = (dataset["frequency"].values for dataset in datasets)
-    offset = np.array([gap.lower, gap.upper]) - edges_of(own)[0]
+    *parts, nominal = (dataset["frequency"].values for dataset in datasets)
+    offset = np.array([gap.lower, gap.upper]) - edges_of(nominal)[0]
     frequency = np.concatenate(parts) + offset[:, None]
     slopes = edge_slopes(cell, gap, [spread.parameter for spread in spreads])
     widths = np.array([spread.spread for spread in spreads])
     at_rest = np.array([values_of(cell)[spread.parameter] for spread in spreads])
-    moved = np.array([[values_of(one)[s.parameter] for s in spreads] for one in designs])
+    moved = np.array([[values_of(design)[s.parameter] for s in spreads] for design in designs])
     deviations = (moved - at_rest) / widths
     surface = Surface.fitted(deviations, frequency)
     chances = Chances(
@@ -135,7 +135,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
 
 
 def cost(study: Description, options: NoOptions) -> Cost:
-    """Of the designs that spreads lead to."""
+    """Estimated cost of the designs within the spreads."""
     return gaps(study) + Cost(SAMPLE * QUICK.seconds(study.cell) * study.tolerance_settings.samples)
 
 

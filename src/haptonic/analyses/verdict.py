@@ -1,4 +1,4 @@
-"""A measured response against the plate that a study describes, and the numbers that fit best."""
+"""Comparison of a measured response with the plate of a study, and a fit of the study's numbers to it."""
 
 from __future__ import annotations
 
@@ -32,18 +32,18 @@ from haptonic.updating.shapes import How, can_identify, even
 from haptonic.vibrometry.maps.gap import MeasuredGap
 from haptonic.vibrometry.on_plate import contrast_range
 
-MOST_BESIDE = 0.5  # share of the points that may lie beside the plate
-FITTED = 0.2  # of the time for the plate's response, for every number that is fitted
+MOST_BESIDE = 0.5  # share of the points that may lie outside the plate
+FITTED = 0.2  # time per fitted number, relative to that for the plate's response
 
 
 def response_in(given: str) -> FrequencyResponse:
-    """A response from its file, which a command line takes before the study."""
+    """Read a response from its file; the command takes it before the study."""
     if Path(given).suffix == ENDING:
         raise ResponseError.conflict(
             argument="response",
             given=given,
-            allowed="response.nc that a scan has given, and after it the study",
-            cause="it is a study: the two files are exchanged",
+            allowed="response.nc of a scan, and after it the study",
+            cause="this is a study: the two files are exchanged",
             next_step="haptonic verdict RESPONSE STUDY",
         )
     return read(Path(given))
@@ -51,22 +51,22 @@ def response_in(given: str) -> FrequencyResponse:
 
 @dataclass(frozen=True)
 class VerdictOptions:
-    """What is compared: responses, or in Python also the paths of their files as text."""
+    """Options: the responses to compare; in Python also the paths of their files."""
 
     response: Any = option(
         help="response.nc of a scan.", read=response_in, metavar="RESPONSE", place="before"
     )
     computed: Any = option(
-        None, "The model's response, if it is computed already.", read=response_in, metavar="RESPONSE"
+        None, "The model's response, if it has been computed.", read=response_in, metavar="RESPONSE"
     )
 
 
 def compute(study: Description, options: VerdictOptions, runner: Runner) -> Verdict:
-    """The measurement beside its model, and the numbers of [[fit.vary]] fitted to it.
+    """Compare a measurement with its model, and fit the numbers of [[fit.vary]] to it.
 
     Raises
     ------
-    StudyError : no [plate], or nothing that drives it
+    StudyError : no [plate], or no drive
     ScanError : a measurement that cannot be of this plate, or that no fit explains
     """
     return compared(study, options.response, options.computed, runner)
@@ -75,12 +75,12 @@ def compute(study: Description, options: VerdictOptions, runner: Runner) -> Verd
 def compared(
     study: Description, scan: FrequencyResponse, computed: FrequencyResponse | None, runner: Runner
 ) -> Verdict:
-    """See `compute`.
+    """Compare a response with the plate of a study; see `compute`.
 
     Parameters
     ----------
     scan : response registered to the plate
-    computed : response of this study's plate at lines and points of the scan; else it is computed
+    computed : response of this study's plate at frequencies and points of the scan; None to compute it
     """
     plate, settings = study.mounted_plate(), study.fit_settings
     tolerance, progress = response_settings(study).tolerance, runner.progress
@@ -103,7 +103,7 @@ def compared(
     responses = {MEASURED: scan, BEFORE: computed or whole(plate, BEFORE)}
     fit, recomputed = None, None
     if settings.vary:
-        # drawn evenly by chance: every n-th point of a grid may lie on one line
+        # random points, because every n-th point of a grid may lie on one line
         picked = np.sort(np.random.default_rng(0).permutation(len(scan.points))[: settings.points])
         seen = _measured(plate, scan, picked)
         small = SmallModel.of(
@@ -116,32 +116,36 @@ def compared(
     progress(0, 0, "comparison")
     how: How = "modes" if can_identify() and even(scan.frequency) else "operating shapes"
     return Verdict(
-        plate=plate, responses={name: _alike(one, scan) for name, one in responses.items()},
-        agreements={name: agreement(scan, one, how) for name, one in responses.items() if name != MEASURED},
-        ranges={name: _range(plate, one) for name, one in responses.items()},
+        plate=plate, responses={name: _alike(response, scan) for name, response in responses.items()},
+        agreements={
+            name: agreement(scan, response, how) for name, response in responses.items() if name != MEASURED
+        },
+        ranges={name: _range(plate, response) for name, response in responses.items()},
         fit=fit, recomputed=recomputed, left_out=left_out,
         study=fitted_study(study, fit, scan) if fit else None, inputs=study.inputs(),
     )  # fmt: skip
 
 
 def fitted_study(study: Description, fit: Fit, scan: FrequencyResponse) -> str:
-    """The study file with the numbers of a fit, and where they come from."""
+    """Text of the study file with the numbers of a fit, and their origin as a comment."""
     title, origin = scan.dataset.attrs["title"], scan.dataset.attrs["origin"]
     lines = [f"Numbers fitted to a {origin} response" + (f', "{title}":' if title else ":")]
-    for one in fit.numbers:
-        lines.append(f"{one.name}: {format_quantity(one.value, one.unit)}, 95 % interval: {one.range_text}")
-    made = study.with_fitted({one.name: one.value for one in fit.numbers})
+    for number in fit.numbers:
+        lines.append(
+            f"{number.name}: {format_quantity(number.value, number.unit)}, 95 % interval: {number.range_text}"
+        )
+    updated = study.with_fitted({number.name: number.value for number in fit.numbers})
     head = [f"# {' '.join(line.splitlines())}" for line in lines]
-    return "\n".join([*head, "", made.to_toml()])
+    return "\n".join([*head, "", updated.to_toml()])
 
 
 def _check(plate: Plate, scan: FrequencyResponse) -> None:
     reference, _ = reference_of(plate)
-    unit, own = reference.unit, scan.reference.unit
-    if unit != own:
+    unit, measured = reference.unit, scan.reference.unit
+    if unit != measured:
         raise ScanError.mismatch(
             argument="reference",
-            given=f"a response per {own}" if own else "a response that is not divided by the drive",
+            given=f"a response per {measured}" if measured else "a response that is not divided by the drive",
             allowed=f"a response per {unit}, the unit of the first drive of the study, {reference}",
             cause="the scan refers to another channel than the drive",
             next_step="estimate the response against the drive's voltage or force",
@@ -151,7 +155,7 @@ def _check(plate: Plate, scan: FrequencyResponse) -> None:
             argument="plate.finger",
             given="a finger on the plate",
             allowed="a plate without a finger",
-            cause="the study is that of a touched plate; a laser scans a free one",
+            cause="the study describes a touched plate; a laser scans a free one",
             next_step="remove [plate.finger] for the comparison",
         )
 
@@ -161,36 +165,36 @@ def _check_computed(response: FrequencyResponse) -> None:
         raise ScanError.mismatch(
             argument="computed",
             given="a measured response",
-            allowed="one that a plate's model has given, and which says that it is simulated",
-            cause="it is another scan, or measurement and model are exchanged",
+            allowed="the response of a plate's model, marked as simulated",
+            cause="this is another scan, or measurement and model are exchanged",
             next_step="give the response.nc of haptonic plate, or the study alone",
         )
 
 
 def _on_plate(plate: Plate, scan: FrequencyResponse) -> tuple[FrequencyResponse, int]:
-    """The points that lie on the plate, with the names of their regions; how many do not."""
+    """Points on the plate with the names of their regions, and the number of points outside it."""
     layout, points = plate.layout, scan.points
     names = region_names(layout, points)
-    kept = np.array([k for k, name in enumerate(names) if name is not None], dtype=np.int64)
-    left_out = len(points) - len(kept)
-    if len(kept) < 3 or left_out > MOST_BESIDE * len(points):
+    inside = np.array([k for k, name in enumerate(names) if name is not None], dtype=np.int64)
+    left_out = len(points) - len(inside)
+    if len(inside) < 3 or left_out > MOST_BESIDE * len(points):
         low, high = points.min(axis=0) * 1e3, points.max(axis=0) * 1e3
         raise ScanError.mismatch(
             argument="points",
-            given=f"{left_out} of {len(points)} beside the plate; x from {low[0]:.4g} to "
+            given=f"{left_out} of {len(points)} outside the plate; x from {low[0]:.4g} to "
             f"{high[0]:.4g} mm, y from {low[1]:.4g} to {high[1]:.4g} mm",
             allowed=f"points on the plate, {layout.x[-1] * 1e3:.4g} x {layout.y[-1] * 1e3:.4g} mm from its "
             "lower left corner",
-            cause="the scan is not registered to the plate, or is in another unit of length",
+            cause="the scan is not registered to the plate, or it is in another unit of length",
             next_step="register the scan to the plate first",
         )
-    region = np.array([names[k] for k in kept], dtype=str)
-    inside = scan.dataset.isel(point=kept).assign_coords(region=("point", region))
-    return FrequencyResponse(inside), left_out
+    region = np.array([names[k] for k in inside], dtype=str)
+    on_plate = scan.dataset.isel(point=inside).assign_coords(region=("point", region))
+    return FrequencyResponse(on_plate), left_out
 
 
 def _measured(plate: Plate, scan: FrequencyResponse, picked: Ints) -> MeasuredResponse:
-    """The scan at the points to which numbers are fitted."""
+    """The scan at the points that are used for the fit."""
     coherence = scan.dataset["coherence"].values[:, picked] if "coherence" in scan.dataset else None
     return MeasuredResponse.of(
         scan.frequency, scan.points[picked], normal_of(scan)[:, picked],
@@ -199,13 +203,13 @@ def _measured(plate: Plate, scan: FrequencyResponse, picked: Ints) -> MeasuredRe
 
 
 def _alike(response: FrequencyResponse, scan: FrequencyResponse) -> FrequencyResponse:
-    """Velocity or displacement, as the scan has it."""
+    """The response as velocity or displacement, like the scan."""
     velocity = scan.dataset.attrs["quantity"] == "velocity"
     return response.velocity() if velocity else response.displacement()
 
 
 def _range(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
-    """Where the driven region stands out from the lattices; None if it does not."""
+    """Frequency range in which the driven region exceeds the lattices; None without such a range."""
     try:
         return contrast_range(response, plate)
     except (ScanError, ResponseError):
@@ -213,12 +217,12 @@ def _range(plate: Plate, response: FrequencyResponse) -> MeasuredGap | None:
 
 
 def cost(study: Description, options: VerdictOptions) -> Cost:
-    """See `cost_of`."""
+    """Estimated cost; see `cost_of`."""
     return cost_of(study, computed=options.computed is not None)
 
 
 def cost_of(study: Description, *, computed: bool) -> Cost:
-    """Of the response that is compared, unless it is there already, and of the fits."""
+    """Estimated cost of the model's response, unless it is given, and of the fits."""
     numbers = len(study.fit_settings.vary)
     times = (0.0 if computed else 1.0) + (1.0 + FITTED * numbers if numbers else 0.0)
     return vibration.cost(study, vibration.PlateOptions()).times(times)

@@ -1,4 +1,4 @@
-"""Waveguides that fit between two mirrors."""
+"""Width, length and frequency of waveguides between two mirrors."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from haptonic.results.cost import BASE, Cost
 from haptonic.results.guides import Guides
 from haptonic.study.schema import Description
 
-MOST_LENGTHS = 6  # of waveguides that are compared
-GUIDES = 2.0  # s, of the guides that are compared
+MOST_LENGTHS = 6  # number of compared lengths of waveguides
+GUIDES = 2.0  # s, for the compared waveguides
 
 
 @dataclass(frozen=True)
 class WaveguideOptions:
-    """What may be chosen."""
+    """Options of the waveguide."""
 
     mode: str | None = option(
         None, "Nodal lines across, intervals along; by default the study's.", metavar="MxN"
@@ -43,39 +43,39 @@ class WaveguideOptions:
 
 
 def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideSettings:
-    """What the study asks for, with the mode that was chosen.
+    """Settings of the study, with the mode of the options.
 
     Raises
     ------
-    HaptonicError : no carrier, rows that are none or too dear, ends that no rows close, or a mode that is not
-        written like ``0x17``
+    HaptonicError : no carrier, rows in an impossible or too expensive direction, ends that no rows close, or
+        a mode that is not written like ``0x17``
     """
     need_carrier(study)
     need_rows(study, "waveguide")
-    own = study.waveguide_settings
-    if own.ends == "mirror":
-        closing(Rows(study.cell, own.direction))
+    settings = study.waveguide_settings
+    if settings.ends == "mirror":
+        closing(Rows(study.cell, settings.direction))
     if options.mode is None:
-        return own
+        return settings
     try:
-        return remade(own, mode=options.mode)
+        return remade(settings, mode=options.mode)
     except StudyError:
         raise StudyError.malformed(
             argument="--mode",
             given=shown(options.mode),
             allowed="nodal lines across, an x, and intervals between nodal lines along, such as 0x17",
-            cause="it is not written like that",
-            next_step="write it like 0x17",
+            cause="the text has another form",
+            next_step="write the mode like 0x17",
         ) from None
 
 
 @one_thread()
 def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Guides:
-    """Width, length and frequency of waveguides whose mode lies in the gap that holds the carrier.
+    """Width, length and frequency of waveguides whose mode lies in the gap that contains the carrier.
 
     Raises
     ------
-    StudyError : no carrier, no gap that holds it, or no such waveguide
+    StudyError : no carrier, no gap that contains it, or no such waveguide
     """
     cell, settings, carrier = study.cell, study.bands_settings, need_carrier(study)
     waveguide = chosen_settings(study, options)
@@ -117,7 +117,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
 
 
 def cost(study: Description, options: WaveguideOptions) -> Cost:
-    """Of the guides that are compared."""
+    """Estimated cost of the compared waveguides."""
     on_face, memory = need_rows(study, "waveguide")
     return gaps(study) + Cost(GUIDES * max(1.0, on_face / SQUARE_FACE) ** 2.5, BASE + memory)
 

@@ -1,4 +1,4 @@
-"""The program ``haptonic``: a command for each analysis, and a few about the program itself."""
+"""The program ``haptonic``: a command for each analysis, and a few commands about the program itself."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ app = typer.Typer(
 )
 
 
-# why a write to standard output fails: its disk, or what it is sent to
+# errors of a write to standard output: the disk is full, or the reader is gone
 UNHEARD = errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO
 
 
@@ -34,20 +34,20 @@ def main() -> None:
     leave_out()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")  # a letter that the terminal has not is shown as "?"
+            stream.reconfigure(errors="replace")  # print "?" for letters that the terminal does not have
     try:
         app()
     except OSError as error:
         if error.filename is not None or error.errno not in UNHEARD:
             raise
-        # what is left of the answer would fail again when the process ends
+        # without this, Python would try to write the rest of the answer when the process ends
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         refusal = ResourceError.unwritable(
             argument="standard output",
             given=error.strerror,
             allowed="a terminal, or a file with room for the answer",
-            cause="the disk is full, or what read the answer is gone",
-            next_step="send it elsewhere; files that were asked for are written",
+            cause="the disk is full, or the program that read the answer has ended",
+            next_step="send the answer to another place; the files of the command are written",
         )
         print(refusal, file=sys.stderr)
         raise SystemExit(2) from None

@@ -1,4 +1,4 @@
-"""How commands speak: to people on standard error and in tables, to machines in one JSON object."""
+"""Output of commands: tables and messages for people, one JSON object for machines."""
 
 from __future__ import annotations
 
@@ -31,25 +31,25 @@ from haptonic.results.table import NOTHING, Table
 
 USER_ERROR = 2
 INTERRUPTED = 130
-ROOMY = 6  # columns that fit with room around them into a terminal 80 columns wide
+ROOMY = 6  # columns that fit, with spaces around them, into a terminal 80 columns wide
 
 
 class PlainConsole(Console):
-    """A terminal on which text is text: names and contents of files bring no markup and no control codes."""
+    """A terminal that prints names and contents of files as they are, without markup and control codes."""
 
     def __init__(self, *, stderr: bool = False) -> None:
         super().__init__(stderr=stderr, markup=False, emoji=False)
 
     def render_str(self, text: str, **how: Any) -> Text:
-        """Every text that is printed, cells of tables too, comes by here."""
+        """Make control codes visible; rich calls this for every text, cells of tables too."""
         return super().render_str(visible(text), **how)
 
 
 @dataclass
 class Voice:
-    """One command's two channels.
+    """Standard output and standard error of a command.
 
-    machine : True when ``--json`` was given: then standard output holds one object and nothing else
+    machine : True for ``--json``: standard output then contains one object and nothing else
     """
 
     machine: bool
@@ -58,27 +58,27 @@ class Voice:
     warned: list[str] = field(default_factory=list)
 
     def tell(self, content: object) -> None:
-        """Show something to a person; silent for machines."""
+        """Print something on standard output; silent with ``--json``."""
         if not self.machine:
             self.out.print(content)
 
     def print(self, text: str) -> None:
-        """Give a person text that another program reads, as it is; silent for machines."""
+        """Print text for another program without changing it; silent with ``--json``."""
         if not self.machine:
             sys.stdout.write(text)
 
     def say(self, text: str) -> None:
-        """Tell a person what is going on, beside the answer; silent for machines."""
+        """Print a remark on progress on standard error; silent with ``--json``."""
         if not self.machine:
             self.err.print(Text(text, "dim"), soft_wrap=True)
 
     def answer(self, values: dict[str, Any]) -> None:
-        """Give the machine its object; silent for people."""
+        """Print the JSON object; silent without ``--json``."""
         if self.machine:
             _print_json({**values, "warnings": self.warned})
 
     def refuse(self, error: HaptonicError) -> None:
-        """Print the five parts of an error, with the next step for a command line."""
+        """Print the five parts of an error, with the next step for the command line."""
         error = error.for_command()
         if self.machine:
             _print_json({"error": error.parts(), "warnings": self.warned})
@@ -96,7 +96,7 @@ class Voice:
             self.err.print(row, soft_wrap=True, highlight=False)
 
     def warn(self, text: str) -> None:
-        """Say what is probably wrong, once."""
+        """Print a warning; a repeated one is printed once."""
         if text in self.warned:
             return
         self.warned.append(text)
@@ -104,22 +104,22 @@ class Voice:
         self.err.print(row, soft_wrap=True, highlight=False)
 
     def show(self, content: Table) -> None:
-        """Show a table to a person, silent for machines."""
+        """Print a table; silent with ``--json``."""
         if not self.machine:
             for part in self._parts(content):
                 self.out.print(self._drawn(part))
 
     def height(self, content: Table) -> int:
-        """Lines that a table takes."""
+        """Number of terminal lines that a table needs."""
         return sum(len(self.out.render_lines(self._drawn(part))) for part in self._parts(content))
 
     def _parts(self, content: Table) -> list[Table]:
-        """The table, or several with its first column each where words or numbers would have to be broken."""
+        """Split a table that is too wide for whole words and numbers; each part repeats the first column."""
         folded = [_longest_word(column) for column in zip(*_rows(content), strict=True)]
         groups: list[list[int]] = [[0]]
         for number in range(1, len(folded)):
             tried = [*groups[-1], number]
-            if len(tried) > 2 and sum(folded[one] for one in tried) > self._room(len(tried)):
+            if len(tried) > 2 and sum(folded[column] for column in tried) > self._room(len(tried)):
                 groups.append([0, number])
             else:
                 groups[-1] = tried
@@ -129,14 +129,14 @@ class Voice:
         return [content.of_columns(group, title) for group, title in zip(groups, titles, strict=True)]
 
     def _room(self, count: int) -> int:
-        """Width that so many columns share between them."""
+        """Width in letters for the contents of so many columns."""
         return self.out.width - count * (2 * _padding(count) + 1) - 1
 
     def _drawn(self, content: Table) -> RichTable:
-        """A table for this terminal.
+        """Lay out a table for this terminal.
 
-        In a narrow terminal heads and words are folded first, then numbers are parted from their errors, then
-        words and numbers that are wider than the terminal are broken; nothing is cut off.
+        In a narrow terminal heads and words are folded first, then numbers are separated from their errors,
+        then words and numbers that are wider than the terminal are broken; nothing is cut off.
         """
         padding, room = _padding(len(content.columns)), self._room(len(content.columns))
         rows = _rows(content)
@@ -156,9 +156,9 @@ class Voice:
 
     @contextmanager
     def counted(self, what: str) -> Iterator[Progress]:
-        """A bar with the time left, on standard error; yields the callback that moves it.
+        """Show a progress bar with the time left on standard error; yields the callback that moves it.
 
-        While nothing is planned, only the time that has gone by moves. In a file there is none.
+        Until steps are planned, only the elapsed time changes. If standard error is a file, no bar is shown.
         """
         if not self.err.is_terminal:
             yield silent
@@ -180,7 +180,7 @@ class Voice:
 
 @contextmanager
 def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
-    """Run a command's work: errors in five parts and exit code 2, Ctrl-C with a word on what is kept."""
+    """Run the work of a command: an error ends in five parts and exit code 2, Ctrl-C in the text ``kept``."""
     voice = Voice(machine)
     with warnings.catch_warnings():
         warnings.simplefilter("always", HaptonicWarning)
@@ -212,7 +212,7 @@ def _padding(count: int) -> int:
 
 
 def _rows(content: Table) -> list[tuple[str, ...]]:
-    """The heads, then the texts of each row."""
+    """Heads of the columns, then the texts of each row."""
     return [content.head, *(content.texts or [("none", *[""] * (len(content.columns) - 1))])]
 
 
@@ -221,14 +221,14 @@ def _longest_word(texts: Sequence[str]) -> int:
 
 
 def _fitting(widths: Sequence[int], least: Sequence[int], room: int) -> list[int]:
-    """Widths of columns, the widest of which give way until all fit; none gives more than it can spare."""
-    found = list(widths)
-    while sum(found) > room:
-        spare = [width if width > low else 0 for width, low in zip(found, least, strict=True)]
+    """Widths of columns: the widest are narrowed until all fit, but none below its least width."""
+    fitted = list(widths)
+    while sum(fitted) > room:
+        spare = [width if width > low else 0 for width, low in zip(fitted, least, strict=True)]
         if not any(spare):
             break
-        found[spare.index(max(spare))] -= 1
-    return found
+        fitted[spare.index(max(spare))] -= 1
+    return fitted
 
 
 def _numeric(cells: Sequence[str]) -> bool:

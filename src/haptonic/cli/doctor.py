@@ -1,4 +1,4 @@
-"""Is this machine fit to compute, and does the physics come out right on it?"""
+"""Report on the machine, and a short check of the physics on it."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ from haptonic.store import Store
 from haptonic.superelement import Tiling, condense
 
 PACKAGES = ("numpy", "scipy", "xarray", "h5netcdf", "pydantic", "matplotlib")
-OPTIONAL = {  # of pyproject.toml: extra -> the package that it brings
+OPTIONAL = {  # extra of pyproject.toml -> the package that it installs
     "cad": "netgen-mesher",
     "cholmod": "scikit-sparse",
     "modal": "sdypy-EMA",
     "scheduler": "distributed",
     "tdms": "npTDMS",
 }
-# bands of the template touchpad take 13.3 s of processor time, its plate at one frequency 29 s;
+# processor time for the bands of the template touchpad 13.3 s, for its plate at one frequency 29 s;
 # with Pardiso 8.9 s and 19 s
 FALLBACK = "MKL Pardiso is not in use: bands and plates take about 1.5 times as long"
 TOLERANCE = 1e-4  # relative
 
 
 def examined() -> dict[str, Any]:
-    """What a bug report needs, and ``healthy``: whether the check of the physics came out right."""
+    """Facts for a bug report; ``healthy`` is True if the check of the physics succeeds."""
     start = time.perf_counter()
     error = shear_wave_error()
     memory = psutil.virtual_memory()
@@ -60,12 +60,12 @@ def examined() -> dict[str, Any]:
 
 
 def installed(package: str) -> bool:
-    """Whether a package is there."""
+    """True if a package is installed."""
     return any(True for _ in distributions(name=package))
 
 
 def shear_wave_error() -> float:
-    """Relative error of a shear wave along a plain plate, whose exact frequency is speed / wavelength."""
+    """Relative error of a shear wave along a plain plate; its exact frequency is speed / wavelength."""
     material = IsotropicMaterial(70e9, 0.33, 2700.0, name="check")
     cell = UnitCell(Lattice.square(7e-3), 1.5e-3, material)
     kappa = np.array([0.5 * np.pi, 0.0])

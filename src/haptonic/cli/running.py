@@ -1,4 +1,4 @@
-"""One runner for all analyses: from a record to a command, and from its words to the answer."""
+"""One runner for all analyses: turns the record of an analysis into a command and prints its answer."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from haptonic.store import Store
 from haptonic.study import load
 
 SCREEN = 24  # lines of a terminal
-SENTENCES = 3  # of the answer that are always told
+SENTENCES = 3  # sentences of the answer that are always printed
 Json = Annotated[
     bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
 ]
@@ -41,26 +41,26 @@ SHARED: dict[str, Any] = {
     "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
 }
 DRY_RUN = Annotated[
-    bool, typer.Option("--dry-run", help="Only tell time and memory that it will need, or why it is refused.")
+    bool, typer.Option("--dry-run", help="Only estimate time and memory, or give the reason of a refusal.")
 ]
 BUDGET = Annotated[
     str | None,
     typer.Option(
         "--budget",
         metavar="TIME",
-        help='Of the processor for the meshes of each cell, such as "10 min"; else [bands] budget.',
+        help='Processor time for the meshes of each cell, such as "10 min"; the default is [bands] budget.',
     ),
 ]
-WATCH = Annotated[bool, typer.Option("--watch", help="Draw anew whenever the study is saved, until Ctrl-C.")]
+WATCH = Annotated[bool, typer.Option("--watch", help="Draw again whenever the study is saved, until Ctrl-C.")]
 
 
 def command(analysis: Analysis) -> Callable[..., None]:
-    """The function of an analysis's command, with the parameters that its record declares."""
+    """Build the command function of an analysis, with the parameters that its record declares."""
 
     def run(**given: Any) -> None:
         answered(analysis, given)
 
-    own, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
+    declarations, last = parameters(analysis), inspect.Parameter.KEYWORD_ONLY
     shared = [inspect.Parameter("out", last, default=None, annotation=_folder_option(analysis))]
     shared += [inspect.Parameter(n, last, default=None if n == "tables_as" else False, annotation=kind)
                for n, kind in SHARED.items()]  # fmt: skip
@@ -71,18 +71,18 @@ def command(analysis: Analysis) -> Callable[..., None]:
     if analysis.watches:
         shared.append(inspect.Parameter("watch", last, default=False, annotation=WATCH))
     if analysis.parallel:
-        shared += [made for place, made in declared(Runner) if place == "option"]
-    every = [*own, *shared]
+        shared += [parameter for place, parameter in declared(Runner) if place == "option"]
+    every = [*declarations, *shared]
     run.__name__ = analysis.name.replace(" ", "_")
-    run.__annotations__ = {one.name: one.annotation for one in every}
+    run.__annotations__ = {parameter.name: parameter.annotation for parameter in every}
     run.__signature__ = inspect.Signature(every)  # type: ignore[attr-defined]
     return run
 
 
 def _folder_option(analysis: Analysis) -> Any:
-    placed = [(one.name, found) for one in fields(analysis.options) if (found := option_of(one))]
-    asked = [known.metavar or name.upper() for name, known in placed if known.place == "before"]
-    named = f"named after {' and '.join(asked or ['STUDY'])} and the command"
+    placed = [(field, option) for field in fields(analysis.options) if (option := option_of(field))]
+    arguments = [option.metavar or field.name.upper() for field, option in placed if option.place == "before"]
+    named = f"named after {' and '.join(arguments or ['STUDY'])} and the command"
     return Annotated[
         Path | None,
         typer.Option("--out", metavar="DIR", help=f"Folder for the files; by default in results/, {named}."),
@@ -90,10 +90,10 @@ def _folder_option(analysis: Analysis) -> Any:
 
 
 def parameters(analysis: Analysis) -> list[inspect.Parameter]:
-    """Of the command: what it takes by place, the study among it, then the options of the record."""
+    """Parameters of a command: first its arguments, among them the study, then the options of the record."""
     placed: dict[str, list[inspect.Parameter]] = {"before": [], "behind": [], "option": []}
-    for place, made in declared(analysis.options):
-        placed[place].append(made)
+    for place, parameter in declared(analysis.options):
+        placed[place].append(parameter)
     study: list[inspect.Parameter] = []
     if analysis.study != "none":
         needed = analysis.study == "needed"
@@ -110,32 +110,37 @@ def parameters(analysis: Analysis) -> list[inspect.Parameter]:
 
 
 def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
-    """Of what a class declares as options: where a command line takes it, and its parameter."""
+    """Parameters of the options that a class declares, each with its place on the command line."""
     kinds = get_type_hints(options)
-    for one in fields(options):
-        known = option_of(one)
-        if known is None:
+    for field in fields(options):
+        option = option_of(field)
+        if option is None:
             continue
-        kind = kinds[one.name]
-        if known.unit or known.read:
-            kind = str if one.default is MISSING else str | None
-        metavar = known.metavar or (one.name.upper() if known.place != "option" else None)
-        words: dict[str, Any] = {"help": known.help, "metavar": metavar, "min": known.least}
-        made = (
-            typer.Option(*known.flag.split(), **words) if known.place == "option" else typer.Argument(**words)
+        kind = kinds[field.name]
+        if option.unit or option.read:
+            kind = str if field.default is MISSING else str | None
+        metavar = option.metavar or (field.name.upper() if option.place != "option" else None)
+        words: dict[str, Any] = {"help": option.help, "metavar": metavar, "min": option.least}
+        argument = (
+            typer.Option(*option.flag.split(), **words)
+            if option.place == "option"
+            else typer.Argument(**words)
         )
-        text = known.unit or known.read  # nothing given is told from a text; the record knows its default
-        default = inspect.Parameter.empty if one.default is MISSING else None if text else one.default
+        text = option.unit or option.read  # None means "not given"; the record knows its default
+        default = inspect.Parameter.empty if field.default is MISSING else None if text else field.default
         yield (
-            known.place,
+            option.place,
             inspect.Parameter(
-                one.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, made]
+                field.name,
+                inspect.Parameter.KEYWORD_ONLY,
+                default=default,
+                annotation=Annotated[kind, argument],
             ),
         )
 
 
 def answered(analysis: Analysis, given: dict[str, Any]) -> None:
-    """Answer once; with ``--watch`` again and again, replacing what the first answer wrote."""
+    """Answer once; with ``--watch`` answer after every saving, replacing the files of the answer before."""
     watch, json = given.pop("watch", False), given["json"]
     with speaking(json, analysis.kept) as voice:
         if watch and json:
@@ -143,8 +148,8 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
                 argument="--watch",
                 given="--watch and --json",
                 allowed="one of them",
-                cause="--json prints one object, and a study that is watched has many answers",
-                next_step="leave --watch out, and ask again when the study is saved",
+                cause="--json prints one object, and a watched study has many answers",
+                next_step="leave --watch out, and run the command again when the study is saved",
             )
         once(analysis, given, voice)
         if watch:
@@ -152,7 +157,7 @@ def answered(analysis: Analysis, given: dict[str, Any]) -> None:
 
 
 def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
-    """Load, look whether it can end well, compute, say what was found, write."""
+    """Load the study, check options and folder, compute, print the answer and write the files."""
     rest = dict(given)
     out, (json, tables, form, overwrite) = rest.pop("out"), (rest.pop(name) for name in SHARED)
     if form is not None:
@@ -172,7 +177,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory, **limits})
         return
     about = path_of(options) if analysis.study != "needed" else file
-    assert about is not None, f"{analysis.name} is asked of nothing"
+    assert about is not None, f"{analysis.name} has neither a study nor a file"
     folder = folder_for(analysis, about, out, json)
     refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
     if cost and cost.seconds >= LONG:
@@ -187,7 +192,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
             folder=folder,
         )
         result = analysis.compute(study, options, runner)
-    if form is None:  # the answer first: pictures may take as long again
+    if form is None:  # print the answer before pictures are drawn, which may take as long again
         show(result, voice, every=tables)
     else:
         voice.print("\n".join(table.written(form) for table in result.tables()))
@@ -201,18 +206,18 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         if form is None and folder.is_dir():  # a plan of a lattice has no picture
             voice.tell(f"files: {located.get('report', folder)}")
             if analysis.writes and isinstance(paths := located.get("files"), list):
-                voice.tell(f"written: {', '.join(Path(one).name for one in paths)}")
+                voice.tell(f"written: {', '.join(Path(path).name for path in paths)}")
     if json:
         voice.answer(result.to_json() | located)
 
 
 def show(result: Result, voice: Voice, *, every: bool) -> None:
-    """The answer in sentences, then its tables while they fit a screen.
+    """Print the answer in sentences, then its tables while they fit a screen.
 
-    ``every`` : all of them; else what is beyond is named, so that the answer stays in sight
+    ``every`` : print all; otherwise list the omitted ones, so that the sentences stay on the screen
     """
-    said = result.summary()
-    for sentence in said if every else said[:SENTENCES]:
+    sentences = result.summary()
+    for sentence in sentences if every else sentences[:SENTENCES]:
         voice.tell(sentence)
     room, left = SCREEN, list[Table]()
     for table in () if voice.machine else result.tables():
@@ -221,15 +226,15 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
             voice.show(table)
         else:
             left.append(table)
-    beyond = 0 if every else len(said) - SENTENCES
-    kept = [f"{beyond} sentence{'s' * (beyond > 1)}"] if beyond > 0 else []
-    kept += [f"{table.title} ({len(table.rows)})" for table in left]
-    if kept:
-        voice.tell(f"more with --tables: {', '.join(kept)}")
+    beyond = 0 if every else len(sentences) - SENTENCES
+    omitted = [f"{beyond} sentence{'s' * (beyond > 1)}"] if beyond > 0 else []
+    omitted += [f"{table.title} ({len(table.rows)})" for table in left]
+    if omitted:
+        voice.tell(f"more with --tables: {', '.join(omitted)}")
 
 
 def folder_for(analysis: Analysis, about: Path, out: Path | None, json: bool) -> Path | None:
-    """Where a command's files go; nowhere if a machine asks and names no folder."""
+    """Folder for the files of a command; None with ``--json`` and without a given folder."""
     if out is None and json and not analysis.writes:
         return None
     return target(Path("results") / analysis.folder_of(about) if out is None else out)

@@ -1,4 +1,4 @@
-"""A command that runs again whenever its file is saved."""
+"""Run a command again whenever its file is saved."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from pathlib import Path
 from haptonic.cli.console import Voice
 from haptonic.errors import HaptonicError
 
-PAUSE = 0.3  # s between two looks at the file; nobody saves twice in it
+PAUSE = 0.3  # s between two checks of the file; shorter than two savings by hand
 
 
 def watched(file: Path, voice: Voice, again: Callable[[], None]) -> None:
-    """Call ``again`` after every saving of a file, until Ctrl-C.
+    """Call ``again`` whenever a file is saved, until Ctrl-C.
 
-    What is wrong with the file is told, and the next saving waited for; it may not be there while an editor
-    replaces it.
+    An error in the file is printed, and the next saving is awaited. The file may be missing for a moment
+    while an editor replaces it.
     """
     with suppress(KeyboardInterrupt):
         seen = _saved(file)
-        voice.say(f"{file} is watched: save it to draw anew, Ctrl-C ends")
+        voice.say(f"{file} is watched: save it to draw again, press Ctrl-C to end")
         while True:
             time.sleep(PAUSE)
             now = _saved(file)
@@ -34,9 +34,9 @@ def watched(file: Path, voice: Voice, again: Callable[[], None]) -> None:
 
 
 def _saved(file: Path) -> tuple[int, int, int] | None:
-    """What differs after a saving; None where there is no file."""
+    """Time, size and inode of a file, which change when it is saved; None without a file."""
     try:
-        found = file.stat()
+        status = file.stat()
     except OSError:
         return None
-    return found.st_mtime_ns, found.st_size, found.st_ino
+    return status.st_mtime_ns, status.st_size, status.st_ino

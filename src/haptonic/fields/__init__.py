@@ -1,4 +1,4 @@
-"""Fields declared once, with title, unit, bounds, usual range, help: for checks, files and labels."""
+"""Declared fields: title, unit, bounds, usual range and help of a value, for checks, files and labels."""
 
 from haptonic.fields.aliases import Aliases, absent, meant
 from haptonic.fields.described import described, extended, needed, remade, setting, unchecked

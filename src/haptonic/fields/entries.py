@@ -1,4 +1,4 @@
-"""A table of the study file whose keys the user chooses: letters of a map, names of regions."""
+"""Tables of the study file with keys of the user: letters of a map, names of regions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ V = TypeVar("V")
 
 
 class Entries(Mapping[str, V]):
-    """An immutable mapping in the order given, so that a study can be compared, hashed and sent elsewhere."""
+    """An immutable mapping that keeps the given order; it can be compared, hashed and pickled."""
 
     __slots__ = ("_pairs",)
 
@@ -41,7 +41,7 @@ class Entries(Mapping[str, V]):
     def __get_pydantic_core_schema__(
         cls, source: Any, handler: GetCoreSchemaHandler
     ) -> core_schema.CoreSchema:
-        """A mapping of texts to whatever ``Entries[...]`` names."""
+        """Schema of a mapping from texts to the type in ``Entries[...]``."""
         (value,) = get_args(source)
         return core_schema.no_info_after_validator_function(
             cls,

@@ -1,8 +1,7 @@
-"""The JSON schema of a file, for editors: what the declarations say, in the words of draft 7.
+"""JSON schema (draft 7) of a file, for editors, from the declarations.
 
-It knows the keys, words, bounds of plain numbers and which keys have to be there. Whether a text is a
-quantity of the right kind and within its bounds, and whether values fit together, is told by
-`haptonic.fields.reading`.
+It contains keys, choices, bounds of plain numbers and required keys. It does not check the unit and bounds of
+quantities, nor conditions between values; `haptonic.fields.reading` does.
 """
 
 from __future__ import annotations
@@ -16,46 +15,46 @@ from haptonic.fields.keys import Key, Slot, metadata_of, slots, table
 from haptonic.fields.quantity import Quantity
 
 DRAFT = "http://json-schema.org/draft-07/schema#"
-WITH_UNIT = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[A-Za-zµ\u03bc]"  # `haptonic.units` says more
-ZERO = [{"enum": [0]}, {"type": "string", "pattern": r"^\s*[+-]?[0.]+\s*$"}]  # which needs no unit
+WITH_UNIT = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[A-Za-zµ\u03bc]"  # `haptonic.units` is stricter
+ZERO = [{"enum": [0]}, {"type": "string", "pattern": r"^\s*[+-]?[0.]+\s*$"}]  # zero needs no unit
 
 Schema = dict[str, Any]
 
 
 def json_schema(kind: type, title: str) -> Schema:
-    """Of the file that a described class is read from."""
+    """Schema of the file that describes a class."""
     return {"$schema": DRAFT, "title": title, **_table(kind, "", table(kind))}
 
 
 def _table(kind: type, prefix: str, keys: dict[str, Key]) -> Schema:
-    """Of the keys of a described class below ``prefix``, those at the top of a file left to the top."""
+    """Schema of the keys of a described class below ``prefix``, without those at the top of the file."""
     properties, required = dict[str, Schema](), list[str]()
-    for slot, path in _standing_here(kind, prefix):
+    for slot, path in _own_keys(kind, prefix):
         properties[slot.key] = _slot(slot, path, keys)
         if slot.field.is_required():
             required.append(slot.key)
-    told: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
-    return told | ({"required": list(dict.fromkeys(required))} if required else {})
+    schema: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
+    return schema | ({"required": list(dict.fromkeys(required))} if required else {})
 
 
-def _standing_here(kind: type, prefix: str) -> Iterator[tuple[Slot, str]]:
-    """The fields whose keys stand in this very table, and their paths."""
+def _own_keys(kind: type, prefix: str) -> Iterator[tuple[Slot, str]]:
+    """Fields whose keys are in this table itself, and their paths."""
     for slot in slots(kind):
         if slot.placed.inline:
             for below in slot.kinds:
-                yield from _standing_here(below, prefix)
+                yield from _own_keys(below, prefix)
         elif not slot.placed.top:
             yield slot, slot.path(prefix)
         if not prefix:
-            yield from ((one, one.key) for below in slot.kinds for one in _from_inside(below))
+            yield from ((inner, inner.key) for below in slot.kinds for inner in _at_top(below))
 
 
-def _from_inside(kind: type) -> Iterator[Slot]:
-    """Fields of a class and of those in it that stand at the top of the file."""
+def _at_top(kind: type) -> Iterator[Slot]:
+    """Fields of a class, and of those in it, whose keys are at the top of the file."""
     for slot in slots(kind):
         if slot.placed.top:
             yield slot
-        yield from (one for below in slot.kinds for one in _from_inside(below))
+        yield from (inner for below in slot.kinds for inner in _at_top(below))
 
 
 def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
@@ -72,13 +71,13 @@ def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
                 about | {"type": "array", "items": _table(below, f"{path}[].", keys)} | _limits(slot, "Items")
             )
         case "quantities":
-            each = [_quantity(one) for one in slot.quantities]
+            each = [_quantity(quantity) for quantity in slot.quantities]
             return about | {"type": "array", "items": each, "minItems": len(each), "maxItems": len(each)}
         case "entries":
             (value,) = get_args(slot.field.annotation)
             quantity = slot.quantities[0] if slot.quantities else None
             inner: Schema = _quantity(quantity) if quantity else {} if value is float else {"type": "string"}
-            # a path without quotes is TOML's own tables
+            # TOML reads a path without quotes as nested tables
             return about | {"type": "object", "additionalProperties": inner if value is not float else True}
     return about | _plain(slot, key) | ({"default": _default(key)} if key.default else {})
 
@@ -90,10 +89,10 @@ def _tabled(slot: Slot, key: Key, keys: dict[str, Key]) -> Schema:
 
 
 def _plain(slot: Slot, key: Key) -> Schema:
-    """Of a value that is no table and no list."""
+    """Schema of a value that is neither a table nor a list."""
     if key.choices:
         return {"enum": list(key.choices)}
-    if key.named:  # capitals and blanks do not matter in these names, which an editor cannot know
+    if key.named:  # the case of letters and blanks are ignored in these names, which an editor cannot express
         return {"anyOf": [{"enum": list(key.known_names)}, {"type": "string"}]}
     if key.quantity:
         return _quantity(key.quantity)
@@ -106,7 +105,7 @@ def _plain(slot: Slot, key: Key) -> Schema:
 
 
 def _quantity(quantity: Quantity) -> Schema:
-    """A text with its unit; without a dimension, a plain number within its bounds."""
+    """Schema of a text with its unit; without a dimension, of a plain number within its bounds."""
     if quantity.unit:
         given = {"type": "string", "pattern": WITH_UNIT, "examples": [quantity.example.strip('"')]}
         return {"anyOf": [given, *ZERO]} if quantity.holds(0.0) else given
@@ -121,15 +120,15 @@ def _quantity(quantity: Quantity) -> Schema:
 
 
 def _limits(slot: Slot, of: str) -> Schema:
-    """Least and most of whole numbers, texts and lists."""
-    told: Schema = {}
-    for one in metadata_of(slot.field):
-        match one:
+    """Bounds of integers, texts and lists."""
+    limits: Schema = {}
+    for mark in metadata_of(slot.field):
+        match mark:
             case annotated_types.Ge(ge=low) | annotated_types.MinLen(min_length=low):
-                told[f"min{of}"] = low
+                limits[f"min{of}"] = low
             case annotated_types.Le(le=high) | annotated_types.MaxLen(max_length=high):
-                told[f"max{of}"] = high
-    return told
+                limits[f"max{of}"] = high
+    return limits
 
 
 def _described(key: Key) -> str:
@@ -138,7 +137,7 @@ def _described(key: Key) -> str:
 
 
 def _default(key: Key) -> Any:
-    """As a file would give it."""
+    """The default as in a file."""
     if key.kind == "boolean":
         return key.default_text == "true"
     plain = {"integer": int, "number": float}

@@ -1,4 +1,4 @@
-"""Every key of the study file as a flat table, read from the schema and from nothing else."""
+"""Flat table of all keys of the study file, read from the declarations."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Key:
-    """One key of the study file.
+    """A key of the study file.
 
     path : dotted, such as ``cell.pillar.diameter``; ``sweep[].from`` for a key of every ``[[sweep]]``
     kind : "quantity", "number", "integer", "boolean", "text", "choice", "table" or "tables"; "quantities" for
-        a list of them; "entries" for a table whose keys the user chooses
-    unit : SI unit, of each where there are several; empty without one
-    default : as it would be written; None for a key that has to be given, "" for one that may be absent
-    bounds, typical : in words; empty without any
-    choices : the allowed words of a choice; named : of a value that a name can stand for, such as a material
-    quantity : the declaration itself, for a quantity or number; the first one's of a list
-    count : how many there are in a list
+        a list of quantities; "entries" for a table with keys of the user
+    unit : SI unit, of each quantity of a list; empty without one
+    default : as in a file; None for a required key, "" for one that may be absent
+    bounds, typical : as texts; empty without any
+    choices : allowed words of a choice; named : for a value that may be given by name, such as a material
+    quantity : the declaration, for a quantity or number; that of the first number of a list
+    count : length of a list
     numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
-    example : a text that may be given, where one is declared; of several quantities, as a file has the list
+    example : declared example, if any; for several quantities the whole list as in a file
     """
 
     path: str
@@ -58,7 +58,7 @@ class Key:
 
     @property
     def default_text(self) -> str:
-        """The default as a file would give it, without quotes; empty for what is absent by default."""
+        """The default as in a file, without quotes; empty for a key that is absent by default."""
         return (
             format_quantity(float(self.default), self.unit)
             if self.default and self.unit
@@ -67,30 +67,30 @@ class Key:
 
     @property
     def known_names(self) -> tuple[str, ...]:
-        """The words or names that are known here."""
+        """Allowed words of a choice, or known names."""
         return self.choices or (tuple(self.named.known()) if self.named else ())
 
     @property
     def label(self) -> str:
-        """For an axis or a column: ``Pitch (m)``."""
+        """Label of an axis or a column: ``Pitch (m)``."""
         return f"{self.title} ({self.unit})" if self.unit else self.title
 
 
 @cache
 def table(kind: type, prefix: str = "") -> dict[str, Key]:
-    """Every key of a described value and of the tables in it, by path and in the order of declaration; those
-    at the top of a file before the table whose value they belong to."""
+    """All keys of a described value and of the tables in it, by path and in the order of declaration; keys at
+    the top of a file come before the table of their value."""
     keys: dict[str, Key] = {}
     for slot in slots(kind):
         path = slot.path(prefix)
         key = _key(path, slot.field)
-        if slot.name == "parameter" and (known := getattr(kind, "known", None)):
-            key = replace(key, numbers=tuple(known()))
-        own = {} if slot.placed.inline else {path: key}
+        if slot.name == "parameter" and (parameters := getattr(kind, "known", None)):
+            key = replace(key, numbers=tuple(parameters()))
+        in_table = {} if slot.placed.inline else {path: key}
         for below in slot.kinds:
-            own |= table(below, f"{path}[]." if key.kind == "tables" else slot.below(prefix))
-        outside = {name: one for name, one in own.items() if prefix and not name.startswith(prefix)}
-        keys |= {name: one for name, one in own.items() if name not in outside}
+            in_table |= table(below, f"{path}[]." if key.kind == "tables" else slot.below(prefix))
+        outside = {name: each for name, each in in_table.items() if prefix and not name.startswith(prefix)}
+        keys |= {name: each for name, each in in_table.items() if name not in outside}
         keys = outside | keys
     return keys
 
@@ -99,9 +99,9 @@ def table(kind: type, prefix: str = "") -> dict[str, Key]:
 class Slot:
     """A field of a described value.
 
-    name : of the attribute; key : in a file
-    quantities : the declarations of its numbers, several for a list
-    kinds : the described values that it can hold
+    name : of the attribute; key : its name in a file
+    quantities : declarations of its numbers, several for a list
+    kinds : described classes of its possible values
     """
 
     name: str
@@ -113,21 +113,21 @@ class Slot:
     kinds: tuple[type, ...]
 
     def path(self, prefix: str) -> str:
-        """Of the field in a file, below a table of that path with a dot after it."""
+        """Path of the field in a file; ``prefix`` is the path of its table with a dot."""
         if self.placed.inline:
             return prefix.removesuffix(".")
         return self.key if self.placed.top else f"{prefix}{self.key}"
 
     def below(self, prefix: str) -> str:
-        """What stands before the keys of the value in the field."""
+        """Prefix of the keys of the value in the field."""
         return prefix if self.placed.inline else f"{self.path(prefix)}."
 
     def name_of(self, value: object) -> str | None:
-        """The name that stands for the field's value in a file, if there is one."""
+        """Name that a file gives in place of the field's value; None without one."""
         return self.named.name_of(value) if self.named and value is not None else None
 
     def declared(self, model: Any, value: object) -> Quantity | None:
-        """The declaration of a number that is the field's value; another key of the table may decide it."""
+        """Declaration of a number in the field; its unit may depend on another key of the table."""
         declared = None if isinstance(value, str) else next(iter(self.quantities), None)
         if declared is None and isinstance(value, float) and hasattr(model, "unit"):
             declared = Quantity(model.unit)
@@ -135,18 +135,18 @@ class Slot:
 
 
 def slots(kind: Any) -> tuple[Slot, ...]:
-    """The fields of a described class in the order of declaration."""
+    """Fields of a described class in the order of declaration."""
     return _slots(kind)
 
 
 @cache
 def _slots(kind: type) -> tuple[Slot, ...]:
-    made = []
+    slots_of_kind = []
     for name, field in fields_of(kind).items():
-        placed = next((one for one in field.metadata if isinstance(one, Placed)), Placed())
+        placed = next((mark for mark in field.metadata if isinstance(mark, Placed)), Placed())
         named = _named(field)
         kinds = tuple(_kinds(named.table if named else field.annotation))
-        made.append(
+        slots_of_kind.append(
             Slot(
                 name=name,
                 key=field.alias or name,
@@ -157,16 +157,16 @@ def _slots(kind: type) -> tuple[Slot, ...]:
                 kinds=kinds,
             )
         )
-    return tuple(made)
+    return tuple(slots_of_kind)
 
 
 def is_described(value: object) -> bool:
-    """Whether a value, or a class, declares its fields."""
+    """True if a value, or a class, declares its fields."""
     return hasattr(value, "__pydantic_fields__")
 
 
 def fields_of(kind: Any) -> dict[str, FieldInfo]:
-    """The declared fields of a class, by name."""
+    """Declared fields of a class, by name."""
     declared: dict[str, FieldInfo] = kind.__pydantic_fields__
     return declared
 
@@ -174,11 +174,11 @@ def fields_of(kind: Any) -> dict[str, FieldInfo]:
 def leaves(
     model: Any, prefix: str = "", *, names: bool = True, without: Container[int] = frozenset()
 ) -> Iterator[tuple[str, Any, Quantity | None]]:
-    """(path, value, declaration) of every key that has a value, tables inside tables included.
+    """(path, value, declaration) of every key with a value, including keys of nested tables.
 
     Parameters
     ----------
-    names : whether a value that a file may give by its name is that name, not the numbers behind it
+    names : True to replace a value that has a name in a file by this name, False for its numbers
     without : identities (`id`) of described values that are left out
     """
     for slot in slots(type(model)):
@@ -205,12 +205,12 @@ def leaves(
 
 
 def pattern_of(path: str) -> str:
-    """The path of the key that stands for a path: tables of one name count in it no more."""
+    """Path with "[]" in place of the numbers of tables."""
     return re.sub(r"\[\d+\]", "[]", path)
 
 
 class ByPattern(Mapping[str, T]):
-    """Values by the path of a key, ``sweep[].from``, found by those of its numbers, ``sweep[2].from``."""
+    """Mapping by the pattern of a key, ``sweep[].from``; paths with numbers are found too."""
 
     def __init__(self, by_key: Mapping[str, T]) -> None:
         self._by_key = dict(by_key)
@@ -226,7 +226,7 @@ class ByPattern(Mapping[str, T]):
 
 
 def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:
-    """The key that a path of `leaves`, or one that an error names, belongs to."""
+    """Key of a path from `leaves`, or of a path in an error."""
     pattern = whole = pattern_of(path)
     while pattern and pattern not in keys:
         pattern = pattern.removesuffix("[]") if pattern.endswith("[]") else pattern.rpartition(".")[0]
@@ -235,7 +235,7 @@ def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:
 
 
 def unit_of(model: object, field: FieldInfo, entry: str) -> Quantity | None:
-    """The declaration of one number of a table with keys of the user's own."""
+    """Declaration of a number in a table with keys of the user."""
     declared = quantity_of(field)
     return Quantity(model.units[entry]) if declared is None and hasattr(model, "units") else declared
 
@@ -245,7 +245,7 @@ def _key(path: str, field: FieldInfo) -> Key:
     count = len(quantities_of(field)) if kind == "quantities" else 1
     bounds, typical = (quantity.limits, quantity.usual) if quantity else (_plain_bounds(field), "")
     if count > 1:
-        bounds, typical = f"{count} of them, {bounds}", ""
+        bounds, typical = f"{count} values, {bounds}", ""
     return Key(
         path=path,
         title=field.title or path.rpartition(".")[2].replace("_", " ").capitalize(),
@@ -292,22 +292,22 @@ def _default(field: FieldInfo, quantity: Quantity | None) -> str | None:
 
 
 def quantity_of(field: FieldInfo) -> Quantity | None:
-    """The declaration of a field, also of one that may be absent; of a list, the first one's."""
+    """Declaration of a field; of a list, that of the first number."""
     return next(iter(quantities_of(field)), None)
 
 
 def quantities_of(field: FieldInfo) -> tuple[Quantity, ...]:
-    """The declarations of a field: several for a list, each of whose numbers has its own."""
+    """Declarations of a field: for a list one for each of its numbers."""
     return tuple(item for item in metadata_of(field) if isinstance(item, Quantity))
 
 
 def _named(field: FieldInfo) -> Named | None:
-    """The mark of a field whose value a name can stand for, also where the field may be absent."""
+    """Mark of a field whose value may be given by name."""
     return next((item for item in metadata_of(field) if isinstance(item, Named)), None)
 
 
 def metadata_of(field: FieldInfo) -> tuple[Any, ...]:
-    """The marks of a field and of what its annotation wraps: quantities, bounds, lengths."""
+    """Marks of a field and of its nested annotations: quantities, bounds, lengths."""
     return (*field.metadata, *_metadata(field.annotation))
 
 
@@ -322,14 +322,14 @@ def _metadata(annotation: Any) -> Iterator[Any]:
 
 
 def _parts(annotation: Any) -> tuple[Any, ...]:
-    """The alternatives of a union without None; of anything else, itself."""
+    """Alternatives of a union without None; otherwise the annotation itself."""
     if get_origin(annotation) in (Union, UnionType):
         return tuple(part for part in get_args(annotation) if part is not NoneType)
     return (annotation,)
 
 
 def _kinds(annotation: Any) -> Iterator[type]:
-    """The described values that an annotation can hold, however deep it wraps them."""
+    """Described classes in an annotation, at any depth."""
     if isinstance(annotation, type) and is_described(annotation):
         yield annotation
     elif get_origin(annotation) is not Literal:
@@ -343,11 +343,11 @@ def _choices(annotation: Any) -> tuple[str, ...]:
 
 
 def _plain_bounds(field: FieldInfo) -> str:
-    found = metadata_of(field)
-    lowest = [f"at least {item.ge}" for item in found if isinstance(item, annotated_types.Ge)]
-    highest = [f"at most {item.le}" for item in found if isinstance(item, annotated_types.Le)]
-    counted = "of them" if _kind(field) == "tables" else "characters"
+    marks = metadata_of(field)
+    lowest = [f"at least {item.ge}" for item in marks if isinstance(item, annotated_types.Ge)]
+    highest = [f"at most {item.le}" for item in marks if isinstance(item, annotated_types.Le)]
+    counted = "entries" if _kind(field) == "tables" else "characters"
     longest = [
-        f"at most {item.max_length} {counted}" for item in found if isinstance(item, annotated_types.MaxLen)
+        f"at most {item.max_length} {counted}" for item in marks if isinstance(item, annotated_types.MaxLen)
     ]
     return " and ".join([*lowest, *highest, *longest])

@@ -1,4 +1,4 @@
-"""Numbers of a described value by their paths in a study file: named, read and changed in one place.
+"""Numbers of a described value by their paths in a study file: names, reading and changing.
 
 ``cell.pillar.diameter`` is a path; tables of one name count from 1, ``plate.actuator[1].bond.thickness``.
 """
@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 
 def numbers(value: object, prefix: str = "", *, names: bool = False) -> dict[str, float]:
-    """Every declared number that a value holds, in SI units, by path.
+    """Declared numbers of a value, in SI units, by path.
 
     Parameters
     ----------
@@ -29,49 +29,49 @@ def numbers(value: object, prefix: str = "", *, names: bool = False) -> dict[str
 
 
 def with_numbers(value: T, changes: Mapping[str, float], prefix: str = "", checked: bool = True) -> T:
-    """The value with some of its `numbers` changed, all at once.
+    """A copy of the value with some of its `numbers` changed at the same time.
 
-    Only the values on the way to these numbers are made anew, and check themselves if ``checked``.
+    Only the values that contain these numbers are made again; they are checked if ``checked``.
 
     Raises
     ------
-    HaptonicError : a number out of its bounds, or numbers that do not fit together; of the value's own family
-    StudyError : a name that no number of the value has
+    HaptonicError : a number out of its bounds, or contradicting numbers; of the class of the value's errors
+    StudyError : an unknown name
     """
     left = dict(changes)
-    made: T = _changed(value, left, prefix, remade if checked else unchecked)
+    result: T = _changed(value, left, prefix, remade if checked else unchecked)
     for name in left:
         raise unknown_number(name, numbers(value, prefix))
-    return made
+    return result
 
 
 def unknown_number(
     name: object, known: Mapping[str, object], absent: Mapping[str, str] = MappingProxyType({}), at: str = ""
 ) -> StudyError:
-    """A name that stands for none of the numbers that are known.
+    """Error for a name that is not one of the known numbers.
 
     Parameters
     ----------
-    absent : names that exist elsewhere, and why not here
-    at : the key that gives the name; by default it is an argument itself
+    absent : names that exist elsewhere, with the reason why they are absent here
+    at : key that gives the name; by default the name is an argument
     """
     from_zero = "[0]" in str(name)
     usual = "numbers in brackets count from 1" if from_zero else "no numeric parameter has this name"
     cause = absent.get(str(name), usual)
-    slip, next_step = str(name) not in absent and not from_zero, "name one of the list"
-    written = [path.replace("[]", "[1]") for path in known]
-    return StudyError.unknown(at or "name of a number", name, written, cause, slip=slip, next_step=next_step)
+    slip, next_step = str(name) not in absent and not from_zero, "choose a name of the list"
+    listed = [path.replace("[]", "[1]") for path in known]
+    return StudyError.unknown(at or "name of a number", name, listed, cause, slip=slip, next_step=next_step)
 
 
 def _changed(value: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:
-    """The value with what ``changes`` holds of it, which is taken out of there."""
-    made = {}
+    """The value with its numbers in ``changes``, which are removed from there."""
+    fields = {}
     for slot in slots(type(value)):
         old = getattr(value, slot.name)
         new = _in_slot(slot, old, changes, prefix, make)
         if new is not old:
-            made[slot.name] = new
-    return make(value, **made) if made else value
+            fields[slot.name] = new
+    return make(value, **fields) if fields else value
 
 
 def _in_slot(slot: Slot, old: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:

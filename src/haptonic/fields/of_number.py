@@ -1,4 +1,4 @@
-"""Values about one number of a study, whose other numbers are in the unit of that number."""
+"""Tables on one number of a study, whose own numbers have the unit of that number."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from haptonic.units import format_quantity
 
 @described("")
 class OfNumber:
-    """A table about one number of the study; a subclass says by `unit_of` and `known` about which."""
+    """A table on one number of the study; a subclass defines `unit_of` and `known`."""
 
-    parameter: str = needed("By its name in this file; tables of one name count from 1.", strict=True)
+    parameter: str = needed("Name of a number in this file; tables of one name count from 1.", strict=True)
 
     @classmethod
     def unit_of(cls, path: str) -> str | None:
-        """SI unit of a number that the table can be about; None of any other."""
+        """SI unit of a number that the table allows; None for other names."""
         raise NotImplementedError
 
     @classmethod
     def known(cls) -> Sequence[str]:
-        """Paths of such numbers."""
+        """Paths of the allowed numbers."""
         raise NotImplementedError
 
     @field_validator("parameter")
@@ -39,13 +39,13 @@ class OfNumber:
     @field_validator("low", "high", "spread", mode="plain", check_fields=False)
     @classmethod
     def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
-        if "parameter" not in info.data:  # refused already; without it the unit is not known
+        if "parameter" not in info.data:  # already refused; the unit is then unknown
             return 0.0
         return number_of(value, cls.unit_of(info.data["parameter"]) or "", info.context)
 
     @property
     def unit(self) -> str:
-        """SI unit of the number; empty when it is dimensionless."""
+        """SI unit of the number; empty for a dimensionless number."""
         return self.unit_of(self.parameter) or ""
 
 
@@ -54,10 +54,10 @@ class NumberRange(OfNumber):
     """A number that may change between two bounds, SI."""
 
     low: float = Field(
-        alias="from", title="Lowest value", description="With its unit, if it has one.", examples=["2 mm"]
+        alias="from", title="Lowest value", description="Lowest value, with its unit.", examples=["2 mm"]
     )
     high: float = Field(
-        alias="to", title="Highest value", description="With its unit, if it has one.", examples=["5 mm"]
+        alias="to", title="Highest value", description="Highest value, with its unit.", examples=["5 mm"]
     )
 
     def __post_init__(self) -> None:
@@ -73,8 +73,8 @@ class NumberRange(OfNumber):
 
 
 def once(parameters: Sequence[OfNumber], at: str) -> None:
-    """Refuse a number that two tables of one name are about; ``at`` is that name."""
-    names = [one.parameter for one in parameters]
+    """Refuse a number that occurs in two tables of one name; ``at`` is that name."""
+    names = [table.parameter for table in parameters]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise problem(

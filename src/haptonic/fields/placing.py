@@ -1,4 +1,4 @@
-"""Marks in the annotation of a field: where the keys of its value stand in a file, and what else may."""
+"""Marks in the annotation of a field: the place of its keys in a file, and values given by name."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from haptonic.fields.quantity import collected
 
 @dataclass(frozen=True)
 class Placed:
-    """Of a described value whose keys stand in no table of its own.
+    """Place of the keys of a described value that has no table of its own.
 
-    inline : its keys stand among those of the table that holds it
-    top : they stand at the top of the file, whatever holds the value
+    inline : its keys are in the table that contains it
+    top : its keys are at the top of the file
     """
 
     inline: bool = False
@@ -29,13 +29,13 @@ INLINE, TOP = Placed(inline=True), Placed(top=True)
 
 @dataclass(frozen=True)
 class Named:
-    """Of a value that a file gives by a table or by a name, such as that of a built-in one.
+    """A value that a file gives by a table or by a name, such as that of a built-in material.
 
-    find : the value of a name; raises an error with five parts
-    name_of : the name of a value; None if it has none
-    known : all of these names, as they are told; `find` may take others, such as capitals
-    table : the class that a table is read as; None where a file gives names only
-    others : further classes, which only Python and names can give
+    find : returns the value of a name; raises an error with five parts
+    name_of : returns the name of a value; None without a name
+    known : returns all names for lists; `find` may accept others, such as capitals
+    table : class of the table; None if a file gives names only
+    others : further classes, for values from Python and from names
     """
 
     find: Callable[[str], Any]

@@ -1,4 +1,4 @@
-"""From pydantic's list of errors to errors with five parts."""
+"""Conversion of pydantic's errors to errors with five parts."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from haptonic.errors import HaptonicError, StudyError, nearest, shown
 from haptonic.fields.aliases import Alias, aliases
 from haptonic.fields.keys import Key, key_of, slots, table
 
-TAG = "<"  # begins the tags of a union, which pydantic puts into the path
-MISPLACED = "\0"  # begins a key that stands in a table and belongs to the top; no file has a NUL
+TAG = "<"  # beginning of the tags of a union, which pydantic puts into the path
+MISPLACED = "\0"  # prefix of a key that is in a table but belongs to the top; no file contains a NUL
 PARTS = ("given", "allowed", "cause", "next_step")
 UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names for an undeclared key
 OUT_OF_RANGE = {"greater_than_equal", "less_than_equal", "greater_than", "less_than"}
@@ -34,25 +34,25 @@ def refusal(
     Parameters
     ----------
     kind : class of the value
-    origin : name of the file that it was read from; put before the path of the key
-    place : path of the value itself in a study
-    family : kind of the error
-    names : fields that arguments without a keyword stand for, in order
+    origin : name of the file; put before the path of the key
+    place : path of the value in a study
+    family : class of the error
+    names : fields of positional arguments, in order
     """
     keys = table(kind, f"{place}." if place else "")
     known_aliases = aliases(kind, f"{place}." if place else "")
     details: list[Any] = [dict(each) for each in error.errors(include_url=False)]
     for each in details:
-        if each["loc"] and isinstance(each["loc"][0], int):  # an argument without a keyword
+        if each["loc"] and isinstance(each["loc"][0], int):  # a positional argument
             number, *rest = each["loc"]
             each["loc"] = (names[number] if number < len(names) else f"argument_{number + 1}", *rest)
         each["path"], each["pattern"] = _path(each["loc"], kind, place)
         below = each.get("ctx", {}).get("at", "").split(".")[0]
         if below and _path((*each["loc"], below), kind, place)[0] == below:
-            each["path"] = ""  # the key that is blamed stands at the top
+            each["path"] = ""  # the blamed key is at the top
     slips = {_meant(each["pattern"], keys, known_aliases) for each in details if each["type"] in UNKNOWN}
     details = [each for each in details if _left_out(each) not in slips]
-    details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains what follows
+    details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains later errors
     first, *others = (_in_parts(each, keys, known_aliases) for each in details)
     next_step = first.next_step
     if others:
@@ -67,8 +67,8 @@ def refusal(
     return first.changed(family, argument=argument, next_step=next_step)
 
 
-def _in_parts(details: Any, keys: Mapping[str, Key], known: Mapping[str, Alias]) -> StudyError:
-    """One error of pydantic in five parts."""
+def _in_parts(details: Any, keys: Mapping[str, Key], known_aliases: Mapping[str, Alias]) -> StudyError:
+    """Convert one error of pydantic to five parts."""
     kind, context = details["type"], details.get("ctx", {})
     path, pattern = details["path"], details["pattern"]
     if kind == "haptonic":
@@ -76,11 +76,11 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known: Mapping[str, Alias])
         return StudyError(context["code"], argument=where, **{name: context[name] for name in PARTS})
     if kind == EXTRA:
         return StudyError.malformed(
-            argument=path, given=shown(details["input"], 40), allowed="values for the fields that there are",
-            cause="there are more arguments than fields", next_step="give fields by their names",
+            argument=path, given=shown(details["input"], 40), allowed="values for the declared fields",
+            cause="more arguments than fields were given", next_step="give fields by their names",
         )  # fmt: skip
     if kind in UNKNOWN:
-        return _unknown(path, pattern, details["input"], keys, known)
+        return _unknown(path, pattern, details["input"], keys, known_aliases)
     key = key_of(pattern, keys)
     of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
     form = "a text in quotes" if of_an_entry else allowed_at(key)
@@ -92,9 +92,9 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known: Mapping[str, Alias])
         next_step = f"add {example_at(key)}" if key else "add it"
     elif key and key.choices:
         code, given = "unknown", shown(details["input"])
-        cause = f"it is none of the words known here: {', '.join(key.choices)}"
+        cause = f"it is not one of the known words: {', '.join(key.choices)}"
         guess = nearest(str(details["input"])[:40], key.choices)
-        next_step = f'write "{guess}"' if guess else "choose one of them"
+        next_step = f'write "{guess}"' if guess else "choose one of these"
     else:
         given, cause, next_step = (
             shown(details["input"]),
@@ -106,7 +106,7 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known: Mapping[str, Alias])
 
 
 def _path(location: tuple[int | str, ...], kind: type, place: str = "") -> tuple[str, str]:
-    """(``sweep[1].from``, ``sweep[].from``): as shown, counted from 1, and as the table of keys has it.
+    """(``sweep[1].from``, ``sweep[].from``): path counted from 1, and pattern of the table of keys.
 
     ``place`` is the path of the value itself, whose class is ``kind``.
     """
@@ -116,9 +116,9 @@ def _path(location: tuple[int | str, ...], kind: type, place: str = "") -> tuple
         if isinstance(step, int):
             path, pattern = f"{path}[{step + 1}]", f"{pattern}[]"
             continue
-        if step.startswith(TAG):  # pydantic names the kind of description that it took a value for
+        if step.startswith(TAG):  # pydantic's name for an alternative of a union
             continue
-        slot = next((one for each in kinds for one in slots(each) if step in (one.key, one.name)), None)
+        slot = next((each for owner in kinds for each in slots(owner) if step in (each.key, each.name)), None)
         kinds = slot.kinds if slot else ()
         if slot and slot.placed.inline:
             continue
@@ -132,7 +132,7 @@ def _path(location: tuple[int | str, ...], kind: type, place: str = "") -> tuple
 
 
 def _neighbours(section: str, keys: Mapping[str, Key]) -> list[str]:
-    """Names of the keys of one table."""
+    """Names of the keys in a table."""
     start = f"{section}." if section else ""
     names = [key.removeprefix(start) for key in keys if key.startswith(start)]
     return [name for name in names if "." not in name]
@@ -144,7 +144,7 @@ def _guess(pattern: str, keys: Mapping[str, Key]) -> str | None:
 
 
 def _left_out(details: Any) -> str | None:
-    """The path of a key that was left out, if that is what an error is about."""
+    """Path of a missing key, if an error is about one."""
     if details["type"] == "missing":
         return str(details["pattern"])
     context = details.get("ctx", {})
@@ -153,37 +153,37 @@ def _left_out(details: Any) -> str | None:
     return ".".join(part for part in (details["pattern"], context["at"]) if part)
 
 
-def _meant(pattern: str, keys: Mapping[str, Key], known: Mapping[str, Alias]) -> str:
-    """The key that a misspelt one stands for, as the table has it."""
+def _meant(pattern: str, keys: Mapping[str, Key], known_aliases: Mapping[str, Alias]) -> str:
+    """Path of the key that a misspelt name probably means."""
     section = pattern.rpartition(".")[0]
-    alias = _alias(pattern, known)
+    alias = _alias(pattern, known_aliases)
     return f"{section}.{alias.key if alias else _guess(pattern, keys)}".lstrip(".")
 
 
-def _alias(pattern: str, known: Mapping[str, Alias]) -> Alias | None:
-    """The declared alias that a key is, in whatever case."""
+def _alias(pattern: str, known_aliases: Mapping[str, Alias]) -> Alias | None:
+    """Declared alias of a name; the case of letters is ignored."""
     section, dot, name = pattern.rpartition(".")
-    return known.get(pattern) or known.get(f"{section}{dot}{name.lower()}")
+    return known_aliases.get(pattern) or known_aliases.get(f"{section}{dot}{name.lower()}")
 
 
 def _unknown(
-    path: str, pattern: str, value: object, keys: Mapping[str, Key], known: Mapping[str, Alias]
+    path: str, pattern: str, value: object, keys: Mapping[str, Key], known_aliases: Mapping[str, Alias]
 ) -> StudyError:
     section, _, name = pattern.rpartition(".")
     here, guess = _neighbours(section, keys), _guess(pattern, keys)
     elsewhere = [key for key in keys if key.rpartition(".")[2] == name]
     inside = [key for key in elsewhere if section and key.startswith(f"{section}.")]
-    alias = _alias(pattern, known)
+    alias = _alias(pattern, known_aliases)
     if alias is not None:
         cause, next_step = alias.cause, alias.next_step
     elif name in here:
-        cause, next_step = "a value that was given holds it already", "leave it out, or change that value"
+        cause, next_step = "another given value already contains it", "leave it out, or change that value"
     elif guess and not inside:
         cause, next_step = "a slip in the name", f'write "{guess}"'
     elif elsewhere:
         table_name = (inside or elsewhere)[0].rpartition(".")[0].replace("[]", "")
         cause, next_step = (
-            "the key belongs elsewhere",
+            "the key belongs to another table",
             f"move it to [{table_name}]" if table_name else "move it to the top",
         )
     else:
@@ -200,9 +200,9 @@ def _unknown(
 
 
 def allowed_at(key: Key | None) -> str:
-    """What may stand at a key, in words."""
+    """Allowed values of a key, as text."""
     if key is None:
-        return "a value of the form that the key list gives"
+        return "a value of the form in the list of keys"
     if key.kind == "quantities":
         return f"a list of {key.count} quantities with their units, such as {_list(key)}"
     if key.kind == "entries":
@@ -228,15 +228,15 @@ def allowed_at(key: Key | None) -> str:
     )
 
 
-PLAIN, TEXT = {"integer": "10", "boolean": "true"}, '"..."'  # values of an example, by the kind of a key
+PLAIN, TEXT = {"integer": "10", "boolean": "true"}, '"..."'  # example values by kind of a key
 
 
 def example_at(key: Key) -> str:
-    """A line for the study file that gives the key."""
+    """An example line of the study file with the key."""
     name = key.path.rpartition(".")[2]
-    known = ["" if key.kind == "quantities" else key.example, *key.known_names, *key.numbers]
-    if told := next(filter(None, known), key.default if key.kind == "text" else None):
-        return f'{name} = "{told}"'
+    examples = ["" if key.kind == "quantities" else key.example, *key.known_names, *key.numbers]
+    if text := next(filter(None, examples), key.default if key.kind == "text" else None):
+        return f'{name} = "{text}"'
     if key.kind in {"table", "tables", "entries"}:
         return allowed_at(key)
     if key.kind == "quantities":
@@ -257,11 +257,11 @@ def _cause(kind: str, message: str, listed: bool) -> str:
     if kind in {"int_type", "int_from_float", "int_parsing", "int_parsing_size"}:
         return "it is not a whole number"
     if kind in {"too_long", "string_too_long"}:
-        return "there is too much of it"
+        return "it is too long"
     if kind == "string_type":
         return "it is not a text"
     if kind == "tuple_type" and listed:
         return "it is not a list"
     if kind in {"dataclass_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
-        return "something else stands where a table belongs"
+        return "a table is required here"
     return message[:1].lower() + message[1:]

@@ -1,8 +1,7 @@
-"""A number of the study file with its unit, its bounds and its usual range, declared once.
+"""Numbers of the study file with unit, bounds and usual range, declared once.
 
 ``Annotated[float, Quantity("m", at_least=1e-9, typical=(5e-4, 0.05))]`` makes a field that reads ``"7 mm"``,
-and in Python also 0.007, and holds 0.007. Whatever else needs to know about the parameter (the check, the
-warning, the help, a label) reads the same declaration.
+and in Python also 0.007, as 0.007. The check, the warning, the help and labels all read this declaration.
 """
 
 from __future__ import annotations
@@ -20,21 +19,21 @@ from haptonic.errors import HaptonicError, shown
 from haptonic.names import hidden_in
 from haptonic.units import example_of, format_quantity, to_si
 
-FROM_FILE = {"from a file": True}  # validation context: there, a number with a dimension needs its unit
+FROM_FILE = {"from a file": True}  # validation context for files: a number with a dimension needs its unit
 
 
-FASTEST = 1e11  # Hz; beyond it waves are shorter than the smallest cells that are continua
-SMALLEST, LARGEST = 1e-9, 1e3  # m; below, no continuum; above, no plate that a hand could touch
+FASTEST = 1e11  # Hz; waves of higher frequency are too short for a continuum
+SMALLEST, LARGEST = 1e-9, 1e3  # m; smaller parts are no continuum, larger ones no plate for a hand
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """What is known of a parameter besides its name.
+    """Declaration of a parameter, apart from its name.
 
     unit : SI unit; empty for a dimensionless number
     above, at_least, at_most, below : hard bounds, in ``unit``; a value outside is refused
-    typical : (lowest, highest) of ordinary designs, in ``unit``; a value outside is warned about
-    hint : what to do about a value above the bounds, where that needs more than the bounds
+    typical : (lowest, highest) of ordinary designs, in ``unit``; a value outside gives a warning
+    hint : next step for a value above the bounds, if it needs more than the bounds
     """
 
     unit: str
@@ -55,7 +54,7 @@ class Quantity:
 
     def _bounded(self, number: float, given: object) -> float:
         if self.holds(number):
-            return number + 0.0  # a negative zero becomes the ordinary one, which is written the same
+            return number + 0.0  # a negative zero becomes the ordinary one, which is written in the same way
         size = self.unit == "m"
         if math.isnan(number):
             cause = "it is not a finite number"
@@ -71,12 +70,12 @@ class Quantity:
         raise problem("out-of-range", text, self.allowed, cause, next_step)
 
     def holds(self, number: float) -> bool:
-        """Whether a value (in ``unit``) lies within the hard bounds."""
+        """True if a value (in ``unit``) lies within the hard bounds."""
         return self.above < number < self.below and self.at_least <= number <= self.at_most
 
     @property
     def limits(self) -> str:
-        """The hard bounds in words."""
+        """The hard bounds as text."""
         bounds = {
             "above": self.above,
             "at least": self.at_least,
@@ -92,35 +91,35 @@ class Quantity:
 
     @property
     def example(self) -> str:
-        """A value as it stands in a study file."""
+        """An example value as in a study file."""
         if self.typical is None or self.unit:
             return f'"{example_of(self.unit)}"' if self.unit else format_quantity(self.at_least, "")
         return format_quantity(self.typical[0], "")
 
     @property
     def allowed(self) -> str:
-        """What may stand in the file, in words."""
+        """Allowed values in a file, as text."""
         kind = f'a number with its unit, such as "{example_of(self.unit)}",' if self.unit else "a number"
         return f"{kind} {self.limits}"
 
     @property
     def usual(self) -> str:
-        """The typical range in words; empty where none was declared."""
+        """The typical range as text; empty if none is declared."""
         if self.typical is None:
             return ""
         lowest, highest = (format_quantity(end, self.unit) for end in self.typical)
         return f"{lowest} to {highest}"
 
     def unusual(self, value: float, beside: str = "") -> str:
-        """Words on a value (in ``unit``) outside the typical range; empty for an ordinary one.
+        """Remark on a value (in ``unit``) outside the typical range; empty for an ordinary value.
 
-        ``beside`` names what the range depends on, such as "for a pitch of 7 mm".
+        ``beside`` is the quantity that the range depends on, such as "for a pitch of 7 mm".
         """
         if self.typical is None or self.typical[0] <= value <= self.typical[1]:
             return ""
         where = f" {beside}" if beside else ""
         words = f"{format_quantity(value, self.unit)} is unusual{where}: {self.usual} is typical"
-        near = self.typical[0] / 10 <= value <= self.typical[1] * 10  # too near to be a slip of the unit
+        near = self.typical[0] / 10 <= value <= self.typical[1] * 10  # too close for a wrong unit
         for power in () if near or not self.unit else (3, -3, 6, -6, 9, -9):
             slipped = value * 10.0**power
             if self.typical[0] <= slipped <= self.typical[1]:
@@ -129,16 +128,16 @@ class Quantity:
 
 
 def size(lowest: float, highest: float) -> Quantity:
-    """A length that is not zero and whose typical range is given, m."""
+    """Declaration of a length that is not zero, with its typical range, m."""
     return Quantity("m", at_least=SMALLEST, at_most=LARGEST, typical=(lowest, highest))
 
 
 def problem(
     code: str, given: str, allowed: str, cause: str, next_step: str, at: str = ""
 ) -> PydanticCustomError:
-    """An error for pydantic to collect; `haptonic.fields.problems` turns it into one with five parts.
+    """Error for pydantic to collect; `haptonic.fields.problems` converts it to five parts.
 
-    ``code`` is one of those of `haptonic.errors`; ``at`` names the parameter below the one that pydantic
+    ``code`` is a code of `haptonic.errors`; ``at`` is the path of the parameter below the value that pydantic
     blames: ``pillar.diameter`` for a check of a cell.
     """
     parts = {"code": code, "given": given, "allowed": allowed, "cause": cause, "next_step": next_step}
@@ -146,13 +145,13 @@ def problem(
 
 
 def handed_on(error: HaptonicError, at: str | None = None) -> PydanticCustomError:
-    """The same error for pydantic to collect, at the parameter that it names or at another one."""
+    """The error in a form that pydantic collects, at its own parameter or at another one."""
     at = error.argument if at is None else at
     return problem(error.code, error.given, error.allowed, error.cause, error.next_step, at)
 
 
 def number_of(value: object, unit: str, context: object, allowed: str = "") -> float:
-    """SI value of a quantity: a text with its unit, or outside of files a plain number in SI units."""
+    """SI value of a quantity: a text with its unit, or, except in files, a plain number in SI units."""
     if context != FROM_FILE and isinstance(value, int | float) and not isinstance(value, bool):
         return float(value)
     with collected(allowed):
@@ -161,9 +160,9 @@ def number_of(value: object, unit: str, context: object, allowed: str = "") -> f
 
 @contextmanager
 def collected(allowed: str = "", within: str = "") -> Iterator[None]:
-    """Hand an error with five parts on to pydantic, which collects it and knows the path.
+    """Convert an error with five parts for pydantic, which collects it and adds the path.
 
-    ``within`` is the path of the field that is checked, where the error names something below it.
+    ``within`` is the path of the checked field, if the error names a parameter below it.
     """
     try:
         yield
@@ -173,14 +172,14 @@ def collected(allowed: str = "", within: str = "") -> Iterator[None]:
 
 
 def _printable(name: str) -> str:
-    """A name that is not blank and that shows whole, whatever it is shown on."""
-    if (found := hidden_in(name)) is not None:
+    """Check that a name is not blank and has no invisible characters."""
+    if (character := hidden_in(name)) is not None:
         raise problem(
             "malformed",
             shown(name),
             "letters, digits, signs and spaces of any script",
-            f"it holds the control character {found!a}",
-            "remove it: a name is shown in tables, pictures and files",
+            f"it contains the control character {character!a}",
+            "remove it: names appear in tables, pictures and files",
         )
     if not name.strip():
         raise problem(
@@ -196,4 +195,4 @@ def _printable(name: str) -> str:
 Length = Annotated[float, Quantity("m", at_least=SMALLEST, at_most=LARGEST)]
 Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(1e3, FASTEST))]
 Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_printable)]
-"""What somebody calls a part, a region or a person."""
+"""Name of a part, a region or a person, chosen by the user."""

@@ -1,4 +1,4 @@
-"""From the tables of a file to the shape of the values that they describe."""
+"""Conversion of the tables of a file to described values."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ T = TypeVar("T")
 
 
 def read(kind: type[T], tables: Mapping[str, Any], origin: str = "") -> T:
-    """A described value from the tables of a file, where a number with a dimension needs its unit.
+    """Read a described value from the tables of a file; there, a number with a dimension needs its unit.
 
     Parameters
     ----------
-    origin : how errors call the file
+    origin : name of the file in errors
 
     Raises
     ------
-    StudyError : one for all problems
+    StudyError : one error for all problems
     """
     value: Any = kind
     try:
-        made: T = value.__pydantic_validator__.validate_python(arranged(kind, tables), context=FROM_FILE)
+        result: T = value.__pydantic_validator__.validate_python(arranged(kind, tables), context=FROM_FILE)
     except ValidationError as error:
         refused = refusal(error, kind, origin=origin)
     else:
-        return made
-    raise refused  # out here it does not drag the whole file along as its context when it is pickled
+        return result
+    raise refused  # outside of the except clause, so that the file is not pickled as its context
 
 
 def any_placed(kind: type) -> bool:
-    """Whether some key of a described class, or of one in it, stands elsewhere than its value."""
+    """True if a key of a described class, or of a class in it, is outside of the table of its value."""
     return any(
         slot.placed != Placed() or any(any_placed(below) for below in slot.kinds) for slot in slots(kind)
     )
@@ -46,46 +46,50 @@ def any_placed(kind: type) -> bool:
 def arranged(
     kind: type, given: Mapping[str, Any], top: dict[str, Any] | None = None, *, complete: bool = False
 ) -> dict[str, Any]:
-    """What a file gives for a described class, in the shape of the values: every key at the value it is of.
+    """The tables of a file in the shape of a described class, with every key at its value.
 
     Parameters
     ----------
-    given : the table; values that were made already are left as they are
-    top : the outermost table, from which keys are taken; by default ``given`` itself
-    complete : whether nothing is given elsewhere, such as by arguments without a keyword
+    given : the table; values that are already made are not changed
+    top : outermost table, from which keys are taken; by default ``given`` itself
+    complete : True if no field is given in another way, such as by a positional argument
     """
-    own = dict(given)
+    result = dict(given)
     complete = complete or top is not None
-    top = own if top is None else top
+    top = result if top is None else top
     for slot in slots(kind):
         for below in slot.kinds:
-            value = own.get(slot.key)
+            value = result.get(slot.key)
             if is_described(value):
                 continue
-            moved = {one.key: top.pop(one.key) for one in slots(below) if one.placed.top and one.key in top}
+            moved = {
+                inner.key: top.pop(inner.key)
+                for inner in slots(below)
+                if inner.placed.top and inner.key in top
+            }
             if slot.placed.inline:
-                keys = [one.key for one in slots(below) if one.key in own]
+                keys = [inner.key for inner in slots(below) if inner.key in result]
                 if keys or complete:
-                    own[slot.key] = {key: own.pop(key) for key in keys}
+                    result[slot.key] = {key: result.pop(key) for key in keys}
             elif isinstance(value, Mapping) or (moved and not slot.field.is_required()):
-                outside = {one.key for one in slots(below) if one.placed.top}
+                outside = {inner.key for inner in slots(below) if inner.placed.top}
                 given_here = dict(value or {}).items()
-                here = {f"{MISPLACED}{key}" if key in outside else key: one for key, one in given_here}
-                own[slot.key] = arranged(below, {**moved, **here}, top)
+                here = {f"{MISPLACED}{key}" if key in outside else key: v for key, v in given_here}
+                result[slot.key] = arranged(below, {**moved, **here}, top)
             elif isinstance(value, list | tuple):
-                own[slot.key] = [
-                    arranged(below, one, top) if isinstance(one, Mapping) else one for one in value
+                result[slot.key] = [
+                    arranged(below, item, top) if isinstance(item, Mapping) else item for item in value
                 ]
-    return own
+    return result
 
 
 def with_value(given: Any, steps: list[str], value: Any) -> Any:
-    """The content of a file with another value where these steps end; steps into a list count from 1."""
+    """The tables of a file with another value at the end of some steps; steps into a list count from 1."""
     if not steps:
         return value
     step, *left = steps
     if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
         row = int(step) - 1
         return [*given[:row], with_value(given[row], left, value), *given[row + 1 :]]
-    inside = given if isinstance(given, dict) else {}  # a step that leads nowhere is refused when it is read
+    inside = given if isinstance(given, dict) else {}  # an impossible step is refused when the result is read
     return inside | {step: with_value(inside.get(step), left, value)}

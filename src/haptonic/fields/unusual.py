@@ -1,7 +1,7 @@
-"""Words on values that are allowed and so unusual that they are probably a slip, such as of a unit.
+"""Remarks on allowed values that are so unusual that they are probably mistakes, such as a wrong unit.
 
-A number declares its usual range itself (`Quantity.typical`). A described value that compares its numbers
-with each other has a method ``doubtful()``, which gives sentences by path below the value.
+A number declares its usual range (`Quantity.typical`). A described value that compares its numbers with each
+other has a method ``doubtful()``, which returns sentences by path below the value.
 """
 
 from __future__ import annotations
@@ -17,50 +17,50 @@ from haptonic.fields.keys import is_described, leaves, slots
 from haptonic.fields.quantity import Quantity
 
 PACKAGE = __name__.partition(".")[0]
-PASSED_BY = ("dataclasses",)  # `dataclasses.replace` makes a value for somebody else
+PASSED_BY = ("dataclasses",)  # `dataclasses.replace` makes a value for its caller
 
 
 def unusual_values(model: Any, prefix: str = "", without: Container[int] = frozenset()) -> dict[str, str]:
-    """Words on every unusual number of a described value, by its path in a study.
+    """Remarks on unusual numbers of a described value, by path in a study.
 
-    Numbers are compared with each other only where each by itself is usual.
+    Numbers are compared with each other only if each is usual by itself.
 
     Parameters
     ----------
     prefix, without : see `haptonic.fields.leaves`
     """
     numbers = leaves(model, prefix, without=without)
-    found = {path: declared.unusual(number) for path, number, declared in numbers if declared}
-    found = {path: text for path, text in found.items() if text}
+    remarks = {path: declared.unusual(number) for path, number, declared in numbers if declared}
+    remarks = {path: text for path, text in remarks.items() if text}
     for place, value in _values(model, prefix, without):
         doubtful = getattr(value, "doubtful", None)
-        if not found and doubtful is not None:  # a slip of a unit explains what is unusual beside it
-            found = {f"{place}{path}": text for path, text in doubtful().items() if text}
-    return found
+        if not remarks and doubtful is not None:  # a wrong unit also explains unusual ratios
+            remarks = {f"{place}{path}": text for path, text in doubtful().items() if text}
+    return remarks
 
 
 def unusual_beside(
     value: float, unit: str, shares: tuple[float, float], yardstick: float, beside: str
 ) -> str:
-    """Words on a value that is unusual for another one; empty for an ordinary value.
+    """Remark on a value that is unusual relative to another one; empty for an ordinary value.
 
     Parameters
     ----------
-    value, yardstick : the number and the one that it is compared with, in ``unit``
+    value, yardstick : the number and its reference, in ``unit``
     shares : lowest and highest usual ratio of the two
-    beside : names the yardstick, such as "for a pitch of 7 mm"
+    beside : name of the reference, such as "for a pitch of 7 mm"
     """
     low, high = (float(f"{share * yardstick:.2g}") for share in shares)
     return Quantity(unit, typical=(low, high)).unusual(value, beside)
 
 
 def warn_caller(texts: Iterable[str], frame: FrameType | None, kind: type | None = None) -> None:
-    """Warn whoever made a value, unless that was this package.
+    """Warn the code that made a value, unless it is this package.
 
     Parameters
     ----------
-    texts : sentences; they are drawn only where somebody is warned
-    frame : of the caller
+    texts : sentences; they are computed only for a warning
+    frame : frame of the caller
     kind : class whose own constructors (class methods) do not count as callers
     """
     while frame is not None and (
@@ -77,7 +77,7 @@ def warn_caller(texts: Iterable[str], frame: FrameType | None, kind: type | None
 
 
 def caller(depth: int = 2) -> FrameType | None:
-    """Frame that many calls above this function."""
+    """Frame of the caller, ``depth`` calls above this function."""
     try:
         return sys._getframe(depth)
     except ValueError:
@@ -85,12 +85,12 @@ def caller(depth: int = 2) -> FrameType | None:
 
 
 def _package(frame: FrameType) -> str:
-    """The package, or the module outside of any, whose code a frame runs."""
+    """Package of the code that a frame runs, or its module outside of a package."""
     return str(frame.f_globals.get("__name__", "")).partition(".")[0]
 
 
 def _values(model: Any, prefix: str, without: Container[int]) -> Iterator[tuple[str, Any]]:
-    """The described values in a value, itself first, each with the path that its keys begin with."""
+    """Described values in a value, itself first, each with the prefix of its keys."""
     if id(model) in without:
         return
     yield prefix, model

@@ -1,4 +1,4 @@
-"""A study as the text of a study file."""
+"""Writing a study as the text of a study file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from haptonic.units import format_quantity
 
 
 def toml_of(model: object) -> str:
-    """TOML that reads back to an equal value: every value, also the defaults, with all its digits."""
+    """TOML that reads back to an equal value, with all values and defaults to full precision."""
     return "\n".join(_lines(document(model, _value), "")).strip() + "\n"
 
 
@@ -28,42 +28,42 @@ def document(
 
     Parameters
     ----------
-    leaf : what stands for a value that is no table, from the value and its SI unit
-    absent : whether None stands for what is not given; else it is left out
-    top : the outermost table, where some keys stand
+    leaf : converts a value that is not a table, from the value and its SI unit
+    absent : True to write None for an absent value; otherwise it is left out
+    top : outermost table, for the keys at the top
     """
-    made: dict[str, Any] = {}
-    top = made if top is None else top
+    result: dict[str, Any] = {}
+    top = result if top is None else top
 
     def of(value: Any, declared: Quantity | None) -> Any:
         return leaf(value, declared.unit if declared else "")
 
     for slot in slots(type(model)):
         value = getattr(model, slot.name)
-        where = top if slot.placed.top else made
+        where = top if slot.placed.top else result
         if name := slot.name_of(value):
             where[slot.key] = of(name, None)
         elif is_described(value) and slot.placed.inline:
-            made |= document(value, leaf, absent=absent, top=top)
+            result |= document(value, leaf, absent=absent, top=top)
         elif is_described(value):
             where[slot.key] = document(value, leaf, absent=absent, top=top)
         elif isinstance(value, Entries):
             entries = value.items()
-            made[slot.key] = {name: of(item, unit_of(model, slot.field, name)) for name, item in entries}
+            result[slot.key] = {name: of(item, unit_of(model, slot.field, name)) for name, item in entries}
         elif isinstance(value, tuple):
-            made[slot.key] = [
+            result[slot.key] = [
                 document(item, leaf, absent=absent, top=top)
                 if is_described(item)
                 else of(item, slot.quantities[index] if slot.quantities else None)
                 for index, item in enumerate(value)
             ]
         elif value is not None or absent:
-            made[slot.key] = of(value, slot.declared(model, value))
-    return made
+            result[slot.key] = of(value, slot.declared(model, value))
+    return result
 
 
 def _lines(tables: Mapping[str, Any], prefix: str) -> Iterator[str]:
-    """Plain keys first, then tables: TOML has no way back from a table to the keys of its parent."""
+    """Lines of a table: plain keys first, because TOML has no way back from a table to its parent."""
     for key, value in tables.items():
         if isinstance(value, list) and value and isinstance(value[0], str):
             yield f"{_name(key)} = [{', '.join(value)}]"
@@ -80,7 +80,7 @@ def _lines(tables: Mapping[str, Any], prefix: str) -> Iterator[str]:
 
 
 def _name(entry: str) -> str:
-    """A key as TOML wants it."""
+    """A key in the syntax of TOML."""
     return entry if re.fullmatch(r"[A-Za-z0-9_-]+", entry) else _value(entry, "")
 
 
@@ -88,8 +88,8 @@ def _value(value: Any, unit: str) -> str:
     if isinstance(value, str):
         lines = value.split("\n")
         if len(lines) > 1 and all(line.isprintable() and not set(line) & set('"\\') for line in lines):
-            return f'"""\n{value}"""'  # a map keeps its shape
-        # a JSON string is a TOML string, but for one control character that TOML wants escaped
+            return f'"""\n{value}"""'  # keeps the lines of a map
+        # a JSON string is a TOML string, except for one control character that TOML wants escaped
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, bool):
         return str(value).lower()

@@ -1,5 +1,5 @@
-"""Files of other programs, read by a process of its own: what a damaged file does to a parser ends there.
+"""Readers of other programs' files in a separate process, so that a damaged file cannot crash this one.
 
-`haptonic.foreign.process.ask` sends one question to that process; `child` answers it by a function of
+`haptonic.foreign.process.ask` sends one request to that process; `child` answers it with a function of
 `hdf5`, `matlab` or `tdms`. These import little, because the process starts with every command that reads.
 """

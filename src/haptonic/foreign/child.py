@@ -1,4 +1,4 @@
-"""The process that reads: it answers questions until its input ends, within the limits of each."""
+"""The reading process: it answers requests until its input ends, within the limits of each."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from haptonic.foreign import wire
 
 try:
     import resource
-except ImportError:  # Windows; there the other process alone watches
+except ImportError:  # Windows; there only the other process checks the limits
     resource = None  # type: ignore[assignment]
 
 READY = "ready"
@@ -26,10 +26,10 @@ READY = "ready"
 
 def serve() -> None:
     """Answer each {"parser", "path", "arguments", "seconds", "memory"} with {"answer"} or {"error"}."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process that asks; it ends this one
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the asking process handles Ctrl-C and ends this one
     questions = open(os.dup(0), "rb", buffering=0)  # noqa: SIM115  open until the process ends
     answers = open(os.dup(1), "wb", buffering=0)  # noqa: SIM115
-    os.dup2(2, 1)  # what a parser prints is no answer
+    os.dup2(2, 1)  # keep the output of parsers out of the answers
     if resource is not None:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     wire.send(answers, READY)
@@ -47,13 +47,13 @@ def _answered(question: dict[str, Any]) -> dict[str, Any]:
     try:
         with _limited(question["seconds"], question["memory"]):
             return {"answer": parser(question["path"], **question["arguments"])}
-    except Exception as error:  # noqa: BLE001  parsers of others raise whatever they like at a damaged file
+    except Exception as error:  # noqa: BLE001  third-party parsers raise any exception for a damaged file
         return {"error": type(error).__name__}
 
 
 @contextmanager
 def _limited(seconds: float, memory: int) -> Iterator[None]:
-    """Limits that the system keeps, however deep in C the parser is, also when nobody is left to watch."""
+    """Limits of the operating system, effective in C code and without the other process."""
     if resource is None:
         yield
         return
@@ -66,7 +66,7 @@ def _limited(seconds: float, memory: int) -> Iterator[None]:
 def _limit(kind: int, soft: int) -> Iterator[None]:
     before, hard = resource.getrlimit(kind)
     limits = [limit for limit in (soft, before, hard) if limit != resource.RLIM_INFINITY]
-    # macOS refuses some limits; the process that asks watches as well
+    # macOS refuses some limits; the asking process checks them too
     with suppress(ValueError, OSError):
         resource.setrlimit(kind, (min(limits), hard))
     try:

@@ -1,7 +1,7 @@
-"""Volume elements and named groups from mesh files of others, read by meshio.
+"""Volume elements and named groups of mesh files, read by meshio.
 
-Abaqus files are read here: meshio 5.3 gives an element set that several *ELEMENT blocks share to the wrong
-elements. A file that meshio would take for less than it has is refused (`RefusedMesh`).
+Abaqus files are read here: meshio 5.3 assigns an element set of several *ELEMENT blocks to wrong elements.
+Files of which meshio would silently ignore a part are refused (`RefusedMesh`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-# Corners of each element that is read, and its nodes in the middles of edges, in meshio's order.
+# edges of each supported element, with the order of their midpoint nodes as in meshio
 EDGES = {
     "tetra": ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)),
     "pyramid": ((0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (1, 4), (2, 4), (3, 4)),
@@ -29,12 +29,12 @@ CORNERS = {"tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
 SHAPES = {kind: kind for kind in CORNERS} | {
     f"{kind}{n + len(EDGES[kind])}": kind for kind, n in CORNERS.items()
 }
-FLAT = ("vertex", "line", "triangle", "quad", "polygon")  # beginnings of names of what has no volume
-MOST_GROUPS = 64  # numbers of an array of a file; one with more numbers elements, not groups
+FLAT = ("vertex", "line", "triangle", "quad", "polygon")  # beginnings of names of elements without volume
+MOST_GROUPS = 64  # different numbers in an array; an array with more numbers elements instead of groups
 
 
-class RefusedMesh(Exception):  # noqa: N818  it ends no program: the answer names it
-    """A mesh that makes no period of a plate: a kind of problem, with what its words need."""
+class RefusedMesh(Exception):  # noqa: N818  it is reported in the answer and does not end the program
+    """A mesh that is not one period of a plate: kind of the problem, and details for its message."""
 
     def __init__(self, kind: str, *, number: float = 0.0, place: Any = (), text: str = "") -> None:
         super().__init__(kind)
@@ -44,9 +44,9 @@ class RefusedMesh(Exception):  # noqa: N818  it ends no program: the answer name
 
 @dataclass
 class NamedElements:
-    """Points (n, 3) in the file's unit; nodes of elements by meshio's names; numbers of elements in groups.
+    """Points (n, 3) in the file's unit; nodes of elements by meshio's names; element numbers of groups.
 
-    Elements are counted over all blocks, in order.
+    Elements are numbered over all blocks, in order.
     """
 
     points: NDArray[Any]
@@ -55,24 +55,23 @@ class NamedElements:
 
 
 def read_elements(path: str) -> NamedElements:
-    """Volume elements of a file and the groups that have any.
+    """Volume elements of a file, and the groups that contain any.
 
     Raises
     ------
-    RefusedMesh : no volume elements, or elements of another kind; a file that says where nodes are in a way
-        that is not read
-    Exception : whatever the parser raises at a damaged file
+    RefusedMesh : no volume elements, unsupported elements, or unsupported statements on positions of nodes
+    Exception : any exception of the parser for a damaged file
     """
     ending = Path(path).suffix.lower()
     readers = {".inp": _abaqus, ".bdf": _nastran, ".nas": _nastran, ".msh": _gmsh}
     whole = readers.get(ending, _vtk)(path)
     if not np.isfinite(whole.points).all() or whole.points.ndim != 2 or whole.points.shape[1] != 3:
-        raise ValueError("places that are no three numbers")
+        raise ValueError("positions that are not three finite numbers")
     return _of_volume(whole)
 
 
 def _of_volume(whole: NamedElements) -> NamedElements:
-    """The volume elements of a file, their groups, and the points that they have."""
+    """Volume elements of a file, their groups and their points."""
     starts = np.cumsum([0, *(len(nodes) for _, nodes in whole.blocks)])
     kinds = [kind for kind, _ in whole.blocks]
     if other := next((kind for kind in kinds if kind not in SHAPES and not kind.startswith(FLAT)), None):
@@ -90,15 +89,15 @@ def _of_volume(whole: NamedElements) -> NamedElements:
 def of_elements(
     points: NDArray[Any], blocks: list[tuple[str, NDArray[np.int64]]]
 ) -> tuple[NDArray[Any], list[tuple[str, NDArray[np.int64]]]]:
-    """The points that elements have, and the elements with the numbers of these."""
+    """Points of elements, and the elements with new numbers of these points."""
     used = np.unique(np.concatenate([nodes.ravel() for _, nodes in blocks]))
     if used[0] < 0:
-        raise ValueError("an element with a node that is not in the file")
+        raise ValueError("an element has a node that is not in the file")
     return points[used], [(kind, np.searchsorted(used, nodes)) for kind, nodes in blocks]
 
 
 def _of_meshio(mesh: Any, labels: dict[str, str]) -> NamedElements:
-    """What meshio read; numbers of groups get the label of their array, ``material 3``."""
+    """Convert meshio's result; numbers of groups get the label of their array, ``material 3``."""
     blocks = [(block.type, np.asarray(block.data, dtype=np.int64)) for block in mesh.cells]
     whole = NamedElements(np.asarray(mesh.points, dtype=float), blocks)
     for array, values in mesh.cell_data.items():
@@ -118,9 +117,9 @@ def _vtk(path: str) -> NamedElements:
 
 
 def _gmsh(path: str) -> NamedElements:
-    """Physical groups of volumes by their names, such as ``core``, those without one as ``group 3``.
+    """Read Gmsh; physical groups of volumes by name, such as ``core``, or ``group 3`` without a name.
 
-    Geometrical entities make no groups, unless there are no physical ones: ``volume 1``.
+    Geometrical entities are groups only if there are no physical ones: ``volume 1``.
     """
     import meshio
 
@@ -129,7 +128,7 @@ def _gmsh(path: str) -> NamedElements:
     if any(np.any(tags) for tags in mesh.cell_data.get("gmsh:physical", [])):
         del mesh.cell_data["gmsh:geometrical"]
     whole = _of_meshio(mesh, labels)
-    whole.groups.pop("group 0", None)  # the format's number for no group
+    whole.groups.pop("group 0", None)  # 0 means "no group" in the format
     for name, (tag, dimension) in mesh.field_data.items():
         members = whole.groups.pop(f"group {tag}", None) if dimension == 3 else None
         sets = mesh.cell_sets.get(name)
@@ -144,19 +143,19 @@ def _gmsh(path: str) -> NamedElements:
 
 
 def _nastran(path: str) -> NamedElements:
-    """Properties are groups, ``property 3``; a file may be the bulk data alone."""
+    """Read Nastran; properties are groups, ``property 3``. A file may contain only the bulk data."""
     import meshio
 
     text = Path(path).read_text("latin-1").upper()
     if re.search(r"^C(TETRA|HEXA|PENTA|PYRAM?)\*", text, re.MULTILINE):
         raise RefusedMesh("text", text="elements in the large field format (CTETRA*)")
     if re.search(r"^INCLUDE", text, re.MULTILINE):
-        raise RefusedMesh("text", text="INCLUDE, which takes another file in")
+        raise RefusedMesh("text", text="INCLUDE, which reads another file")
     start = re.search(r"^\s*BEGIN\s+BULK.*$", text, re.MULTILINE)
     bulk = text[start.end() :] if start else text
     mesh = meshio.nastran.read(io.StringIO(f"BEGIN BULK\n{bulk}\nENDDATA\n"))
     if np.any(mesh.point_data.get("nastran:ref", 0)):
-        raise RefusedMesh("text", text="nodes (GRID) in a coordinate system of their own (CP)")
+        raise RefusedMesh("text", text="nodes (GRID) in a separate coordinate system (CP)")
     return _of_meshio(mesh, {"nastran:ref": "property"})
 
 
@@ -165,21 +164,21 @@ KINDS_OF_ABAQUS = {"4": "tetra", "10": "tetra10", "5": "pyramid", "13": "pyramid
 
 
 def _abaqus(path: str) -> NamedElements:
-    """Element sets are groups; a file with one part at most, without instances that are moved."""
+    """Read Abaqus; element sets are groups. The file may have one part, without moved instances."""
     place: dict[int, int] = {}
     points: list[list[float]] = []
     blocks: list[tuple[str, NDArray[np.int64]]] = []
-    number: dict[int, int] = {}  # of an element of the file among those that are read
+    number: dict[int, int] = {}  # number of an element of the file among the elements that are read
     sets: dict[str, list[int | str]] = {}
     for keyword, options, rows in _cards(Path(path).read_text("latin-1")):
         if keyword in ("INCLUDE", "SYSTEM") or (keyword == "INSTANCE" and rows):
-            raise RefusedMesh("text", text=f"*{keyword}, of which another place of nodes may follow")
+            raise RefusedMesh("text", text=f"*{keyword}, which may move nodes")
         if keyword == "NODE":
             if options.get("SYSTEM", "R").upper() != "R":
-                raise RefusedMesh("text", text="*NODE in a coordinate system of its own (SYSTEM)")
+                raise RefusedMesh("text", text="*NODE in a separate coordinate system (SYSTEM)")
             for node, *at in rows:
                 if int(node) in place:
-                    raise RefusedMesh("text", text=f"two nodes of the number {node}: several parts")
+                    raise RefusedMesh("text", text=f"two nodes with the number {node}: several parts")
                 place[int(node)] = len(points)
                 points.append([float(x) for x in at[:3]])
         elif keyword == "ELEMENT":
@@ -211,9 +210,9 @@ def _abaqus(path: str) -> NamedElements:
 
 
 def _members(name: str, sets: dict[str, list[int | str]], number: dict[int, int], depth: int = 0) -> set[int]:
-    """Elements of a set, and of the sets in it."""
+    """Elements of a set, including those of nested sets."""
     if depth > len(sets):
-        raise ValueError("a set that has itself")
+        raise ValueError("a set contains itself")
     members: set[int] = set()
     for entry in sets[name]:
         if isinstance(entry, str):

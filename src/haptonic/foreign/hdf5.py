@@ -1,5 +1,7 @@
-"""HDF5 files as plain values. Only what lies in the file itself is read: links to other files, virtual data
-sets and raw storage elsewhere would show a stranger's file what else the user has."""
+"""HDF5 files as plain values, without links to other files, virtual data sets and external storage.
+
+These would give a file from somebody else access to other files of the user.
+"""
 
 from __future__ import annotations
 
@@ -11,40 +13,40 @@ from numpy.typing import NDArray
 
 
 def tree(path: str, deep: bool = True) -> dict[str, Any]:
-    """What is in a file, without its data.
+    """Contents of a file without its data.
 
     Returns
     -------
     ``attributes`` of the file; ``groups``: name -> attributes; ``sets``: name -> ``shape``, ``kind``
-    ("number", "complex", "text", "other"), ``attributes``; ``elsewhere``: names of what lies in other files.
-    Names have their groups before them, "group/name". Without ``deep`` only the first level is looked at.
+    ("number", "complex", "text", "other"), ``attributes``; ``elsewhere``: names of contents in other files.
+    Names include their groups, "group/name". Without ``deep`` only the first level is read.
     """
-    found: dict[str, Any] = {"groups": {}, "sets": {}, "elsewhere": []}
+    content: dict[str, Any] = {"groups": {}, "sets": {}, "elsewhere": []}
     with h5py.File(path, "r") as file:
-        found["attributes"] = attributes(file)
-        _add(found, file, "", {_address(file)}, deep)
-    return found
+        content["attributes"] = attributes(file)
+        _add(content, file, "", {_address(file)}, deep)
+    return content
 
 
-def _add(found: dict[str, Any], group: h5py.Group, start: str, above: set[Any], deep: bool) -> None:
+def _add(content: dict[str, Any], group: h5py.Group, start: str, above: set[Any], deep: bool) -> None:
     for name in group:
         label = start + name
         if not isinstance(group.get(name, getlink=True), h5py.HardLink):
-            found["elsewhere"].append(label)
+            content["elsewhere"].append(label)
             continue
         item = group[name]
         if isinstance(item, h5py.Dataset):
             if elsewhere(item):
-                found["elsewhere"].append(label)
+                content["elsewhere"].append(label)
             else:
                 shape = list(item.shape or ())
                 form = {"shape": shape, "kind": kind_of(item), "attributes": attributes(item)}
-                found["sets"][label] = form
+                content["sets"][label] = form
         elif isinstance(item, h5py.Group):
-            found["groups"][label] = attributes(item)
-            # a group may hold itself
+            content["groups"][label] = attributes(item)
+            # a group may contain itself
             if deep and (address := _address(item)) not in above:
-                _add(found, item, f"{label}/", above | {address}, deep)
+                _add(content, item, f"{label}/", above | {address}, deep)
 
 
 def _address(item: h5py.Group) -> Any:
@@ -52,14 +54,14 @@ def _address(item: h5py.Group) -> Any:
 
 
 def elsewhere(item: h5py.Dataset) -> bool:
-    """Whether the numbers of a data set are taken from other files."""
+    """True if the numbers of a data set are in other files."""
     return bool(item.is_virtual or item.external)
 
 
 def kind_of(item: h5py.Dataset) -> str:
     try:
         kind = item.dtype
-    except TypeError:  # a type that numpy has not, such as HDF5's times
+    except TypeError:  # a type that numpy does not have, such as HDF5's times
         return "other"
     if item.shape is None:
         return "other"
@@ -77,7 +79,7 @@ def read(path: str, names: list[str]) -> list[Any]:
 
 
 def rows(path: str, names: list[str], start: int, stop: int, last: bool = False) -> list[NDArray[Any]]:
-    """Parts of data sets along their first axis, or along the last. A set of one row is read whole."""
+    """Parts of data sets along their first or last axis. A set of one row is read whole."""
     parts = []
     with h5py.File(path, "r") as file:
         for name in names:
@@ -111,14 +113,14 @@ def _set(file: h5py.File, name: str) -> h5py.Dataset:
 
 
 def attributes(item: Any) -> dict[str, Any]:
-    """Attributes as numbers, texts, lists of texts or arrays; None for one that is none of these."""
-    found = {}
+    """Attributes as numbers, texts, lists of texts or arrays; None for other types."""
+    plain = {}
     for name in item.attrs:
         try:
-            found[name] = _plain(item.attrs[name])
-        except TypeError:  # a type that numpy has not
-            found[name] = None
-    return found
+            plain[name] = _plain(item.attrs[name])
+        except TypeError:  # a type that numpy does not have
+            plain[name] = None
+    return plain
 
 
 def _plain(value: Any) -> Any:
@@ -130,11 +132,11 @@ def _plain(value: Any) -> Any:
         return ""
     array = np.asarray(value)
     if array.dtype.kind in "fiub":
-        one = array.ravel()[0] if array.size == 1 else None
-        if one is None:
+        number = array.ravel()[0] if array.size == 1 else None
+        if number is None:
             return array
-        return float(one) if array.dtype.kind == "f" else int(one)
-    if array.dtype.kind in "OSU" and all(isinstance(one, str | bytes) for one in array.ravel().tolist()):
-        texts = [_plain(one) for one in array.ravel().tolist()]
+        return float(number) if array.dtype.kind == "f" else int(number)
+    if array.dtype.kind in "OSU" and all(isinstance(item, str | bytes) for item in array.ravel().tolist()):
+        texts = [_plain(item) for item in array.ravel().tolist()]
         return texts[0] if len(texts) == 1 else texts
     return None

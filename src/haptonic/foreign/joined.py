@@ -1,4 +1,4 @@
-"""How elements of a mesh of others meet: faces, groups, and what makes them no single body."""
+"""Connections between elements of a mesh: faces, groups, and reasons why they are not one body."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from haptonic.foreign.elements import CORNERS, EDGES, SHAPES, RefusedMesh
 from haptonic.foreign.periods import SAME
 
-# Faces of elements, seen from outside anticlockwise, and at each corner its neighbours along edges, in the
-# order of a right-handed system.
+# faces of elements, anticlockwise seen from outside, and at each corner its neighbours along edges, in
+# right-handed order
 FACES = {
     "tetra": ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)),
     "pyramid": ((0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)),
@@ -30,18 +30,18 @@ AROUND = {
 }
 MIRRORED = {"tetra": (0, 2, 1, 3), "tetra10": (0, 2, 1, 3, 6, 5, 4, 7, 9, 8), "pyramid": (0, 3, 2, 1, 4),
             "wedge": (3, 4, 5, 0, 1, 2), "hexahedron": (4, 5, 6, 7, 0, 1, 2, 3)}  # fmt: skip
-FLAT = 1e-7  # volume of a corner of an element, as a share of the cube of its longest edge there
-STRAIGHT = 1e-4  # of an edge's length: how far its middle node may be from its middle
+FLAT = 1e-7  # smallest volume at a corner of an element, relative to the cube of its longest edge there
+STRAIGHT = 1e-4  # distance of a midpoint node from the midpoint of its edge, relative to the edge's length
 
 
 def turned(
     points: NDArray[Any], kind: str, nodes: NDArray[np.int64], refused: Any
 ) -> tuple[str, NDArray[np.int64]]:
-    """A block of right-handed elements, without nodes in the middles of straight edges.
+    """Make a block of elements right-handed, and remove midpoint nodes of straight edges.
 
     Raises
     ------
-    RefusedMesh : elements without volume, or turned inside out; curved elements other than tetrahedra
+    RefusedMesh : elements without volume or turned inside out; curved elements other than tetrahedra
     """
     shape = SHAPES[kind]
     corners = points[nodes[:, : CORNERS[shape]]]
@@ -49,7 +49,7 @@ def turned(
     edges = at[:, :, 1:] - at[:, :, :1]
     longest = np.linalg.norm(edges, axis=3).max(axis=2)
     volume = np.linalg.det(edges) / np.maximum(longest, 1e-300) ** 3
-    left = bool((volume < 0.0).all())  # some programs count the other way round
+    left = bool((volume < 0.0).all())  # some programs number nodes in the opposite sense
     bad = (volume * (-1.0 if left else 1.0)).min(axis=1) < FLAT
     if bad.any():
         raise refused("degenerate", corners[bad.argmax()].mean(axis=0), np.count_nonzero(bad))
@@ -68,7 +68,7 @@ def turned(
 def faces_of(
     blocks: Sequence[tuple[str, NDArray[np.int64]]], refused_at: Any
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """Outer faces (n, 4), -1 in the place of a fourth corner, their elements, and (m, 2) joined elements.
+    """Outer faces (n, 4), with -1 for a missing fourth corner, their elements, and (m, 2) joined elements.
 
     Raises
     ------
@@ -86,7 +86,7 @@ def faces_of(
 
 
 def refuse_pieces(joined: NDArray[np.int64], count: int, refused_at: Any) -> None:
-    """Refuse elements that no faces join: loose ones, and those that share an edge or a node only."""
+    """Refuse elements that are not joined by faces: separate ones, or joined by an edge or node only."""
     import scipy.sparse as sp
     from scipy.sparse.csgraph import connected_components
 
@@ -98,7 +98,7 @@ def refuse_pieces(joined: NDArray[np.int64], count: int, refused_at: Any) -> Non
 
 
 def padded(blocks: Sequence[tuple[str, NDArray[np.int64]]]) -> NDArray[np.int64]:
-    """(elements, 8) corners of all elements, -1 where one has fewer."""
+    """(elements, 8) corners of all elements, -1 for missing ones."""
     padded = np.full((sum(len(nodes) for _, nodes in blocks), 8), -1)
     first = 0
     for kind, nodes in blocks:
@@ -111,7 +111,7 @@ def padded(blocks: Sequence[tuple[str, NDArray[np.int64]]]) -> NDArray[np.int64]
 def _faces(
     blocks: Sequence[tuple[str, NDArray[np.int64]]],
 ) -> Iterator[tuple[NDArray[np.int64], NDArray[np.int64]]]:
-    """(n, 4) faces of the elements of each block, and the numbers of these."""
+    """(n, 4) faces of the elements of each block, and the numbers of their elements."""
     first = 0
     for kind, nodes in blocks:
         for face in FACES[SHAPES[kind]]:
@@ -122,7 +122,7 @@ def _faces(
 
 
 def on_faces(triangles: NDArray[Any], places: NDArray[Any]) -> Any:
-    """Whether places (n, 3) lie on triangles (n, 3, 3), their edges included."""
+    """True for places (n, 3) on triangles (n, 3, 3), including their edges."""
     a, b = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
     normal = np.cross(a, b)
     area = np.linalg.norm(normal, axis=1)
@@ -137,13 +137,13 @@ def on_faces(triangles: NDArray[Any], places: NDArray[Any]) -> Any:
 def parts_of(
     groups: dict[str, NDArray[np.int64]], with_material: Sequence[str], count: int
 ) -> tuple[NDArray[np.int64], list[str]]:
-    """The part of each element, and names of the parts: elements that are in the same groups are one part.
+    """Part number of each element, and names of the parts: elements of the same groups form one part.
 
-    A part has the name of its group with a material, else those of all its groups.
+    The name of a part is that of its group with a material, otherwise those of all its groups.
 
     Raises
     ------
-    RefusedMesh : elements in two groups with a material each
+    RefusedMesh : elements in two groups with different materials
     """
     names = list(groups)
     member = np.zeros((count, len(names)), dtype=bool)
@@ -152,10 +152,10 @@ def parts_of(
     kinds, part = np.unique(member, axis=0, return_inverse=True)
     parts = []
     for kind in kinds:
-        own = [name for name, is_member in zip(names, kind, strict=True) if is_member]
-        given = [name for name in own if name in with_material]
+        of_part = [name for name, is_member in zip(names, kind, strict=True) if is_member]
+        given = [name for name in of_part if name in with_material]
         if len(given) > 1:
             raise RefusedMesh("twice", text=" and ".join(given))
-        parts.append(given[0] if given else ", ".join(own) or "elements in no group")
+        parts.append(given[0] if given else ", ".join(of_part) or "elements in no group")
     labels = list(dict.fromkeys(parts))
     return np.array([labels.index(name) for name in parts])[part.ravel()], labels

@@ -1,9 +1,9 @@
-"""One period of a plate from a mesh of others, as it is: nothing is cut, moved or refined.
+"""One period of a plate from a mesh file, used as it is: nothing is cut, moved or refined.
 
-The sides of the tile have to be faces of the mesh. Elements on opposite sides need not match: motion there
+The sides of the tile must be faces of the mesh. Elements on opposite sides need not match, because the motion
 is a polynomial along each side, see `haptonic.foreign.solids`. Quadratic tetrahedra keep their curved edges;
-nodes in the middles of straight edges are left out. Errors of the geometry, such as a circle of few straight
-edges, are those of the file. Lengths are in units as in `haptonic.foreign.periods`.
+midpoint nodes of straight edges are removed. Geometrical errors, such as a circle of a few straight edges,
+are those of the file. Lengths are in the units of `haptonic.foreign.periods`.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from haptonic.foreign.elements import EDGES, SHAPES, NamedElements, RefusedMesh,
 from haptonic.foreign.joined import faces_of, on_faces, padded, parts_of, refuse_pieces, turned
 from haptonic.foreign.periods import SAME, FilledTile
 
-# Nodes of a quadratic tetrahedron in Netgen's order, and the edges that its triangles have nodes on.
+# nodes of a quadratic tetrahedron in Netgen's order, and the edges with nodes of its triangles
 NETGENS_TETRA, OF_TRIANGLE = [0, 1, 2, 3, 4, 6, 7, 5, 8, 9], ((1, 2), (0, 2), (0, 1))
-UNKNOWNS = {"tetra": 1.0, "pyramid": 2.0, "wedge": 3.0, "hexahedron": 6.0}  # times those of a tetrahedron
-NEAR = 1e-3  # units: how far a node may be from the side that it lies on, for files of few digits
-LEAST_ALONG = 2  # elements along each side, for the polynomials there to be those of the elements
+UNKNOWNS = {"tetra": 1.0, "pyramid": 2.0, "wedge": 3.0, "hexahedron": 6.0}  # relative to a tetrahedron
+NEAR = 1e-3  # units; largest distance of a node from its side, for files with few digits
+LEAST_ALONG = 2  # elements along each side, so that the polynomials there are those of the elements
 
 
 class MeshPeriod(FilledTile):
@@ -76,22 +76,22 @@ class MeshPeriod(FilledTile):
         return self.parts
 
     def _refused(self, kind: str, place: NDArray[Any], number: float = 0.0, text: str = "") -> RefusedMesh:
-        """A refusal at places (..., 3), which are given in metres as the file has them."""
+        """Error at places (..., 3), in metres in the coordinates of the file."""
         return RefusedMesh(kind, number=number, text=text, place=(place + self._origin) * self.metres)
 
     def _refused_at(self, kind: str, element: int, number: float) -> RefusedMesh:
-        """A refusal at the middle of an element, counted over all blocks."""
+        """Error at the centre of an element, numbered over all blocks."""
         corners = self._corners[element]
         return self._refused(kind, self._points[corners[corners >= 0]].mean(axis=0), number)
 
     def elements_of(self, order: int, rings: int) -> Any:
-        """NGSolve's mesh; orders and rings leave it as it is."""
+        """NGSolve's mesh; order and rings do not change it."""
         import ngsolve as ng
 
         return ng.Mesh(self.mesh)
 
     def is_kept(self, turn: NDArray[Any]) -> bool:
-        """Whether a map of the plane takes the mesh to itself, element by element and part by part."""
+        """True if a map of the plane maps the mesh to itself, element by element and part by part."""
         from scipy.spatial import cKDTree
 
         turned = self._points.copy()
@@ -107,7 +107,7 @@ class MeshPeriod(FilledTile):
         return np.array_equal(before, after)
 
     def _refuse_doubled(self) -> None:
-        """Refuse nodes at one place: the mesh has a crack there that its drawing has not."""
+        """Refuse several nodes at one place: the mesh has a crack there that the drawing does not have."""
         from scipy.spatial import cKDTree
 
         near = cKDTree(self._points).query(self._points, k=2)[0][:, 1] < SAME
@@ -115,7 +115,7 @@ class MeshPeriod(FilledTile):
             raise self._refused("doubled", self._points[near.argmax()], float(near.sum()))
 
     def _middle(self) -> NDArray[Any]:
-        """Middle of the mesh's box, at the height of its lowest face; its extent has to be the tile's."""
+        """Centre of the mesh's bounding box, at its lowest face; the extent must be that of the tile."""
         low, high = self._points.min(axis=0), self._points.max(axis=0)
         extents = np.stack([(high - low)[:2], np.ptp(self.corners, axis=0)])
         if (np.abs(extents[0] - extents[1]) > NEAR).any():
@@ -123,7 +123,7 @@ class MeshPeriod(FilledTile):
         return np.array([*(0.5 * (low + high)[:2]), low[2]])
 
     def _refuse_open(self, faces: NDArray[np.int64]) -> None:
-        """Refuse faces that lie on one another without being joined."""
+        """Refuse faces that touch without being joined."""
         from scipy.spatial import cKDTree
 
         corners = np.concatenate([faces[:, [0, 1, 2]], faces[faces[:, 3] >= 0][:, [0, 2, 3]]])
@@ -151,7 +151,7 @@ class MeshPeriod(FilledTile):
             raise self._refused("hanging", first, hanging)
 
     def _sides_of(self, faces: NDArray[np.int64]) -> NDArray[np.int64]:
-        """The side that each outer face lies on, -1 for others; sides have to be whole and level."""
+        """Side of each outer face, -1 for others; sides must be complete and level."""
         beyond = self.beyond(self._points[:, :2]).max(axis=1)
         if beyond.max() > NEAR:
             raise self._refused("outside", self._points[beyond.argmax()], beyond.max() * self.metres)
@@ -186,7 +186,7 @@ class MeshPeriod(FilledTile):
     def _refuse_groups(
         self, side: NDArray[np.int64], element: NDArray[np.int64], with_material: Sequence[str]
     ) -> None:
-        """Refuse groups without a material, apart from that along the sides, which is the plate's."""
+        """Refuse groups without a material, except for the group along the sides, which is the plate."""
         beside = np.unique(self._part[element[side >= 0]])
         if len(beside) > 1:
             raise RefusedMesh("groups", text=" and ".join(self.parts[number] for number in beside))
@@ -195,7 +195,7 @@ class MeshPeriod(FilledTile):
                 raise RefusedMesh("bare", text=name)
 
     def _netgen(self, faces: NDArray[np.int64], side: NDArray[np.int64], part: NDArray[np.int64]) -> Any:
-        """Netgen's mesh, its parts and sides named as those of solids are."""
+        """Netgen's mesh, with names of parts and sides as for solids."""
         from netgen import meshing
 
         mesh = meshing.Mesh(dim=3)
@@ -222,14 +222,14 @@ class MeshPeriod(FilledTile):
             _add(mesh, 2, number, mine[mine[:, 3] >= 0])
         ends = np.cumsum([len(nodes) for _, nodes in self._blocks])
         for number in range(len(self.parts)):
-            for (kind, nodes), own in zip(self._blocks, np.split(self._part, ends[:-1]), strict=True):
+            for (kind, nodes), part_of in zip(self._blocks, np.split(self._part, ends[:-1]), strict=True):
                 columns = NETGENS_TETRA if kind == "tetra10" else slice(None)
-                _add(mesh, 3, number + 1, nodes[own == number][:, columns])
+                _add(mesh, 3, number + 1, nodes[part_of == number][:, columns])
             mesh.SetMaterial(number + 1, f"part{number}")
         return mesh
 
     def _refuse_folded(self, mesh: Any) -> None:
-        """Refuse quadratic tetrahedra that their curved edges turn inside out somewhere."""
+        """Refuse quadratic tetrahedra that are turned inside out by their curved edges."""
         import ngsolve as ng
 
         kinds = {kind for kind, _ in self._blocks}

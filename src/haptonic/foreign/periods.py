@@ -1,4 +1,4 @@
-"""One period of a plate from the solids of a STEP file: cut along the sides of a tile, and meshed by Netgen.
+"""One period of a plate from the solids of a STEP file: cut along the sides of a tile and meshed by Netgen.
 
 Lengths are in units of a tenth of the pitch; see `haptonic.foreign.solids`.
 """
@@ -12,20 +12,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-UNITS = 10.0  # that the pitch has
-SAME = 1e-4  # units: places, heights and extents that are one; STEP files have six digits or more
+UNITS = 10.0  # length of the pitch in units
+SAME = (
+    1e-4  # units; places, heights and extents that differ less are equal; STEP files have six digits or more
+)
 SAME_VOLUME = 1e-5  # relative
-# Mesh sizes: of elements away from edges, in thicknesses and pitches, and along edges where stress is
-# singular, in thicknesses and shares of the edge's extent. Of a pillar of 7 mm on 1.5 mm elements of two
-# thicknesses lost 0.8 % at order 3, of one 0.2 %.
+# Mesh sizes: of elements away from edges, in thicknesses and pitches; along edges with singular stress, in
+# thicknesses and shares of the edge's extent. For a pillar of 7 mm on 1.5 mm, elements of two thicknesses had
+# an error of 0.8 % at order 3, elements of one thickness 0.2 %.
 ELEMENTS, WIDEST_ELEMENT, ALONG_EDGE, OF_EDGE = 1.0, 0.25, 1.0, 0.15
-GRADING, CURVATURE = 0.5, 1.0  # of Netgen: how fast elements grow, and how many there are around a curve
+GRADING, CURVATURE = 0.5, 1.0  # settings of Netgen: growth of elements, and elements around a curve
 LAYERS = 0.2  # ratio of neighbouring layers of elements towards an edge
-STRAIGHT = np.radians(185.0)  # angles of solid about an edge from which it is re-entrant
+STRAIGHT = np.radians(185.0)  # an edge with a larger solid angle about it is re-entrant
 
 
 class FilledTile:
-    """The tile that bodies of others have to fill, in units; and what prevents that, see `inspected`.
+    """Tile that a file's bodies must fill, in units; and the reason if they do not, see `inspected`.
 
     blocks : polynomials of a trace along each side of the tile
     """
@@ -44,14 +46,14 @@ class FilledTile:
 
     @property
     def pieces(self) -> NDArray[Any]:
-        """(blocks sides, 2, 2) ends of parts of the tile's sides, anticlockwise from the first corner."""
+        """(blocks sides, 2, 2) ends of the pieces of the sides, anticlockwise from the first corner."""
         following = np.roll(self.corners, -1, axis=0)
         shares = np.arange(self.blocks)[:, None] / self.blocks
         starts = (self.corners[:, None] + shares * (following - self.corners)[:, None]).reshape(-1, 2)
         return np.stack([starts, np.roll(starts, -1, axis=0)], axis=1)
 
     def in_planes(self, places: NDArray[Any]) -> NDArray[Any]:
-        """Numbers of the pieces of sides in whose planes all of some places (n, 2) lie."""
+        """Numbers of the pieces of sides whose planes contain all places (n, 2)."""
         return np.flatnonzero(np.abs(self.beyond(places)).max(axis=0) < SAME)
 
     def beyond(self, places: NDArray[Any]) -> NDArray[Any]:
@@ -90,7 +92,7 @@ class DrawnPeriod(FilledTile):
 
     @property
     def mesh(self) -> Any:
-        """Netgen's mesh of the period, made once."""
+        """Netgen's mesh of the period, made on first use."""
         if self._mesh is None:
             self._mesh = _meshed(self)
         return self._mesh
@@ -101,11 +103,11 @@ class DrawnPeriod(FilledTile):
 
     @property
     def elements(self) -> float:
-        """Of the mesh before it is refined."""
+        """Number of elements before refinement."""
         return float(len(self.mesh.Elements3D()))
 
     def elements_of(self, order: int, rings: int) -> Any:
-        """NGSolve's mesh, refined towards edges where stress is singular."""
+        """NGSolve's mesh, refined towards edges with singular stress."""
         import ngsolve as ng
 
         mesh = ng.Mesh(self.mesh.Copy())
@@ -114,7 +116,7 @@ class DrawnPeriod(FilledTile):
         return mesh
 
     def _cut(self, solids: Sequence[Any]) -> None:
-        """Cut the solids, repeated, along the tile's sides; `problem` says what prevents that."""
+        """Cut the repeated solids along the tile's sides; if this fails, `problem` is the reason."""
         from netgen import occ
 
         low, high = (min(s.bounding_box[0].z for s in solids), max(s.bounding_box[1].z for s in solids))
@@ -151,13 +153,13 @@ class DrawnPeriod(FilledTile):
             self.problem = "overlap"
 
     def _reaches(self, solid: Any, move: NDArray[Any]) -> bool:
-        """Whether the box about a moved solid meets that about the tile."""
+        """True if the bounding box of a moved solid meets that of the tile."""
         low, high = solid.bounding_box
         box = np.array([[low.x, low.y], [high.x, high.y]]) + move
         return bool((box[1] > self.corners.min(axis=0)).all() and (box[0] < self.corners.max(axis=0)).all())
 
     def piece_of(self, face: Any) -> int | None:
-        """Number of the piece of a side that a face lies on; None for one inside the tile."""
+        """Number of the side piece that contains a face; None for a face inside the tile."""
         centre = np.array([face.center.x, face.center.y])
         vertices = [[vertex.p.x, vertex.p.y] for vertex in face.vertices]
         for number in self.in_planes(np.array([*vertices, centre])).tolist():
@@ -167,10 +169,10 @@ class DrawnPeriod(FilledTile):
         return None
 
     def _floor(self, parts: Sequence[Any]) -> float | None:
-        """Height of the plate's lower face, from its lateral faces; None where these are not whole."""
+        """Height of the plate's lower face, from its lateral faces; None if these are not complete."""
         count = len(self.pieces)
         area, low, high = np.zeros(count), np.full(count, np.inf), np.full(count, -np.inf)
-        beside = set()  # numbers of the parts that reach the sides
+        beside = set()  # numbers of the parts at the sides
         for position, part in enumerate(parts):
             for face in part.faces:
                 number = self.piece_of(face)
@@ -195,7 +197,7 @@ class DrawnPeriod(FilledTile):
         return float(low.mean())
 
     def is_kept(self, turn: NDArray[Any]) -> bool:
-        """Whether a map of the plane takes each part to itself: both fill the same space."""
+        """True if a map of the plane maps each part to itself: both occupy the same space."""
         from netgen import occ
 
         angle = float(np.arctan2(turn[1, 0], turn[0, 0]))
@@ -213,7 +215,7 @@ class DrawnPeriod(FilledTile):
 
 
 def _origins(whole: Any, solids: Sequence[Any]) -> Iterator[NDArray[Any]]:
-    """Places that may be the tile's middle: of the mass, of the box, its corners, the drawing's origin."""
+    """Possible centres of the tile: centre of mass, of the box, its corners, the origin of the drawing."""
     mass = np.array([solid.mass for solid in solids])
     centres = np.array([[solid.center.x, solid.center.y] for solid in solids])
     low, high = ((box.x, box.y) for box in whole.bounding_box)
@@ -227,7 +229,7 @@ def _origins(whole: Any, solids: Sequence[Any]) -> Iterator[NDArray[Any]]:
 
 
 def _meshed(period: DrawnPeriod) -> Any:
-    """Tetrahedra, small along edges where stress is singular, which are marked for `RefineHP`."""
+    """Mesh of tetrahedra, small along edges with singular stress, which are marked for `RefineHP`."""
     from netgen import occ
 
     body = period.body
@@ -250,9 +252,9 @@ def _meshed(period: DrawnPeriod) -> Any:
 
 
 def _singular(mesh: Any, period: DrawnPeriod) -> list[int]:
-    """Numbers of edges about which more than half a turn is solid, or that two solids share.
+    """Numbers of edges with more than half a turn of solid about them, or between two solids.
 
-    From the angles that the tetrahedra of a coarse mesh have at its segments there.
+    The angles are those of the tetrahedra of a coarse mesh at its segments on the edge.
     """
     points = np.array([point.p for point in mesh.Points()])
     corners = np.array([[vertex.nr - 1 for vertex in element.vertices] for element in mesh.Elements3D()])

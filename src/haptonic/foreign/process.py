@@ -1,7 +1,7 @@
-"""Questions to the process that reads, and its limits.
+"""Requests to the reading process, and its limits.
 
-The process is started once and serves many files: to start it takes about 0.2 s, to ask it below a
-millisecond. One that crashes, hangs or takes too much ends, and the next question starts another.
+The process is started once and serves many files: starting takes about 0.2 s, a request less than a
+millisecond. A process that crashes, hangs or exceeds its limits is ended; the next request starts another.
 """
 
 from __future__ import annotations
@@ -21,22 +21,21 @@ from typing import Any
 from haptonic.errors import ChannelError, ResourceError
 from haptonic.foreign import wire
 
-# Processor time of a question. A good file of 100 MB takes 1 s (MATLAB 5, compressed); damaged ones that
-# hang do so for ever.
+# Processor time of a request. A good file of 100 MB takes 1 s (compressed MATLAB 5); damaged ones may hang.
 SECONDS, BYTES_A_SECOND = 5.0, 4e6
-WAITING = 12  # times longer on the clock than on the processor: other work, a slow disk
-# Memory of a question, beyond what the process has. A compressed file unfolds; its text is held beside it.
+WAITING = 12  # factor from processor time to time on the clock, for other work and a slow disk
+# Memory of a request in addition to that of the process: a compressed file and its text are both in memory.
 MEMORY, MEMORY_A_BYTE = 2**30, 16
 LARGEST_NUMBER = 16  # bytes of a complex number
 COMMAND = ["-m", "haptonic.foreign.child"]
-START_SECONDS = 60.0  # on a busy machine; 0.2 s on an idle one
-LOOK_SECONDS = 0.1  # how often the process is looked at
-PIPE = 2**20  # bytes that wait between the processes; Linux's usual 64 kB halve the speed
+START_SECONDS = 60.0  # limit on a busy machine; an idle one takes 0.2 s
+LOOK_SECONDS = 0.1  # interval between checks of the process
+PIPE = 2**20  # bytes of the buffer between the processes; Linux's default of 64 kB halves the speed
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What a question may take: processor time (s), time on the clock (s), memory (bytes)."""
+    """Limits of a request: processor time (s), time on the clock (s), memory (bytes)."""
 
     seconds: float
     waiting: float
@@ -44,25 +43,25 @@ class Limits:
 
     @classmethod
     def of(cls, size: int) -> Limits:
-        """For a file of so many bytes."""
+        """Limits for a file of this size in bytes."""
         seconds = SECONDS + size / BYTES_A_SECOND
         return cls(seconds, WAITING * seconds, MEMORY + MEMORY_A_BYTE * size)
 
 
 def ask(parser: str, path: Path, /, *, limits: Limits | None = None, **arguments: object) -> Any:
-    """What a parser says of a file.
+    """Run a parser on a file and return its result.
 
     Parameters
     ----------
-    parser : such as "hdf5.tree": module and function of `haptonic.foreign`
-    limits : of this question; by default what a file of its size may take
-    arguments : of that function; texts, numbers, lists, arrays
+    parser : module and function of `haptonic.foreign`, such as "hdf5.tree"
+    limits : of this request; by default those for a file of this size
+    arguments : arguments of the function: texts, numbers, lists, arrays
 
     Raises
     ------
-    ChannelError : the parser raised an error, crashed, or took more time than this file may
-    OSError : there is no such file, or it may not be read
-    ResourceError : no process can be started, or it took more memory than this file may
+    ChannelError : the parser raised an error, crashed, or exceeded the time limit
+    OSError : the file does not exist, or may not be read
+    ResourceError : no process can be started, or it exceeded the memory limit
     """
     with path.open("rb") as file:
         limits = limits or Limits.of(os.fstat(file.fileno()).st_size)
@@ -79,14 +78,14 @@ def ask(parser: str, path: Path, /, *, limits: Limits | None = None, **arguments
                 break
             except _EndedError as error:
                 _end()
-                # what an earlier file did to the memory of the process is not this file's fault
+                # an earlier file may have damaged the memory of the process; then try again
                 if fresh or error.reason:
-                    raise _told(path, error, limits) from error
-            except MemoryError as error:  # of this process, whose memory others may limit
+                    raise _error_for(path, error, limits) from error
+            except MemoryError as error:  # in this process
                 _end()
                 raise too_large(path, limits.memory) from error
             except BaseException:
-                _end()  # an answer that nobody took would be taken for the next one
+                _end()  # a pending answer would be taken for the next one
                 raise
     if "error" not in answer:
         return answer["answer"]
@@ -96,16 +95,16 @@ def ask(parser: str, path: Path, /, *, limits: Limits | None = None, **arguments
 
 
 def refuse_larger(path: Path, numbers: int) -> None:
-    """Refuse arrays that need more memory than a file of this size may take, before they are read.
+    """Refuse arrays that need more memory than the limit for this file, before they are read.
 
     Parameters
     ----------
-    numbers : how many there are; each counts as a complex number of double precision
+    numbers : count of numbers; each counts as a complex number of double precision
 
     Raises
     ------
     ResourceError : more memory than `Limits` allows
-    OSError : there is no such file
+    OSError : the file does not exist
     """
     memory = Limits.of(path.stat().st_size).memory
     if numbers * LARGEST_NUMBER > memory:
@@ -113,29 +112,29 @@ def refuse_larger(path: Path, numbers: int) -> None:
 
 
 def too_large(path: Path, memory: int) -> ResourceError:
-    """The error for a file whose content needs more memory (bytes) than a file of its size may take."""
+    """Error for a file whose content needs more memory (bytes) than the limit for its size."""
     return ResourceError.too_large(
         argument=path.name,
         given=f"a file of {path.stat().st_size} bytes whose content takes more than {memory / 1e9:.1f} GB",
         allowed=f"at most {MEMORY / 1e9:.1f} GB and {MEMORY_A_BYTE} bytes for each byte of the file",
-        cause="it is damaged, or holds far more than one scan or one set of records",
+        cause="it is damaged, or contains far more than one scan or one set of records",
         next_step="export fewer points or a shorter band, or copy the file again",
     )
 
 
-def damaged(path: Path, found: str) -> ChannelError:
-    """The error for a file that its parser cannot read."""
+def damaged(path: Path, fault: str) -> ChannelError:
+    """Error for a file that its parser cannot read."""
     return ChannelError.unreadable(
         argument=path.name,
-        given=found,
-        allowed="a whole file of the format that its name says",
-        cause="it is damaged, its copy was interrupted, or it is of another kind than its name says",
-        next_step="copy or export it again, or open it in another program to see",
+        given=fault,
+        allowed="a complete file of the format in its name",
+        cause="it is damaged, its copy was interrupted, or its format is not that of its name",
+        next_step="copy or export it again, or check it in another program",
     )
 
 
-def _told(path: Path, error: _EndedError, limits: Limits) -> Exception:
-    # killed, and not by us: that is what a system does that runs out of memory
+def _error_for(path: Path, error: _EndedError, limits: Limits) -> Exception:
+    # killed, but not by us: the system does so when it runs out of memory
     if error.reason == "memory" or (not error.reason and error.code == -getattr(signal, "SIGKILL", 0)):
         return too_large(path, limits.memory)
     if error.reason == "time":
@@ -144,7 +143,7 @@ def _told(path: Path, error: _EndedError, limits: Limits) -> Exception:
 
 
 class _EndedError(Exception):
-    """The process ended while it was asked; the reason is ours ("time", "memory"), or empty."""
+    """The process ended during a request; the reason is ours ("time", "memory"), or empty."""
 
     def __init__(self, reason: str, code: int) -> None:
         super().__init__(reason)
@@ -152,12 +151,12 @@ class _EndedError(Exception):
 
 
 class _Reader:
-    """A process that reads."""
+    """A reading process."""
 
     def __init__(self) -> None:
         self.asked = False
         try:
-            # a command, and not a fork or multiprocessing: no thread's lock is copied, no user's script run
+            # a new command instead of fork or multiprocessing: it copies no locks and runs no user's script
             self.process = subprocess.Popen(
                 [sys.executable, "-P", *COMMAND],
                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, bufsize=0,
@@ -177,7 +176,7 @@ class _Reader:
             raise _not_started(f"it ended at once (exit code {self.process.returncode})") from error
 
     def answer(self, question: dict[str, Any], limits: Limits) -> dict[str, Any]:
-        """The answer.
+        """Answer to a request.
 
         Raises
         ------
@@ -191,7 +190,7 @@ class _Reader:
 
     @contextmanager
     def _watched(self, limits: Limits) -> Iterator[None]:
-        """A thread looks at the process, for one that hangs in C sees no signal but the last."""
+        """Watch the process from a thread, because a hang in C code blocks all signals except SIGKILL."""
         done, reasons = threading.Event(), list[str]()
         watch = threading.Thread(target=self._watch, args=(limits, done, reasons), daemon=True)
         watch.start()
@@ -201,7 +200,7 @@ class _Reader:
             done.set()
             watch.join()
             code = self.process.wait()
-            if code == -getattr(signal, "SIGXCPU", 0):  # the limit of the system came first
+            if code == -getattr(signal, "SIGXCPU", 0):  # the limit of the system was reached first
                 reasons.append("time")
             raise _EndedError(reasons[0] if reasons else "", code) from error
         finally:
@@ -211,21 +210,21 @@ class _Reader:
     def _watch(self, limits: Limits, done: threading.Event, reasons: list[str]) -> None:
         if done.wait(LOOK_SECONDS):
             return
-        import psutil  # here, because most questions are answered by now
+        import psutil  # imported here, because most requests are answered before
 
         waited, before = LOOK_SECONDS, None
         while not done.wait(LOOK_SECONDS):
             waited += LOOK_SECONDS
             try:
                 process = psutil.Process(self.process.pid)
-                times, held = process.cpu_times(), process.memory_info().rss
+                times, memory = process.cpu_times(), process.memory_info().rss
             except psutil.Error:  # it has ended
                 return
             used = times.user + times.system
             before = used if before is None else before
             if used - before > limits.seconds or waited > limits.waiting:
                 reasons.append("time")
-            elif held > limits.memory + MEMORY // 4:  # the process itself takes 60 MB to 150 MB
+            elif memory > limits.memory + MEMORY // 4:  # the process itself takes 60 MB to 150 MB
                 reasons.append("memory")
             if reasons:
                 self.process.kill()
@@ -236,14 +235,14 @@ class _Reader:
         self.close()
 
     def close(self) -> None:
-        """It ends when its input does."""
+        """Close the pipes; the process ends at the end of its input."""
         for pipe in (self.to, self.back):
             pipe.close()
         self.process.wait()
 
 
 def _environment() -> dict[str, str]:
-    """Of the process: it finds the modules that this one finds, and does with one thread."""
+    """Environment of the process: the same import path, and one thread."""
     home = str(Path(__file__).parents[2])
     places = os.pathsep.join([home, *(place for place in sys.path if place and place != home)])
     return os.environ | {"PYTHONPATH": places, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
@@ -257,7 +256,7 @@ def _widened(*pipes: int) -> None:
     try:
         for pipe in pipes:
             fcntl(pipe, F_SETPIPE_SZ, PIPE)
-    except OSError:  # the user's pipes are as wide as they may be
+    except OSError:  # the limit of the user is reached
         return
 
 
@@ -272,7 +271,7 @@ def _not_started(why: str) -> ResourceError:
 
 
 _turn = threading.Lock()
-_readers: list[_Reader] = []  # none or one
+_readers: list[_Reader] = []  # at most one
 
 
 def _reader() -> _Reader:
@@ -289,12 +288,12 @@ def _end() -> None:
 
 
 def _leave_to_the_parent() -> None:
-    """After a fork: the process is that of the parent, and so is a turn that was being taken."""
+    """After a fork, leave the process to the parent, with any request in progress."""
     global _turn
     _turn = threading.Lock()
     while _readers:
         reader = _readers.pop()
-        reader.process.returncode = 0  # it is not for this process to wait for it
+        reader.process.returncode = 0  # the parent waits for it, not this process
         for pipe in (reader.to, reader.back):
             pipe.close()
 

@@ -1,7 +1,7 @@
-"""Cells of others: solids of a STEP file, meshed by Netgen, or a mesh, assembled by NGSolve.
+"""Cells from files: solids of a STEP file, meshed by Netgen, or a mesh, assembled by NGSolve.
 
-Both libraries run in the process that reads, so that a crash in one is an error like any other. Lengths are
-in units of a tenth of the pitch here; the plate's lower face is at z = 0, the tile's middle at x = y = 0.
+Both libraries run in the reading process, so that a crash becomes an ordinary error. Lengths are in units of
+a tenth of the pitch; the plate's lower face is at z = 0, the centre of the tile at x = y = 0.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from haptonic.foreign.periods import SAME, SAME_VOLUME, DrawnPeriod
 
 
 def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
-    """What a file has for one period of a plate.
+    """Contents of a file for one period of a plate.
 
     Parameters
     ----------
@@ -27,25 +27,25 @@ def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
 
     Returns
     -------
-    ``names`` of the solids, or of the groups of a mesh, for materials; ``problem``, empty where they make a
-    period, else what is wrong, with its ``number``, ``place`` and ``text``. If they do, ``parts``, names of
-    what may have a material of its own, with ``volumes``, m^3; ``kept`` (n,) whether each map leaves them
-    as they are; ``elements`` of the mesh before it is refined, as many tetrahedra have their unknowns;
-    ``whole_below`` whether the plate's lower face is whole, and nothing lies below it
+    ``names`` of the solids, or of the groups of a mesh, for materials; ``problem``, empty if they form a
+    period, otherwise its kind, with its ``number``, ``place`` and ``text``. For a period also ``parts``,
+    names of the parts that may have different materials, with ``volumes``, m^3; ``kept`` (n,) True for each
+    map that leaves them unchanged; ``elements`` before refinement, as the number of tetrahedra with as many
+    unknowns; ``whole_below`` True if the plate's lower face is whole and nothing lies below it
     """
-    found = period_of(path, **drawn)
-    whole = not found.problem
+    period = period_of(path, **drawn)
+    whole = not period.problem
     return {
-        "names": found.names,
-        "problem": found.problem,
-        "number": float(found.number),
-        "place": found.place,
-        "text": found.text,
-        "parts": found.part_names if whole else [],
-        "volumes": [volume * found.metres**3 for volume in found.volumes] if whole else [],
-        "kept": np.array([found.is_kept(turn) for turn in turns] if whole else [], dtype=np.uint8),
-        "elements": found.elements if whole else 0.0,
-        "whole_below": whole and _is_whole_below(found),
+        "names": period.names,
+        "problem": period.problem,
+        "number": float(period.number),
+        "place": period.place,
+        "text": period.text,
+        "parts": period.part_names if whole else [],
+        "volumes": [volume * period.metres**3 for volume in period.volumes] if whole else [],
+        "kept": np.array([period.is_kept(turn) for turn in turns] if whole else [], dtype=np.uint8),
+        "elements": period.elements if whole else 0.0,
+        "whole_below": whole and _is_whole_below(period),
     }
 
 
@@ -60,12 +60,12 @@ def assembled(
     inside: NDArray[Any],
     **drawn: Any,
 ) -> dict[str, Any]:
-    """Matrices of a period on elements of an order; those of solids are refined towards singular edges.
+    """Matrices of a period on elements of an order; meshes of solids are refined towards singular edges.
 
     Parameters
     ----------
     drawn : see `period_of`
-    rings : how often elements at such edges are parted
+    rings : number of subdivisions of elements at such edges
     stiffness, density : (solids, 6, 6) Pa and (solids,) kg/m^3
     along, upward : places of the trace's nodes on each piece of a side and through the thickness, from 0 to 1
     inside : the same of nodes along either axis of an element of the order
@@ -74,7 +74,7 @@ def assembled(
     -------
     In SI units: ``stiffness`` of (component, scalar unknown) and ``mass`` of scalar unknowns, each as rows,
     columns and values; ``lateral`` scalar unknowns on the lateral faces and ``trace`` (lateral, levels x
-    places), their values from those of the trace; ``above`` like the mass, of what is beyond the plate's
+    places), their values from those of the trace; ``above`` like the mass, for the parts beyond the plate's
     faces; ``points`` (n, 3) of the surface, ``cells`` (m, 4) quadrilaterals of it, seen from outside
     anticlockwise, ``lower`` (faces, n, n) nodes of quadrilaterals on the face at z = 0, and ``shown``, values
     at the points from unknowns.
@@ -123,15 +123,15 @@ def period_of(
     unit: float,
     with_material: list[str],
 ) -> DrawnPeriod | MeshPeriod:
-    """The solids of a STEP file or a mesh as one period of a plate.
+    """One period of a plate from the solids of a STEP file, or from a mesh.
 
     Parameters
     ----------
-    digest : of the file, so that another file of this name is read again
-    tile : (sides, 2) corners of the polygon that repeats, anticlockwise; vectors : (2, 2) translations;
+    digest : of the file, so that a changed file is read again
+    tile : (sides, 2) corners of the repeated polygon, anticlockwise; vectors : (2, 2) translations;
         thickness : of the plate, all in m
-    unit : of the lengths of a mesh, m; zero for a STEP file, which gives its own
-    with_material : groups of a mesh with a material of their own
+    unit : unit of length of a mesh, m; zero for a STEP file, which contains its unit
+    with_material : groups of a mesh for which materials are given
     """
     polygon, steps = (tuple(map(tuple, np.asarray(rows).tolist())) for rows in (tile, vectors))
     return _period(path, digest, polygon, steps, float(thickness), float(unit), tuple(with_material))
@@ -173,10 +173,10 @@ def _triplets(form: Any, factor: float) -> dict[str, Any]:
 def _trace(
     mesh: Any, scalar: Any, period: DrawnPeriod | MeshPeriod, along: NDArray[Any], upward: NDArray[Any]
 ) -> tuple[NDArray[np.int64], NDArray[Any]]:
-    """Unknowns on the lateral faces, and their values (unknowns, levels x places) for each of the trace's.
+    """Unknowns on the lateral faces, and their values (unknowns, levels x places) by value of the trace.
 
-    A trace is a polynomial along each piece of a side and through the thickness, given by its values at the
-    nodes; the unknowns are its projection in the mean square.
+    A trace is a polynomial along each side piece and through the thickness, given by its values at the nodes;
+    the unknowns are its least-squares projection.
     """
     import ngsolve as ng
     import scipy.sparse as sp
@@ -185,7 +185,7 @@ def _trace(
     marked = scalar.GetDofs(mesh.Boundaries("side.*"))
     lateral = np.flatnonzero([marked[number] for number in range(scalar.ndof)])
     a, b = scalar.TnT()
-    form = ng.BilinearForm(a * b * ng.ds("side.*")).Assemble()  # its matrix lives as long as it does
+    form = ng.BilinearForm(a * b * ng.ds("side.*")).Assemble()  # keeps its matrix alive
     values, columns, starts = form.mat.CSR()
     gram = sp.csr_matrix((np.array(values), np.array(columns), np.array(starts)))[lateral][:, lateral]
     of_power = [np.linalg.inv(np.vander(nodes, increasing=True)) for nodes in (along, upward)]
@@ -200,9 +200,9 @@ def _trace(
                 s**i * (ng.z / period.thickness) ** j * b * ng.ds(f"side{number}", bonus_intorder=order)
             )
             powers[:, i, j] = work.Assemble().vec.FV().NumPy()[lateral]
-        own = np.einsum("nij,ia,jl->nla", powers, *of_power)
+        values_of_piece = np.einsum("nij,ia,jl->nla", powers, *of_power)
         places = (number * order + np.arange(order + 1)) % (count * order)
-        for place, values_there in zip(places.tolist(), np.moveaxis(own, 2, 0), strict=True):
+        for place, values_there in zip(places.tolist(), np.moveaxis(values_of_piece, 2, 0), strict=True):
             moments[:, :, place] += values_there
     solved = sparse_linalg.splu(gram.tocsc()).solve(moments.reshape(len(lateral), -1))
     return lateral, np.asarray(solved)

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from nptdms import TdmsFile
 
-_open: dict[tuple[object, ...], TdmsFile] = {}  # the last file: its description is long, and asked for often
+_open: dict[tuple[object, ...], TdmsFile] = {}  # the last file: its description is long and often needed
 
 
 def tree(path: str) -> dict[str, Any]:
     """``properties`` of the file; ``groups``: name, properties and channels of each; a channel has a name,
-    properties, its ``length`` and whether it holds numbers."""
+    properties, its ``length``, and ``numbers``, True if it contains numbers."""
     file = _opened(path)
     groups = [
         {
@@ -38,13 +38,13 @@ def tree(path: str) -> dict[str, Any]:
 
 
 def channels(path: str, names: list[list[str]]) -> list[NDArray[Any]]:
-    """Numbers of channels, each named by its group and its own name."""
+    """Numbers of channels, given by group and name."""
     file = _opened(path)
     return [np.asarray(file[group][channel][:]) for group, channel in names]
 
 
 def close(path: str) -> None:
-    """Let go of a file that was asked about."""
+    """Close a file that was read."""
     for key in [key for key in _open if key[0] == path]:
         _open.pop(key).close()
 
@@ -62,7 +62,7 @@ def _opened(path: str) -> TdmsFile:
 
 
 def _plain(properties: Any) -> dict[str, Any]:
-    """Numbers as they are, all else as text."""
+    """Keep numbers; convert other properties to text."""
     return {
         str(name): float(value) if isinstance(value, int | float | np.number) else str(value)
         for name, value in properties.items()

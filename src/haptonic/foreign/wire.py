@@ -1,4 +1,4 @@
-"""What goes between the two processes: JSON, and the bytes of its arrays. Nothing in it is executed."""
+"""Transfer between the two processes: JSON, and the bytes of its arrays. Nothing in it is executed."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-LENGTH = 8  # bytes of the number before the JSON
+LENGTH = 8  # bytes of the length before the JSON
 
 
 def send(stream: IO[bytes], content: object) -> None:
     """Write texts, numbers, lists, dicts and arrays of numbers to an unbuffered stream.
 
-    Each array is let go once it is written, so that both processes together hold it about once.
+    Each array is released after it is written, so that both processes together contain it about once.
     """
     arrays: list[NDArray[Any]] = []
     text = json.dumps(_packed(content, arrays)).encode()
@@ -27,7 +27,7 @@ def send(stream: IO[bytes], content: object) -> None:
 
 
 def receive(stream: IO[bytes]) -> Any:
-    """What `send` wrote.
+    """Read content that `send` wrote.
 
     Raises
     ------
@@ -38,19 +38,19 @@ def receive(stream: IO[bytes]) -> Any:
     content = json.loads(_read(stream, bytearray(length)))
 
     def array(kind: str, shape: list[int], turned: bool) -> NDArray[Any]:
-        made = np.empty(shape, np.dtype(kind))
-        _read(stream, made.reshape(-1).view(np.uint8))
-        return made.T if turned else made
+        numbers = np.empty(shape, np.dtype(kind))
+        _read(stream, numbers.reshape(-1).view(np.uint8))
+        return numbers.T if turned else numbers
 
     return _unpacked(content, array)
 
 
 def _packed(value: Any, arrays: list[NDArray[Any]]) -> Any:
-    """A dict becomes {"d": pairs} and an array {"a": form}, so that no name in a file is taken for either."""
+    """Encode a dict as {"d": pairs} and an array as {"a": form}; names in a file cannot imitate them."""
     if isinstance(value, dict):
-        return {"d": [[name, _packed(one, arrays)] for name, one in value.items()]}
+        return {"d": [[name, _packed(item, arrays)] for name, item in value.items()]}
     if isinstance(value, list):
-        return [_packed(one, arrays) for one in value]
+        return [_packed(item, arrays) for item in value]
     if isinstance(value, np.ndarray):
         assert value.dtype.kind in "fciub", value.dtype
         turned = value.flags.f_contiguous and not value.flags.c_contiguous
@@ -62,12 +62,12 @@ def _packed(value: Any, arrays: list[NDArray[Any]]) -> Any:
 
 def _unpacked(value: Any, array: Callable[..., NDArray[Any]]) -> Any:
     if isinstance(value, list):
-        return [_unpacked(one, array) for one in value]
+        return [_unpacked(item, array) for item in value]
     if not isinstance(value, dict):
         return value
     if "a" in value:
         return array(*value["a"])
-    return {name: _unpacked(one, array) for name, one in value["d"]}
+    return {name: _unpacked(item, array) for name, item in value["d"]}
 
 
 def _flat(array: NDArray[Any]) -> NDArray[Any]:

@@ -1,4 +1,4 @@
-"""Pages of HTML: one file each, with pictures and style inside, no script, and nothing from elsewhere."""
+"""HTML pages: each is one file with its pictures and style, without scripts and without external parts."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A figure with the sentence below it and the words that stand for it where it cannot be seen.
+    """A figure with its caption and its alternative text.
 
-    name : by which findings of its chapter refer to it
-    moving : gives the same in motion, as WebP
+    name : name for the findings of its chapter
+    moving : returns the animated picture, as WebP
     number : in the order of the page
     """
 
@@ -33,7 +33,7 @@ class Picture:
 
 
 def filled(template: str, **values: object) -> str:
-    """A page of this folder with its values filled in; text is escaped."""
+    """Fill in a template of this folder; texts are escaped."""
     environment = jinja2.Environment(
         autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
@@ -44,10 +44,10 @@ def filled(template: str, **values: object) -> str:
 
 
 def embedded(figure: Figure, kind: Literal["svg", "png"] = "svg") -> str:
-    """The figure as an address that holds all of it."""
+    """The figure as a data URL."""
     return address(plots.rendered(figure, kind), "svg+xml" if kind == "svg" else kind)
 
 
 def address(content: bytes, form: str) -> str:
-    """A picture of this form as an address that holds all of it."""
+    """A picture of this format as a data URL."""
     return f"data:image/{form};base64,{base64.b64encode(content).decode()}"

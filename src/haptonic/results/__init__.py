@@ -1,6 +1,6 @@
-"""What a run gives back: values that can be asked, drawn and written, each with the inputs that made it.
+"""Results of analyses: values that can be queried, drawn and written, each with its inputs.
 
-`haptonic.results.result` is the protocol of all of them.
+`haptonic.results.result` is their common protocol.
 """
 
 import lazy_loader as lazy

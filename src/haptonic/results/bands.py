@@ -1,4 +1,4 @@
-"""Bands of one unit cell."""
+"""Bands, gaps and mode shapes of one unit cell."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _over_the_zone(result: Bands) -> bool:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Bands(Result):
-    """Band diagram, gaps and mode shapes of a unit cell; ``dataset`` holds all of it, labelled."""
+    """Band diagram, gaps and mode shapes of a unit cell, all in ``dataset``."""
 
     title = "Bands and gaps"
     data_file = "bands"
@@ -48,7 +48,7 @@ class Bands(Result):
 
     @property
     def gaps(self) -> tuple[Gap, ...]:
-        """Complete gaps first, then those of single directions."""
+        """Gaps: the complete ones first, then those of single directions."""
         return gaps_of(self.dataset)
 
     @property
@@ -91,14 +91,14 @@ class Bands(Result):
 
     def summary(self) -> list[str]:
         complete = [gap for gap in self.gaps if gap.complete]
-        said = [
+        sentences = [
             f"Complete gap from {band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}, "
             f"between bands {gap.between[0]} and {gap.between[1]}"
             + ("." if gap.certain else "; it is not wider than the errors of its edges, so it may not exist.")
             for gap in complete
         ]
-        said += [] if complete else ["There is no complete gap among the bands that were computed."]
-        said += [
+        sentences += [] if complete else ["The computed bands have no complete gap."]
+        sentences += [
             f"Gap of {gap.waves} waves alone from "
             f"{band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}, "
             f"between their bands {gap.between[0]} and {gap.between[1]}."
@@ -106,31 +106,31 @@ class Bands(Result):
             if gap.waves != "all"
         ]
         checked, missed = (int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed"))
-        return [*said, *self._about_carrier(complete), counted(checked, missed)]
+        return [*sentences, *self._about_carrier(complete), counted(checked, missed)]
 
     def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
         carrier = self.dataset.attrs.get("carrier_hz")
         if carrier is None or not complete:
             return []
-        gap = max(complete, key=lambda one: one.margin(carrier))  # that which holds it, else the nearest
+        gap = max(complete, key=lambda candidate: candidate.margin(carrier))  # containing it, or nearest
         ends = sorted(
             [(carrier - gap.lower, "lower", gap.lower_error), (gap.upper - carrier, "upper", gap.upper_error)]
         )
-        # the nearer edge, unless only the other one is so uncertain that the gap may not hold the carrier
-        room, edge, _ = next((one for one in ends if one[0] <= one[2]), ends[0])
+        # the nearer edge, unless only the other one is so uncertain that the carrier may lie outside
+        room, edge, _ = next((end for end in ends if end[0] <= end[2]), ends[0])
         name, away = (
             f"The carrier, {format_quantity(carrier, 'Hz')},",
             hz_text(abs(room), form=".2g"),
         )
         if room <= 0:
-            said = f"{name} lies in no complete gap, {away} from the nearest edge"
-            return [f"{said}: at this frequency the lattice lets waves through."]
-        said = f"{name} lies inside the gap, {away} ({room / carrier:.1%}) from its {edge} edge"
+            text = f"{name} lies in no complete gap, {away} from the nearest edge"
+            return [f"{text}: waves of this frequency propagate in the lattice."]
+        text = f"{name} lies inside the gap, {away} ({room / carrier:.1%}) from its {edge} edge"
         if not gap.holds(carrier):
-            return [f"{said}, which is within the error of that edge."]
+            return [f"{text}, which is within the error of that edge."]
         if room < 0.1 * gap.width:
-            said += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
-        return [f"{said}."]
+            text += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
+        return [f"{text}."]
 
     def tables(self) -> list[Table]:
         gaps = self.gaps
@@ -163,11 +163,11 @@ class Bands(Result):
 
     @figure(
         "natures",
-        "Simulated bands by what moves: colour, dashes and markers change where a mode changes its nature. "
-        "Complete gaps are shaded, those of one parity hatched.",
+        "Simulated bands, coloured by the motion: colour, dashes and markers change where a mode changes its "
+        "motion. Complete gaps are shaded, those of one parity hatched.",
     )
     def _natures(self, *, legend: bool = True, ax: Axes | None = None) -> Figure:
-        """The same with each mode in the colour of what moves."""
+        """Band diagram with each mode in the colour of its motion."""
         carrier = self.dataset.attrs.get("carrier_hz")
         return plots.dispersion(self.dataset, carrier, natures=True, legend=legend, ax=ax)
 
@@ -213,7 +213,9 @@ class Bands(Result):
 
     def facts(self) -> dict[str, Any]:
         data, names = self.dataset, json.loads(self.dataset.attrs["character_names"])
-        along = [name for name, one in data.items() if {"wavevector", "path_corner"} & set(one.dims)]
+        along = [
+            name for name, variable in data.items() if {"wavevector", "path_corner"} & set(variable.dims)
+        ]
         named = data["character"].dims, np.array(names)[data["character"].values]
         return {
             "gaps": self.gaps, "bands": data[along].assign(character=named), "modes": mode_names(data),
@@ -221,8 +223,8 @@ class Bands(Result):
 
 
 def counted(checked: int, missed: int) -> str:
-    """What the exact counts of modes say of the bands."""
+    """Sentence on the check of the bands by exact eigenvalue counts."""
     if not checked:
-        return "Bands were not counted by another method: where it would be done, one lies within its error."
+        return "The number of bands was not checked: a band lies within its error of each frequency for it."
     missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
-    return f"Counted by another method, in {checked} comparison{'s' * (checked != 1)}: {missing}."
+    return f"Checked by exact eigenvalue counts, in {checked} comparison{'s' * (checked != 1)}: {missing}."

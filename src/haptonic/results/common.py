@@ -1,4 +1,4 @@
-"""What every result has: the question it answers, a key in the store, a stamp, and files that are whole."""
+"""Parts that all results share: the inputs, a key in the store, a stamp, and files that are whole."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ REASONS = {"time": "lack of time", "memory": "lack of memory", "range": "range o
 
 
 def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
-    """A warning where an accuracy was not reached: what was, why, and what to do.
+    """Warning if the required accuracy was not reached: the largest error, the reason and advice.
 
     attributes : of a dataset; see `haptonic.bloch.model.BestModel.attributes`
     """
@@ -34,20 +34,20 @@ def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
         return []
     reached = f"{rounded_up(largest):g}"
     remark = (
-        f"The accuracy asked for, {asked:g}, is not reached: errors go up to {reached} of a frequency"
-        f"{', which tells little of gaps' if largest > COARSEST else ''}."
+        f"The required accuracy, {asked:g}, is not reached: errors go up to {reached} of a frequency"
+        f"{', too large to judge gaps' if largest > COARSEST else ''}."
     )
     if "stopped_by" in attributes:
         remark += f" The reason is {REASONS[attributes['stopped_by']]}: {attributes['stopped_why']}."
     if "budget_needed_s" in attributes:
-        remark += f' Ask again with --budget "{duration(attributes["budget_needed_s"])}" for the next mesh.'
-    return [f"{remark} With accuracy = {reached} in [bands] no more than this is asked for."]
+        remark += f' Run again with --budget "{duration(attributes["budget_needed_s"])}" for the next mesh.'
+    return [f"{remark} To accept these errors, set accuracy = {reached} in [bands]."]
 
 
 def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool) -> list[Path]:
-    """Write files into a folder, each whole or not at all, and none if one may not be written.
+    """Write files into a folder, each whole or not at all, and none if one of them may not be written.
 
-    Names are texts, or paths of files below the folder; see `haptonic.paths.inside`.
+    Names are texts, or paths below the folder; see `haptonic.paths.inside`.
     """
     refuse_taken(folder, writers, overwrite=overwrite)
     paths = [inside(folder, name) for name in writers]
@@ -57,11 +57,10 @@ def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool)
 
 
 def refuse_taken(folder: Path | None, names: Iterable[str | PurePosixPath], *, overwrite: bool) -> None:
-    """Raise ResourceError if one of the names is taken in a folder or leads out of it, or if nothing can be
-    written there.
+    """Raise ResourceError if a name is taken or leads out of the folder, or if it cannot be written.
 
-    Asked before the work starts, so that no run is lost on its last step. A folder that was not there is not
-    left behind: what comes next may be refused.
+    It is called before the work starts, so that no run fails on its last step. A folder that does not exist
+    is not created, because a later check may refuse the command.
     """
     if folder is None:
         return
@@ -72,16 +71,16 @@ def refuse_taken(folder: Path | None, names: Iterable[str | PurePosixPath], *, o
 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
-    """NetCDF 4 by h5netcdf; names of variables may hold those of regions, see `haptonic.names.variable`."""
+    """Write NetCDF 4 with h5netcdf; names of regions in variables are encoded, see `haptonic.names`."""
     passed(dataset)
     every = (*dataset.variables, *dataset.dims)
-    names = {name: written for name in every if (written := variable(str(name))) != name}
+    names = {name: in_file for name in every if (in_file := variable(str(name))) != name}
     with hdf5.written(path) as file:
         dataset.rename(names).to_netcdf(file, engine="h5netcdf")
 
 
 def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:
-    """The dataset, its numbers looked at, with the inputs, the version and the code that made it."""
+    """Check the numbers of a dataset and add the inputs, the version and the fingerprint of the code."""
     dataset.attrs |= {
         "inputs": json.dumps(inputs),
         "haptonic_version": version("haptonic"),

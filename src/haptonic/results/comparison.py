@@ -1,4 +1,4 @@
-"""How two sets of bands differ: band by band, in their gaps, and in what made them."""
+"""Differences of two sets of bands: in each band, in the gaps, and in the inputs."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity, hz_text
 
-LOW = 0.05  # of the highest frequency, below which a share of the frequency tells nothing
-FEW = 3  # differences that are told in a sentence
-MOST_APART = 0.1  # relative difference beyond which a table is refused: other bands, another unit or size
+LOW = 0.05  # of the highest frequency; a relative difference of lower frequencies is not meaningful
+FEW = 3  # differences that are listed in a sentence
+MOST_APART = 0.1  # relative difference; a larger one indicates other bands, another unit or another size
 RATIOS = {
     "angular frequencies, in rad/s, were taken for Hz": 2 * np.pi,
     "Hz were taken for angular frequencies, in rad/s": 1 / (2 * np.pi),
     "kHz were taken for Hz, or the like": 1e-3,
     "Hz were taken for kHz, or the like": 1e3,
 }
-OTHER_BAND = 0.1  # relative difference from which on two bands of one number are hardly the same one
+OTHER_BAND = 0.1  # relative difference; bands of the same number that differ more are hardly the same
 
 
 @dataclass(frozen=True, eq=False)
 class BandSet:
     """Bands along a path.
 
-    name : how it is called
-    position : (wavevector,) corners of the path count 0, 1, 2, ...; between them the share of the way
-    frequency : (wavevector, band) ascending, Hz; NaN where there is none
+    name : name in tables and pictures
+    position : (wavevector,) corners of the path count 0, 1, 2, ...; fractions between them
+    frequency : (wavevector, band) ascending, Hz; NaN for a missing one
     labels : of the corners; length : of the path, rad/m
-    gaps : complete ones, known of ours
-    inputs : plain values of the study, of ours; ours : whether haptonic computed it
-    left : columns of a table that hold no frequencies, as it calls them
-    loss : (wavevector, band) loss factors, 1/Q; loss_from : where they are from; remarks : of its reader
+    gaps : complete ones, for bands of haptonic
+    inputs : plain values of the study, for bands of haptonic; ours : True if haptonic computed the bands
+    left : names of the columns of a table that are not frequencies
+    loss : (wavevector, band) loss factors, 1/Q; loss_from : their origin; remarks : of its reader
     """
 
     name: str
@@ -58,15 +58,15 @@ class BandSet:
 
     @property
     def usual_loss(self) -> float | None:
-        """The median loss factor of all modes that have one; rigid modes have none."""
+        """Median loss factor of all modes; rigid modes have none."""
         if self.loss is None:
             return None
         floor = LOW * float(np.nanmax(self.frequency))
-        known = self.loss[np.isfinite(self.loss) & (self.frequency > floor)]
-        return float(np.median(known)) if known.size else None
+        losses = self.loss[np.isfinite(self.loss) & (self.frequency > floor)]
+        return float(np.median(losses)) if losses.size else None
 
     def at(self, position: Array) -> Array:
-        """(position, band) Hz, linear between the wavevectors; NaN beyond them."""
+        """(position, band) frequencies, Hz, linear between the wavevectors; NaN beyond them."""
         columns = [np.interp(position, self.position, f, np.nan, np.nan) for f in self.frequency.T]
         return np.stack(columns, axis=1)
 
@@ -82,9 +82,9 @@ class BandSet:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Comparison(Result):
-    """Bands of two, the second at its own wavevectors and the first between its own.
+    """Two sets of bands, compared at the wavevectors of the second.
 
-    units : SI units of what makes them, by key of the study
+    units : SI units of the inputs, by key of the study
     """
 
     title = "Comparison"
@@ -96,25 +96,25 @@ class Comparison(Result):
 
     @property
     def difference(self) -> Array:
-        """(wavevector, band) of the second minus the first, Hz, for the bands that both have."""
+        """(wavevector, band) frequency of the second minus that of the first, Hz, for their common bands."""
         count = min(self.first.frequency.shape[1], self.second.frequency.shape[1])
         return np.asarray(self.second.frequency[:, :count] - self.first.at(self.second.position)[:, :count])
 
     @property
     def relative(self) -> Array:
-        """(wavevector, band) the difference over the first's frequency.
+        """(wavevector, band) difference relative to the first's frequency.
 
-        Where that is nearly zero, as of rigid modes at the centre of the zone, it is the difference over
-        `LOW` of the highest frequency: a mode that is there in one of the two only shows in it all the same.
+        If the frequency is nearly zero, as for rigid modes at the centre of the zone, the difference is
+        relative to `LOW` of the highest frequency; so a mode that only one of the two has is still visible.
         """
         difference = self.difference
-        own = self.first.at(self.second.position)[:, : difference.shape[1]]
+        first = self.first.at(self.second.position)[:, : difference.shape[1]]
         floor = max(LOW * float(np.nanmax(self.first.frequency)), np.finfo(float).tiny)
-        return np.asarray(difference / np.maximum(own, floor))
+        return np.asarray(difference / np.maximum(first, floor))
 
     @property
     def largest(self) -> tuple[int, int] | None:
-        """(wavevector, band) where the two are most apart, from 0; None where nothing is compared."""
+        """(wavevector, band) of the largest relative difference, from 0; None if nothing can be compared."""
         relative = np.abs(self.relative)
         if not np.isfinite(relative).any():
             return None
@@ -122,13 +122,13 @@ class Comparison(Result):
         return int(wavevector), int(band)
 
     def refuse_apart(self) -> None:
-        """Raise StudyError if the two differ by more than `MOST_APART` somewhere."""
+        """Raise StudyError if a relative difference exceeds `MOST_APART`."""
         place = self.largest
         if place is None:
             raise StudyError.mismatch(
                 argument=self.second.name, given="no frequency at a wavevector of both",
                 allowed="frequencies at wavevectors of our path",
-                cause="the table has other wavevectors, or none",
+                cause="the table has other wavevectors, or no wavevectors",
                 next_step="export more wavevectors along the path",
             )  # fmt: skip
         apart = float(self.relative[place])
@@ -143,15 +143,15 @@ class Comparison(Result):
             f"{self.first.name} at {format_quantity(ours, 'Hz')}",
             allowed=f"frequencies that differ by at most {MOST_APART:.0%}",
             cause=self._likely_cause(),
-            next_step="check units, columns and sizes; add --any-difference to see it all the same",
+            next_step="check units, columns and sizes; add --any-difference to compare them anyway",
         )
 
     def _likely_cause(self) -> str:
-        """Why the two are far apart, by the ratio of their frequencies."""
+        """Likely cause of a large difference, from the ratio of the frequencies."""
         count = self.difference.shape[1]
-        own = self.first.at(self.second.position)[:, :count]
+        first = self.first.at(self.second.position)[:, :count]
         floor = LOW * float(np.nanmax(self.first.frequency))
-        ratio = (self.second.frequency[:, :count] / np.maximum(own, floor))[own > floor]
+        ratio = (self.second.frequency[:, :count] / np.maximum(first, floor))[first > floor]
         ratio = ratio[np.isfinite(ratio) & (ratio > 0)]
         if ratio.size:
             usual = float(np.median(ratio))
@@ -160,13 +160,13 @@ class Comparison(Result):
                     return f"its frequencies are {value:.4g} times ours: {name}"
             if float(np.ptp(ratio)) < 0.02 * usual:
                 return f"all its frequencies are {usual:.4g} times ours: a size or a material differs"
-        return "a band is missing in one of the two, a column holds no frequencies, or a size differs"
+        return "a band is missing in one of the two, a column is not a frequency, or a size differs"
 
     @property
     def dataset(self) -> xr.Dataset:
         """Differences at the wavevectors of the second."""
         both = ("wavevector", "band")
-        absent = {"units": "Hz", "nan_means": "one of the two has no such band there"}
+        absent = {"units": "Hz", "nan_means": "one of the two lacks this band here"}
         data = xr.Dataset(
             {
                 "position": ("wavevector", self.second.position, {"units": "1"}),
@@ -183,7 +183,7 @@ class Comparison(Result):
         relative, place = np.abs(self.relative), self.largest
         if place is None:
             return [f"{b.name} and {a.name} have no wavevector in common."]
-        said = [
+        sentences = [
             f"{b.name} against {a.name}: {relative.shape[1]} bands at {len(b.position)} wavevectors, "
             f"{100 * float(np.sqrt(np.nanmean(relative**2))):.3g} % apart on average (root mean square), at "
             f"most {100 * float(relative[place]):.3g} % (band {place[1] + 1}, "
@@ -194,34 +194,36 @@ class Comparison(Result):
             bands, low, high, *new = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
             shifts = [float(to) - float(was) for was, to in zip((low, high), new, strict=True)]  # type: ignore[arg-type]
             first, last = (
-                f"{hz_text(abs(one), form='.3g')} {'higher' if one > 0 else 'lower'}" for one in shifts
+                f"{hz_text(abs(shift), form='.3g')} {'higher' if shift > 0 else 'lower'}" for shift in shifts
             )
-            said.append(f"The gap between bands {bands} begins {first} and ends {last}.")
+            sentences.append(f"The gap between bands {bands} begins {first} and ends {last}.")
         if (losses := self._losses()) is not None:
-            said.append(losses)
+            sentences.append(losses)
         changed = list(self._changed())
         if 0 < len(changed) <= FEW:
-            said.append(
-                f"What differs: {'; '.join(f'{key}, {one} and {other}' for key, one, other in changed)}."
+            sentences.append(
+                "Differing inputs: "
+                + "; ".join(f"{key}, {before} and {after}" for key, before, after in changed)
+                + "."
             )
         elif changed:
-            said.append(f"{len(changed)} keys of the studies differ.")
-        return said
+            sentences.append(f"{len(changed)} keys of the studies differ.")
+        return sentences
 
     def _losses(self) -> str | None:
-        """The loss factors of both in words, if the second is a table that has some."""
+        """Sentence on the loss factors of both, if the second is a table with damping."""
         theirs, ours = self.second.usual_loss, self.first.usual_loss
         if self.second.ours or theirs is None:
             return None
-        said = f"Loss factor of {self.second.name}, from {self.second.loss_from}: {_loss_text(theirs)}"
+        text = f"Loss factor of {self.second.name}, from {self.second.loss_from}: {_loss_text(theirs)}"
         if ours is None:
-            return f"{said}; not compared, because {self.first.name} has materials of several loss factors."
-        return f"{said}; of {self.first.name}, from {self.first.loss_from}: {_loss_text(ours)}."
+            return f"{text}; not compared, because {self.first.name} has materials of several loss factors."
+        return f"{text}; of {self.first.name}, from {self.first.loss_from}: {_loss_text(ours)}."
 
     def tables(self) -> list[Table]:
         a, b = self.first, self.second
         gaps = Table(
-            "gaps" if b.ours else f"gaps; of {b.name} along its path only",
+            "gaps" if b.ours else f"gaps; those of {b.name} along its path only",
             (
                 "bands",
                 *(
@@ -235,10 +237,10 @@ class Comparison(Result):
         bands = Table(
             f"{b.name} minus {a.name}",
             ("band", Column("root mean square", "Hz", "kHz", ".4f"), Column("largest", "Hz", "kHz", "+.4f"),
-             Column("of it", "", "%", "+.3f"), "where"),
+             Column("relative", "", "%", "+.3f"), "where"),
             list(self._band_rows()),
         )  # fmt: skip
-        changed = Table("what differs in the studies", ("key", a.name, b.name), list(self._changed()))
+        changed = Table("differing inputs of the studies", ("key", a.name, b.name), list(self._changed()))
         return [gaps, *([changed] if changed.rows else []), bands]
 
     def _band_rows(self) -> Iterator[tuple[Cell, ...]]:
@@ -251,7 +253,7 @@ class Comparison(Result):
             yield str(band), float(np.sqrt(np.nanmean(apart**2))), float(apart[k]), part, where
 
     def _gap_rows(self) -> list[tuple[Cell, Cell, Cell, Cell, Cell]]:
-        """Bands, and the edges of each, Hz; None where one has no such gap."""
+        """Bands and edges (Hz) of each gap; None for an edge that one of the two lacks."""
         first, second = (
             {gap.between: (gap.lower, gap.upper) for gap in side.gaps} if side.ours else side.on_path()
             for side in (self.first, self.second)
@@ -266,15 +268,15 @@ class Comparison(Result):
         if self.second.ours:
             first, second = (dict(_flat(side.inputs)) for side in (self.first, self.second))
             for key in dict.fromkeys([*first, *second]):
-                one, other = (known.get(key, "-") for known in (first, second))
-                if one != other:
-                    yield key, self._told(key, one), self._told(key, other)
+                before, after = (inputs.get(key, "-") for inputs in (first, second))
+                if before != after:
+                    yield key, self._format_input(key, before), self._format_input(key, after)
 
-    def _told(self, key: str, value: object) -> str:
+    def _format_input(self, key: str, value: object) -> str:
         return format_quantity(value, self.units.get(key, "")) if isinstance(value, float) else str(value)
 
     def _place(self, position: float) -> str:
-        """A place on the path in words."""
+        """Name of a position on the path, such as ``0.30 of X-M``."""
         k = min(int(position), len(self.first.labels) - 2)
         labels, share = self.first.labels, position - k
         if share < 1e-9:
@@ -282,29 +284,33 @@ class Comparison(Result):
         return labels[k + 1] if share > 1 - 1e-9 else f"{share:.2f} of {labels[k]}-{labels[k + 1]}"
 
     def remarks(self) -> list[str]:
-        said = []
+        remarks = []
         apart = [
-            float(np.nanmedian(np.abs(one))) if np.isfinite(one).any() else 0.0 for one in self.relative.T
+            float(np.nanmedian(np.abs(band))) if np.isfinite(band).any() else 0.0 for band in self.relative.T
         ]
-        far = [band for band, one in enumerate(apart, start=1) if one > OTHER_BAND]
+        far = [number for number, median in enumerate(apart, start=1) if median > OTHER_BAND]
         if far and self.second.inputs == {}:
-            said.append(
+            remarks.append(
                 f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing "
                 "in one of the two, or a unit or a size may differ"
             )
         if self.second.left:
-            said.append(
-                f"{self.second.name} also has {', '.join(self.second.left)}: no frequencies, left out"
+            remarks.append(
+                f"columns of {self.second.name} without frequencies are left out: "
+                f"{', '.join(self.second.left)}"
             )
         lacking = self.second.frequency.shape[1] - self.first.frequency.shape[1]
         if lacking > 0 and not self.second.ours:
-            said.append(f"{lacking} more bands of {self.second.name} are not compared: ask for more of ours")
-        said += self.second.remarks
-        if len(self.first.position) < len(self.second.position):
-            said.append(
-                f"{self.first.name} is taken as straight between its {len(self.first.position)} wavevectors"
+            remarks.append(
+                f"{lacking} more bands of {self.second.name} are not compared: increase count in [bands]"
             )
-        return said
+        remarks += self.second.remarks
+        if len(self.first.position) < len(self.second.position):
+            remarks.append(
+                f"bands of {self.first.name} are interpolated linearly between its "
+                f"{len(self.first.position)} wavevectors"
+            )
+        return remarks
 
     def facts(self) -> dict[str, Any]:
         names = ("bands", "first_lower_hz", "first_upper_hz", "second_lower_hz", "second_upper_hz")
@@ -320,8 +326,8 @@ class Comparison(Result):
         sides = (self.first, self.second)
         return plots.compared(
             [
-                (one.name, one.position, one.frequency, [(g.lower, g.upper) for g in one.gaps])
-                for one in sides
+                (side.name, side.position, side.frequency, [(g.lower, g.upper) for g in side.gaps])
+                for side in sides
             ],
             self.first.labels,
             crosses=not self.second.ours,

@@ -1,4 +1,4 @@
-"""What a computation is foreseen to need, told before it starts."""
+"""Estimates of time and memory, printed before a computation starts."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from dataclasses import dataclass, replace
 from haptonic.errors import HaptonicError
 from haptonic.units import duration
 
-LONG = 5.0  # s, from which on it is told before the work starts
+LONG = 5.0  # s; a longer estimate is printed before the work starts
 BASE = 3e8  # bytes, of the program and its libraries
 
 
 @dataclass(frozen=True)
 class Cost:
-    """A forecast, right within about a factor of two on the machine of the benchmarks.
+    """Estimated cost, right within about a factor of two on the machine of the benchmarks.
 
-    seconds : of one processor; memory : bytes, at the peak
-    refusal : the error that the computation will end with, where that is known; it then takes no time
-    budget : s, for the meshes of each cell; None where there are none
+    seconds : processor time; memory : bytes, at the peak
+    refusal : error with which the computation will end, if known; it then takes no time
+    budget : s, for the meshes of each cell; None for an analysis without meshes
     """
 
     seconds: float
@@ -26,7 +26,7 @@ class Cost:
     budget: float | None = None
 
     def __add__(self, other: Cost) -> Cost:
-        """One after the other; the first refusal ends all."""
+        """Cost of two computations in sequence; the first refusal ends both."""
         return Cost(
             seconds=self.seconds + other.seconds,
             memory=max(self.memory, other.memory),
@@ -35,12 +35,12 @@ class Cost:
         )
 
     def times(self, count: float) -> Cost:
-        """So many, one after the other."""
+        """Cost of several equal computations in sequence."""
         return replace(self, seconds=self.seconds * count)
 
     @property
     def time(self) -> str:
-        """About, in words."""
+        """Rounded processor time as a text."""
         if self.seconds < 1:
             return "a second"
         if self.seconds < 100:
@@ -53,19 +53,23 @@ class Cost:
 
     @property
     def gigabytes(self) -> str:
-        """About, in words."""
+        """Rounded memory as a text."""
         return f"{max(_round(self.memory / 1e9), 0.1):g} GB"
 
     @property
     def sentence(self) -> str:
-        """A sentence."""
-        fits = "" if self.budget is None else f" The meshes fit the budget of {duration(self.budget)} a cell."
+        """Sentence with time, memory and budget."""
+        fits = (
+            ""
+            if self.budget is None
+            else f" Meshes are within the budget of {duration(self.budget)} per cell."
+        )
         return (
             f"About {self.time} of processor time and {self.gigabytes}; less if parts are in the store.{fits}"
         )
 
 
 def _round(value: float) -> float:
-    """To a digit and a half: a forecast is no more exact."""
+    """Round to one and a half digits, the accuracy of an estimate."""
     unit = 10.0 ** (len(f"{int(value)}") - 1) if value >= 1 else 0.1
     return round(2 * value / unit) * unit / 2

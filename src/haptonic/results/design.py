@@ -1,4 +1,4 @@
-"""The best design found, and every one seen."""
+"""Best design of a search, and all examined designs."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ def _has_front(result: Design) -> bool:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Design(Result):
-    """The best design found, and every one seen.
+    """Best design of a search, and all examined designs.
 
-    values : its numbers by path, SI; own : the same numbers of the study's own design
-    gap : at the accuracy asked for; margin : of the carrier in it, Hz, errors counted
-    dataset : all designs seen
-    study : the study of the design found, as TOML
-    front : the widest margin of each pitch, if it was asked for
+    values : numbers of the design by path, SI; own : the same numbers of the study
+    gap : at the required accuracy; margin : of the carrier in it, with errors subtracted, Hz
+    dataset : all examined designs
+    study : the study with the best design, as TOML
+    front : widest margin of each pitch, if computed
     """
 
     title = "Design"
@@ -47,7 +47,7 @@ class Design(Result):
 
     @property
     def held_back_by(self) -> list[str]:
-        """Bounds and limits that the design has reached, in words."""
+        """Bounds and limits that the design has reached, as texts."""
         return list(json.loads(self.dataset.attrs["held_back_by"]))
 
     @property
@@ -57,16 +57,17 @@ class Design(Result):
 
     def summary(self) -> list[str]:
         gap, carrier = self.gap, float(self.dataset.attrs["carrier_hz"])
-        said = [
-            f"The gap {band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)} holds the "
-            f"carrier, {hz_text(carrier, form='g')}, with a margin of {hz_text(self.margin, form='.3f')}.",
-            f"Held back by {', '.join(self.held_back_by) or 'no bound and no limit'}.",
+        sentences = [
+            f"The carrier, {hz_text(carrier, form='g')}, lies in the gap "
+            f"{band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)} with a margin of "
+            f"{hz_text(self.margin, form='.3f')}.",
+            f"The margin is limited by {', '.join(self.held_back_by) or 'no bound and no limit'}.",
         ]
-        return said + [
+        return sentences + [
             "left out: "
-            + ", ".join(f"{path} = {format_quantity(v, UNITS[path])}" for path, v in one["values"].items())
-            + f", since {one['cause']}"
-            for one in self.left_out
+            + ", ".join(f"{path} = {format_quantity(v, UNITS[path])}" for path, v in design["values"].items())
+            + f", because {design['cause']}"
+            for design in self.left_out
         ]
 
     def tables(self) -> list[Table]:
@@ -74,8 +75,8 @@ class Design(Result):
             (path, *(format_quantity(v, UNITS[path], digits=4) for v in (self.own.get(path, value), value)))
             for path, value in self.values.items()
         ]
-        found = Table("design", ("parameter", "study", "design found"), values)
-        return [found] if self.front is None else [found, front_table(self.front)]
+        table = Table("design", ("parameter", "study", "best design"), values)
+        return [table] if self.front is None else [table, front_table(self.front)]
 
     @figure("search", "Edges of the gap and margin of the carrier, design by design.")
     def _search(self) -> Figure:
@@ -108,11 +109,13 @@ class Design(Result):
 
 
 def front_table(front: xr.Dataset) -> Table:
-    """The widest gap of each pitch."""
-    held = front.where(front["margin"] > 0)  # NaN is not
+    """Table of the widest gap of each pitch."""
+    open_gaps = front.where(front["margin"] > 0)  # a comparison with NaN is False
     columns = (
         Column("pitch", shown="mm", form=".3g"), Column("from", shown="kHz", form=".2f", of="lower"),
         Column("to", shown="kHz", form=".2f", of="upper"), Column("width", shown="kHz", form=".2f"),
     )  # fmt: skip
-    told = held.assign(pitch=front["pitch"], width=(held["upper"] - held["lower"]).assign_attrs(units="Hz"))
-    return Table.of("widest gap around the carrier (-: none)", told, "design", columns)
+    rows = open_gaps.assign(
+        pitch=front["pitch"], width=(open_gaps["upper"] - open_gaps["lower"]).assign_attrs(units="Hz")
+    )
+    return Table.of("widest gap around the carrier (-: none)", rows, "design", columns)

@@ -1,4 +1,4 @@
-"""What force records of people who stroke a plate say: trials, conditions, tests, localisation."""
+"""Friction trials from force records: trials, conditions, tests, localisation."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ MOST_SHEETS = 60  # blocks that are drawn trial by trial
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FrictionResult(Result):
-    """Trials with all that was left out and why, and what they prove.
+    """Trials with exclusions and their reasons, and the statistics.
 
-    source : folder or table that was read; sensor, rules : how
-    trials : see `haptonic.friction.signals.measured`; guessed : what the files did not say
-    doubts : what may be wrong with the records, or was done to them
-    found : everything that the statistics say
-    published : reductions, "driven" and "idle", and the share "stopped", that stand beside ours in pictures
+    source : folder or table of the records; sensor, rules : settings of the evaluation
+    trials : see `haptonic.friction.signals.measured`; guessed : assumptions that the files do not confirm
+    doubts : possible errors of the records, and corrections of them
+    found : results of the statistics
+    published : published reductions "driven" and "idle" and share "stopped", for comparison in pictures
     """
 
     title = "Friction trials"
@@ -49,22 +49,22 @@ class FrictionResult(Result):
 
     @classmethod
     def names(cls, options: Any = None) -> list[Any]:
-        """Of all files; a draft of the table of trials writes none of them."""
+        """Names of all files; a draft of the table of trials writes none of them."""
         return [] if getattr(options, "draft", False) else super().names(options)
 
     @property
     def dataset(self) -> xr.Dataset:
-        """Every trial."""
+        """All trials."""
         return self.trials
 
     @property
     def origin(self) -> str:
-        """ "measured", or "simulated" if any trial is."""
+        """ "measured", or "simulated" if any trial is simulated."""
         return str(self.trials.attrs.get("origin", "measured"))
 
     @property
     def excluded(self) -> dict[str, int]:
-        """How many trials were left out, by reason."""
+        """Number of excluded trials, by reason."""
         return {reason: count for reason, count in exclusions(self.trials).items() if count}
 
     @file("trials.nc", "trials.csv")
@@ -73,11 +73,11 @@ class FrictionResult(Result):
 
     @file("conditions.csv")
     def _write_conditions(self, path: Path) -> None:
-        _write_rows([plain(one) for one in self.found.conditions], self.origin, path)
+        _write_rows([plain(condition) for condition in self.found.conditions], self.origin, path)
 
     @file("tests.csv")
     def _write_tests(self, path: Path) -> None:
-        _write_rows([plain(one) for one in (*self.found.tests, *self.found.each)], self.origin, path)
+        _write_rows([plain(test) for test in (*self.found.tests, *self.found.each)], self.origin, path)
 
     @file("quality.html")
     def _write_quality(self, path: Path) -> None:
@@ -85,15 +85,15 @@ class FrictionResult(Result):
 
     @figure("conditions", "{Origin} friction of the conditions, mean and one standard deviation over trials.")
     def _conditions(self, *, ax: Axes | None = None) -> Figure:
-        found = self.found
+        summary = self.found
         return plots.conditions(
-            found.conditions, found.reductions, found.stopped, driven=found.driven,
+            summary.conditions, summary.reductions, summary.stopped, driven=summary.driven,
             published=self.published or None, origin=self.origin, ax=ax,
         )  # fmt: skip
 
     @figure(
         "reductions",
-        "{Origin} reductions with 95 % intervals: of people in general, and of each participant.",
+        "{Origin} reductions with 95 % intervals: for the population, and for each participant.",
     )
     def _reductions(self, *, ax: Axes | None = None) -> Figure:
         return plots.reductions(self.found.reductions, self.found.own, origin=self.origin, ax=ax)
@@ -109,9 +109,9 @@ class FrictionResult(Result):
         return [conditions_table(self), *tests_tables(self), *excluded]
 
     def blocks(self) -> tuple[list[tuple[str, int]], int]:
-        """Blocks (participant, number) that are drawn trial by trial, and how many are not.
+        """Blocks (participant, number) to be drawn trial by trial, and the number of the others.
 
-        If there are too many, those with the most excluded trials come first.
+        If there are more than `MOST_SHEETS`, those with the most excluded trials are drawn.
         """
         columns = [self.trials[name].values.tolist() for name in ("participant", "block", "excluded")]
         every = Counter({(person, block): 0 for person, block, _ in zip(*columns, strict=True)})
@@ -120,14 +120,14 @@ class FrictionResult(Result):
         return [key for key in every if key in chosen], len(every) - len(chosen)
 
     def sheets(self, blocks: Sequence[tuple[str, int]]) -> Iterator[tuple[str, int, Figure]]:
-        """Every trial of some blocks as a small plot; the files are read again for it."""
+        """Every trial of some blocks as a small plot; the files are read again."""
         trials = self.trials
         for person, block, drawn in traces(self.source, self.sensor, self.rules, blocks):
             here = (trials["participant"].values == person) & (trials["block"].values == block)
             yield person, block, plots.trial_sheet(trials.isel(stroke=here), drawn, origin=self.origin)
 
     def facts(self) -> dict[str, Any]:
-        found, trials = self.found, self.trials
+        summary, trials = self.found, self.trials
         named = ["participant", "block", "trial", "waveguide", "actuation", "excluded", "detail"]
         left_out = trials[named].isel(stroke=trials["excluded"].values != "")
         reported = {
@@ -136,28 +136,28 @@ class FrictionResult(Result):
             "exclusions": self.excluded,
             "remarks": self.guessed,
             "doubts": self.doubts,
-            "omissions": found.omissions,
-            "driven": found.driven,
-            "driven_chosen": found.chosen,
-            "conclusions": found.conclusions,
-            "conditions": found.conditions,
-            "tests": (*found.tests, *found.each),
-            "reduction": found.reductions,
+            "omissions": summary.omissions,
+            "driven": summary.driven,
+            "driven_chosen": summary.chosen,
+            "conclusions": summary.conclusions,
+            "conditions": summary.conditions,
+            "tests": (*summary.tests, *summary.each),
+            "reduction": summary.reductions,
             "averages": AVERAGES,
             "own_reduction": [
-                {"waveguide": guide, "participant": name, **plain(one)}
-                for (guide, name), one in found.own.items()
+                {"waveguide": guide, "participant": name, **plain(estimate)}
+                for (guide, name), estimate in summary.own.items()
             ],
-            "stopped": found.stopped,
-            "stopped_here": found.stopped_here,
-            "equivalence": found.equivalences,
-            "drift": found.drift,
+            "stopped": summary.stopped,
+            "stopped_here": summary.stopped_here,
+            "equivalence": summary.equivalences,
+            "drift": summary.drift,
         }
-        return {name: determined(plain(one)) for name, one in reported.items()}
+        return {name: determined(plain(value)) for name, value in reported.items()}
 
 
 def _write_rows(rows: list[dict[str, Any]], origin: str, path: Path) -> None:
-    """A CSV table; a pair (mean, standard deviation) becomes two columns, and each row says its origin."""
+    """Write a CSV table; a pair (mean, standard deviation) becomes two columns, each row has its origin."""
     flat = []
     for row in rows:
         pairs = {name: value for name, value in row.items() if isinstance(value, list)}

@@ -1,4 +1,4 @@
-"""What trials say to people: sentences and tables."""
+"""Sentences and tables on friction trials."""
 
 from __future__ import annotations
 
@@ -16,46 +16,46 @@ from haptonic.results.table import Cell, Table
 if TYPE_CHECKING:
     from haptonic.results.friction import FrictionResult
 
-MOST_SHOWN = 12  # participants whose rows are shown
+MOST_SHOWN = 12  # participants; the tables of larger groups have no rows for single participants
 
 Row = TypeVar("Row", Condition, Test)
 
 
 def reported(result: FrictionResult) -> list[str]:
-    """What may be concluded, then reductions and what reaches the idle waveguide, then what to know of it."""
-    found = result.found
-    said = list(found.conclusions)
-    for guide, one in found.reductions.items():
-        note = f" ({one.note})" if one.note else ", 95 % interval" * math.isfinite(one.low)
-        said.append(f"{guide}: {change(one.value, one.low, one.high, digits=1)}{note}.")
-    if found.driven:
-        said.append(f"Driven: {found.driven}, {found.chosen}.")
-    for guide, one in found.stopped.items():
-        said.append(f"Share of the reduction that does not reach {guide}: {_percent(one)}.")
-        said.append(f"The same by bootstrap: {_percent(found.stopped_here[guide])}.")
-    for same in found.equivalences:
+    """Sentences: conclusions, then reductions and localisation, then remarks."""
+    summary = result.found
+    sentences = list(summary.conclusions)
+    for guide, estimate in summary.reductions.items():
+        note = f" ({estimate.note})" if estimate.note else ", 95 % interval" * math.isfinite(estimate.low)
+        sentences.append(f"{guide}: {change(estimate.value, estimate.low, estimate.high, digits=1)}{note}.")
+    if summary.driven:
+        sentences.append(f"Driven: {summary.driven}, {summary.chosen}.")
+    for guide, estimate in summary.stopped.items():
+        sentences.append(f"Share of the reduction that does not reach {guide}: {_percent(estimate)}.")
+        sentences.append(f"Bootstrap estimate of this share: {_percent(summary.stopped_here[guide])}.")
+    for same in summary.equivalences:
         proof = same.note or (
             f"90 % interval {same.low:.1%} to {same.high:.1%}; one-sided test against the "
-            f"{WEBER_FRACTION:.0%} that people feel: p = {same.p_above:.2g}"
+            f"noticeable {WEBER_FRACTION:.0%}: p = {same.p_above:.2g}"
         )
-        said.append(
+        sentences.append(
             f"{same.waveguide}, idle: reduction {same.mean:.1%} as the mean of participants; {proof}."
         )
-    if found.equivalences:
-        said.append(averages())
-    if found.drift:
-        said.append(f"Drift over a session with the vibration off: {_percent(found.drift)}.")
-    said += notes_of((*found.tests, *found.each))
-    said += [f"guessed: {text}" for text in result.guessed]
+    if summary.equivalences:
+        sentences.append(averages())
+    if summary.drift:
+        sentences.append(f"Drift over a session with the vibration off: {_percent(summary.drift)}.")
+    sentences += notes_of((*summary.tests, *summary.each))
+    sentences += [f"assumed: {text}" for text in result.guessed]
     if not result.excluded:
-        said.append(f"{result.trials.sizes['stroke']} trials, none of them left out")
+        sentences.append(f"{result.trials.sizes['stroke']} trials, none of them excluded")
     if result.origin == "simulated":
-        said.append("Simulated: these trials were made up; nobody was measured.")
-    return said
+        sentences.append("Simulated: these trials are simulated, not measured.")
+    return sentences
 
 
 def excluded_table(result: FrictionResult) -> Table:
-    """How many trials do not count, by reason, with the first of each."""
+    """Number of excluded trials by reason, with the first of each."""
     total, trials = result.trials.sizes["stroke"], result.trials
     left_out = sum(result.excluded.values())
     rows = []
@@ -64,39 +64,40 @@ def excluded_table(result: FrictionResult) -> Table:
         first = " ".join(f"{name} {trials[name].values[row]}" for name in ("participant", "block", "trial"))
         detail = str(trials["detail"].values[row])
         rows.append((reason, str(count), f"{first}: {detail}" if detail else first))
-    return Table(f"{total} trials, {left_out} of them left out", ("reason", "trials", "the first"), rows)
+    return Table(f"{total} trials, {left_out} of them excluded", ("reason", "trials", "the first"), rows)
 
 
 def conditions_table(result: FrictionResult) -> Table:
-    """Every condition of every participant: mean and standard deviation over trials."""
+    """Conditions of each participant: mean and standard deviation over trials."""
     head = (
         "who",
         "where",
         "vibration",
         "trials",
-        "left out",
+        "excluded",
         "mean of ratios",
         "ratio of means",
         "force / N",
         "speed / (mm/s)",
     )
     rows: list[tuple[Cell, ...]] = []
-    for one in _few(result, result.found.conditions):
-        fast = one.speed[0] * 1e3, one.speed[1] * 1e3
+    for condition in _few(result, result.found.conditions):
+        fast = condition.speed[0] * 1e3, condition.speed[1] * 1e3
         rows.append((
-            one.participant, one.waveguide, one.actuation, str(one.used), str(one.excluded),
-            _spread(one.friction, 3), _spread(one.by_means, 3), _spread(one.force, 2), _spread(fast, 0),
+            condition.participant, condition.waveguide, condition.actuation,
+            str(condition.used), str(condition.excluded), _spread(condition.friction, 3),
+            _spread(condition.by_means, 3), _spread(condition.force, 2), _spread(fast, 0),
         ))  # fmt: skip
     return Table("friction of each condition: mean ± standard deviation over trials", head, rows)
 
 
 def tests_tables(result: FrictionResult) -> list[Table]:
-    """All tests of the difference on less off: the difference and p; corrections and sizes of the effect."""
-    found: list[tuple[Cell, ...]] = []
+    """Tests of the difference between on and off: difference and p; corrections and effect sizes."""
+    differences: list[tuple[Cell, ...]] = []
     sizes: list[tuple[Cell, ...]] = []
     for test in (*result.found.tests, *_few(result, result.found.each)):
         name = f"{test.participant}, {test.name}" if test.participant else test.name
-        found.append((
+        differences.append((
             test.waveguide, name, str(test.n), f"{test.difference:.3f}", _interval(test.low, test.high, 3),
             _number(test.statistic, ".2f"), _number(test.p, ".2g"),
         ))  # fmt: skip
@@ -109,7 +110,7 @@ def tests_tables(result: FrictionResult) -> list[Table]:
         Table(
             "tests of the difference of friction",
             ("waveguide", "test", "n", "on - off", "95 % interval", "t", "p"),
-            found,
+            differences,
         ),
         Table(
             "p-values corrected for several tests, and sizes of the effect with 95 % intervals",
@@ -120,7 +121,7 @@ def tests_tables(result: FrictionResult) -> list[Table]:
 
 
 def notes_of(tests: Sequence[Test]) -> list[str]:
-    """What has to be said of tests, each note once, with the tests that it belongs to."""
+    """Remarks on tests; each one is listed once, with its tests."""
     by_note: dict[str, list[str]] = {}
     for test in tests:
         if test.note:
@@ -129,7 +130,7 @@ def notes_of(tests: Sequence[Test]) -> list[str]:
 
 
 def _few(result: FrictionResult, rows: Sequence[Row]) -> list[Row]:
-    """Rows of single participants only where there are few of them; the files have all."""
+    """Rows of single participants only if there are few participants; the files contain all."""
     few = len(set(result.trials["participant"].values.tolist())) <= MOST_SHOWN
     return [row for row in rows if few or row.participant == EVERYBODY]
 
@@ -147,6 +148,8 @@ def _spread(pair: tuple[float, float], digits: int) -> str:
     return mean if mean == "-" else f"{mean} ± {deviation}"
 
 
-def _percent(one: IntervalEstimate) -> str:
-    interval = f", 95 % interval {one.low:.1%} to {one.high:.1%}" if math.isfinite(one.low) else ""
-    return f"{one.value:.1%}{interval}{f' ({one.note})' if one.note else ''}"
+def _percent(estimate: IntervalEstimate) -> str:
+    interval = (
+        f", 95 % interval {estimate.low:.1%} to {estimate.high:.1%}" if math.isfinite(estimate.low) else ""
+    )
+    return f"{estimate.value:.1%}{interval}{f' ({estimate.note})' if estimate.note else ''}"

@@ -1,4 +1,4 @@
-"""Waveguides that fit between two mirrors."""
+"""Width, length and frequency of waveguides between two mirrors."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ COLUMNS = (
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Guides(Result):
-    """Waveguides between two mirrors, and the one whose mode lies nearest to the carrier.
+    """Waveguides between two mirrors; `best` is the one whose mode is nearest to the carrier.
 
-    gap : that holds the carrier (Hz); across, along : nodal lines and intervals of the mode
-    dataset : a number of each waveguide, on dimension ``waveguide``
+    gap : the gap that contains the carrier (Hz); across, along : nodal lines and intervals of the mode
+    dataset : numbers of each waveguide, on dimension ``waveguide``
     """
 
     title = "Waveguide"
@@ -44,7 +44,7 @@ class Guides(Result):
 
     @property
     def best(self) -> Strip:
-        """Nearest to the carrier; of those at the carrier the one with the lowest amplitude at its edge."""
+        """Waveguide nearest to the carrier; among equal ones that with the lowest amplitude at its edge."""
         return min(self.strips, key=lambda s: (round(abs(s.frequency / self.carrier - 1), 6), s.mode.at_edge))
 
     def summary(self) -> list[str]:
@@ -52,8 +52,8 @@ class Guides(Result):
         return [
             f"Mode {self.across}x{self.along} lies at {hz_text(best.frequency, form='.3f')} in a waveguide "
             f"{best.mode.width * 1e3:.2f} mm wide and {best.length * 1e3:.1f} mm long between two mirrors.",
-            f"Its amplitude falls to {best.mode.at_edge:.0%} of its peak at the lattice, and there by "
-            f"{best.decay:.1f} dB per row.",
+            f"Its amplitude at the edge of the lattice is {best.mode.at_edge:.0%} of its peak; in the "
+            f"lattice it decays by {best.decay:.1f} dB per row.",
         ]
 
     def tables(self) -> list[Table]:
@@ -69,5 +69,5 @@ class Guides(Result):
         return plots.guide(mode.position, mode.amplitude, mode.at_edge, mode.width, best.fixed_line, ax=ax)
 
     def facts(self) -> dict[str, Any]:
-        found = split(self.dataset, "waveguide")
-        return {"waveguides": found, "nearest": found[self.strips.index(self.best)]}
+        waveguides = split(self.dataset, "waveguide")
+        return {"waveguides": waveguides, "nearest": waveguides[self.strips.index(self.best)]}

@@ -1,4 +1,4 @@
-"""What a mirror of a few rows lets through, and how waves fade in the lattice."""
+"""Insertion loss of a mirror of a few rows, and decay of waves in the lattice."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from haptonic.units import hz_text
 class Layers(Result):
     """Complex band structure and transmission of a mirror.
 
-    gap : that holds the carrier, or else the widest; None if there is none
+    gap : the gap that contains the carrier, or else the widest; None without a gap
     dataset : the spectra, and energies at the carrier for many rows
     """
 
@@ -35,65 +35,61 @@ class Layers(Result):
 
     @property
     def incidence(self) -> str:
-        """The angle of incidence in words, and the direction of the rows unless it is the usual one."""
+        """Angle of incidence as text, with the direction of the rows unless it is the usual one."""
         angle = np.degrees(float(self.dataset.attrs["angle"]))
-        along = [int(one) for one in self.dataset.attrs["along"]]
+        along = [int(component) for component in self.dataset.attrs["along"]]
         rows = "" if along == [0, 1] else f" of rows along {along}"
         return f"at normal incidence{rows}" if angle == 0 else f"at {angle:.3g}° from the normal{rows}"
 
     @property
     def families(self) -> list[str]:
         """Kinds of plate waves that propagate towards the rows at the carrier."""
-        there = np.isfinite(self.dataset["carrier_transmitted"].isel(many=0, outgoing=0))
-        return [str(family) for family in self.dataset["incident"].values[there]]
+        propagating = np.isfinite(self.dataset["carrier_transmitted"].isel(many=0, outgoing=0))
+        return [str(family) for family in self.dataset["incident"].values[propagating]]
 
     def needed(self, family: str) -> dict[float, int | None]:
-        """Rows from which the insulation stays at each of the goals (dB); None if `MOST_ROWS` do not do."""
+        """Number of rows from which the insertion loss exceeds each goal (dB); None if above `MOST_ROWS`."""
         return {goal: first_reaching(self.insulation(family), goal) for goal in GOALS}
 
     @cached_property
     def at_carrier(self) -> xr.Dataset:
-        """(incident, rows) what many rows do at the carrier; see `haptonic.bloch.mirrors.passed_by_rows`."""
+        """(incident, rows) transmission at the carrier; see `haptonic.bloch.mirrors.passed_by_rows`."""
         return passed_by_rows(self.dataset, self.families)
 
     @property
     def few_rows(self) -> xr.Dataset:
-        """The same of as many rows as the spectra are for."""
+        """`at_carrier` for the numbers of rows in the spectra."""
         return self.at_carrier.isel(rows=slice(self.dataset.sizes["rows"]))
 
     @property
     def carrier(self) -> float:
-        """Hz."""
+        """Carrier frequency, Hz."""
         return float(self.dataset.attrs["carrier_hz"])
 
-    @figure("layers", "Simulated energy that rows of cells let through between two plain plates.")
+    @figure("layers", "Simulated energy transmitted by rows of cells between two plain plates.")
     def _layers(self, *, incident: str | None = None, ax: Axes | None = None) -> Figure:
         return plots.layers(self.dataset, incident=incident, ax=ax)
 
     @figure(
         "decay",
         "Simulated complex band structure across the rows (left, middle), and decay per row of the wave "
-        "that reaches farthest, for several phases along the rows (right).",
+        "that decays most slowly, for several phases along the rows (right).",
     )
     def _decay(self) -> Figure:
         return plots.decay(self.dataset)
 
     def summary(self) -> list[str]:
         decay, rows = float(self.dataset.attrs["carrier_attenuation_db"]), self.dataset.sizes["rows"]
-        passed = [
-            f"incident {family}: {rows} rows let "
-            f"{-self.insulation(family)[rows - 1]:z.0f} dB through at the carrier"
-            for family in self.families
-        ]
+        losses = [f"{family} {self.insulation(family)[rows - 1]:.0f} dB" for family in self.families]
         return [
-            f"{'; '.join(passed)}.",
-            f"The wave that reaches farthest fades by {decay:.2f} dB per row at the carrier.",
+            f"Insertion loss of {rows} rows at {hz_text(self.carrier, form='g')}: {', '.join(losses)}.",
+            f"In the lattice, the slowest-decaying wave decays by {decay:.2f} dB per row at the carrier.",
         ]
 
     def tables(self) -> list[Table]:
         passed = Table.of(
-            f"transmitted energy at {hz_text(self.carrier, form='g')} {self.incidence}, dB below the "
-            "incident wave: all waves, then the same kind alone",
+            f"insertion loss at {hz_text(self.carrier, form='g')} {self.incidence}, dB: all transmitted "
+            "waves, then only waves of the incident kind",
             self.few_rows,
             "rows",
             (
@@ -104,14 +100,14 @@ class Layers(Result):
         )
         most = f"more than {MOST_ROWS}"
         needed = Table(
-            "rows needed: from which on less energy than so many dB below the incident wave passes",
+            "rows needed for an insertion loss of at least",
             ("incident", *(f"{goal:g} dB" for goal in GOALS)),
             [(name, *(n or most for n in self.needed(name).values())) for name in self.families],
         )
         return [passed, needed]
 
     def insulation(self, family: str) -> Array:
-        """(rows,) all transmitted energy at the carrier, dB below the incident one."""
+        """(rows,) insertion loss at the carrier, dB: incident over all transmitted energy."""
         return np.asarray(self.at_carrier["insulation"].sel(incident=family).values)
 
     def facts(self) -> dict[str, Any]:
@@ -127,9 +123,9 @@ class Layers(Result):
             "incident": {
                 name: {
                     "rows_needed": {f"{goal:g} dB": n for goal, n in self.needed(name).items()},
-                    **plain(one),
+                    **plain(energies),
                 }
-                for name, one in split(self.few_rows, "incident").items()
+                for name, energies in split(self.few_rows, "incident").items()
             },
             "spectrum": spectrum,
         }

@@ -1,9 +1,9 @@
-"""Plain values of a result: what JSON, tables and reference values read.
+"""Plain values of a result, for JSON, tables and reference values.
 
-One rule makes them. A number's name ends with its SI unit, as in ``frequency_hz`` or ``speed_m_per_s``. A
-dimension that is labelled with names becomes an object, any other one a list. A complex number becomes two.
-What a variable declares undetermined by `haptonic.gate.WORD` is None; a NaN elsewhere stays, and is refused
-when it is written.
+The rules: the name of a number ends with its SI unit, as in ``frequency_hz`` or ``speed_m_per_s``. A
+dimension that is labelled with names becomes an object, any other dimension a list. A complex number becomes
+two numbers. NaN is written as None in a variable that declares it undetermined by `haptonic.gate.WORD`; any
+other NaN is refused when it is written.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from haptonic.later import xarray as xr
 
 
 def named(name: str, unit: str) -> str:
-    """A name that ends with its unit: ``frequency`` in Hz is ``frequency_hz``, a bare number's name stays."""
+    """Append a unit to a name: ``frequency`` in Hz becomes ``frequency_hz``; a bare number keeps its name."""
     words = re.sub(r"\W+", "_", unit.replace("/", " per ")).strip("_").lower()
     return name if words in ("", "1") or name.endswith(f"_{words}") else f"{name}_{words}"
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON knows it: object, list, text, number, truth, None."""
+    """Convert a value for JSON: object, list, text, number, bool or None."""
     match value:
         case xr.Dataset():
             return _of_dataset(value)
@@ -55,7 +55,7 @@ def plain(value: Any) -> Any:
 
 
 def determined(value: Any) -> Any:
-    """A value with None in place of every NaN and infinity in it: what could not be told."""
+    """Replace every NaN and infinity in a value by None, for quantities that could not be determined."""
     if isinstance(value, dict):
         return {key: determined(inner) for key, inner in value.items()}
     if isinstance(value, list):
@@ -64,22 +64,21 @@ def determined(value: Any) -> Any:
 
 
 def split(data: xr.Dataset | xr.DataArray | None, dimension: str) -> Any:
-    """What lies along a dimension, one for each of its names, or a list if it has none.
-
-    Of data that are not there it is nothing.
-    """
+    """Parts along a dimension, by its labels; a list if it has no labels, {} for None."""
     if data is None:
         return {}
     each = [data.isel({dimension: number}) for number in range(data.sizes[dimension])]
     if not _has_names(data, dimension):
         return each
-    return dict(zip(data[dimension].values.tolist(), (one.drop_vars(dimension) for one in each), strict=True))
+    return dict(
+        zip(data[dimension].values.tolist(), (part.drop_vars(dimension) for part in each), strict=True)
+    )
 
 
 def attributes(data: xr.Dataset) -> dict[str, Any]:
-    """Attributes of a dataset, those that hold an object or a list as JSON as what they hold."""
-    told = {name: _attribute(value) for name, value in data.attrs.items() if name != WORD}
-    return {name: determined(value) for name, value in told.items()} if WORD in data.attrs else told
+    """Attributes of a dataset; JSON texts of objects and lists are decoded."""
+    decoded = {name: _attribute(value) for name, value in data.attrs.items() if name != WORD}
+    return {name: determined(value) for name, value in decoded.items()} if WORD in data.attrs else decoded
 
 
 def _attribute(value: Any) -> Any:
@@ -87,7 +86,7 @@ def _attribute(value: Any) -> Any:
         try:
             return json.loads(value)
         except ValueError:
-            return value  # a name that somebody chose, such as "[A1], V"
+            return value  # a user's name, such as "[A1], V"
     return plain(value)
 
 
@@ -97,18 +96,18 @@ def _has_names(data: xr.Dataset | xr.DataArray, dimension: Hashable) -> bool:
 
 @cache
 def _units(kind: type[Any]) -> dict[str, str]:
-    """Units of the fields of a dataclass, as `haptonic.units.In` and declared quantities give them."""
+    """Units of the fields of a dataclass, from `haptonic.units.In` and declared quantities."""
     hints = get_type_hints(kind, include_extras=True)
-    known = {name: [one.unit for one in getattr(hint, "__metadata__", ()) if hasattr(one, "unit")]
+    units = {name: [part.unit for part in getattr(hint, "__metadata__", ()) if hasattr(part, "unit")]
              for name, hint in hints.items()}  # fmt: skip
-    return {one.name: "".join(known[one.name][:1]) for one in fields(kind)}
+    return {field.name: "".join(units[field.name][:1]) for field in fields(kind)}
 
 
 def _of_dataset(data: xr.Dataset) -> dict[str, Any]:
     keys = {dimension for dimension in data.dims if _has_names(data, dimension)}
     return {
         named(str(name), data[name].attrs.get("units", "")): _of_array(data[name])
-        for name in (*(one for one in data.coords if one not in keys), *data.data_vars)
+        for name in (*(coord for coord in data.coords if coord not in keys), *data.data_vars)
     }
 
 
@@ -117,7 +116,7 @@ def _of_array(array: xr.DataArray) -> Any:
         names = array[array.dims[0]].values.tolist()
         return {name: _of_array(array[number]) for number, name in enumerate(names)}
     if any(_has_names(array, dimension) for dimension in array.dims[1:]):
-        return [_of_array(one) for one in array]
+        return [_of_array(part) for part in array]
     return _of_numbers(array.values, undetermined=WORD in array.attrs)
 
 

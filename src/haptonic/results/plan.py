@@ -1,4 +1,4 @@
-"""A study before it is computed: its sizes, its map, and what each command will cost."""
+"""Plan of a study before it is computed: sizes, map, and the estimated cost of each command."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from haptonic.units import format_quantity
 
 @dataclass(frozen=True, eq=False, repr=False)
 class StudyPlan(Result):
-    """What a study describes.
+    """Contents of a study.
 
-    study : its title; carrier : Hz, if there is one
-    costs : forecasts of the commands that it can be asked for, by name
+    study : its title; carrier : Hz, if any
+    costs : estimates for the commands that apply to it, by name
     inputs : plain values of the study
     """
 
@@ -39,11 +39,11 @@ class StudyPlan(Result):
 
     @property
     def dataset(self) -> xr.Dataset:
-        """The forecasts, and tiles and area of every region of the plate."""
+        """Estimated costs, and tiles and area of every region of the plate."""
         data = xr.Dataset(
             {
-                "processor_time": ("command", [one.seconds for one in self.costs.values()], {"units": "s"}),
-                "memory": ("command", [one.memory for one in self.costs.values()], {"units": "byte"}),
+                "processor_time": ("command", [cost.seconds for cost in self.costs.values()], {"units": "s"}),
+                "memory": ("command", [cost.memory for cost in self.costs.values()], {"units": "byte"}),
             },
             coords={"command": list(self.costs)},
         )
@@ -55,24 +55,24 @@ class StudyPlan(Result):
         return stamped(data, self.inputs)
 
     def summary(self) -> list[str]:
-        said = [sentence_of(self.study, self.cell, self.carrier)]
+        sentences = [sentence_of(self.study, self.cell, self.carrier)]
         if self.plate:
             layout = self.plate.layout
             width, height = (1e3 * lines[-1] for lines in (layout.x, layout.y))
             drives = len(self.plate.actuators) + len(self.plate.forces)
-            said.append(
+            sentences.append(
                 f"A plate of {width:.4g} x {height:.4g} mm with {layout.parts}, "
                 f"{_counted(len(layout.regions), 'region')} of plain plate and {_counted(drives, 'drive')}."
             )
-            said += border_text(layout)
-        return said
+            sentences += border_text(layout)
+        return sentences
 
     def tables(self) -> list[Table]:
         costs: list[tuple[Cell, ...]] = [
             (f"haptonic {name}", "refused", None)
-            if one.refusal
-            else (f"haptonic {name}", f"about {one.time}", one.gigabytes)
-            for name, one in self.costs.items()
+            if cost.refusal
+            else (f"haptonic {name}", f"about {cost.time}", cost.gigabytes)
+            for name, cost in self.costs.items()
         ]
         sizes: list[tuple[Cell, ...]] = [
             (path.removeprefix("cell."), format_quantity(value, declared.unit) if declared else value)
@@ -81,7 +81,7 @@ class StudyPlan(Result):
         ]
         return [
             Table(
-                "forecasts, right within about a factor of two",
+                "estimated cost of each command, right within about a factor of two",
                 ("command", "processor time", "memory"),
                 costs,
             ),
@@ -104,25 +104,30 @@ class StudyPlan(Result):
             for name, tiles in boxes.items()
         ]
         wide = [Column(name, "m", "mm", ".4g") for name in ("x", "y")]
-        found = [Table("regions of plain plate", ("region", "tiles", *wide), regions)] if regions else []
+        tables = [Table("regions of plain plate", ("region", "tiles", *wide), regions)] if regions else []
         rows: list[tuple[Cell, ...]] = [
-            (one.name, f"{one.size[0] * 1e3:.4g} x {one.size[1] * 1e3:.4g}", *one.centre, one.voltage)
-            for one in plate.actuators
+            (
+                patch.name,
+                f"{patch.size[0] * 1e3:.4g} x {patch.size[1] * 1e3:.4g}",
+                *patch.centre,
+                patch.voltage,
+            )
+            for patch in plate.actuators
         ]
         columns: list[Column | str] = ["patch", "size / mm", *wide, Column("voltage", "V", form=".4g")]
-        return [*found, Table("patches, by their centres on the plate", columns, rows)] if rows else found
+        return [*tables, Table("patches, by their centres on the plate", columns, rows)] if rows else tables
 
     def remarks(self) -> list[str]:
         free = psutil.virtual_memory().available
         refused = [
-            f"haptonic {name} would be refused: {one.refusal.cause}; next step: {one.refusal.next_step}"
-            for name, one in self.costs.items()
-            if one.refusal
+            f"haptonic {name} would be refused: {cost.refusal.cause}; next step: {cost.refusal.next_step}"
+            for name, cost in self.costs.items()
+            if cost.refusal
         ]
         return refused + [
-            f"haptonic {name} may need {one.gigabytes}, and {free / 1e9:.1f} GB are free"
-            for name, one in self.costs.items()
-            if one.memory > free
+            f"haptonic {name} may need {cost.gigabytes}, and {free / 1e9:.1f} GB are free"
+            for name, cost in self.costs.items()
+            if cost.memory > free
         ]
 
     @figure(
@@ -136,7 +141,7 @@ class StudyPlan(Result):
 
 
 def _of_the_file(cell: UnitCell) -> Table:
-    """Solids of a CAD file, or parts of a mesh, by which a wrong unit or material shows."""
+    """Table of the parts of a CAD file or mesh; it shows a wrong unit or material."""
     assert cell.solid is not None
     period = cell.solid_period
     solids = [cell.solid.material_of(name, cell.material) for name in period.names]
@@ -145,11 +150,11 @@ def _of_the_file(cell: UnitCell) -> Table:
         for name, solid, volume in zip(period.names, solids, period.volumes.tolist(), strict=True)
     ]
     columns = "part", "material", Column("volume", "m^3", "mm^3", ".5g"), Column("mass", "kg", "g", ".5g")
-    return Table(f"parts of {Path(cell.solid.file).name}, as it has them", columns, rows)
+    return Table(f"parts of {Path(cell.solid.file).name}", columns, rows)
 
 
 def sentence_of(title: str, cell: UnitCell, carrier: float | None) -> str:
-    """What a study describes, a sentence."""
+    """One sentence on a study: lattice, materials and carrier."""
     bare = "" if cell.has_features else " without pillars"
     at = f", for {format_quantity(carrier, 'Hz')}" if carrier else ""
     lattice = f"a{'n' * (cell.lattice.name[0] in 'aeiou')} {cell.lattice.name} lattice"
@@ -160,13 +165,11 @@ def sentence_of(title: str, cell: UnitCell, carrier: float | None) -> str:
 
 
 def border_text(layout: Layout) -> list[str]:
-    """What is missing at the borders of lattices, if anything is."""
+    """Sentence on pillars left out at the borders of lattices; empty without any."""
     if not layout.left_out:
         return []
-    whose = "its" if layout.left_out == 1 else "their"
     return [
-        f"At the borders of its lattices {_counted(layout.left_out, 'pillar')} would stand across: plain "
-        f"plate takes {whose} place."
+        f"Plain plate replaces {_counted(layout.left_out, 'pillar')} that would cross a border of a lattice."
     ]
 
 

@@ -1,4 +1,4 @@
-"""A plan of trials: their order, what is asked of people, and how many of them are needed."""
+"""Plan of friction trials: their order, the participants' task, and how many participants are needed."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from haptonic.units import In
 
 @dataclass(frozen=True)
 class StrokeTask:
-    """What people are asked to do: speed (m/s), normal force (N), length of a stroke (m), pause (s)."""
+    """Task of the participants: speed (m/s), normal force (N), length of a stroke (m), pause (s)."""
 
     speed: Annotated[float, In("m/s")]
     force: Annotated[float, In("N")]
@@ -35,22 +35,22 @@ class StrokeTask:
 
     @property
     def lasting(self) -> float:
-        """Of a stroke, s."""
+        """Duration of a stroke, s."""
         return self.stroke / self.speed
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TrialPlan(Result):
-    """An experiment before it is made.
+    """Plan of an experiment.
 
     study : its title
-    protocol, participants : how many trials, in which order
+    protocol, participants : number and order of trials
     order : "published" or "balanced"
-    task : what people are asked to do
-    basis : a sentence: whose reductions are assumed
+    task : the participants' task
+    basis : sentence on the origin of the assumed reductions
     dataset : on (waveguide, participants) ``power`` and its Monte-Carlo ``error``; on waveguide:
-        ``reduction`` assumed and ``needed`` participants (NaN if more than 60); ``shown``, the smallest
-        reduction that this number of participants shows (NaN if none)
+        assumed ``reduction`` and ``needed`` participants (NaN if more than 60); ``shown``, the smallest
+        reduction that this number of participants detects (NaN if none)
     """
 
     title = "Protocol"
@@ -66,55 +66,57 @@ class TrialPlan(Result):
 
     @cached_property
     def labels(self) -> list[Label]:
-        """Every trial, in its order."""
+        """All trials, in their order."""
         return self.protocol.order(self.participants)
 
     @property
     def imbalance(self) -> float:
-        """Largest difference of the mean places of on and off in a session, in trials."""
+        """Largest difference between the mean places of on and off in a session, in trials."""
         return imbalance(self.labels)
 
     @property
     def statements(self) -> list[str]:
-        """What this number of participants can and cannot prove."""
+        """Sentences on the effects that this number of participants can detect."""
         people = f"{self.participants} participant{'s' * (self.participants != 1)}"
         wanted = in_percent(self.dataset.attrs["wanted"])
-        said = []
+        sentences = []
         for guide in self.protocol.waveguides:
             row = self.dataset.sel(waveguide=guide)
             effect = f"{guide}, {in_percent(row['reduction'])} less friction assumed"
             needed = f"{float(row['needed']):.0f}" if np.isfinite(row["needed"]) else "more than 60"
             if self.participants < 2:
-                said.append(f"{effect}: one participant proves nothing about others; {needed} are needed.")
+                sentences.append(
+                    f"{effect}: one participant allows no conclusion on other people; {needed} are needed."
+                )
                 continue
             chance = in_percent(row["power"].sel(participants=self.participants))
-            said.append(
-                f"{effect}: {people} show it, also for other people, with a chance of {chance}; "
-                f"{wanted} needs {needed}."
+            sentences.append(
+                f"{effect}: with {people} the power to detect it is {chance}; a power of {wanted} needs "
+                f"{needed} participants."
             )
         least = float(self.dataset["shown"])
         if np.isfinite(least):
-            said.append(
-                f"{people} show reductions of {in_percent(least)} and more with a chance of {wanted}."
+            sentences.append(
+                f"With a power of {wanted}, {people} detect reductions of {in_percent(least)} and more."
             )
         elif self.participants > 1:
-            said.append(f"{people} show no reduction at all with a chance of {wanted}.")
+            sentences.append(f"{people} detect no reduction with a power of {wanted}.")
         idle = self.dataset.sel(waveguide=self.protocol.waveguides[1])
         if float(idle["reduction"]) >= WEBER_FRACTION:
-            said.append(
-                f"That nobody feels {self.protocol.waveguides[1]} (less than {in_percent(WEBER_FRACTION)}) "
-                f"cannot be proved by any number of people if its reduction is "
-                f"{in_percent(idle['reduction'])}."
+            sentences.append(
+                f"If the reduction of {self.protocol.waveguides[1]} is {in_percent(idle['reduction'])}, no "
+                "number of participants can prove that it is below the noticeable "
+                f"{in_percent(WEBER_FRACTION)}."
             )
-        said.append(
-            f"A test over the {self.protocol.pairs * self.participants} pairs of trials finds smaller "
-            f"differences, but in these {people} only: it says nothing about others."
+        sentences.append(
+            f"A test over the {self.protocol.pairs * self.participants} pairs of trials detects smaller "
+            f"differences, but only for these {people}, not for other people."
         )
-        return said
+        return sentences
 
     @property
     def drift_remark(self) -> str:
-        """How far a drift along the session leaks into a difference."""
+        """Sentence on the effect of a drift along the session on a difference."""
         trials = self.imbalance
         if trials < 1e-9:
             return "On and off have the same mean place in every session: a steady drift cancels."
@@ -140,20 +142,20 @@ class TrialPlan(Result):
         }
 
     def summary(self) -> list[str]:
-        said = self.statements
+        sentences = self.statements
         return [
-            *said[:2],
+            *sentences[:2],
             *([self.basis] if self.basis else []),
-            *said[2:],
+            *sentences[2:],
             self.drift_remark,
-            "Chances are of simulated experiments, with what the study assumes of its participants.",
+            "Powers are from simulated experiments with the study's assumptions on participants.",
         ]
 
     def tables(self) -> list[Table]:
-        """Which waveguide every participant strokes in which block."""
+        """Table of the waveguide of every participant in each block."""
         rows = []
         for person in dict.fromkeys(label.participant for label in self.labels):
-            blocks = {one.block: one.waveguide for one in self.labels if one.participant == person}
+            blocks = {label.block: label.waveguide for label in self.labels if label.participant == person}
             rows.append((person, *blocks.values()))
         title = f"waveguide in each block, {self.order} order; {self.protocol.waveguides[0]} is driven"
         numbers = (str(block + 1) for block in range(self.protocol.blocks))
@@ -165,7 +167,7 @@ class TrialPlan(Result):
 
     @file(NAME)
     def _write_list(self, path: Path) -> None:
-        """The list of trials to record into."""
+        """Write the list of trials for the records."""
         write_list(self.labels, path, origin="measured")
 
     @file("metronome.wav")

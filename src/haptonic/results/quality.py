@@ -1,4 +1,4 @@
-"""A page to look at every trial: small plots by participant and block, and all that was left out."""
+"""Page with a small plot of every trial, by participant and block, and a list of the excluded ones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from haptonic.results.friction import FrictionResult
 
 TEMPLATE = "quality.html"
-MOST_LISTED = 500  # excluded trials; trials.csv has them all
+MOST_LISTED = 500  # excluded trials; trials.csv contains all
 
 
 def quality(result: FrictionResult) -> str:
@@ -42,4 +42,4 @@ def _excluded(result: FrictionResult) -> Table:
     trials = trials.isel(stroke=trials["excluded"].values != "").isel(stroke=slice(MOST_LISTED))
     head = ("participant", "block", "trial", "waveguide", "actuation", "excluded", "detail")
     columns = [[str(value) for value in trials[name].values] for name in head]
-    return Table("Trials that do not count.", head, tuple(zip(*columns, strict=True)))
+    return Table("Excluded trials.", head, tuple(zip(*columns, strict=True)))

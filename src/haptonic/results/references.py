@@ -1,6 +1,6 @@
-"""Published values as data: what they are compared with, remarks, and changes that explain differences.
+"""Published reference values as data, with remarks, and variants of a study that explain differences.
 
-An example brings them in a folder beside its study, ``references/touchpad.toml`` beside ``touchpad.toml``::
+They are in a folder beside the study of an example, ``references/touchpad.toml`` beside ``touchpad.toml``::
 
     title = "the paper"
     citation = "A. Author, “A title”"
@@ -13,8 +13,8 @@ An example brings them in a folder beside its study, ``references/touchpad.toml`
     path = "gaps.complete=True.lower_hz"
     error = "gaps.complete=True.lower_error_hz"
 
-A path leads into the JSON answer of an analysis; ``name=text`` takes the first of a list that has it so.
-Names in it are written as they are, dots and all.
+A path leads to a value in the JSON output of an analysis. ``name=text`` selects the first item of a list with
+this value. Names are written as they are, including dots.
 """
 
 from __future__ import annotations
@@ -35,58 +35,59 @@ Text = Annotated[str, Field(min_length=1, max_length=2000, strict=True)]
 
 
 class _FileTable(BaseModel):
-    """A table of such a file: immutable, without unknown keys."""
+    """A table of a references file: immutable, without unknown keys."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
 class Value(_FileTable):
-    """A value that an analysis is compared with; without a unit it is a text.
+    """A published value to compare with; without a unit it is a text.
 
-    Our value is found at ``path`` in the answer of ``analysis``. The answer "study" has the inputs by their
-    keys, "derived" what `haptonic.report.derived` computes from a study and its results.
+    Our value is at ``path`` in the output of ``analysis``. The output "study" contains the inputs by their
+    keys; "derived" contains the quantities that `haptonic.report.derived` computes from a study and its
+    results.
     """
 
-    quantity: Text = Field(title="Quantity", description="What it is of.")
-    value: Text = Field(title="Value", description='As published, with its unit; "to" between two ends.')
+    quantity: Text = Field(title="Quantity", description="Name of the quantity.")
+    value: Text = Field(title="Value", description='Published value with its unit; "to" between two ends.')
     unit: str = Field("", title="Unit", description="SI unit, 1 for a plain number; empty for a text.")
     role: Literal["computed", "input", "experiment"] = Field(
         "computed",
         title="Role",
-        description="Input: the study takes it; experiment: nothing here computes it.",
+        description="computed here, input of the study, or experiment that is not computed here.",
     )
-    analysis: str = Field("", title="Analysis", description="That gives our value.")
-    path: str = Field("", title="Path", description="Of our value in its answer.")
-    to: str = Field("", title="Second path", description="Of the upper end where the value has two ends.")
+    analysis: str = Field("", title="Analysis", description="Analysis that computes our value.")
+    path: str = Field("", title="Path", description="Path of our value in the output.")
+    to: str = Field("", title="Second path", description="Path of the upper end if the value has two ends.")
     over: str = Field("", title="Divisor", description="Path of a number that ours is divided by.")
     less: str = Field("", title="Subtrahend", description="Path of a number that is subtracted from ours.")
-    less_error: str = Field("", title="Its error", description="Path of the bound of the subtrahend's error.")
-    factor: float = Field(1.0, title="Factor", description="That our number is multiplied by.")
-    error: str = Field("", title="Error", description="Path of the bound of its error.")
+    less_error: str = Field("", title="Its error", description="Path of the subtrahend's error bound.")
+    factor: float = Field(1.0, title="Factor", description="Factor on our number.")
+    error: str = Field("", title="Error", description="Path of the error bound of our value.")
     relation: Literal["equal", "at least", "at most", "within"] = Field(
-        "equal", title="Relation", description="What ours should be to the published value."
+        "equal", title="Relation", description="Required relation of our value to the published one."
     )
-    means: tuple[str, ...] = Field((), title="Meaning", description="Words of ours that say the same.")
+    means: tuple[str, ...] = Field((), title="Meaning", description="Our words with the same meaning.")
     friction: Literal["", "driven", "idle", "stopped"] = Field(
         "",
         title="Reduction",
-        description="Which measured reduction of friction it is, for chapters and pictures.",
+        description="Kind of the measured reduction of friction, for chapters and pictures.",
     )
-    remark: str = Field("", title="Remark", description="Why they differ, as far as it is known.")
+    remark: str = Field("", title="Remark", description="Reason of a difference, as far as it is known.")
 
     @model_validator(mode="after")
     def _is_whole(self) -> Self:
-        """Every number says where ours comes from, or why there is none."""
+        """Check that every number has the path of our value, or a remark that explains why it has none."""
         if not (self.analysis and self.path) and (self.role == "computed" or not self.remark):
             raise ValueError(
-                "a computed value needs analysis and path; others need them or a remark that says why not"
+                "a computed value needs analysis and path; others need them or a remark with the reason"
             )
         self.ends  # noqa: B018
         return self
 
     @property
     def ends(self) -> tuple[float, ...]:
-        """The published number in the SI unit, or its two ends; empty for a text."""
+        """The published number in its SI unit, or its two ends; empty for a text."""
         if not self.unit:
             return ()
         unit, parts = "" if self.unit == "1" else self.unit, self.value.split(" to ")
@@ -101,7 +102,7 @@ class Value(_FileTable):
 
     @property
     def rounding(self) -> float:
-        """Half of the last digit of the published number, in its SI unit; that may be unsaid of it."""
+        """Half of the last digit of the published number, in its SI unit."""
         number, _, unit = self.value.split(" to ")[-1].strip().partition(" ")
         digits = len(number.partition(".")[2])
         half = f"{0.5 * 10.0**-digits:.{digits + 1}f}"
@@ -116,42 +117,44 @@ class Value(_FileTable):
 class Remark(_FileTable):
     """A sentence for a chapter of the report."""
 
-    chapter: Text = Field(title="Chapter", description="By its anchor in the page.")
+    chapter: Text = Field(title="Chapter", description="Anchor of the chapter in the page.")
     text: Text = Field(title="Text", description="The sentence.")
 
 
 class Variant(_FileTable):
-    """The study with one thing changed, to see what that moves."""
+    """A variant: the study with one change, to see its effect."""
 
     table: Text = Field(title="Table", description="Variants of one table are compared with its first.")
-    label: Text = Field(title="Label", description="What was changed, in words.")
-    analysis: Text = Field(title="Analysis", description="That gives the value.")
-    path: Text = Field(title="Path", description="Of the value in its answer.")
+    label: Text = Field(title="Label", description="The change as text.")
+    analysis: Text = Field(title="Analysis", description="Analysis that computes the value.")
+    path: Text = Field(title="Path", description="Path of the value in the output.")
     change: dict[str, Any] = Field({}, title="Change", description="New values by key of the study file.")
 
 
 class References(_FileTable):
-    """All that an example brings."""
+    """All contents of a references file."""
 
-    title: Text = Field("the reference", title="Title", description="How the report calls it.")
+    title: Text = Field("the reference", title="Title", description="Name of the reference in the report.")
     citation: Text = Field("", title="Citation", description="Where it was published.", min_length=0)
-    about: str = Field("", title="About", description="What its numbers are.")
+    about: str = Field("", title="About", description="Description of the reference values.")
     reductions: dict[str, float] = Field(
         {}, alias="friction", title="Friction",
-        description="Published reductions, driven and idle, and the share stopped, where no value says so.",
+        description="Published reductions driven and idle, and share stopped, if no value gives them.",
     )  # fmt: skip
-    figures: dict[str, str] = Field({}, title="Figures", description="Where it shows what, by picture.")
-    value: tuple[Value, ...] = Field((), title="Values", description="To be compared.")
-    remark: tuple[Remark, ...] = Field((), title="Remarks", description="For chapters of the report.")
-    variant: tuple[Variant, ...] = Field((), title="Variants", description="What is computed besides.")
+    figures: dict[str, str] = Field(
+        {}, title="Figures", description="Figure of the reference by our picture."
+    )
+    value: tuple[Value, ...] = Field((), title="Values", description="Values to compare with.")
+    remark: tuple[Remark, ...] = Field((), title="Remarks", description="Remarks in chapters of the report.")
+    variant: tuple[Variant, ...] = Field((), title="Variants", description="Variants to compute.")
 
     @classmethod
     def read(cls, path: str | Path) -> References:
-        """From a file.
+        """Read a file of references.
 
         Raises
         ------
-        StudyError : the file cannot be read, is not TOML, or holds something else
+        StudyError : the file cannot be read, is not TOML, or has other contents
         """
         file = source(path, "references", StudyError)
         try:
@@ -160,7 +163,7 @@ class References(_FileTable):
             raise unread(
                 StudyError, error,
                 argument="references", given=str(path), allowed="a TOML file with reference values",
-                cause=str(error), next_step="check the name, or write the file anew",
+                cause=str(error), next_step="check the name, or write the file again",
             ) from None  # fmt: skip
         try:
             return cls.model_validate(data)
@@ -168,49 +171,49 @@ class References(_FileTable):
             first = error.errors()[0]
             raise StudyError.malformed(
                 argument=f"{path}: {'.'.join(map(str, first['loc']))}", given=shown(first["input"]),
-                allowed=first["msg"], cause="the file of references has another form there",
-                next_step="write each value, remark and variant as a table of its own, as the example does",
+                allowed=first["msg"], cause="the file of references has another form here",
+                next_step="write each value, remark and variant as a separate table, as in the example",
             ) from None  # fmt: skip
 
     @classmethod
     def beside(cls, study: Path | None) -> References | None:
-        """Those that lie beside a study's file, if any do."""
+        """References in the folder beside a study's file; None without such a file."""
         file = None if study is None else study.parent / FOLDER / study.name
         return cls.read(file) if file is not None and file.is_file() else None
 
     @property
     def friction(self) -> dict[str, float]:
         """Published reductions of friction by "driven" and "idle", and the share "stopped"."""
-        return self.reductions | {one.friction: one.ends[0] for one in self.value if one.friction}
+        return self.reductions | {value.friction: value.ends[0] for value in self.value if value.friction}
 
     def remarks(self, chapter: str) -> list[str]:
-        """For a chapter of the report."""
-        return [one.text for one in self.remark if one.chapter == chapter]
+        """Remarks for a chapter of the report."""
+        return [remark.text for remark in self.remark if remark.chapter == chapter]
 
     def where(self, picture: str) -> str:
-        """Where it shows the same as a picture, for the sentence below that."""
-        found = self.figures.get(picture)
-        return f" ({found} of {self.title})" if found else ""
+        """Hint at the reference's figure of the same content as a picture, for its caption."""
+        number = self.figures.get(picture)
+        return f" ({number} of {self.title})" if number else ""
 
 
 def found_at(answer: Any, path: str) -> Any:
-    """The value that a path leads to in an answer; None if there is none.
+    """Value at a path in an output; None without such a value.
 
-    A name may hold dots and signs of equality of its own: of the steps that the path can begin with, the
-    longest is taken.
+    A name may contain dots and equals signs. If several steps fit the beginning of the path, the longest is
+    taken.
     """
     if not path:
         return answer
     if isinstance(answer, Mapping):
         steps = list(answer.items())
     elif isinstance(answer, list):
-        inside = [one for one in answer if isinstance(one, Mapping)]
-        steps = [(f"{name}={value}", one) for one in inside for name, value in one.items()]
-        steps += [(str(number), one) for number, one in enumerate(answer)]
+        inside = [item for item in answer if isinstance(item, Mapping)]
+        steps = [(f"{name}={value}", item) for item in inside for name, value in item.items()]
+        steps += [(str(number), item) for number, item in enumerate(answer)]
     else:
         return None
     fitting = [(step, below) for step, below in steps if f"{path}.".startswith(f"{step}.")]
     if not fitting:
         return None
-    step, below = max(fitting, key=lambda one: len(one[0]))  # of equal ones the first
+    step, below = max(fitting, key=lambda pair: len(pair[0]))  # the first of equal ones
     return found_at(below, path[len(step) + 1 :])

@@ -1,9 +1,9 @@
-"""The one protocol of results: whatever shows a result asks for nothing that is not here.
+"""Protocol of results, used by everything that shows a result.
 
-A result is a frozen dataclass below `Result`. It says what it found in sentences and tables; which pictures
-can be drawn of it and which files can be written stand as methods marked with `figure` and `file`, so that
-their names are known before anything is drawn or computed. A command's answer and files, JSON, a notebook,
-a chapter of the report: all follow from these.
+A result is a frozen dataclass derived from `Result`. It gives its answer in sentences and tables. Its
+pictures and files are methods marked with `figure` and `file`, so their names are known before anything is
+drawn or computed. The output and files of a command, JSON, notebooks and chapters of the report all use this
+protocol.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-KINDS = ("svg", "png")  # of files of a picture
+KINDS = ("svg", "png")  # file formats of a picture
 
 
 @dataclass(frozen=True)
 class Product:
-    """A picture or a file of a result: its name, what makes it, and whether this result has it.
+    """A picture or a file of a result: its name, the function that makes it, and its condition.
 
-    name : with a "*" in it for several, which ``make`` gives by name
-    caption : the sentence below a picture
+    name : with a "*" for several products, which ``make`` returns by name
+    caption : sentence below a picture
     """
 
     name: str
@@ -49,7 +49,7 @@ class Product:
     caption: str = ""
 
     def of(self, result: Result) -> dict[str, Callable[..., Any]]:
-        """What makes each of them for a result."""
+        """Functions that make the products for a result, by name."""
         if not self.when(result):
             return {}
         return self.make(result) if "*" in self.name else {self.name: partial(self.make, result)}
@@ -62,13 +62,13 @@ def _always(result: object) -> bool:
 def figure(
     name: str, caption: str = "", *, when: Callable[[Any], object] = _always
 ) -> Callable[[Callable[..., Any]], Any]:
-    """Mark a method that draws the picture of this name; of ``name-*`` one that gives drawers by name."""
+    """Mark a method that draws the picture of this name; for ``name-*``, one that returns drawers by name."""
     return lambda make: _Marked((Product(name, make, when, caption),), "_pictures")
 
 
 def file(*names: str, when: Callable[[Any], object] = _always) -> Callable[[Callable[..., Any]], Any]:
-    """Mark a method that writes the file of this name to a path, or several, each in the form that its ending
-    says; of ``name-*`` one that gives writers by name."""
+    """Mark a method that writes files of these names to a path, each in the format of its ending; for
+    ``name-*``, one that returns writers by name."""
     return lambda make: _Marked(tuple(Product(name, make, when) for name in names), "_writers")
 
 
@@ -78,14 +78,14 @@ class _Marked:
     kind: str
 
     def __set_name__(self, owner: type[Result], name: str) -> None:
-        # a class has the parts of those above it, and its own
-        known: tuple[Product, ...] = getattr(owner, self.kind)
-        setattr(owner, self.kind, (*known, *self.parts))
+        # a class has the parts of its base classes, and its own parts
+        inherited: tuple[Product, ...] = getattr(owner, self.kind)
+        setattr(owner, self.kind, (*inherited, *self.parts))
         setattr(owner, name, self.parts[0].make)
 
 
 class Figures(Mapping[str, "Figure"]):
-    """Pictures by name; each is drawn when it is asked for."""
+    """Pictures by name, each drawn on access."""
 
     def __init__(self, drawers: Mapping[str, Callable[..., Figure]], captions: Mapping[str, str]) -> None:
         self._drawers, self.captions = dict(drawers), dict(captions)
@@ -103,23 +103,25 @@ class Figures(Mapping[str, "Figure"]):
         return f"<pictures: {', '.join(self)}>"
 
     def drawn(self, name: str | None, how: Mapping[str, Any]) -> Figure:
-        """A picture, the first by default, with what may be chosen of it.
+        """Draw a picture, the first by default, with options.
 
         Raises
         ------
-        HaptonicError : there is none, none of this name, or this one knows no such choice
+        HaptonicError : no picture of this name, or an option that this picture does not have
         """
         asked = next(iter(self._drawers), "any") if name is None else name
         if asked not in self._drawers:
-            cause = "the name is misspelt, or this result has nothing to draw there"
+            cause = "the name is misspelt, or this result has no such picture"
             raise HaptonicError.unknown("name of the picture", asked, self._drawers, cause)
         draw = self._drawers[asked]
-        known = signature(draw).parameters
+        parameters = signature(draw).parameters
         for choice in how:
-            if choice not in known:
-                alone = "it has several systems of axes" if choice == "ax" else "it knows no such choice"
+            if choice not in parameters:
+                alone = "it has several systems of axes" if choice == "ax" else "it has no such option"
                 others = [
-                    one for one, draws in self._drawers.items() if choice in signature(draws).parameters
+                    picture
+                    for picture, draws in self._drawers.items()
+                    if choice in signature(draws).parameters
                 ]
                 raise HaptonicError.unsupported(
                     argument=choice,
@@ -132,9 +134,9 @@ class Figures(Mapping[str, "Figure"]):
 
 
 class Result:
-    """What an analysis gives; see the module.
+    """Base class of the results of analyses; see the module.
 
-    title : heads it where it is shown
+    title : heading of the result
     """
 
     title: ClassVar[str] = ""
@@ -146,53 +148,53 @@ class Result:
 
         @property
         def dataset(self) -> xr.Dataset:
-            """All of the answer: labelled arrays with units, stamped with what made them."""
+            """The whole answer: labelled arrays with units, stamped with their inputs."""
 
     def summary(self) -> list[str]:
-        """What was found, the answer first, a sentence each."""
+        """The answer in sentences, the most important first."""
         return []
 
     def tables(self) -> list[Table]:
-        """The numbers that a person asks for."""
+        """The most important numbers as tables."""
         return []
 
     def remarks(self) -> list[str]:
-        """What may be wrong, or was left out, as warnings; by default an accuracy that was not reached."""
+        """Warnings on possible errors and omissions; by default on an accuracy that was not reached."""
         return accuracy_remarks(self.dataset.attrs)
 
     def facts(self) -> dict[str, Any]:
-        """What machines are told by name: numbers, texts, values, datasets; by default all of the dataset."""
+        """Contents of the JSON output: numbers, texts, values, datasets; by default the whole dataset."""
         return {"data": self.dataset}
 
     def to_json(self) -> dict[str, Any]:
-        """What was found, the facts as plain values, and what made them; see `haptonic.results.plain`."""
-        told = {"summary": self.summary(), **plain(self.facts())}
-        return told | {name: one for name, one in attributes(self.dataset).items() if name not in told}
+        """Answer, facts as plain values, and inputs; see `haptonic.results.plain`."""
+        facts = {"summary": self.summary(), **plain(self.facts())}
+        return facts | {name: v for name, v in attributes(self.dataset).items() if name not in facts}
 
     @property
     def origin(self) -> str:
-        """Of the numbers, "simulated" or "measured"; a caption says it at "{Origin}"."""
+        """Origin of the numbers, "simulated" or "measured"; it replaces "{Origin}" in captions."""
         return "simulated"
 
     @property
     def figures(self) -> Figures:
-        """Pictures by name, drawn when asked for."""
+        """Pictures by name, drawn on access."""
         drawers, captions = dict[str, Callable[[], Any]](), dict[str, str]()
         for part in self._pictures:
-            found = part.of(self)
-            drawers |= found
-            captions |= dict.fromkeys(found, part.caption.replace("{Origin}", self.origin.capitalize()))
+            parts = part.of(self)
+            drawers |= parts
+            captions |= dict.fromkeys(parts, part.caption.replace("{Origin}", self.origin.capitalize()))
         return Figures(drawers, captions)
 
     @property
     def files(self) -> dict[Any, Writer]:
-        """Writers of the data files by name; a name may be a path of a file in a folder below."""
-        found: dict[Any, Writer] = {}
+        """Writers of the data files by name; a name may be a path below the folder."""
+        writers: dict[Any, Writer] = {}
         if self.data_file:
-            found[f"{self.data_file}.nc"] = partial(write_netcdf, self.dataset)
+            writers[f"{self.data_file}.nc"] = partial(write_netcdf, self.dataset)
         for part in self._writers:
-            found |= part.of(self)
-        return found
+            writers |= part.of(self)
+        return writers
 
     @overload
     def plot(self, name: str | None = None, *, ax: Axes, **how: Any) -> Axes: ...
@@ -201,17 +203,17 @@ class Result:
     def plot(self, name: str | None = None, *, ax: None = None, **how: Any) -> Figure: ...
 
     def plot(self, name: str | None = None, *, ax: Axes | None = None, **how: Any) -> Figure | Axes:
-        """One picture; the first of them by default.
+        """Draw one picture, the first by default.
 
         Parameters
         ----------
-        ax : of a figure of one's own, to draw on; size, type and colours of what is not data are then that
-            figure's, and the axes are given back. For pictures with one system of axes.
-        how : what may be chosen of a picture, such as ``frequency`` (Hz) of a map
+        ax : axes of the user's figure to draw on; size, type and colours of everything but the data are then
+            those of this figure, and the axes are returned. For pictures with one system of axes.
+        how : options of a picture, such as ``frequency`` (Hz) of a map
 
         Raises
         ------
-        HaptonicError : no such picture or choice, or axes that cannot be drawn on
+        HaptonicError : no such picture or option, or axes that cannot be drawn on
         """
         if ax is None:
             return self.figures.drawn(name, how)
@@ -224,9 +226,9 @@ class Result:
 
     @classmethod
     def names(cls, options: Any = None) -> list[Any]:
-        """Of all files that a result of this kind may write, some with a "*"; ``options`` may leave out some.
+        """Names of all files that a result of this kind may write with ``options``, some with a "*".
 
-        "STUDY" in a name stands for that of the study's file.
+        "STUDY" in a name is replaced by the name of the study's file.
         """
         data = [f"{cls.data_file}.nc"] if cls.data_file else []
         pictures = [f"{part.name}.{kind}" for part in cls._pictures for kind in KINDS]
@@ -245,7 +247,7 @@ class Result:
             self.put(draft, progress)
 
     def put(self, draft: Path, progress: Progress = silent) -> None:
-        """Write all files and pictures into a folder that is empty or holds nothing of these names."""
+        """Write all files and pictures into a folder that contains no files of these names."""
         write_files(draft, self.files, overwrite=False)
         figures = self.figures
         for done, name in enumerate(figures):
@@ -253,19 +255,19 @@ class Result:
             plots.save(figures[name], draft, name)
 
     def located(self, folder: Path) -> dict[str, Any]:
-        """What the JSON says besides, of a result that is always written into a folder."""
+        """Additional JSON entries of a result that always writes into a folder."""
         return {}
 
     def __repr__(self) -> str:
-        said = self.summary()
-        return f"<{type(self).__name__}{': ' if said else ''}{said[0] if said else ''}>"
+        sentences = self.summary()
+        return f"<{type(self).__name__}{': ' if sentences else ''}{sentences[0] if sentences else ''}>"
 
     def _repr_html_(self) -> str:
-        said = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in self.summary())
-        return said + "".join(table.written("html") for table in self.tables()) + self._thumbnail()
+        text = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in self.summary())
+        return text + "".join(table.written("html") for table in self.tables()) + self._thumbnail()
 
     def _thumbnail(self) -> str:
-        """The first picture, small."""
+        """Small version of the first picture, as HTML."""
         figures = self.figures
         for name in figures:
             source, words = embedded(figures[name], "png"), html.escape(figures.captions[name])
@@ -274,8 +276,8 @@ class Result:
 
 
 def taken(folder: Path | None, names: Sequence[Any]) -> list[Any]:
-    """The names themselves, those with a "*" replaced by the names of files in the folder that they match."""
-    there = [path.name for path in folder.iterdir()] if folder is not None and folder.is_dir() else []
+    """Names in which each pattern with a "*" is replaced by the names of matching files in the folder."""
+    existing = [path.name for path in folder.iterdir()] if folder is not None and folder.is_dir() else []
     plain = [name for name in names if "*" not in str(name)]
     patterns = [str(name) for name in names if "*" in str(name)]
-    return plain + [name for name in there if any(fnmatchcase(name, one) for one in patterns)]
+    return plain + [name for name in existing if any(fnmatchcase(name, pattern) for pattern in patterns)]

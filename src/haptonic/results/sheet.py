@@ -1,4 +1,4 @@
-"""A protocol on paper: instructions, and a box to tick for every trial."""
+"""Protocol on paper: instructions, and a box to tick for every trial."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ TEMPLATE = "sheet.html"
 
 
 def sheet(plan: TrialPlan) -> str:
-    """The protocol as one HTML page to print on A4."""
+    """Protocol as an HTML page for printing on A4."""
     task = plan.task
     people = [
         (

@@ -1,4 +1,4 @@
-"""A made-up experiment as a folder that the analysis reads like a measured one, with its truth beside it."""
+"""Simulated experiment as a folder that the analysis reads like a measured one, with its truth in a file."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ from haptonic.results.result import Result
 from haptonic.results.table import Column, Table
 from haptonic.store import write_atomically
 
-NOTHING = 1e-6  # a reduction that is none
+NOTHING = 1e-6  # smaller reductions count as zero
 TRUTH, STUDY, CALIBRATION = "truth.json", "study.toml", "calibration.csv"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SimulatedFriction(Result):
-    """Trials of people who do not exist.
+    """Trials of simulated participants.
 
     study : text of the study file
     suffix : of the files: ".csv", ".h5", ".mat" or ".tdms"
-    per : whether a file holds a trial or a block
-    raw : whether files hold gauge voltages, with a calibration, instead of forces and torques
-    basis : a sentence: whose reductions are assumed
+    per : content of a file: a trial or a block
+    raw : True if files contain gauge voltages, with a calibration, instead of forces and torques
+    basis : sentence on the origin of the assumed reductions
     """
 
     title = "Simulated trials"
@@ -52,10 +52,10 @@ class SimulatedFriction(Result):
     def dataset(self) -> xr.Dataset:
         """True friction and reductions of every participant."""
         people, guides = self.experiment.people, self.experiment.protocol.waveguides
-        reduction = [[1 - one.remaining[guide] for guide in guides] for one in people]
+        reduction = [[1 - person.remaining[guide] for guide in guides] for person in people]
         return xr.Dataset(
             {
-                "friction": ("participant", [one.friction for one in people], {"units": "1"}),
+                "friction": ("participant", [person.friction for person in people], {"units": "1"}),
                 "reduction": (("participant", "waveguide"), reduction, {"units": "1"}),
             },
             coords={
@@ -67,17 +67,17 @@ class SimulatedFriction(Result):
 
     @classmethod
     def names(cls, options: Any = None) -> list[str]:
-        """Of the files that every folder of trials has; records have names of their own."""
+        """Names of the files in every folder of trials; names of records depend on the protocol."""
         return [TRUTH, STUDY, NAME]
 
     @property
     def file_names(self) -> list[str]:
-        """Of all files."""
+        """Names of all files."""
         records = dict.fromkeys(file_of(label, self.suffix, self.per) for label in self.experiment.labels)
         return [*records, TRUTH, STUDY, *([CALIBRATION] if self.raw else []), NAME]
 
     def facts(self) -> dict[str, Any]:
-        """The truth."""
+        """True values of the simulation."""
         truth, people, film = self.experiment.truth, self.experiment.truth.people, self.experiment.truth.film
         guides = self.experiment.protocol.waveguides
         driven, idle = (1 - truth.remaining[guide] for guide in guides)
@@ -113,15 +113,15 @@ class SimulatedFriction(Result):
         }
 
     def put(self, draft: Path, progress: Progress = silent) -> None:
-        """Write all files, one after the other; the list of trials comes last.
+        """Write all files in sequence; the list of trials is the last.
 
         Parameters
         ----------
-        progress : called with the trials written and all of them
+        progress : called with the number of written trials, and of all trials
         """
         labels, matrix, done = self.experiment.labels, calibration() if self.raw else None, 0
         files = groupby(
-            self.experiment.strokes(), key=lambda one: file_of(one.trial.label, self.suffix, self.per)
+            self.experiment.strokes(), key=lambda stroke: file_of(stroke.trial.label, self.suffix, self.per)
         )
         for name, shared in files:
             strokes = list(shared)
@@ -132,7 +132,7 @@ class SimulatedFriction(Result):
         write_atomically(draft / STUDY, lambda path: path.write_text(self.study, encoding="utf-8"))
         text = json.dumps(self.to_json(), indent=1) + "\n"
         write_atomically(draft / TRUTH, lambda path: path.write_text(text, encoding="utf-8"))
-        if matrix is not None:  # Fx Fy Fz (N) and Tx Ty Tz (N m) in six lines, for each V of a gauge
+        if matrix is not None:  # six lines for Fx Fy Fz (N) and Tx Ty Tz (N m), each per V of a gauge
             write_atomically(
                 draft / CALIBRATION, lambda path: np.savetxt(path, matrix, fmt="%.9g", delimiter=",")
             )
@@ -143,8 +143,8 @@ class SimulatedFriction(Result):
         write_atomically(draft / NAME, listed)
 
     def summary(self) -> list[str]:
-        said = ["Simulated: nobody stroked anything. The truth is in truth.json."]
-        return [*said, *([self.basis] if self.basis else [])]
+        sentences = ["Simulated: these trials are not measured. Their true values are in truth.json."]
+        return [*sentences, *([self.basis] if self.basis else [])]
 
     def tables(self) -> list[Table]:
         """True reductions, of the population and of every participant."""

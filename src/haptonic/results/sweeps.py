@@ -1,4 +1,4 @@
-"""Complete gaps along rows of designs."""
+"""Complete gaps along sweeps of a design."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from haptonic.units import format_quantity, hz_text
 
 @dataclass(frozen=True)
 class Sweep:
-    """Complete gaps of the designs of a sweep; designs that could not be computed are in ``failed``."""
+    """Complete gaps along a sweep; designs that could not be computed are in ``failed``."""
 
     dataset: xr.Dataset
     failed: dict[int, dict[str, str]]
@@ -38,11 +38,11 @@ class Sweep:
 
     @property
     def expressions(self) -> str:
-        """What the sweep varies, one expression or two."""
+        """The one or two expressions that vary."""
         return " and ".join(expression for expression, _ in self.axes.values())
 
     def drawn(self, *, ax: Axes | None = None) -> Figure:
-        """Gaps against the swept value, or a map of their widths over two."""
+        """Draw the gaps against the swept value, or a map of their widths over two."""
         draw = plots.sweep_grid if len(self.axes) == 2 else plots.sweep
         return draw(self.dataset, ax=ax)
 
@@ -68,20 +68,20 @@ class Sweep:
         ]
 
     def short_of_accuracy(self) -> list[str]:
-        """A warning where edges of some designs are less exact than asked for; each has its error."""
+        """Warning if edges of some designs miss the required accuracy; each edge has its error."""
         missed = self.dataset["missed_accuracy"].values
         steps = np.flatnonzero(np.isfinite(missed))
         if not len(steps):
             return []
         named = ", ".join(str(step + 1) for step in steps)
         return [
-            f"The accuracy asked for, {self.dataset.attrs['accuracy']:g}, is not reached by "
+            f"The required accuracy, {self.dataset.attrs['accuracy']:g}, is not reached by "
             f"design{'s' * (len(steps) > 1)} {named} of the sweep: errors go up to "
             f"{rounded_up(float(missed[steps].max())):g} of an edge. A larger --budget may reach it."
         ]
 
     def table(self) -> Table:
-        """The widest complete gap of each design."""
+        """Table of the widest complete gap of each design."""
         data = self.dataset
         rows: list[tuple[Cell, ...]] = []
         for step, values in enumerate(np.stack([data[name].values for name in self.axes], axis=1)):
@@ -98,7 +98,7 @@ class Sweep:
         )  # fmt: skip
 
     def facts(self) -> dict[str, Any]:
-        """Values for machines, by name."""
+        """Designs with their gaps, for JSON."""
         data = self.dataset
         designs = [
             {
@@ -117,7 +117,7 @@ class Sweep:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Sweeps(Result):
-    """Complete gaps along all rows of designs that a study describes."""
+    """Complete gaps along all sweeps of a study."""
 
     title = "Parameter sweeps"
 
@@ -125,12 +125,12 @@ class Sweeps(Result):
 
     @property
     def dataset(self) -> xr.Dataset:
-        """All rows, one behind the other along ``sweep``; shorter ones are filled up with NaN."""
-        names = [one.expressions for one in self.rows]
-        # lengths differ, and xarray aligns only what is numbered
+        """All sweeps, joined along ``sweep``; shorter ones are padded with NaN."""
+        names = [row.expressions for row in self.rows]
+        # lengths differ, and xarray aligns only dimensions with coordinates
         data = [
-            one.dataset.assign_coords({name: np.arange(size) for name, size in one.dataset.sizes.items()})
-            for one in self.rows
+            row.dataset.assign_coords({name: np.arange(size) for name, size in row.dataset.sizes.items()})
+            for row in self.rows
         ]
         joined = xr.concat(data, "sweep", combine_attrs="drop_conflicts", join="outer")
         joined = joined.drop_vars(list(joined.indexes))
@@ -139,41 +139,41 @@ class Sweeps(Result):
         return joined.assign_coords(expression=("sweep", names))
 
     def summary(self) -> list[str]:
-        said = []
-        for one in self.rows:
-            gaps = [(gap, step) for step in range(one.dataset.sizes["step"]) for gap in one.gaps_at(step)]
-            name, count = one.expressions, one.dataset.sizes["step"]
+        sentences = []
+        for row in self.rows:
+            gaps = [(gap, step) for step in range(row.dataset.sizes["step"]) for gap in row.gaps_at(step)]
+            name, count = row.expressions, row.dataset.sizes["step"]
             if not gaps:
-                what = "has a complete gap" if len(one.failed) < count else "could be computed"
-                said.append(f"No design along {name} {what}.")
+                result = "has a complete gap" if len(row.failed) < count else "could be computed"
+                sentences.append(f"No design along {name} {result}.")
                 continue
             best, step = max(gaps, key=lambda pair: pair[0]["upper_hz"] - pair[0]["lower_hz"])
-            said.append(
-                f"Along {name}, the widest complete gap of {count} designs is at {one.values_at(step)}: "
+            sentences.append(
+                f"Along {name}, the widest complete gap of {count} designs is at {row.values_at(step)}: "
                 f"{hz_text(best['lower_hz'], best['upper_hz'], form='.2f')}."
             )
-        return said
+        return sentences
 
     def tables(self) -> list[Table]:
-        return [one.table() for one in self.rows]
+        return [row.table() for row in self.rows]
 
     def remarks(self) -> list[str]:
         left = [
-            f"design {step + 1} of the sweep was left out: {error['cause']} ({error['argument']})"
-            for one in self.rows
-            for step, error in one.failed.items()
+            f"design {step + 1} of the sweep is left out: {error['cause']} ({error['argument']})"
+            for row in self.rows
+            for step, error in row.failed.items()
         ]
-        return [*left, *(remark for one in self.rows for remark in one.short_of_accuracy())]
+        return [*left, *(remark for row in self.rows for remark in row.short_of_accuracy())]
 
     @figure("sweep_*")
     def _drawn(self) -> dict[str, Callable[[], Figure]]:
-        return {f"sweep_{k}": one.drawn for k, one in enumerate(self.rows, start=1)}
+        return {f"sweep_{k}": row.drawn for k, row in enumerate(self.rows, start=1)}
 
     @file("sweep_*.nc")
     def _written(self) -> dict[str, Writer]:
         return {
-            f"sweep_{k}.nc": partial(write_netcdf, one.dataset) for k, one in enumerate(self.rows, start=1)
+            f"sweep_{k}.nc": partial(write_netcdf, row.dataset) for k, row in enumerate(self.rows, start=1)
         }
 
     def facts(self) -> dict[str, Any]:
-        return {"sweeps": [one.facts() for one in self.rows]}
+        return {"sweeps": [row.facts() for row in self.rows]}

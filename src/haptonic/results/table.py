@@ -1,4 +1,4 @@
-"""A table of raw values, from which a terminal's, a page's, a file's and a notebook's follow."""
+"""Tables of raw values, from which terminal, page, file and notebook are written."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from haptonic.errors import HaptonicError
 from haptonic.later import pandas as pd, xarray as xr
 from haptonic.units import frequency_scale, to_si
 
-NOTHING = "-"  # stands for what is not there
+NOTHING = "-"  # text of an empty cell
 
 
 @dataclass(frozen=True)
 class Uncertain:
-    """A value and the bound of its error, in the unit of the column; ``note`` is said behind it."""
+    """A value and the bound of its error, in the unit of the column; ``note`` is appended."""
 
     value: float
     error: float
@@ -28,7 +28,7 @@ class Uncertain:
 
 @dataclass(frozen=True)
 class Ranged:
-    """Two ends, and the value between them if there is one, in the unit of the column."""
+    """Two ends of an interval, and optionally a value between them, in the unit of the column."""
 
     low: float
     high: float
@@ -56,11 +56,11 @@ Cell = float | int | str | None | Uncertain | Ranged
 
 @dataclass(frozen=True)
 class Column:
-    """What stands in a column.
+    """Declaration of a column.
 
     name : its head; unit : SI unit of the values, empty for words and bare numbers
-    shown : unit in which people read them, the SI unit by default; form : of a number, as in `format`
-    of : variable of a dataset that gives the values and their unit, for `Table.of`; by default the name
+    shown : unit for people, by default the SI unit; form : number format, as in `format`
+    of : variable of a dataset with the values and their unit, for `Table.of`; by default the name
     error : variable that bounds the errors of the values; ends : variables of the ends of their intervals
     """
 
@@ -73,14 +73,14 @@ class Column:
     ends: tuple[str, str] | None = None
 
     def read(self, data: xr.Dataset, along: str) -> Iterator[tuple[Column, list[Cell]]]:
-        """The column with its cells; one for each name of a dimension besides, "{}" in its head."""
+        """The column with its cells; for a second dimension one column per label, "{}" in the name."""
         array = data[self.of or self.name]
-        found = replace(self, unit=array.attrs.get("units", "").removeprefix("1"))
+        column = replace(self, unit=array.attrs.get("units", "").removeprefix("1"))
         others = [str(dimension) for dimension in array.dims if dimension != along]
         for other in others:
             for number, label in enumerate(data[other].values.tolist()):
                 cells = array.isel({other: number}).values.tolist()
-                yield replace(found, name=self.name.format(label)), cells
+                yield replace(column, name=self.name.format(label)), cells
         if others:
             return
         cells = array.values.tolist()
@@ -89,36 +89,36 @@ class Column:
         if self.ends is not None:
             low, high = (data[end].values.tolist() for end in self.ends)
             cells = [Ranged(*three) for three in zip(low, high, cells, strict=True)]
-        yield found, cells
+        yield column, cells
 
     def suited(self, cells: Iterable[Cell]) -> Column:
-        """The column with the unit that suits its cells, where these are too large, or lengths too small, for
-        the unit that is declared: MHz for kHz, µm for mm."""
+        """The column with a unit that suits its cells, if they are too large, or lengths too small, for the
+        declared unit: MHz for kHz, µm for mm."""
         if (self.unit, self.shown) not in SUITED:
             return self
-        sizes = [abs(one) for cell in cells for one in _numbers_in(cell) if math.isfinite(one)]
+        sizes = [abs(number) for cell in cells for number in _numbers_in(cell) if math.isfinite(number)]
         shown = SUITED[self.unit, self.shown](max(sizes, default=0.0))
         if shown == self.shown or not FIXED.fullmatch(self.form):
             return replace(self, shown=shown)
-        # the smallest of them may be below 1 there: a digit more keeps its error in sight
+        # the smallest value may be below 1 in this unit: one more digit keeps its error visible
         return replace(
             self, shown=shown, form=FIXED.sub(lambda form: f"{form[1]}.{int(form[2]) + 1}f", self.form)
         )
 
     @property
     def head(self) -> str:
-        """The name with the unit that people read."""
+        """Name with the unit for people."""
         unit = self.shown or self.unit
         unit = f"({unit})" if self.name and "/" in unit else unit
         return f"{self.name} / {unit}" if self.name and unit else self.name or unit
 
     @property
     def raw_head(self) -> str:
-        """The name with the SI unit, for files."""
+        """Name with the SI unit, for files."""
         return f"{self.name} ({self.unit})" if self.unit else self.name
 
     def text(self, cell: Cell) -> str:
-        """A cell as people read it."""
+        """Text of a cell for people."""
         scale = _scale(self.shown, self.unit) if self.shown else 1.0
         match cell:
             case None:
@@ -144,9 +144,9 @@ class Column:
 class Table:
     """Rows of raw values below a title.
 
-    columns : what stands in each; a text is the head of a column of words
+    columns : declarations of the columns; a text is the head of a column of words
     rows : values in the units of the columns
-    strong : numbers of rows, from 0, that stand out
+    strong : numbers of emphasised rows, from 0
     """
 
     title: str
@@ -161,16 +161,17 @@ class Table:
         rows: Sequence[Sequence[Cell]],
         strong: Sequence[int] = (),
     ) -> None:
-        made = tuple(Column(one) if isinstance(one, str) else one for one in columns)
-        assert all(len(row) == len(made) for row in rows), title
-        made = tuple(
-            column.suited(cells) for column, cells in zip(made, _columns(rows, len(made)), strict=True)
+        declared = tuple(Column(column) if isinstance(column, str) else column for column in columns)
+        assert all(len(row) == len(declared) for row in rows), title
+        declared = tuple(
+            column.suited(cells)
+            for column, cells in zip(declared, _columns(rows, len(declared)), strict=True)
         )
-        assert all(column.head for column in made), (
-            f"{title}: who hears the table needs a name for every column"
+        assert all(column.head for column in declared), (
+            f"{title}: every column needs a name for screen readers"
         )
         object.__setattr__(self, "title", title)
-        object.__setattr__(self, "columns", made)
+        object.__setattr__(self, "columns", declared)
         object.__setattr__(self, "rows", tuple(tuple(row) for row in rows))
         object.__setattr__(self, "strong", frozenset(strong))
 
@@ -183,39 +184,39 @@ class Table:
         columns: Sequence[Column | str],
         strong: Sequence[int] = (),
     ) -> Table:
-        """Rows along a dimension of a dataset; see `Column.read` for what becomes of its variables."""
+        """Rows along a dimension of a dataset; see `Column.read` for the conversion of its variables."""
         read = [
             pair
-            for one in columns
-            for pair in (Column(one) if isinstance(one, str) else one).read(data, along)
+            for column in columns
+            for pair in (Column(column) if isinstance(column, str) else column).read(data, along)
         ]
         rows = list(zip(*(cells for _, cells in read), strict=True))
         return cls(title, [column for column, _ in read], rows, strong)
 
     @property
     def head(self) -> tuple[str, ...]:
-        """Heads of the columns as people read them."""
+        """Heads of the columns for people."""
         return tuple(column.head for column in self.columns)
 
     @property
     def texts(self) -> list[tuple[str, ...]]:
-        """The rows as people read them."""
+        """Rows as texts for people."""
         return [
             tuple(column.text(cell) for column, cell in zip(self.columns, row, strict=True))
             for row in self.rows
         ]
 
     def labelled(self, origin: str) -> Table:
-        """With a title that says whether its numbers are measured or simulated."""
+        """The table with its origin, measured or simulated, in the title."""
         return Table(f"{self.title} ({origin})", self.columns, self.rows, tuple(self.strong))
 
     def of_columns(self, numbers: Sequence[int], title: str) -> Table:
-        """The columns of these numbers alone, from 0."""
+        """Table of the columns with these numbers, from 0."""
         rows = [[row[number] for number in numbers] for row in self.rows]
         return Table(title, [self.columns[number] for number in numbers], rows, tuple(self.strong))
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Raw values in SI units; a value with an error or ends has a column for each."""
+        """Raw values in SI units; a value with an error or ends has a column for each of them."""
         return pd.DataFrame([self._record(row) for row in self.rows])
 
     def _record(self, row: Sequence[Cell]) -> dict[str, object]:
@@ -232,51 +233,51 @@ class Table:
         return record
 
     def written(self, form: str) -> str:
-        """The table as text of a form, see `FORMS`; CSV has raw values in SI units, others what people read.
+        """The table as text of a form, see `FORMS`; CSV has raw values in SI units, others texts for people.
 
         Raises
         ------
-        HaptonicError : there is no such form
+        HaptonicError : an unknown form
         """
         check_form(form)
-        one = FORMS[form]
-        if one.raw:
+        markup = FORMS[form]
+        if markup.raw:
             records = [self._record(row) for row in self.rows]
             head = tuple(dict.fromkeys(name for record in records for name in record))
             rows = [tuple(record.get(name) for name in head) for record in records]
         else:
             head, rows = self.head, list[tuple[object, ...]](self.texts)
         numeric = [bool(self.rows) and not isinstance(cell, str) for cell in (self.rows or (head,))[0]]
-        return one.frame.format(
-            title=one.safe(self.title),
+        return markup.frame.format(
+            title=markup.safe(self.title),
             columns="".join("r" if number else "l" for number in numeric),
-            head=one.head.line(map(one.safe, head)),
-            rule=one.row.line("---" for _ in head),
-            body="".join(one.row.line(map(one.safe, row)) for row in rows),
+            head=markup.head.line(map(markup.safe, head)),
+            rule=markup.row.line("---" for _ in head),
+            body="".join(markup.row.line(map(markup.safe, row)) for row in rows),
         )
 
 
 @dataclass(frozen=True)
 class Line:
-    """What stands before, between and behind the cells of a row."""
+    """Texts before, between and behind the cells of a row."""
 
     before: str
     between: str
     behind: str
 
     def line(self, cells: Iterable[str]) -> str:
-        """A row of texts that are safe."""
+        """Row of cells that have been escaped."""
         return f"{self.before}{self.between.join(cells)}{self.behind}"
 
 
 @dataclass(frozen=True)
 class Markup:
-    """How tables are written.
+    """Text format of tables.
 
-    safe : what becomes of a value so that it says nothing but itself
-    head, row : how cells are joined
-    frame : all of it: ``title``, ``columns`` ("l" for words, "r" for numbers), ``head``, ``rule``, ``body``
-    raw : whether cells are raw values, not what people read
+    safe : escapes a value
+    head, row : texts around the cells
+    frame : whole table: ``title``, ``columns`` ("l" for words, "r" for numbers), ``head``, ``rule``, ``body``
+    raw : True for raw values, False for texts for people
     """
 
     safe: Callable[[object], str]
@@ -316,24 +317,24 @@ FORMS = {
 
 
 def check_form(form: object) -> None:
-    """Raise HaptonicError if tables are not written in a form."""
+    """Raise HaptonicError for an unknown form of tables."""
     if form not in FORMS:
         raise HaptonicError.unknown("form of a table", form, FORMS, "tables are not written in this form")
 
 
 @cache
 def _scale(shown: str, unit: str) -> float:
-    """What to multiply a value in an SI unit by to have it in another unit."""
+    """Factor from a value in an SI unit to another unit."""
     return 100.0 if (shown, unit) == ("%", "") else 1.0 / to_si(f"1 {shown}", unit, shown)
 
 
 def _columns(rows: Sequence[Sequence[Cell]], count: int) -> list[list[Cell]]:
-    """The cells of each column."""
+    """Cells of each column."""
     return [[row[number] for row in rows] for number in range(count)]
 
 
 def _numbers_in(cell: Cell) -> tuple[float, ...]:
-    """The values of a cell, without bounds of errors."""
+    """Values of a cell, without error bounds."""
     match cell:
         case Uncertain(value, _, _):
             return (value,)

@@ -1,4 +1,4 @@
-"""How sure a gap is to hold the carrier on plates that are not alike."""
+"""Probability that a gap contains the carrier on plates with manufacturing tolerances."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from haptonic.results.table import Cell, Column, Table
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Tolerance(Result):
-    """Chances of a gap, what they depend on, and the loosest machining that still keeps them.
+    """Probabilities for a gap, their sensitivities, and the loosest sufficient machining.
 
-    gap : of the design as drawn
-    plate, pillar : chance that all pillars of a plate keep the margin, and that one pillar does
-    loosest : factor on all machined spreads that the confidence asked for allows, at most `REACH`
-    dataset : edges of designs and of plates drawn, slopes and indices
-    margin, pillars, confidence : what was asked: Hz, of a plate, a chance
+    gap : of the nominal design
+    plate, pillar : probability that all pillars of a plate keep the margin, and that one pillar does
+    loosest : factor on all machined spreads that the required confidence allows, at most `REACH`
+    dataset : edges of computed designs and of drawn plates, slopes and indices
+    margin, pillars, confidence : requirements: Hz, pillars of a plate, probability
     """
 
     title = "Tolerance"
@@ -42,14 +42,18 @@ class Tolerance(Result):
         lower, upper = self.dataset["deviation"].values
         margin = f" with a margin of {self.margin:g} Hz" if self.margin else ""
         if self.loosest >= REACH:
-            loosest = f"Even {REACH:g} times as loose machining keeps {self.confidence:.1%}."
+            loosest = (
+                f"Spreads may be {REACH:g} times as large or more for a confidence of {self.confidence:.1%}."
+            )
         elif self.loosest > 0:
-            loosest = f"Machining may be {self.loosest:.2f} times as loose for {self.confidence:.1%}."
+            loosest = (
+                f"Spreads may be {self.loosest:.2f} times as large for a confidence of {self.confidence:.1%}."
+            )
         else:
-            loosest = f"No machining, however exact, keeps {self.confidence:.1%}."
+            loosest = f"No spread, however small, gives a confidence of {self.confidence:.1%}."
         return [
-            f"One pillar keeps the carrier in its gap{margin} with a chance of {percent(self.pillar)}, "
-            f"all {self.pillars} of a plate with {percent(self.plate)} "
+            f"Probability that the gap contains the carrier{margin}: {percent(self.pillar)} for one pillar, "
+            f"{percent(self.plate)} for all {self.pillars} pillars of a plate "
             f"(to first order {percent(float(self.dataset.attrs['chance_to_first_order']))}).",
             loosest,
             f"Edges vary by {lower:.0f} Hz (lower) and {upper:.0f} Hz (upper), one standard deviation.",
@@ -67,14 +71,14 @@ class Tolerance(Result):
                 factor, word = 10.0, "10 kg/m³"
             rows.append((path, *(f"{slope * factor:+.0f} Hz per {word}" for slope in slopes), *index))
         index = [Column(f"index, {edge}", "", "%", ".1f") for edge in ("lower", "upper")]
-        return [Table("what moves the edges", ("parameter", "lower edge", "upper edge", *index), rows)]
+        return [Table("effects on the edges", ("parameter", "lower edge", "upper edge", *index), rows)]
 
-    @figure("tolerance", "Where the edges fall, and what moves them.")
+    @figure("tolerance", "Distribution of the edges, and the parameters that move them.")
     def _drawn(self) -> Figure:
         return plots.tolerance(self.dataset)
 
     def facts(self) -> dict[str, Any]:
-        edges = {one: self.dataset[one] for one in ("deviation", "first_order_deviation", "fit_doubt")}
+        edges = {name: self.dataset[name] for name in ("deviation", "first_order_deviation", "fit_doubt")}
         return {
             "gap": self.gap,
             "chance_of_a_plate": self.plate,
@@ -87,5 +91,5 @@ class Tolerance(Result):
 
 
 def percent(chance: float) -> str:
-    """A chance in percent, as sure as some thousands of draws can be."""
+    """A probability in percent, with the accuracy of some thousands of draws."""
     return "more than 99.99%" if chance > 0.9999 else "less than 0.01%" if chance < 1e-4 else f"{chance:.2%}"

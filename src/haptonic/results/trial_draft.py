@@ -1,4 +1,4 @@
-"""A table of trials that was drafted from the names of the files, to be completed by hand."""
+"""Table of trials drafted from the names of the files, to be completed by hand."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SHOWN = 12  # rows
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TrialDraft(Result):
-    """The drafted table, which lies beside the records.
+    """Drafted table of trials, written beside the records.
 
     source : folder of the records
     """
@@ -32,15 +32,15 @@ class TrialDraft(Result):
 
     @property
     def dataset(self) -> xr.Dataset:
-        """Every row of the table, as texts."""
+        """All rows of the table, as texts."""
         return xr.Dataset({name: ("stroke", column) for name, column in self.draft.columns.items()})
 
     def save(self) -> None:
-        """Write the table beside the records; a table that is there is not replaced.
+        """Write the table beside the records; an existing table is not replaced.
 
         Raises
         ------
-        OSError : there is a table, or the folder cannot be written
+        OSError : a table exists, or the folder cannot be written
         """
         with (self.source / TABLE).open("x", newline="", encoding="utf-8") as file:
             table = csv.writer(file)
@@ -50,21 +50,23 @@ class TrialDraft(Result):
             )
 
     def put(self, draft: Path, progress: Progress = silent) -> None:
-        """Write nothing else."""
+        """Write nothing: the table is beside the records."""
 
     def write(self, folder: Path | str, *, overwrite: bool = False, progress: Progress = silent) -> None:
-        """Write nothing else: the table lies beside the records."""
+        """Write nothing: the table is beside the records."""
 
     def summary(self) -> list[str]:
         count = len(self.draft.columns["file"])
-        said = [f"{self.source / TABLE} was drafted from the names of {count} files; check it."]
+        sentences = [f"{self.source / TABLE} was drafted from the names of {count} files; check it."]
         if self.draft.empty:
-            said.append(f"Fill in {listed(self.draft.empty)}: the names of the files do not say them.")
+            sentences.append(
+                f"Fill in {listed(self.draft.empty)}: the names of the files do not contain them."
+            )
         if self.draft.unnamed:
-            said.append(
+            sentences.append(
                 f"The meaning of {listed(self.draft.unnamed)} is not clear: rename or remove these columns."
             )
-        return [*said, f"Then: haptonic friction {self.source}"]
+        return [*sentences, f"Then: haptonic friction {self.source}"]
 
     def tables(self) -> list[Table]:
         rows = list(zip(*self.draft.columns.values(), strict=True))

@@ -1,4 +1,4 @@
-"""How well a plate's model fits its measurement, and with which numbers it fits best."""
+"""Comparison of a plate's model with its measurement, and fitted numbers of the model."""
 
 from __future__ import annotations
 
@@ -40,16 +40,16 @@ MEASURED, BEFORE, AFTER = "measurement", "model as given", "model fitted"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Verdict(Result):
-    """A measurement beside its model, at the same points and lines.
+    """A measurement and its models, at the same points and frequencies.
 
     plate : as given; responses : by `MEASURED`, `BEFORE` and, after a fit, `AFTER`
-    agreements : of the computed responses with the measured one, by the same names
-    ranges : of high contrast over the lattice in each response, found in the same way; None without one
-    fit : if there was one
-    recomputed : relative error of the fit's response, against that of the fitted plate computed anew
-    left_out : points of the scan that do not lie on the plate
-    study : the file with the fitted numbers, if there was a fit
-    inputs : all that made it, in JSON types
+    agreements : of the computed responses with the measured response, by the same names
+    ranges : of high contrast over the lattice in each response, by the same method; None without one
+    fit : result of the fit, if any
+    recomputed : relative error of the fit's response against the fitted plate, computed again
+    left_out : number of points of the scan outside the plate
+    study : file with the fitted numbers, if any
+    inputs : all inputs, in JSON types
     """
 
     title = "Verdict"
@@ -71,40 +71,45 @@ class Verdict(Result):
 
     @property
     def origin(self) -> str:
-        """Of the measurement, "measured" or "simulated"."""
+        """Origin of the measurement, "measured" or "simulated"."""
         return str(self.measured.dataset.attrs["origin"])
 
     @property
     def last(self) -> str:
-        """The better of the models, by name."""
+        """Name of the last model: the fitted one, if any."""
         return AFTER if AFTER in self.responses else BEFORE
 
     @property
     def labels(self) -> dict[str, str]:
-        """What pictures call each response."""
-        own = "simulated measurement" if self.origin == "simulated" else "measurement"
-        return {name: own if name == MEASURED else f"{name} (simulated)" for name in self.responses}
+        """Labels of the responses in pictures."""
+        label = "simulated measurement" if self.origin == "simulated" else "measurement"
+        return {name: label if name == MEASURED else f"{name} (simulated)" for name in self.responses}
 
     def contrasts(self) -> dict[str, dict[str, Array]]:
-        """By pair of regions and response, dB; see `haptonic.plate.levels.contrasts`."""
-        found = {name: contrasts(one, driven_region(self.plate)) for name, one in self.responses.items()}
+        """Contrasts by pair of regions and response, dB; see `haptonic.plate.levels.contrasts`."""
+        by_name = {
+            name: contrasts(response, driven_region(self.plate)) for name, response in self.responses.items()
+        }
         return {
-            pair: {name: levels[pair].values for name, levels in found.items()} for pair in found[MEASURED]
+            pair: {name: levels[pair].values for name, levels in by_name.items()}
+            for pair in by_name[MEASURED]
         }
 
     @figure("before-after", "Measurement and model, averaged over the points and as contrast.")
     def _before_after(self) -> Figure:
         labels = self.labels
-        spectra = {labels[name]: average_spectrum(one).values for name, one in self.responses.items()}
+        spectra = {
+            labels[name]: average_spectrum(response).values for name, response in self.responses.items()
+        }
         levels = {
-            pair: {labels[name]: level for name, level in one.items()}
-            for pair, one in self.contrasts().items()
+            pair: {labels[name]: level for name, level in contrast.items()}
+            for pair, contrast in self.contrasts().items()
         }
         return plots.before_after(self.measured.frequency, spectra, levels, units=self.measured.units)
 
     @figure("frac", "Agreement of measurement and model at every point.")
     def _frac(self) -> Figure:
-        frac = {self.labels[name]: one.frac for name, one in self.agreements.items()}
+        frac = {self.labels[name]: agreement.frac for name, agreement in self.agreements.items()}
         layout = self.plate.layout
         return plots.frac_maps(self.measured.points, frac, layout, measured=self.labels[MEASURED])
 
@@ -126,47 +131,54 @@ class Verdict(Result):
         path.write_text(self.study or "", "utf-8")
 
     def summary(self) -> list[str]:
-        """How much of the measurement the models explain, and how sure the numbers are."""
-        said = [
-            f"{name}: the model leaves {100 * one.unexplained:.2g} % of the measured energy unexplained; "
-            f"median FRAC {np.nanmedian(one.frac):.4f}."
-            for name, one in self.agreements.items()
+        """Sentences on the explained share of the measurement, and on the certainty of fitted numbers."""
+        sentences = [
+            f"{name}: the model leaves {100 * agreement.unexplained:.2g} % of the measured energy "
+            f"unexplained; median FRAC {np.nanmedian(agreement.frac):.4f}."
+            for name, agreement in self.agreements.items()
         ]
         if (fit := self.fit) is not None:
-            known = fit.uncertainty
-            kind = "look independent" if known.independent else "are alike at neighbouring points or lines"
-            said.append(
-                f"Residuals {kind}: {known.data} numbers count as {known.effective:.0f}. The response "
-                f"of the fit is {self.recomputed:.1e} off the plate computed anew. {len(fit.left_out)} "
-                "points of strange residuals were left out."
+            uncertainty = fit.uncertainty
+            kind = (
+                "look independent"
+                if uncertainty.independent
+                else "are alike at neighbouring points or frequencies"
+            )
+            sentences.append(
+                f"Residuals {kind}: {uncertainty.data} numbers count as {uncertainty.effective:.0f}. The "
+                f"response of the fit differs by {self.recomputed:.1e} from the plate computed again. "
+                f"{len(fit.left_out)} points with outlying residuals were left out."
             )
         if self.left_out:
-            said.append(f"{self.left_out} points do not lie on the plate and were left out.")
-        return [*said, f"{self.labels[MEASURED].capitalize()} against a simulation."]
+            sentences.append(f"{self.left_out} points outside the plate were left out.")
+        return [*sentences, f"{self.labels[MEASURED].capitalize()} compared with a simulation."]
 
     def tables(self) -> list[Table]:
         """Fitted numbers, pairs of shapes, ranges of high contrast."""
-        found = [] if self.fit is None else [fit_table(self.fit)]
-        found.append(pairs_table(self.agreements[self.last], self.last))
-        return [*found, self._ranges()] if any(self.ranges.values()) else found
+        tables = [] if self.fit is None else [fit_table(self.fit)]
+        tables.append(pairs_table(self.agreements[self.last], self.last))
+        return [*tables, self._ranges()] if any(self.ranges.values()) else tables
 
     def _ranges(self) -> Table:
-        """Where the driven region stands out from the lattice in each response, found in the same way."""
+        """Table of the ranges with high contrast of the driven region, by one method for all responses."""
         ends = [Column(name, "Hz", "kHz", ".2f") for name in ("from", "to")]
         rows: list[tuple[Cell, ...]] = [
-            (name, "none found", "") if one is None
-            else (name, Uncertain(one.lower, one.lower_error), Uncertain(one.upper, one.upper_error))
-            for name, one in self.ranges.items()
+            (name, "not determined", "") if span is None
+            else (name, Uncertain(span.lower, span.lower_error), Uncertain(span.upper, span.upper_error))
+            for name, span in self.ranges.items()
         ]  # fmt: skip
         return Table("high contrast over the lattice", ("response", *ends), rows)
 
     @property
     def dataset(self) -> xr.Dataset:
-        """FRAC of each model against the points, and the MAC matrix of the last one."""
+        """FRAC of each model against the points, and the MAC matrix of the last model."""
         last = self.agreements[self.last]
         data = xr.Dataset(
             {
-                "frac": (("model", "point"), np.stack([one.frac for one in self.agreements.values()])),
+                "frac": (
+                    ("model", "point"),
+                    np.stack([agreement.frac for agreement in self.agreements.values()]),
+                ),
                 "mac": (("measured_shape", "computed_shape"), last.mac),
                 "measured_frequency": ("measured_shape", last.measured.frequency, {"units": "Hz"}),
                 "computed_frequency": ("computed_shape", last.computed.frequency, {"units": "Hz"}),
@@ -180,8 +192,8 @@ class Verdict(Result):
             },
         )
         declared(data, frac="the point does not move", **UNRESOLVED)
-        made = stamped(data, dict(self.inputs))
-        return made.assign_attrs(origin=f"{self.origin} response against a simulated one")
+        data = stamped(data, dict(self.inputs))
+        return data.assign_attrs(origin=f"{self.origin} response against a simulated one")
 
     def facts(self) -> dict[str, Any]:
         return {
@@ -190,7 +202,7 @@ class Verdict(Result):
             "lines": len(self.measured.frequency),
             "points": len(self.measured.points),
             "points_left_out": self.left_out,
-            "agreement": {name: _facts_of(one) for name, one in self.agreements.items()},
+            "agreement": {name: _facts_of(agreement) for name, agreement in self.agreements.items()},
             "contrast_range": self.ranges,
             "fit": self.fit and self._fit_facts(self.fit),
         }
@@ -212,35 +224,35 @@ class Verdict(Result):
 
 
 def fit_table(fit: Fit) -> Table:
-    """Each number before and after."""
+    """Table of each fitted number before and after the fit."""
     rows = [
         (
-            one.name,
-            format_quantity(one.start, one.unit),
-            format_quantity(one.value, one.unit),
-            one.range_text,
+            number.name,
+            format_quantity(number.start, number.unit),
+            format_quantity(number.value, number.unit),
+            number.range_text,
         )
-        for one in fit.numbers
+        for number in fit.numbers
     ]
     return Table("numbers fitted to the response", ("parameter", "start", "fitted", "95 % interval"), rows)
 
 
-def pairs_table(one: Agreement, model: str) -> Table:
-    """Shapes that belong together."""
+def pairs_table(agreement: Agreement, model: str) -> Table:
+    """Table of paired shapes."""
     title = (
-        f"{one.measured.how}: {len(one.pairs)} pairs of {len(one.measured.frequency)} measured and "
-        f"{len(one.computed.frequency)} of the {model}"
+        f"{agreement.measured.how}: {len(agreement.pairs)} pairs of {len(agreement.measured.frequency)} "
+        f"measured and {len(agreement.computed.frequency)} of the {model}"
     )
-    return Table.of(title, paired(one).isel(pair=slice(MOST_ROWS)), "pair", PAIR_COLUMNS)
+    return Table.of(title, paired(agreement).isel(pair=slice(MOST_ROWS)), "pair", PAIR_COLUMNS)
 
 
-def _facts_of(one: Agreement) -> dict[str, Any]:
+def _facts_of(agreement: Agreement) -> dict[str, Any]:
     return {
-        "shapes": one.measured.how,
-        "unexplained": one.unexplained,
-        "frac_median": float(np.nanmedian(one.frac)),
-        "measured_hz": one.measured.frequency,
-        "computed_hz": one.computed.frequency,
-        "mac": one.mac,
-        "pairs": split(paired(one), "pair"),
+        "shapes": agreement.measured.how,
+        "unexplained": agreement.unexplained,
+        "frac_median": float(np.nanmedian(agreement.frac)),
+        "measured_hz": agreement.measured.frequency,
+        "computed_hz": agreement.computed.frequency,
+        "mac": agreement.mac,
+        "pairs": split(paired(agreement), "pair"),
     }

@@ -1,4 +1,4 @@
-"""The study file: read, checked, written; one immutable value for everything that a run computes with."""
+"""The study file: reading, checking and writing; a study is one immutable value with all inputs of a run."""
 
 import lazy_loader as lazy
 

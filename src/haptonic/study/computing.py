@@ -1,6 +1,6 @@
-"""The methods of a study that compute: one for each analysis, with its options as signature and help.
+"""Methods of a study that compute: one per analysis, with its options as signature and help.
 
-They follow from the table of analyses. An analysis is imported when its method is asked for.
+They follow from the table of analyses. The module of an analysis is imported when its method is first used.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ OF_RUN = "See `haptonic.Study.run`."
 
 
 class AnalysisMethod:
-    """The method of an analysis, a descriptor: a function of the class, bound for a study."""
+    """Descriptor for the method of an analysis: a function of the class, bound to a study."""
 
     def __init__(self, name: str, run: Callable[..., Any]) -> None:
         self._name, self._run = name, run
@@ -52,45 +52,45 @@ class AnalysisMethod:
 
 
 def parameters_of(analysis: Analysis, run: Callable[..., Any]) -> list[inspect.Parameter]:
-    """The options of an analysis and those of ``run``, all by name; a quantity or a path may be a text."""
+    """Options of an analysis and those of ``run``, all keyword-only; a quantity or a path may be a text."""
     kinds = get_type_hints(analysis.options)
-    own = [
+    declared = [
         inspect.Parameter(
-            one.name, inspect.Parameter.KEYWORD_ONLY, annotation=_taken(one, kinds[one.name]),
-            default=inspect.Parameter.empty if is_needed(one) else one.default,
+            field.name, inspect.Parameter.KEYWORD_ONLY, annotation=_annotation(field, kinds[field.name]),
+            default=inspect.Parameter.empty if is_needed(field) else field.default,
         )
-        for one in fields(analysis.options)
+        for field in fields(analysis.options)
     ]  # fmt: skip
     shared = inspect.signature(run, eval_str=True).parameters.values()
-    return [*own, *(one for one in shared if one.kind is one.KEYWORD_ONLY)]
+    return [*declared, *(parameter for parameter in shared if parameter.kind is parameter.KEYWORD_ONLY)]
 
 
-def is_needed(one: Field[Any]) -> bool:
-    """Whether an option has no default."""
-    return one.default is MISSING and one.default_factory is MISSING
+def is_needed(field: Field[Any]) -> bool:
+    """True if an option has no default."""
+    return field.default is MISSING and field.default_factory is MISSING
 
 
 def documentation_of(analysis: Analysis, run: Callable[..., Any]) -> str:
-    """What an analysis gives, its options, and the table of the study that it reads."""
+    """Documentation of an analysis: its result, its options, and the table of the study that it reads."""
     lines = [fill(NAMES[analysis.name], WIDTH), "", "Parameters", "----------"]
-    declared = {one.name: one for one in fields(analysis.options)}
-    for one in parameters_of(analysis, run):
-        option = option_of(declared[one.name]) if one.name in declared else None
-        words = option.help if option else "Given in Python only." if one.name in declared else OF_RUN
-        default = "" if one.default is one.empty else f" = {one.default!r}"
-        kind = inspect.formatannotation(one.annotation).replace("pathlib.", "")
-        lines += [f"{one.name} : {kind}{default}", indent(fill(words, WIDTH - 4), " " * 4)]
+    declared = {field.name: field for field in fields(analysis.options)}
+    for parameter in parameters_of(analysis, run):
+        option = option_of(declared[parameter.name]) if parameter.name in declared else None
+        words = option.help if option else "Given in Python only." if parameter.name in declared else OF_RUN
+        default = "" if parameter.default is parameter.empty else f" = {parameter.default!r}"
+        kind = inspect.formatannotation(parameter.annotation).replace("pathlib.", "")
+        lines += [f"{parameter.name} : {kind}{default}", indent(fill(words, WIDTH - 4), " " * 4)]
     lines += ["", "Returns", "-------", f"{analysis.result.__module__}.{analysis.result.__qualname__}"]
     keys = settings_of(analysis.name)
     if keys:
-        about = f"Settings of the study, its table [{analysis.name}], are no options: {', '.join(keys)}. "
-        how = f"Give them where the study is made, {example_of(analysis.name, keys[:1])}, or by `with_keys`."
+        about = f"Settings of the study, in its table [{analysis.name}], are not options: {', '.join(keys)}. "
+        how = f"Set them in the study, {example_of(analysis.name, keys[:1])}, or with `with_keys`."
         lines += ["", "Notes", "-----", fill(about + how, WIDTH)]
     return "\n".join(lines) + "\n"
 
 
-def _taken(one: Field[Any], kind: Any) -> Any:
-    """The type of an option; a quantity may be a text with its unit, a path a text."""
-    known = option_of(one)
-    text = Path in (kind, *get_args(kind)) or (known is not None and bool(known.unit))
+def _annotation(field: Field[Any], kind: Any) -> Any:
+    """Type of an option; a quantity may also be a text with its unit, a path a text."""
+    option = option_of(field)
+    text = Path in (kind, *get_args(kind)) or (option is not None and bool(option.unit))
     return str | kind if text else kind

@@ -1,4 +1,4 @@
-"""Words on values of a study that are unusual for one another, whatever the size of its cell."""
+"""Remarks on values of a study that are unusual relative to one another."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ from haptonic.plate.settings import ResponseSettings
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.units import format_quantity
 
-# Of the speed of shear waves over the pitch; gaps of pillars lie between 0.03 and 1 of it in the templates.
+# relative to the speed of shear waves over the pitch; gaps of pillars in the templates lie between 0.03 and 1
 USUAL_CARRIER = (0.01, 5.0)
-USUAL_PATCH = (0.01, 5.0)  # thickness of a patch, of that of the plate
-USUAL_GRID = (0.001, 3.0)  # distance of the points of a map, of the pitch
-USUAL_WIDTH = (0.02, 100.0)  # of the pitch: sizes in the plane of a plate's parts
+USUAL_PATCH = (0.01, 5.0)  # thickness of a patch relative to that of the plate
+USUAL_GRID = (0.001, 3.0)  # distance of the points of a map relative to the pitch
+USUAL_WIDTH = (0.02, 100.0)  # sizes of a plate's parts in its plane, relative to the pitch
 LENGTH = "m"
 
 
 def doubts_of(carrier: float | None, cell: UnitCell, plate: PlateSettings | None) -> dict[str, str]:
-    """Words, by path in the study, on a carrier and parts of a plate that are unusual for the cell."""
+    """Remarks, by path in the study, on a carrier and parts of a plate that are unusual for the cell."""
     pitch = format_quantity(cell.lattice.pitch, LENGTH)
-    found = {}
+    remarks = {}
     if carrier is not None:
         solid: Any = cell.material
         natural = math.sqrt(solid.stiffness[5][5] / solid.density) / cell.lattice.pitch
         words = f"for a pitch of {pitch} in {solid.name}"
-        found["carrier"] = unusual_beside(carrier, "Hz", USUAL_CARRIER, natural, words)
+        remarks["carrier"] = unusual_beside(carrier, "Hz", USUAL_CARRIER, natural, words)
     if plate is not None:
-        found |= dict(_of_plate(plate, cell, f"for a pitch of {pitch}"))
-        found |= _not_answered(carrier, plate.response)
-    return found
+        remarks |= dict(_of_plate(plate, cell, f"for a pitch of {pitch}"))
+        remarks |= _carrier_outside(carrier, plate.response)
+    return remarks
 
 
 def _of_plate(plate: PlateSettings, cell: UnitCell, words: str) -> Iterator[tuple[str, str]]:
@@ -56,12 +56,12 @@ def _of_plate(plate: PlateSettings, cell: UnitCell, words: str) -> Iterator[tupl
     yield "plate.response.grid", unusual_beside(plate.response.grid, LENGTH, USUAL_GRID, pitch, words)
 
 
-def _not_answered(carrier: float | None, asked: ResponseSettings) -> dict[str, str]:
-    """Words on a response that leaves the carrier out."""
+def _carrier_outside(carrier: float | None, asked: ResponseSettings) -> dict[str, str]:
+    """Remark on a response whose range does not contain the carrier."""
     if carrier is None or asked.lowest <= carrier <= asked.highest:
         return {}
     ends = f"{format_quantity(asked.lowest, 'Hz')} to {format_quantity(asked.highest, 'Hz')}"
     return {
-        "plate.response": f"{ends} leaves out the carrier, {format_quantity(carrier, 'Hz')}. Give lowest and "
-        "highest around it"
+        "plate.response": f"{ends} does not contain the carrier, {format_quantity(carrier, 'Hz')}. Set "
+        "lowest and highest around it"
     }

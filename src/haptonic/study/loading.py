@@ -1,4 +1,4 @@
-"""From a study file to a study, or to one error that names every problem in the file."""
+"""Reading a study file: a study, or one error that lists every problem in the file."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def load_as(path: str | Path, kind: type[S]) -> S:
 
     Parameters
     ----------
-    kind : `Description`, or `haptonic.study.Study`, which can be asked to compute as well
+    kind : `Description`, or `haptonic.study.Study`, which also has methods that compute
 
     Raises
     ------
@@ -46,9 +46,9 @@ def load_as(path: str | Path, kind: type[S]) -> S:
 
 
 def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | None = None) -> S:
-    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load_as`.
+    """Read a study from text; ``origin`` is its name in errors and warnings. Otherwise as `load_as`.
 
-    ``folder`` is where paths in the study are counted from, by default the working directory.
+    ``folder`` is the base of paths in the study, by default the working directory.
     """
     study = read(kind, _placed(_parsed(text, origin), folder), origin)
     for words in study.unusual():
@@ -57,7 +57,7 @@ def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | Non
 
 
 def _placed(data: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-    """The study with the path of its CAD file counted from the working directory."""
+    """The data of a study, with the path of its CAD file relative to the working directory."""
     cell = data.get("cell")
     solid = cell.get("solid") if isinstance(cell, dict) else None
     if folder is not None and isinstance(solid, dict) and isinstance(solid.get("file"), str):
@@ -66,7 +66,7 @@ def _placed(data: dict[str, Any], folder: Path | None) -> dict[str, Any]:
 
 
 def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | None]:
-    """The table [trials] of a study file, and the study; of a file with nothing else there is no study.
+    """The table [trials] of a study file, and the study; None for a file without other tables.
 
     Raises
     ------
@@ -84,19 +84,19 @@ def _read(path: Path) -> str:
         with path.open("rb") as file:
             content = file.read(LARGEST_FILE + 1)
     except FileNotFoundError:
-        if path.is_symlink():  # its own name is the nearest
+        if path.is_symlink():  # the nearest name would be that of the link itself
             raise _refused(
-                "not-found", path, "it is a link to a file that is not there", "mend the link"
+                "not-found", path, "it is a link to a file that does not exist", "repair the link"
             ) from None
-        raise _refused("not-found", path, "no such file", _similar(path)) from None
+        raise _refused("not-found", path, "the file does not exist", _similar(path)) from None
     except IsADirectoryError:
         raise _refused("unreadable", path, "it is a folder", _studies_in(path)) from None
     except PermissionError:
         next_step = "change its permissions, or copy it"
-        raise _refused("forbidden", path, "it may not be read by you", next_step) from None
+        raise _refused("forbidden", path, "you have no permission to read it", next_step) from None
     except (OSError, ValueError) as error:
         cause = getattr(error, "strerror", None) or str(error)
-        raise _refused("unreadable", path, f"the system says: {cause}", "check the path") from None
+        raise _refused("unreadable", path, f"error of the system: {cause}", "check the path") from None
     if len(content) > LARGEST_FILE:
         cause = f"it is larger than {LARGEST_FILE} bytes"
         raise _refused("too-large", path, cause, "check that it is a study file")
@@ -109,7 +109,7 @@ def _read(path: Path) -> str:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
-        cause = f"line {line} holds bytes that are not UTF-8 text"
+        cause = f"line {line} contains bytes that are not UTF-8 text"
         raise _refused("encoding", path, cause, "save it as UTF-8") from None
     return text
 
@@ -118,10 +118,10 @@ def _parsed(text: str, origin: str) -> dict[str, Any]:
     if _depth(text) > DEEPEST:
         raise _malformed(text, origin, ValueError("brackets are nested too deeply"))
     if max(line.count(".") for line in text.split("\n")) > MOST_DOTS:
-        raise _malformed(text, origin, ValueError("a line holds too many dots for a key or a value"))
+        raise _malformed(text, origin, ValueError("a line contains too many dots for a key or a value"))
     try:
         data = tomllib.loads(text)
-    except ValueError as error:  # ValueError: also for a number of thousands of digits
+    except ValueError as error:  # also raised for a number of thousands of digits
         raise _malformed(text, origin, error) from None
     if not data:
         raise StudyError.missing(
@@ -135,7 +135,7 @@ def _parsed(text: str, origin: str) -> dict[str, Any]:
 
 
 def _depth(text: str) -> int:
-    """How deep brackets are nested; the parser of the standard library follows them without a limit."""
+    """Depth of nested brackets; the parser of the standard library has no limit for it."""
     depth = deepest = 0
     for bracket in re.findall(r"[][{}]", text):
         depth = depth + 1 if bracket in "[{" else max(depth - 1, 0)
@@ -144,18 +144,18 @@ def _depth(text: str) -> int:
 
 
 def _malformed(text: str, origin: str, error: Exception) -> StudyError:
-    """What is wrong with the TOML, and in which line."""
+    """Error for text that is not TOML, with the line of the mistake."""
     message, place = str(error), _PLACE.search(str(error))
     lines = text.splitlines() or [""]
     number = min(int(place["line"]), len(lines)) if place else len(lines)
     line = lines[number - 1].strip() if place or "end of document" in message else ""
     if "integer string conversion" in message:
         message = "a whole number has thousands of digits"
-    next_step = "put that line right; texts and quantities stand in quotes, numbers do not"
+    next_step = "correct that line; texts and quantities need quotes, numbers do not"
     if _BARE_QUANTITY.search(line):
         next_step = 'put quotes around the number and its unit: pitch = "7 mm"'
     elif line.startswith("[") and "twice" in message:
-        next_step = "a heading may stand there once only; several sweeps are headed [[sweep]] each"
+        next_step = "a heading may occur only once; several sweeps need a heading [[sweep]] each"
     return StudyError.malformed(
         argument=f"{origin}, line {number}" if line else origin,
         given=shown(line) if line else "text that is not TOML",

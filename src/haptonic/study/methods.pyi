@@ -136,7 +136,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.design.Design:
-        """The cell whose gap holds the carrier with the widest margin, within the study's [design]."""
+        """The cell whose gap contains the carrier with the widest margin, within the study's [design]."""
 
     def tolerance(
         self,

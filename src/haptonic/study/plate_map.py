@@ -1,4 +1,4 @@
-"""The map of a plate, a letter for each tile, and what may be wrong with it."""
+"""Map of a plate, with a letter for each tile, and checks of it."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from haptonic.errors import nearest, shown
 from haptonic.fields import problem
 from haptonic.plate.layout import pieces
 
-NOTHING = "."  # the letter of a tile that is not there
+NOTHING = "."  # letter of an absent tile
 MOST_TILES = 100_000
-ALIKE = ("O0oQ", "1lI|i", "2zZ", "5sS", "8B")  # letters that are taken for each other
+ALIKE = ("O0oQ", "1lI|i", "2zZ", "5sS", "8B")  # letters that are easily confused
 
 
 def drawn(text: str) -> str:
-    """The map without blanks around its lines and without blank lines around it."""
+    """The map without blanks at the ends of lines and without empty lines around it."""
     lines = [line.strip() for line in text.strip().splitlines()]
     if not any(set(line) - {NOTHING} for line in lines):
         raise problem(
             "malformed",
             "a map without tiles" if text.strip() else "nothing",
             "lines of letters, one letter for each tile",
-            "the map is empty" if not text.strip() else "every letter of it stands for no plate",
+            "the map is empty" if not text.strip() else "all its letters mean that there is no plate",
             'write map = """, then a line of letters for each row of tiles, then """',
         )
     for number, line in enumerate(lines, start=1):
@@ -31,7 +31,7 @@ def drawn(text: str) -> str:
                 f"{len(line)} tiles in line {number}, {shown(line)}",
                 f"{len(lines[0])} tiles in every line, as in the first",
                 "a tile was left out or written twice" if line else "a line is empty",
-                f'put line {number} right; "{NOTHING}" is a tile that is not there',
+                f'correct line {number}; "{NOTHING}" is an absent tile',
             )
     if len(lines) * len(lines[0]) > MOST_TILES:
         raise _too_large(len(lines), len(lines[0]))
@@ -39,7 +39,7 @@ def drawn(text: str) -> str:
 
 
 def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) -> None:
-    """Refuse letters that do not fit the map, a number of rows that does not, and plates that fall apart."""
+    """Refuse unknown letters, a number of rows that does not fit the map, and plates in several pieces."""
     if rows is not None and rows % len(lines):
         raise problem(
             "conflict",
@@ -52,22 +52,22 @@ def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) 
         raise _too_large(rows or 0, len(lines[0]), at="rows")
     whole = list(lines) * ((rows or len(lines)) // len(lines))
     _check_borders(whole)
-    # the tiles as the layout has them: the lowest row first
+    # the layout begins with the lowest row
     parts = pieces([[letter != NOTHING for letter in line] for line in reversed(whole)])
     if len(parts) > 1:
         row, column = min(parts[-1])
         raise problem(
             "malformed",
             f"{len(parts)} pieces: {', '.join(f'{len(part)} tiles' for part in parts)}",
-            "tiles that all hang together by their sides",
-            f"the tile in line {len(whole) - row}, column {column + 1} belongs to a piece of its own",
-            f'join the pieces by tiles, not by corners; put "{NOTHING}" for a piece that is not wanted',
+            "tiles that are connected by their sides",
+            f"the tile in line {len(whole) - row}, column {column + 1} belongs to a separate piece",
+            f'connect the pieces by tiles, not by corners; write "{NOTHING}" for an unwanted piece',
             at="map",
         )
 
 
 def check_letters(lines: Sequence[str], tiles: Mapping[str, str], table: str = "[plate.tiles]") -> None:
-    """Refuse letters that a table does not explain, and entries of it that are none or are not used."""
+    """Refuse letters that a table does not explain, and entries of it that are invalid or not used."""
     names = list(tiles.values())
     for letter, name in tiles.items():
         at = f"tiles.{letter if letter.isalnum() else shown(letter)}"
@@ -75,7 +75,7 @@ def check_letters(lines: Sequence[str], tiles: Mapping[str, str], table: str = "
             raise problem(
                 "malformed",
                 shown(letter), f'one letter, and not "{NOTHING}"',
-                "that letter is always a tile that is not there" if letter == NOTHING
+                "this letter always means an absent tile" if letter == NOTHING
                 else "every letter of the map is one tile",
                 f'choose one letter for "{name}"', at=at,
             )  # fmt: skip
@@ -93,7 +93,7 @@ def check_letters(lines: Sequence[str], tiles: Mapping[str, str], table: str = "
                     "unknown",
                     f"{shown(letter)} in line {number}, column {column}",
                     f'one of {", ".join(tiles)}, or "{NOTHING}" where there is no plate',
-                    f"{table} does not say what this letter is",
+                    f"{table} does not explain this letter",
                     f'write "{guess}"' if guess else f'add {letter} = "..." to {table}',
                     at="map",
                 )
@@ -103,15 +103,15 @@ def check_letters(lines: Sequence[str], tiles: Mapping[str, str], table: str = "
             raise problem(
                 "conflict",
                 shown(name), "a name that some tile of the map has",
-                f"the map does not hold the letter {shown(letter)}, so it would have no tiles",
+                f"the map does not contain the letter {shown(letter)}, so it would have no tiles",
                 "write the letter in the map, or leave it out here", at=f"tiles.{letter}",
             )  # fmt: skip
 
 
-def _nearest_letter(letter: str, known: Mapping[str, str]) -> str | None:
+def _nearest_letter(letter: str, letters: Mapping[str, str]) -> str | None:
     alike = next((group for group in ALIKE if letter in group), letter)
-    taken = [each for each in known if each in alike or each.casefold() == letter.casefold()]
-    return taken[0] if taken else nearest(letter, known)
+    taken = [each for each in letters if each in alike or each.casefold() == letter.casefold()]
+    return taken[0] if taken else nearest(letter, letters)
 
 
 def _check_borders(lines: Sequence[str]) -> None:
@@ -125,7 +125,7 @@ def _check_borders(lines: Sequence[str]) -> None:
         if not set(letters) - {NOTHING}:
             raise problem(
                 "malformed",
-                f'{name}, all "{NOTHING}"', "a map whose border lines and columns each hold a tile",
+                f'{name}, all "{NOTHING}"', "a map with a tile in each of its border lines and columns",
                 "the plate is smaller than its map", f"leave {name} out", at="map",
             )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""The tables of the study file that describe a finite plate: its map, what holds it and what drives it."""
+"""The tables of the study file that describe a finite plate: its map, its supports and its drives."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from haptonic.study.plate_map import check_map, drawn
 from haptonic.vibrometry.of_settings import CLAMPS
 
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
-LATTICE = "lattice"  # the name of the study's own cell in [plate.tiles]
+LATTICE = "lattice"  # name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-9, 100e-3)]
 
@@ -43,7 +43,7 @@ TileSize = Annotated[float, size(100e-9, 100e-3)]
 class LatticeSettings:
     """A further lattice of the plate, or of a ribbon: the study's own cell with some numbers changed."""
 
-    name: Name = needed("By which tiles refer to it.", examples=["low"])
+    name: Name = needed("Name of the lattice in the table of tiles.", examples=["low"])
     change: Entries[float] = needed(
         "Numbers of the cell, by their names in this file; thickness and material stay."
     )
@@ -51,7 +51,7 @@ class LatticeSettings:
     @field_validator("change", mode="before")
     @classmethod
     def _of_the_cell(cls, value: object, info: ValidationInfo) -> object:
-        """SI values by path; the dots of a path without quotes are TOML's own tables."""
+        """SI values by path; TOML reads the dots of an unquoted path as nested tables."""
         if not isinstance(value, dict):
             return value
         read = {}
@@ -62,7 +62,7 @@ class LatticeSettings:
 
     @property
     def units(self) -> Mapping[str, str]:
-        """SI unit of every number that may change."""
+        """SI unit of every number that a lattice may change."""
         return UNITS
 
 
@@ -83,7 +83,7 @@ def _changeable(path: str) -> None:
 
 @described("plate", kw_only=True)
 class PlateSettings:
-    """A finite plate: a map of tiles, what holds it and what drives it."""
+    """A finite plate: a map of tiles, its supports and its drives."""
 
     aliases: ClassVar[Aliases] = {
         **meant("actuator", "actuators", "piezo", "patch", "transducer"),
@@ -109,7 +109,7 @@ class PlateSettings:
         examples=["oo11oo"],
     )
     rows: Annotated[int, Field(ge=1, le=10_000, strict=True)] | None = setting(
-        None, "The lines of the map are repeated until there are so many."
+        None, "Number of rows; the lines of the map are repeated to fill them."
     )
     loss_factor: Loss | None = setting(
         None, "Loss factor of the mounted plate; by default that of its material."
@@ -119,20 +119,20 @@ class PlateSettings:
         title="Meaning of the letters",
     )
     widths: Entries[TileSize] = setting(
-        Entries(), "By region: of its columns without a lattice; else the pitch."
+        Entries(), "Width of columns without a lattice, by region; by default the pitch."
     )
     heights: Entries[TileSize] = setting(
-        Entries(), "By region: of its rows without a lattice; else the pitch along y."
+        Entries(), "Height of rows without a lattice, by region; by default the pitch along y."
     )
     cell: tuple[LatticeSettings, ...] = setting(
         (), "For tiles of other names.", title="Further lattices", max_length=20
     )
-    edges: Edges = setting(Edges(), "What holds them.")
-    clamp: Clamp | None = setting(None, "Held, if this table is there.", title="Corners")
+    edges: Edges = setting(Edges(), "Supports of the edges.")
+    clamp: Clamp | None = setting(None, "Clamped corners, if this table is given.", title="Corners")
     actuator: tuple[Actuator, ...] = setting((), "Piezoelectric patches.", title="Actuators", max_length=100)
-    force: tuple[Force, ...] = setting((), "On the flat face.", title="Forces", max_length=100)
-    finger: Finger | None = setting(None, "On the flat face, if it is there.")
-    response: ResponseSettings = setting(ResponseSettings(), "What is asked of the vibration.")
+    force: tuple[Force, ...] = setting((), "Forces on the flat face.", title="Forces", max_length=100)
+    finger: Finger | None = setting(None, "Finger on the flat face, if this table is given.")
+    response: ResponseSettings = setting(ResponseSettings(), "Frequencies and points of the response.")
 
     @field_validator("map")
     @classmethod
@@ -141,12 +141,12 @@ class PlateSettings:
 
     @field_validator("tiles")
     @classmethod
-    def _no_words_of_ours(cls, tiles: Entries[str]) -> Entries[str]:
-        rest = "this word stands for all points outside of a region"
+    def _no_reserved_names(cls, tiles: Entries[str]) -> Entries[str]:
+        rest = "this word means all points outside of a region"
         taken = {
             REST: rest,
             THE_REST: rest,
-            CLAMPS: "in skip of [scan] this word stands for all held corners",
+            CLAMPS: "in skip of [scan] this word means all clamped corners",
         }
         for name in tiles.values():
             if name in taken:
@@ -159,9 +159,9 @@ class PlateSettings:
         self._names_are_known()
 
     def _names_are_unique(self) -> None:
-        cells = [(f"cell[{i}]", one.name) for i, one in enumerate(self.cell, start=1)]
-        driven = [(f"actuator[{i}]", one.name) for i, one in enumerate(self.actuator, start=1)]
-        driven += [(f"force[{i}]", one.name) for i, one in enumerate(self.force, start=1)]
+        cells = [(f"cell[{i}]", lattice.name) for i, lattice in enumerate(self.cell, start=1)]
+        driven = [(f"actuator[{i}]", part.name) for i, part in enumerate(self.actuator, start=1)]
+        driven += [(f"force[{i}]", part.name) for i, part in enumerate(self.force, start=1)]
         for kind, places, taken in (("lattice", cells, {LATTICE}), ("actuator or force", driven, set())):
             for place, name in places:
                 if name in taken:
@@ -175,41 +175,41 @@ class PlateSettings:
                 taken.add(name)
 
     def _names_are_known(self) -> None:
-        """Every name stands for some tile, and what is about a region is not about a lattice."""
-        there = list(self.tiles.values())
-        for i, one in enumerate(self.cell, start=1):
-            if one.name not in there:
-                self._unknown(f"cell[{i}].name", one.name, self.regions, "no tile is of this lattice",
-                              f'add a letter = "{one.name}" to [plate.tiles], or remove it')  # fmt: skip
+        """Check that every name belongs to a tile, and that settings of regions do not name lattices."""
+        in_map = list(self.tiles.values())
+        for i, lattice in enumerate(self.cell, start=1):
+            if lattice.name not in in_map:
+                self._unknown(f"cell[{i}].name", lattice.name, self.regions, "no tile is of this lattice",
+                              f'add a letter = "{lattice.name}" to [plate.tiles], or remove it')  # fmt: skip
         named = {f"{table}.{name}": name for table in ("widths", "heights") for name in getattr(self, table)}
         patches, forces = enumerate(self.actuator, start=1), enumerate(self.force, start=1)
-        named |= {f"actuator[{i}].region": one.region for i, one in patches if one.region}
+        named |= {f"actuator[{i}].region": patch.region for i, patch in patches if patch.region}
         for at, name in named.items():
-            if name not in self.regions and name in there:
+            if name not in self.regions and name in in_map:
                 self._unknown(at, name, self.regions, "it is a lattice", "name a region of plain plate")
             elif name not in self.regions:
                 self._unknown(at, name, self.regions, "no tile is of this region")
-        named = {f"force[{i}].region": one.region for i, one in forces if one.region}
+        named = {f"force[{i}].region": force.region for i, force in forces if force.region}
         named |= {"finger.region": self.finger.region} if self.finger and self.finger.region else {}
         for at, name in named.items():
-            if name not in there:
-                self._unknown(at, name, there, "no tile has this name")
+            if name not in in_map:
+                self._unknown(at, name, in_map, "no tile has this name")
 
     @staticmethod
-    def _unknown(at: str, name: str, known: list[str], cause: str, next_step: str = "") -> None:
-        guess = nearest(name, known)
-        allowed = f"one of {', '.join(known)}" if known else "the name of a region, of which there is none"
-        hint = f'write "{guess}"' if guess else "choose one of them, or add it to [plate.tiles]"
+    def _unknown(at: str, name: str, names: list[str], cause: str, next_step: str = "") -> None:
+        guess = nearest(name, names)
+        allowed = f"one of {', '.join(names)}" if names else "the name of a region; this plate has no regions"
+        hint = f'write "{guess}"' if guess else "choose one of these, or add it to [plate.tiles]"
         raise problem("unknown", shown(name), allowed, cause, next_step or hint, at=at)
 
     @property
     def materials(self) -> dict[str, Material]:
-        """Of patches and bonds, by name."""
-        bonds = [one.bond.material for one in self.actuator if one.bond]
-        return {solid.name: solid for solid in (*(one.material for one in self.actuator), *bonds)}
+        """Materials of patches and bonds, by name."""
+        bonds = [patch.bond.material for patch in self.actuator if patch.bond]
+        return {solid.name: solid for solid in (*(patch.material for patch in self.actuator), *bonds)}
 
     def doubtful(self) -> dict[str, str]:
-        """Sentences, by path below the table, on regions whose name is nearly that of a lattice."""
+        """Remarks, by path below the table, on regions whose name resembles that of a lattice."""
         return {
             f"tiles.{letter}": f'"{name}" is a region of plain plate. Did you mean "{guess}"?'
             for letter, name in self.tiles.items()
@@ -224,12 +224,12 @@ class PlateSettings:
 
     @property
     def grid(self) -> tuple[tuple[str | None, ...], ...]:
-        """[row][column] the name of each tile, None where there is no plate; the lowest row first."""
+        """[row][column] name of each tile, None for an absent tile; the lowest row first."""
         lines = self.lines * ((self.rows or len(self.lines)) // len(self.lines))
         return tuple(tuple(self.tiles.get(letter) for letter in line) for line in reversed(lines))
 
     @property
     def regions(self) -> list[str]:
         """Names of the regions of plain plate."""
-        lattices = {LATTICE, *(one.name for one in self.cell)}
+        lattices = {LATTICE, *(lattice.name for lattice in self.cell)}
         return [name for name in self.tiles.values() if name not in lattices]

@@ -1,4 +1,4 @@
-"""From the [plate] of a study to the plate that is computed with: positions in metres, names resolved."""
+"""Conversion of the [plate] of a study: positions in metres, names resolved."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from haptonic.units import format_quantity
 Attached = TypeVar("Attached", Actuator, Force, Finger)
 
 
-def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
-    """The plate of a study, in SI units.
+def plate_of(section: PlateSettings | None, cell: UnitCell) -> Plate:
+    """Build the plate of a study, in SI units.
 
     Parameters
     ----------
-    own : the cell that tiles of the name "lattice" hold
+    cell : the cell of tiles with the name "lattice"
 
     Raises
     ------
@@ -33,28 +33,28 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
     if section is None:
         raise _refused(
             "missing", "plate", "nothing", "a [plate] table with map and tiles",
-            "the study describes a lattice, and no plate that is made of it",
-            'add map = "AAA" to [plate] and A = "lattice" to [plate.tiles]; `haptonic keys plate` tells more',
+            "the study describes a lattice without a plate",
+            'add map = "AAA" to [plate] and A = "lattice" to [plate.tiles]; see `haptonic keys plate`',
         )  # fmt: skip
-    if own.is_mirrored:
+    if cell.is_mirrored:
         raise _refused(
             "unsupported", "cell.faces", "both", "one, for a finite plate",
-            "its regions are plain below, where the finger and the actuators are",
+            "the lower face of its regions is flat, for the finger and the actuators",
             'write faces = "one", or leave [plate] out: bands, layers, ribbons and waveguides have both',
         )  # fmt: skip
-    if section.loss_factor is None and len(own.loss_factors) > 1:
+    if section.loss_factor is None and len(cell.loss_factors) > 1:
         raise _refused(
-            "missing", "plate.loss_factor", "nothing, and pillars of another loss factor than the plate's",
+            "missing", "plate.loss_factor", "nothing, although pillars and plate have different loss factors",
             "a single loss factor for the plate and its pillars",
-            "the response of a plate has one loss factor for everything that is not glued on",
-            f"add loss_factor to [plate], between {own.loss_factors[0]:g} and {own.loss_factors[-1]:g}",
+            "the response of a plate has one loss factor for everything except glued parts",
+            f"add loss_factor to [plate], between {cell.loss_factors[0]:g} and {cell.loss_factors[-1]:g}",
         )  # fmt: skip
-    layout = _layout(section, own)
+    layout = _layout(section, cell)
     _check_grid(layout, section.response.grid)
-    called = [_called("actuator", i, one) for i, one in enumerate(section.actuator, start=1)]
+    called = [_called("actuator", i, patch) for i, patch in enumerate(section.actuator, start=1)]
     for at, patch in zip(called, section.actuator, strict=True):
         _check_placed(at, patch, layout)
-    patches = tuple(_placed(one, layout) for one in section.actuator)
+    patches = tuple(_placed(patch, layout) for patch in section.actuator)
     for (at, first), (_, second) in combinations(zip(called, patches, strict=True), 2):
         _check_apart(at, first, second, layout)
     supports = section.edges.supports
@@ -71,15 +71,15 @@ def plate_of(section: PlateSettings | None, own: UnitCell) -> Plate:
         actuators=patches,
         forces=tuple(_placed(force, layout) for force in section.force),
         finger=section.finger and _placed(section.finger, layout),
-        loss_factor=own.material.loss_factor if section.loss_factor is None else section.loss_factor,
+        loss_factor=cell.material.loss_factor if section.loss_factor is None else section.loss_factor,
     )
 
 
-def _layout(section: PlateSettings, own: UnitCell) -> Layout:
+def _layout(section: PlateSettings, cell: UnitCell) -> Layout:
     tiles = section.grid
     cells = {
-        name: cell
-        for name, cell in lattices(section.cell, own, "plate.cell")
+        name: cell_of_tiles
+        for name, cell_of_tiles in lattices(section.cell, cell, "plate.cell")
         if name in section.tiles.values()
     }
     for letter, name in section.tiles.items():
@@ -91,31 +91,35 @@ def _layout(section: PlateSettings, own: UnitCell) -> Layout:
             )  # fmt: skip
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
-    laid, usual = {name: Brickwork.of(cell) for name, cell in cells.items()}, Brickwork.of(own)
-    widths = _sizes("column", columns, {name: one.width for name, one in laid.items()}, section.widths,
+    bricks, usual = {name: Brickwork.of(each) for name, each in cells.items()}, Brickwork.of(cell)
+    widths = _sizes("column", columns, {name: brick.width for name, brick in bricks.items()}, section.widths,
                     usual.width, "plate.widths")  # fmt: skip
-    heights = _sizes("row", rows, {name: one.height for name, one in laid.items()}, section.heights,
+    heights = _sizes("row", rows, {name: brick.height for name, brick in bricks.items()}, section.heights,
                      usual.height, "plate.heights")  # fmt: skip
-    return Layout.laid(tiles, [*widths], [*heights], cells, own.thickness, own.material)
+    return Layout.laid(tiles, [*widths], [*heights], cells, cell.thickness, cell.material)
 
 
-def lattices(further: Sequence[LatticeSettings], own: UnitCell, table: str) -> Iterator[tuple[str, UnitCell]]:
-    """The study's own cell, then those of a table with some of its numbers changed, each with its name."""
-    yield LATTICE, own
-    known = own.numbers()
-    for i, one in enumerate(further, start=1):
-        at = f'{table}[{i}] "{one.name}".change'
-        for path in one.change:
-            if path not in known:
+def lattices(
+    further: Sequence[LatticeSettings], cell: UnitCell, table: str
+) -> Iterator[tuple[str, UnitCell]]:
+    """The cell of the study, then the lattices of a table with changed numbers, each with its name."""
+    yield LATTICE, cell
+    parameters = cell.numbers()
+    for i, lattice in enumerate(further, start=1):
+        at = f'{table}[{i}] "{lattice.name}".change'
+        for path in lattice.change:
+            if path not in parameters:
                 raise _refused(
-                    "unknown", at, path, f"one of {', '.join(each for each in CHANGEABLE if each in known)}",
+                    "unknown", at, path,
+                    f"one of {', '.join(each for each in CHANGEABLE if each in parameters)}",
                     "this study does not give it", "give it in [cell] first, or leave it out here",
                 )  # fmt: skip
         try:
-            yield one.name, own.with_numbers(one.change)
+            yield lattice.name, cell.with_numbers(lattice.change)
         except HaptonicError as error:
             given = ", ".join(
-                f"{path} = {format_quantity(value, one.units[path])}" for path, value in one.change.items()
+                f"{path} = {format_quantity(value, lattice.units[path])}"
+                for path, value in lattice.change.items()
             )
             raise _refused(
                 "out-of-range", at, given, f"a cell that can be built; {error.argument}: {error.allowed}",
@@ -131,8 +135,8 @@ def _sizes(
     default: float,
     at: str,
 ) -> Iterator[float]:
-    """Width of every column, or height of every row: a lattice's pitch, or what its regions say."""
-    free: set[str] = set()  # regions with a line of their own
+    """Width of every column, or height of every row: a lattice's pitch, or the given size of its regions."""
+    free: set[str] = set()  # regions with a column or row without lattice
     for number, names in enumerate(lines, start=1):
         lattices = {name: pitches[name] for name in names if name in pitches}
         place = f"{what} {number}" + (" from below" if what == "row" else "")
@@ -144,7 +148,7 @@ def _sizes(
                 "conflict", "plate.map" if lattices else at, f"in {place}: {' and '.join(sizes)}",
                 f"one size for the whole {what}",
                 "two lattices of different pitch meet there" if lattices else "two regions meet there",
-                f"draw them in {what}s of their own" + ("" if lattices else ", or give them one size"),
+                f"draw them in separate {what}s" + ("" if lattices else ", or give them one size"),
             )  # fmt: skip
         yield next(iter(asked.values()), default)
     for name in given:
@@ -152,7 +156,7 @@ def _sizes(
             raise _refused(
                 "conflict", f"{at}.{name}", format_quantity(given[name], "m"),
                 f"a region that has a {what} without a lattice",
-                f"all {what}s of it hold cells of a lattice, whose pitch they have", "leave it out",
+                f"all its {what}s contain cells of a lattice and have its pitch", "leave it out",
             )  # fmt: skip
 
 
@@ -167,7 +171,7 @@ def _check_grid(layout: Layout, grid: float) -> None:
 
 
 def _check_corners(clamp: Clamp, layout: Layout) -> None:
-    """Refuse held parts of the sides beside the corners that meet, or that lie where there is no plate."""
+    """Refuse clamped corners that would meet, or that lie on absent tiles."""
     (right, top), length = (layout.x[-1], layout.y[-1]), clamp.corners
     corners = [
         (x, y)
@@ -178,25 +182,25 @@ def _check_corners(clamp: Clamp, layout: Layout) -> None:
         raise _refused(
             "out-of-range", "plate.clamp.corners", format_quantity(length, "m"),
             "a plate with a tile at one of the four corners of its map", "the corners are cut out",
-            "remove [plate.clamp], and hold the plate at [plate.edges]",
+            "remove [plate.clamp], and support the plate at [plate.edges]",
         )  # fmt: skip
     room, thin = 0.5 * min(right, top), 1e-3 * layout.thickness
     beside = [
         (max(x - across, 0.0), max(y - up, 0.0), min(x + across, right), min(y + up, top))
         for (x, y), (across, up) in product(corners, ((length, thin), (thin, length)))
     ]
-    there = all(layout.at(tile) for box in beside for tile in layout.under(box))
-    if length > room * (1 + CLOSE) or not there:
+    covered = all(layout.at(tile) for box in beside for tile in layout.under(box))
+    if length > room * (1 + CLOSE) or not covered:
         raise _refused(
             "out-of-range", "plate.clamp.corners", format_quantity(length, "m"),
             f"at most {format_quantity(room, 'm')}, half of the shorter side, with tiles all along it",
-            "the held parts of a side would meet" if length > room else "a tile beside a corner is not there",
-            "choose a shorter one",
+            "the clamped parts of a side would meet" if length > room else "a tile beside a corner is absent",
+            "choose a shorter length",
         )  # fmt: skip
 
 
 def _placed(part: Attached, layout: Layout) -> Attached:
-    """The same with its position on the plate, counted from the plate's corner."""
+    """The part with its position on the plate, relative to the plate's corner."""
     return unchecked(part, centre=_centre(part, layout), region=None)
 
 
@@ -213,44 +217,44 @@ def _check_placed(at: str, part: Actuator | Force, layout: Layout) -> None:
     others = layout.cells.keys() - solids if isinstance(part, Force) else set()
     on = {part.region} if part.region else {*layout.regions, *others}
     names = [layout.at(tile) for tile in layout.under(box)]
-    is_point = box[0] == box[2]  # which may lie on its region's border
+    is_point = box[0] == box[2]  # a point may lie on the border of its region
     if (any if is_point else all)(name in on for name in names) and solids.isdisjoint(names):
         return
-    strange = next((name for name in names if name is not None and name not in on), None)
-    if strange is None:
+    other = next((name for name in names if name is not None and name not in on), None)
+    if other is None:
         cause = "it reaches beyond the plate"
     else:
-        kind = "across cells of the lattice" if strange in layout.cells else "onto the region"
-        cause = f'it reaches {kind} "{strange}"'
+        kind = "across cells of the lattice" if other in layout.cells else "onto the region"
+        cause = f'it reaches {kind} "{other}"'
     where = f'"{part.region}"' if part.region else "the plate" if others else "one region of plain plate"
     around = f'the rectangle around "{part.region}"' if part.region else "the plate"
     raise _refused(
         "out-of-range",
         f"{at}.centre",
-        _written(part.centre),
-        f"a place at which all of it lies on {where}",
+        _position_text(part.centre),
+        f"a position at which all of it lies on {where}",
         cause,
-        f"move it, or make it smaller; the centre counts from the lower left corner of {around}",
+        f"move it, or make it smaller; its centre is relative to the lower left corner of {around}",
     )
 
 
-def _check_finger(one: Finger, layout: Layout) -> None:
+def _check_finger(finger: Finger, layout: Layout) -> None:
     """Refuse a disc that reaches beyond the plate."""
-    (x, y), radius = _centre(one, layout), 0.5 * one.diameter
-    for tile in layout.under(_box((x, y), (one.diameter, one.diameter))):
+    (x, y), radius = _centre(finger, layout), 0.5 * finger.diameter
+    for tile in layout.under(_box((x, y), (finger.diameter, finger.diameter))):
         i, j = tile
         if not layout.at(tile) and _distance(x, y, _bounds(layout, i, j)) < radius * (1 - CLOSE):
             raise _refused(
                 "out-of-range",
-                "plate.finger.centre", _written(one.centre),
-                "a place at which the whole disc lies on the plate",
-                f"the disc of {format_quantity(one.diameter, 'm')} reaches beyond the plate",
+                "plate.finger.centre", _position_text(finger.centre),
+                "a position at which the whole disc lies on the plate",
+                f"the disc of {format_quantity(finger.diameter, 'm')} reaches beyond the plate",
                 "move it inwards, or choose a smaller diameter",
             )  # fmt: skip
 
 
 def _bounds(layout: Layout, i: int, j: int) -> Rectangle:
-    """Of a tile, or of what lies beyond the map, without end."""
+    """Rectangle of a tile; a tile beyond the map is unbounded outwards."""
     x, y = (-math.inf, *layout.x, math.inf), (-math.inf, *layout.y, math.inf)
     return x[j + 1], y[i + 1], x[j + 2], y[i + 2]
 
@@ -275,15 +279,15 @@ def _check_apart(at: str, first: Actuator, second: Actuator, layout: Layout) -> 
     if not apart:
         raise _refused(
             "conflict", f"{at}.centre", f'a patch that overlaps "{second.name}"', "patches side by side",
-            "two of them would take the same place", "move one of them",
+            "two patches would overlap", "move one of them",
         )  # fmt: skip
 
 
-def _called(table: str, number: int, one: Actuator | Force) -> str:
-    return f'plate.{table}[{number}] "{one.name}"'
+def _called(table: str, number: int, part: Actuator | Force) -> str:
+    return f'plate.{table}[{number}] "{part.name}"'
 
 
-def _written(centre: tuple[float, float]) -> str:
+def _position_text(centre: tuple[float, float]) -> str:
     return " and ".join(format_quantity(value, "m") for value in centre)
 
 

@@ -1,4 +1,4 @@
-"""The table of the study file that describes a ribbon: what lies side by side, and what is asked of it."""
+"""The table of the study file that describes a ribbon: its columns, and the range of its waves."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from haptonic.study.plating import lattices
 from haptonic.units import format_quantity
 
 MOST_COLUMNS = 200
-MOST_CELLS = 120  # of several lines: with more the blocks of a column take minutes at every wavevector
+MOST_CELLS = 120  # for several lines: with more cells the blocks of a column take minutes per wavevector
 POINTS, POINTS_OF_LINES = 21, 3
 TABLE = "[ribbon.tiles]"
 
@@ -41,39 +41,40 @@ class RibbonSettings(DirectionSettings):
         title="Meaning of the letters",
     )
     widths: Entries[TileSize] = setting(
-        Entries(), "By name: of a column of plain plate; else that of the lattice."
+        Entries(), "Width of columns of plain plate, by name; by default that of the lattice."
     )
     cell: tuple[LatticeSettings, ...] = setting(
-        (), "For columns of other names.", title="Further lattices", max_length=20
+        (), "Lattices of columns with other names.", title="Further lattices", max_length=20
     )
     lowest: Frequency | None = setting(
-        None, "That modes are sought at; else somewhat below the gap.", title="Lowest frequency"
+        None, "Lowest frequency of modes; by default somewhat below the gap.", title="Lowest frequency"
     )
     highest: Frequency | None = setting(
-        None, "That modes are sought at; else somewhat above the gap.", title="Highest frequency"
+        None, "Highest frequency of modes; by default somewhat above the gap.", title="Highest frequency"
     )
     points: Annotated[int, Field(ge=2, le=1000, strict=True)] | None = setting(
         None,
-        f"Along the ribbon, if rows are not given; else {POINTS}, of several lines {POINTS_OF_LINES}.",
+        f"Number of wavevectors along the ribbon, if rows are not given; by default {POINTS}, for several "
+        f"lines {POINTS_OF_LINES}.",
         title="Wavevectors",
     )
 
     @field_validator("map")
     @classmethod
     def _lines(cls, text: str) -> str:
-        found = drawn(text)
-        lines = found.split()
+        text = drawn(text)
+        lines = text.split()
         most = MOST_COLUMNS if len(lines) == 1 else MOST_CELLS
-        if NOTHING in found or len(lines) * len(lines[0]) > most:
+        if NOTHING in text or len(lines) * len(lines[0]) > most:
             raise problem(
                 "malformed",
-                shown(NOTHING) if NOTHING in found else f"{len(lines)} x {len(lines[0])} letters",
-                f"one line of at most {MOST_COLUMNS} letters, or several of {MOST_CELLS} in all; none is "
+                shown(NOTHING) if NOTHING in text else f"{len(lines)} x {len(lines[0])} letters",
+                f"one line of at most {MOST_COLUMNS} letters, or several of {MOST_CELLS} in all, without "
                 f'"{NOTHING}"',
-                "a ribbon has no holes" if NOTHING in found else "all cells of a period are joined at once",
+                "a ribbon has no holes" if NOTHING in text else "all cells of a period are joined at once",
                 "write one line such as ooooo1111ooooo, or fewer lines around a defect",
             )
-        return found if len(lines) > 1 else lines[0]
+        return text if len(lines) > 1 else lines[0]
 
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")
@@ -88,29 +89,29 @@ class RibbonSettings(DirectionSettings):
                 "leave rows out, or write a map of one line",
                 at="rows",
             )
-        known = {LATTICE, *(one.name for one in self.cell)}
-        plain = [name for name in self.tiles.values() if name not in known]
+        lattice_names = {LATTICE, *(lattice.name for lattice in self.cell)}
+        plain = [name for name in self.tiles.values() if name not in lattice_names]
         for name in self.widths:
             if name not in plain:
                 guess = nearest(name, plain)
                 raise problem(
                     "unknown",
                     shown(name),
-                    f"one of {', '.join(plain)}" if plain else "none: no column is plain plate",
+                    f"one of {', '.join(plain)}" if plain else "no name: no column is plain plate",
                     "it is a lattice, which has its own pitch"
-                    if name in known
+                    if name in lattice_names
                     else "no column has this name",
                     f'write "{guess}"' if guess else "leave it out",
                     at=f"widths.{name}",
                 )
-        for number, one in enumerate(self.cell, start=1):
-            if one.name not in self.tiles.values():
+        for number, lattice in enumerate(self.cell, start=1):
+            if lattice.name not in self.tiles.values():
                 raise problem(
                     "unknown",
-                    shown(one.name),
+                    shown(lattice.name),
                     f"one of {', '.join(self.tiles.values())}",
                     "no column is of this lattice",
-                    f'add a letter = "{one.name}" to {TABLE}, or remove it',
+                    f'add a letter = "{lattice.name}" to {TABLE}, or remove it',
                     at=f"cell[{number}].name",
                 )
         if not plain and len(set("".join(self.lines))) == 1:
@@ -118,38 +119,38 @@ class RibbonSettings(DirectionSettings):
                 "conflict",
                 shown(self.map),
                 "columns of plain plate between those of a lattice, or two lattices side by side",
-                "all columns are alike, and nothing in them guides a wave",
+                "all columns are equal, so no column guides a wave",
                 'write a map such as ooooo1111ooooo, and 1 = "guide" in [ribbon.tiles]',
                 at="map",
             )
 
     @property
     def lines(self) -> list[str]:
-        """Of the map, the topmost first."""
+        """Lines of the map, the topmost first."""
         return self.map.split()
 
     @property
     def names(self) -> list[list[str]]:
-        """Of all cells, line by line, the lowest first."""
+        """Names of all cells, line by line, the lowest first."""
         return [[self.tiles[letter] for letter in line] for line in reversed(self.lines)]
 
     @property
     def wavevectors(self) -> int:
-        """Along the ribbon, where it has no length in cells."""
+        """Number of wavevectors along a ribbon without a length in cells."""
         return self.points or (POINTS if len(self.lines) == 1 else POINTS_OF_LINES)
 
-    def ribbon(self, own: UnitCell) -> Ribbon:
-        """One period of it, as the core computes with it.
+    def ribbon(self, cell: UnitCell) -> Ribbon:
+        """Build one period of the ribbon.
 
         Parameters
         ----------
-        own : the cell that those of the name "lattice" hold
+        cell : the cell of columns with the name "lattice"
 
         Raises
         ------
         HaptonicError : columns whose edges do not meet, or a lattice without pillars
         """
-        kinds = dict(lattices(self.cell, own, "ribbon.cell"))
+        kinds = dict(lattices(self.cell, cell, "ribbon.cell"))
         for letter, name in self.tiles.items():
             if name in kinds and not kinds[name].has_features:
                 raise StudyError.conflict(
@@ -160,30 +161,30 @@ class RibbonSettings(DirectionSettings):
                     next_step=f'add [cell.pillar], or write {letter} = "plain"',
                 )
             if name not in kinds:
-                kinds[name] = self._plain(own, name)
+                kinds[name] = self._plain(cell, name)
         first, *more = (tuple(kinds[name] for name in line) for line in self.names)
         ribbon = Ribbon(first, self.direction, tuple(more))
         if not ribbon.guide.any():
             raise StudyError.conflict(
                 argument="ribbon.map",
                 given=shown(" / ".join(self.lines)),
-                allowed="cells between the outermost columns that differ from these",
-                cause="every cell is one that a column at the edge has, and no two of them meet in a line",
-                next_step="keep the first and the last column for the crystal around",
+                allowed="cells between the outermost columns that differ from them",
+                cause="every cell is also in a column at the edge, and no two of them meet in a line",
+                next_step="use the first and the last column for the crystal around",
             )
         return ribbon
 
-    def _plain(self, own: UnitCell, name: str) -> UnitCell:
+    def _plain(self, cell: UnitCell, name: str) -> UnitCell:
         """A column of plain plate: the cell without its pillars, or a rectangle of another width."""
         if name not in self.widths:
-            return own.without_pillar()
-        if not (own.is_simple and own.lattice.is_rectangular) or self.direction != (0, 1):
+            return cell.without_pillar()
+        if not (cell.is_simple and cell.lattice.is_rectangular) or self.direction != (0, 1):
             raise StudyError.unsupported(
                 argument=f"ribbon.widths.{name}",
                 given=format_quantity(self.widths[name], "m"),
                 allowed="columns as wide as the lattice's, or rectangles along y",
-                cause="a column of another width would not meet tiles that are no rectangles along x and y",
-                next_step="leave it out, and write the letter as often as the guide has columns",
+                cause="a column of another width needs tiles that are rectangles along x and y",
+                next_step="leave it out, and repeat the letter for each column of the guide",
             )
-        lattice = Lattice.rectangular(self.widths[name], own.lattice.a2[1])
-        return UnitCell(lattice, own.thickness, own.material, faces=own.faces)
+        lattice = Lattice.rectangular(self.widths[name], cell.lattice.a2[1])
+        return UnitCell(lattice, cell.thickness, cell.material, faces=cell.faces)

@@ -1,4 +1,4 @@
-"""The study: a description that can be asked to compute."""
+"""The study: a description with methods that compute."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from haptonic.study.loading import load_as, load_trials_as, loads_as
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
 
-if TYPE_CHECKING:  # there is no such module: its stub follows from the table of analyses
+if TYPE_CHECKING:  # this module exists only as a stub, written from the table of analyses
     from haptonic.study.methods import Methods
 else:
     Methods = object
@@ -28,11 +28,11 @@ else:
 
 @extended
 class Study(Description, Methods):
-    """What a study file describes, and all that can be computed from it.
+    """Contents of a study file, with a method for each analysis.
 
-    It is read by `haptonic.study.load`. What can be computed stands in the table of `haptonic.analyses`: each
-    of them is a method too, ``study.bands(surface=True)``, ``study.plate(at="58.8 kHz")``, with the options
-    of its command and those of `run`.
+    `haptonic.study.load` reads it. The methods are those of the table in `haptonic.analyses`, such as
+    ``study.bands(surface=True)`` and ``study.plate(at="58.8 kHz")``, with the options of the command and of
+    `run`.
     """
 
     def run(
@@ -46,40 +46,40 @@ class Study(Description, Methods):
         budget: float | str | None = None,
         **options: Any,
     ) -> Result:
-        """Compute the analysis of this name; the result holds all of the answer.
+        """Compute the analysis of this name and return its result.
 
         Parameters
         ----------
-        store : where results are kept; the user's own by default
+        store : store of results; by default that of the user
         workers, scheduler : see `haptonic.jobs.run_all`
-        progress : called with what is done and what is planned; by default a notebook shows a bar
-        budget : "10 min", or s, of estimated processor time for the meshes of each cell; else the study's own
-        options : those of its command; ``unnamed`` ones are refused
+        progress : called with the steps done and planned; by default a notebook shows a bar
+        budget : estimated processor time for the meshes of each cell, "10 min" or s; by default the study's
+        options : options of the command; positional arguments (``unnamed``) are refused
 
         Raises
         ------
-        StudyError : there is no such analysis or option, or the study lacks what it needs
+        StudyError : an unknown analysis or option, or missing inputs in the study
         """
         if unnamed:
             raise named(name).by_name_only(unnamed[0])
-        with in_notebook(name) if progress is None else nullcontext(progress) as told:
-            runner = Runner(Store.default() if store is None else store, workers, scheduler, told)
+        with in_notebook(name) if progress is None else nullcontext(progress) as callback:
+            runner = Runner(Store.default() if store is None else store, workers, scheduler, callback)
             return named(name).run(self.within(budget), runner, options)
 
     def __repr__(self) -> str:
         return f"<Study: {sentence_of(self.title, self.cell, self.carrier)}>"
 
     def _repr_html_(self) -> str:
-        """What a notebook shows: a sentence, and below it the file that the study would be."""
-        said = f"<p>{html.escape(sentence_of(self.title, self.cell, self.carrier))}</p>"
+        """HTML for a notebook: a sentence, and below it the text of the study file."""
+        summary = f"<p>{html.escape(sentence_of(self.title, self.cell, self.carrier))}</p>"
         try:
-            written = self.to_toml()
-        except StudyError:  # a material that no file describes
-            return said
-        return f"{said}<details><summary>study file</summary><pre>{html.escape(written)}</pre></details>"
+            text = self.to_toml()
+        except StudyError:  # a material that cannot be written to a file
+            return summary
+        return f"{summary}<details><summary>study file</summary><pre>{html.escape(text)}</pre></details>"
 
 
-for _name in NAMES:  # after the class is made: these are methods and no fields of a declared value
+for _name in NAMES:  # after the class statement, so that methods do not become fields of the study
     setattr(Study, _name.replace(" ", "_"), AnalysisMethod(_name, Study.run))
 
 
@@ -89,10 +89,10 @@ def load(path: str | Path) -> Study:
 
 
 def loads(text: str, origin: str = "study") -> Study:
-    """Read a study from text; ``origin`` is how errors and warnings call it. Otherwise as `load`."""
+    """Read a study from text; ``origin`` is its name in errors and warnings. Otherwise as `load`."""
     return loads_as(text, Study, origin)
 
 
 def load_trials(path: str | Path) -> tuple[TrialSettings, Study | None]:
-    """The table [trials] of a study file, and the study; of a file with nothing else there is no study."""
+    """The table [trials] of a study file, and the study; None for a file without other tables."""
     return load_trials_as(path, Study)

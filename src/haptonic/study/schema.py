@@ -1,7 +1,7 @@
-"""The study: everything that one run computes with, as it stands in the study file.
+"""Data model of a study: all inputs of a run, as in the study file.
 
-It is composed of values that declare their own fields, each in the package that computes with it. The keys of
-the file, checks, help, labels and the written file follow from these declarations.
+It is composed of values that declare their own fields, each in the package that uses them. The keys of the
+file, checks, help, labels and the written file follow from these declarations.
 """
 
 from __future__ import annotations
@@ -57,14 +57,14 @@ from haptonic.updating.settings import FitSettings
 from haptonic.vibrometry.settings import ScanSettings
 
 MOST_SWEEPS = 50
-AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}  # they decide no bands, no plate
+AFTERWARDS = {"touch", "trials", "protocol", "participants", "scan", "fit"}  # do not change bands or plate
 
 
 @described("", kw_only=True)
 class Description:
-    """Everything that one run computes with; immutable. A `Study` also computes.
+    """All inputs of a run; immutable. A `Study` also has methods that compute.
 
-    It is read by `haptonic.study.load`, which gives its errors five parts and warns about unusual values.
+    `haptonic.study.load` reads it, reports errors in five parts and warns about unusual values.
     """
 
     aliases: ClassVar[Aliases] = {
@@ -88,12 +88,12 @@ class Description:
         ),
     }  # fmt: skip
 
-    title: str = setting("Study", "Heads the report.", min_length=1, max_length=200, strict=True)
+    title: str = setting("Study", "Heading of the report.", min_length=1, max_length=200, strict=True)
     carrier: Annotated[float, CARRIER] | None = setting(
         None, "Frequency of the drive; marked in the diagrams."
     )
     cell: UnitCell = needed("One period of the plate.", title="Unit cell")
-    bands_settings: BandSettings = setting(BandSettings(), "What the band diagram shows.", alias="bands")
+    bands_settings: BandSettings = setting(BandSettings(), "Contents of the band diagram.", alias="bands")
     layers_settings: LayersSettings = setting(
         LayersSettings(), "Rows of cells as a mirror between two plates.", alias="layers"
     )
@@ -101,29 +101,29 @@ class Description:
         WaveguideSettings(), "A strip of plate between two mirrors.", alias="waveguide"
     )
     design_settings: DesignSettings = setting(
-        DesignSettings(), "What may change so that the gap holds the carrier.", alias="design"
+        DesignSettings(), "Parameters that a design search may change, and limits.", alias="design"
     )
     tolerance_settings: ToleranceSettings = setting(
-        ToleranceSettings(), "How much the parts differ.", alias="tolerance"
+        ToleranceSettings(), "Manufacturing spreads of the parts.", alias="tolerance"
     )
     ribbon_settings: RibbonSettings | None = setting(
         None, "Columns of cells side by side, and the waves that run along them.", alias="ribbon"
     )
     finite_plate: PlateSettings | None = setting(
-        None, "A finite one, made of cells and of plain plate.", alias="plate"
+        None, "Finite plate of cells and of plain plate.", alias="plate"
     )
-    touch: TouchSettings = setting(TouchSettings(), "The finger that feels the plate.")
-    trials: TrialSettings = setting(TrialSettings(), "How force records are processed, and which count.")
+    touch: TouchSettings = setting(TouchSettings(), "Finger that touches the plate.")
+    trials: TrialSettings = setting(TrialSettings(), "Evaluation of force records, and exclusions.")
     protocol_settings: ProtocolSettings = setting(
-        ProtocolSettings(), "Trials with people: how many, in which order.", alias="protocol"
+        ProtocolSettings(), "Trials with people: their number and order.", alias="protocol"
     )
-    participants: Participants = setting(Participants(), "What is assumed of people.")
+    participants: Participants = setting(Participants(), "Assumptions on the participants.")
     scan_settings: ScanSettings = setting(
-        ScanSettings(), "How a laser vibrometer scans the plate.", alias="scan"
+        ScanSettings(), "Scan of the plate with a laser vibrometer.", alias="scan"
     )
     fit_settings: FitSettings = setting(FitSettings(), "Unknowns that a measurement determines.", alias="fit")
     sweep_settings: tuple[SweepSettings, ...] = setting(
-        (), "Rows of designs to compare.", title="Sweeps", alias="sweep", max_length=MOST_SWEEPS
+        (), "Sweeps of designs to compare.", title="Sweeps", alias="sweep", max_length=MOST_SWEEPS
     )
 
     def __post_init__(self) -> None:
@@ -143,7 +143,7 @@ class Description:
         self.fit_settings.check(plate, self.absent_parameters())
         for row, sweep in enumerate(self.sweep_settings, start=1):
             for axis, table_name in zip(sweep.axes, ("", "second."), strict=False):
-                self._gives_what_is_named(axis.expression, f"sweep[{row}].{table_name}vary")
+                self._check_expression(axis.expression, f"sweep[{row}].{table_name}vary")
             for step, values in enumerate(sweep.designs, start=1):
                 try:
                     self._design(sweep, values)
@@ -161,7 +161,7 @@ class Description:
                         at=f"sweep[{row}]",
                     ) from None
 
-    def _gives_what_is_named(self, expression: Expression, at: str) -> None:
+    def _check_expression(self, expression: Expression, at: str) -> None:
         """Refuse an expression that has no value for the study's own parameters."""
         try:
             check_names(expression, self.parameters(), self.absent_parameters())
@@ -170,7 +170,7 @@ class Description:
             raise handed_on(error, at) from None
 
     def mounted_plate(self) -> Plate:
-        """The finite plate as the core computes with it.
+        """Build the finite plate of the study.
 
         Raises
         ------
@@ -179,13 +179,13 @@ class Description:
         return plate_of(self.finite_plate, self.cell)
 
     def within(self, budget: float | str | None, argument: str = "budget") -> Self:
-        """The same study with another budget for the meshes of its cells; s, or a text such as "10 min".
+        """The study with another budget for the meshes of its cells; s, or a text such as "10 min".
 
-        ``argument`` is how an error calls it.
+        ``argument`` is the name of the budget in errors.
 
         Raises
         ------
-        StudyError : no time, or one that no budget can be
+        StudyError : not a time, or a time outside the limits of a budget
         """
         if budget is None:
             return self
@@ -195,20 +195,20 @@ class Description:
             raise error.changed(StudyError, argument=argument) from None
 
     def without_plate(self) -> Self:
-        """The same study of the lattice alone."""
+        """The study of the lattice alone."""
         return unchecked(self, finite_plate=None, ribbon_settings=None)
 
     def parameters(self) -> dict[str, float]:
-        """Value of every numeric parameter that this study gives, by path and in SI units."""
+        """Values of all numeric parameters in this study, by path and in SI units."""
         return dict(self._parameters)
 
     @cached_property
     def _parameters(self) -> dict[str, float]:
-        known = numeric_parameters()  # a study with sweeps asks at every step
-        return {path: value for path, value in numbers(self, names=True).items() if path in known}
+        allowed = numeric_parameters()  # a study with sweeps needs the values at every step
+        return {path: value for path, value in numbers(self, names=True).items() if path in allowed}
 
     def absent_parameters(self) -> dict[str, str]:
-        """Why a numeric parameter cannot be named in this study, by path."""
+        """Reason why a numeric parameter has no value in this study, by path."""
         built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
         return {
             path: built_in if path.startswith("material.") else "this study does not give it"
@@ -216,35 +216,35 @@ class Description:
         }
 
     def with_parameter(self, path: str, value: float) -> Self:
-        """The same study with one numeric parameter changed; see `with_parameters`."""
+        """The study with one changed numeric parameter; see `with_parameters`."""
         return self._with_parameters({path: value}, caller())
 
     def with_parameters(self, values: Mapping[str, float]) -> Self:
-        """The same study with numeric parameters (SI, by path) changed and without sweeps: one design.
+        """The study with changed numeric parameters (SI, by path) and without sweeps: one design.
 
         Raises
         ------
-        StudyError : an unknown name, a value that is out of bounds, or a design that is not possible
+        StudyError : an unknown name, a value out of bounds, or an impossible design
         """
         return self._with_parameters(values, caller())
 
     def _with_parameters(self, values: Mapping[str, float], frame: FrameType | None) -> Self:
-        """See `with_parameters`; ``frame`` is that of its caller, who is warned."""
-        known = self.parameters()
+        """See `with_parameters`; ``frame`` is the frame of the caller that gets the warnings."""
+        parameters = self.parameters()
         for path in values:
-            if path not in known:
-                raise self._no_parameter(path, known)
+            if path not in parameters:
+                raise self._no_parameter(path, parameters)
         alone = unchecked(self, sweep_settings=(), fit_settings=FitSettings())
-        made = alone._with_numbers(values)
-        words = made._unusual_values() if values else {}
+        changed = alone._with_numbers(values)
+        words = changed._unusual_values() if values else {}
         warn_caller((f"{path}: {text}" for path, text in words.items() if path in values), frame)
-        return made
+        return changed
 
-    def _no_parameter(self, path: object, known: Mapping[str, float]) -> StudyError:
-        """The error of a path that is no numeric parameter; other keys of a study are changed otherwise."""
+    def _no_parameter(self, path: object, parameters: Mapping[str, float]) -> StudyError:
+        """Error for a path that is not a numeric parameter; for other keys with the way to change them."""
         key = None if path in self.absent_parameters() else key_of(str(path), table(Description))
         if key is None:
-            return unknown_number(path, known, self.absent_parameters())
+            return unknown_number(path, parameters, self.absent_parameters())
         return StudyError.malformed(
             argument="name of a number",
             given=shown(path),
@@ -254,28 +254,28 @@ class Description:
         )
 
     def with_keys(self, changes: Mapping[str, Any]) -> Self:
-        """The same study with keys of its file changed, and without sweeps: one design.
+        """The study with changed keys of its file, and without sweeps: one design.
 
         ``study.with_keys({"cell.lattice": "triangular", "bands.count": 20, "cell.pitch": "8 mm"})``
 
         Parameters
         ----------
-        changes : new values by key, ``cell.site[2].pillar.height``, as a file has them: quantities with their
-            units, whole tables and lists too
+        changes : new values by key, ``cell.site[2].pillar.height``, as in a file: quantities with their
+            units, also whole tables and lists
 
         Raises
         ------
-        StudyError : no such key, a value that it cannot have, or a study that cannot be written as a file
+        StudyError : an unknown key, a value that is not allowed, or a study that cannot be written as a file
         """
         data = tomllib.loads(self._with_parameters({}, None).to_toml())
         for key, value in changes.items():
             data = with_value(data, key.replace("[", ".").replace("]", "").split("."), value)
-        made = read(type(self), data, "study")
-        warn_caller((f"{path}: {text}" for path, text in made._unusual_values().items()), caller())
-        return made
+        changed = read(type(self), data, "study")
+        warn_caller((f"{path}: {text}" for path, text in changed._unusual_values().items()), caller())
+        return changed
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
-        """The same study with numbers of [[fit.vary]] (SI, by their names there) changed.
+        """The study with changed numbers of [[fit.vary]] (SI, by their names in this table).
 
         Raises
         ------
@@ -286,16 +286,15 @@ class Description:
     def _with_numbers(self, values: Mapping[str, float]) -> Self:
         try:
             return with_numbers(self, values)
-        except HaptonicError as error:  # of the family of the value that a number belongs to
+        except HaptonicError as error:  # the class of error depends on the owner of the number
             raise error.changed(StudyError) from None
 
     def solved(self, expression: Expression, value: float) -> Self:
-        """The study in which an expression has a value (SI): its first parameter changed, without sweeps and
-        plate.
+        """The study in which an expression has a value (SI) by its first parameter, without sweeps and plate.
 
         Raises
         ------
-        StudyError : unknown name, or a design that is not possible
+        StudyError : an unknown name, or an impossible design
         """
         wanted = solve(expression, value, self.parameters(), self.absent_parameters())
         return self.without_plate().with_parameter(expression.varied, wanted)
@@ -312,10 +311,9 @@ class Description:
         return design
 
     def unusual(self) -> tuple[str, ...]:
-        """A sentence on every value outside its typical range; on those that only a sweep reaches, if no
-        other is, because a sweep starts from the given values."""
-        found = tuple(f"{path}: {words}" for path, words in self._unusual_values().items())
-        return found or tuple(self._unusual_sweeps())
+        """Remarks on values outside their typical range; without any, on those that only a sweep reaches."""
+        remarks = tuple(f"{path}: {words}" for path, words in self._unusual_values().items())
+        return remarks or tuple(self._unusual_sweeps())
 
     def _unusual_sweeps(self) -> Iterator[str]:
         for row, sweep in enumerate(self.sweep_settings, start=1):
@@ -329,34 +327,36 @@ class Description:
         return unusual_values(self)
 
     def doubtful(self) -> dict[str, str]:
-        """Words, by path, on values that are unusual for one another."""
+        """Remarks, by path, on values that are unusual relative to one another."""
         return doubts_of(self.carrier, self.cell, self.finite_plate)
 
     def to_toml(self) -> str:
-        """A study file that loads to an equal study.
+        """Text of a study file that loads to an equal study.
 
         Raises
         ------
-        StudyError : a material, given in Python, that no file describes
+        StudyError : a material, given in Python, that cannot be written to a file
         """
         glued = self.finite_plate.materials.values() if self.finite_plate else ()
-        own = [solid for solid in self.cell.materials.values() if not isinstance(solid, IsotropicMaterial)]
-        unwritten = [solid for solid in (*own, *glued) if built_in_name(solid) is None]
+        of_cell = [
+            solid for solid in self.cell.materials.values() if not isinstance(solid, IsotropicMaterial)
+        ]
+        unwritten = [solid for solid in (*of_cell, *glued) if built_in_name(solid) is None]
         if unwritten:
             raise StudyError.unsupported(
                 argument="material",
                 given=shown(unwritten[0].name),
-                allowed="built-in materials; that of the cell may be isotropic",
-                cause="a study file has no table for others",
+                allowed="built-in materials; the material of the cell may also be isotropic",
+                cause="a study file has no table for other materials",
                 next_step="keep the study in Python",
             )
         return toml_of(self)
 
     def inputs(self) -> dict[str, Any]:
-        """Plain values in SI units of all that decides a result, for provenance and as a key of results.
+        """Plain values in SI units of all inputs of a result, for provenance and as a key of results.
 
-        The title and the sections that ask for something of such results decide nothing; a built-in
-        material is given by its constants, so that a correction in the library changes the key.
+        The title and sections that do not change bands and plate are left out. A built-in material is given
+        by its constants, so that a correction in the library changes the key.
         """
         data = document(self, lambda value, unit: value, absent=True)
         left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())

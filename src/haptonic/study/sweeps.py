@@ -1,4 +1,4 @@
-"""The table of the study file that describes a sweep over designs."""
+"""The table of the study file for sweeps of designs."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ MOST_DESIGNS = 1000  # of one sweep
 
 @cache
 def numeric_parameters() -> Mapping[str, str]:
-    """SI unit of every parameter that an expression can name, by path: what decides the bands."""
+    """SI unit of every parameter that an expression can name, by path: the inputs of the bands."""
     keys = table(UnitCell, "cell.") | table(BandSettings, "bands.")
     units = {path + "[]" * (key.count > 1): key.unit for path, key in keys.items() if key.quantity}
     return ByPattern({"carrier": CARRIER.unit, **units})
@@ -41,7 +41,7 @@ def numeric_parameters() -> Mapping[str, str]:
 
 @described("sweep.second", kw_only=True)
 class SweepAxis:
-    """An expression of parameters taken from one value to another, in even steps."""
+    """Expression of parameters that varies from one value to another, in even steps."""
 
     aliases: ClassVar[Aliases] = {
         **meant("vary", "parameter", "param", "variable", "key", "name"),
@@ -55,13 +55,22 @@ class SweepAxis:
     }  # fmt: skip
 
     vary: str = needed(
-        "The first parameter in it changes.", title="Expression", strict=True, examples=["cell.pillar.height"]
+        "Expression to vary; its first parameter changes.",
+        title="Expression",
+        strict=True,
+        examples=["cell.pillar.height"],
     )
     start: float = Field(
-        alias="from", title="First value", description="With its unit, if it has one.", examples=["10 mm"]
+        alias="from",
+        title="First value",
+        description="First value of the expression, with its unit.",
+        examples=["10 mm"],
     )
     stop: float = Field(
-        alias="to", title="Last value", description="With its unit, if it has one.", examples=["16 mm"]
+        alias="to",
+        title="Last value",
+        description="Last value of the expression, with its unit.",
+        examples=["16 mm"],
     )
     steps: Annotated[int, Field(ge=2, le=MOST_DESIGNS, strict=True)] = setting(
         25, "Number of designs, both ends included."
@@ -77,7 +86,7 @@ class SweepAxis:
     @field_validator("start", "stop", mode="plain")
     @classmethod
     def _has_dimension(cls, value: object, info: ValidationInfo) -> float:
-        if "vary" not in info.data:  # refused already; without it the dimension is not known
+        if "vary" not in info.data:  # already refused; the dimension is then unknown
             return 0.0
         return number_of(value, parse(info.data["vary"]).unit(numeric_parameters()), info.context)
 
@@ -98,7 +107,7 @@ class SweepAxis:
 
     @property
     def unit(self) -> str:
-        """SI unit of ``start``, ``stop`` and ``values``; empty when they are dimensionless."""
+        """SI unit of ``start``, ``stop`` and ``values``; empty for dimensionless values."""
         return self.expression.unit(numeric_parameters())
 
     @property

@@ -1,4 +1,4 @@
-"""Study files to begin with: what they are for, and what can be asked of them."""
+"""Templates of study files, with their purpose and their commands."""
 
 from __future__ import annotations
 
@@ -7,38 +7,38 @@ from importlib.resources import files
 from itertools import takewhile
 from pathlib import Path
 
-ENDING = ".toml"  # of a study file
-COMMAND = re.compile(r"^#   (haptonic .*?)(  |$)")  # in the comments that head a template
+ENDING = ".toml"  # ending of a study file
+COMMAND = re.compile(r"^#   (haptonic .*?)(  |$)")  # a command in the heading of a template
 
 
 class Template(str):
-    """Text of a study file, with comments at its head that say what it is for and how it is asked."""
+    """Text of a study file with a heading in comments: its purpose and its commands."""
 
     __slots__ = ()
 
     @property
     def heading(self) -> list[str]:
-        """The comments before the first key."""
+        """Comments before the first key."""
         return list(takewhile(lambda line: line.startswith("#"), self.splitlines()))
 
     @property
     def about(self) -> str:
-        """What it is for: the heading down to its first command."""
+        """Purpose of the study: the heading down to its first command."""
         lines = takewhile(lambda line: not COMMAND.match(line), self.heading)
         return " ".join(line.removeprefix("#").strip() for line in lines)
 
     @property
     def commands(self) -> list[str]:
-        """What can be asked of it, in the order of its heading."""
-        return [found[1].strip() for line in self.heading if (found := COMMAND.match(line))]
+        """Commands for the study, in the order of the heading."""
+        return [match[1].strip() for line in self.heading if (match := COMMAND.match(line))]
 
     def adapted(self, path: Path) -> Template:
-        """With the file's own name in the commands, and what they do in a column behind them."""
+        """The template with the name of a file in its commands, and their purposes in an aligned column."""
         name = f'"{path}"' if " " in str(path) else str(path)
-        found = {line: match for line in self.heading if (match := COMMAND.match(line))}
-        asked = {line: re.sub(r"\bFILE\b", lambda _: name, match[1]) for line, match in found.items()}
+        matches = {line: match for line in self.heading if (match := COMMAND.match(line))}
+        asked = {line: re.sub(r"\bFILE\b", lambda _: name, match[1]) for line, match in matches.items()}
         width, text = max(map(len, asked.values()), default=0), str(self)
-        for line, match in found.items():
+        for line, match in matches.items():
             text = text.replace(
                 line, f"#   {asked[line]:{width}}   {line[match.end() :].strip()}".rstrip(), 1
             )
@@ -46,12 +46,12 @@ class Template(str):
 
 
 def templates() -> dict[str, Template]:
-    """Every template by its name, the simplest first."""
+    """All templates by name, the shortest first."""
     return _in_folder("templates")
 
 
 def case_templates() -> dict[str, Template]:
-    """The studies of the cases of `haptonic verify` by their names, the simplest first."""
+    """Studies of the cases of `haptonic verify` by name, the shortest first."""
     return _in_folder("verification", "studies")
 
 

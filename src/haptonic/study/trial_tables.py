@@ -1,4 +1,4 @@
-"""The tables of the study file about trials: how they are processed, which count, what the sensor says."""
+"""The tables of the study file on trials: their evaluation, exclusions, and the sensor."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from haptonic.friction.signals import Rules
 
 @described("trials", FrictionError)
 class TrialSettings(Rules):
-    """How force records become coefficients of friction, and which trials count."""
+    """Evaluation of force records to coefficients of friction, and exclusions of trials."""
 
     driven: Name | None = setting(
         None,
@@ -18,15 +18,13 @@ class TrialSettings(Rules):
         title="Driven waveguide",
         examples=["WG1"],
     )
-    exclude: tuple[Exclusion, ...] = setting(
-        (), "Trials that do not count.", title="Exclusions", max_length=1000
-    )
-    sensor: Sensor = setting(Sensor(), "What the channels are.")
+    exclude: tuple[Exclusion, ...] = setting((), "Excluded trials.", title="Exclusions", max_length=1000)
+    sensor: Sensor = setting(Sensor(), "Channels of the force sensor.")
 
 
 @described("", kw_only=True)
 class TrialsFile:
-    """A file that says how trials are processed and nothing else: not every experiment has a lattice."""
+    """A file with nothing but the evaluation of trials, for experiments without a lattice."""
 
-    title: str = setting("Trials", "Heads the page.", max_length=200, strict=True)
-    trials: TrialSettings = setting(TrialSettings(), "As in a study.")
+    title: str = setting("Trials", "Heading of the page.", max_length=200, strict=True)
+    trials: TrialSettings = setting(TrialSettings(), "Evaluation of trials, as in a study.")

@@ -1,7 +1,7 @@
-"""What a sweep varies: products and quotients of parameter names and positive numbers.
+"""Expressions that a sweep varies: products and quotients of parameter names and positive numbers.
 
-The grammar is ``factor (("*" | "/") factor)*`` with ``factor = name | number``, read from left to right, so
-that ``a / b / c`` is ``a / (b c)``. Nothing is evaluated as code.
+The grammar is ``factor (("*" | "/") factor)*`` with ``factor = name | number``, evaluated from left to right:
+``a / b / c`` is ``a / (b c)``. Nothing is evaluated as code.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ _INSTEAD = {
 
 @dataclass(frozen=True)
 class Expression:
-    """A product of parameters, each to some power, and a constant.
+    """Product of parameters, each to some power, and a constant.
 
     text : as written
-    varied : the first name; the parameter that changes, the others keep their values
-    powers : whole exponent of every name that does not cancel
+    varied : the first name; this parameter changes, the others keep their values
+    powers : integer exponent of every name that does not cancel
     constant : positive and finite
     """
 
@@ -55,7 +55,7 @@ class Expression:
 
         Raises
         ------
-        StudyError : it is divided by a parameter that is zero
+        StudyError : a division by a parameter that is zero
         """
         zeros = [name for name, power in self.powers if power < 0 and parameters[name] == 0]
         if zeros:
@@ -69,7 +69,7 @@ class Expression:
         return self.constant * math.prod(parameters[name] ** power for name, power in self.powers)
 
     def unit(self, units: Mapping[str, str]) -> str:
-        """SI unit of the value, from those of the parameters; empty when it is dimensionless."""
+        """SI unit of the value, from those of the parameters; empty for a dimensionless value."""
         total: dict[str, int] = {}
         for name, power in self.powers:
             for symbol, each in _UNIT_POWER.findall(units[name]):
@@ -86,7 +86,7 @@ def parse(text: str) -> Expression:
 
     Raises
     ------
-    StudyError : text outside the grammar, no name at all, or a first name that stands there twice
+    StudyError : text outside the grammar, no parameter, or a first parameter that occurs twice
     """
     if not text.strip():
         raise _refused("missing", text, "the text is empty")
@@ -97,7 +97,7 @@ def parse(text: str) -> Expression:
     for kind, token in _tokens(text):
         if factor_next == (kind == "operator"):
             belongs = "a name or number" if factor_next else "* or /"
-            raise _refused("malformed", text, f'"{token}" stands where {belongs} belongs')
+            raise _refused("malformed", text, f'"{token}" is in the place of {belongs}')
         if kind == "name":
             names.append((token, power))
         elif kind == "number":
@@ -114,7 +114,7 @@ def parse(text: str) -> Expression:
         raise _refused("out-of-range", text, cause)
     varied = names[0][0]
     if [name for name, _ in names].count(varied) > 1:
-        cause = f'"{varied}" is the parameter that varies and stands there more than once'
+        cause = f'"{varied}" is the parameter that varies and occurs more than once'
         raise _refused("repeated", text, cause)
     powers: dict[str, int] = {}
     for name, each in names:
@@ -123,12 +123,12 @@ def parse(text: str) -> Expression:
 
 
 def check_names(expression: Expression, known: Mapping[str, object], absent: Mapping[str, str]) -> None:
-    """Refuse a name that is no numeric parameter of a study.
+    """Refuse a name that is not a numeric parameter of a study.
 
     Parameters
     ----------
-    known : the parameters that can be named
-    absent : parameters that exist but not in this study, and why
+    known : names of the parameters that can be used
+    absent : parameters that exist but have no value in this study, with the reason
     """
     for name, _ in expression.powers:
         if name not in known:
@@ -138,15 +138,15 @@ def check_names(expression: Expression, known: Mapping[str, object], absent: Map
 def solve(
     expression: Expression, value: float, parameters: Mapping[str, float], absent: Mapping[str, str]
 ) -> float:
-    """Value of the first parameter (SI) with which the expression has some value (SI).
+    """Value of the first parameter (SI) for which the expression has a given value (SI).
 
     Parameters
     ----------
-    parameters, absent : by path, those that a study gives, and why it does not give others
+    parameters, absent : by path, parameters with a value in a study, and reasons for those without
 
     Raises
     ------
-    StudyError : unknown name, or a value that no number of that parameter brings about
+    StudyError : an unknown name, or a value that no number of this parameter gives
     """
     check_names(expression, parameters, absent)
     powers = dict(expression.powers)
@@ -160,9 +160,9 @@ def solve(
         raise StudyError.out_of_range(
             argument="sweep.vary",
             given=shown(expression.text),
-            allowed="an expression whose value some parameter can bring about",
+            allowed="an expression whose value some parameter can reach",
             cause=f"no finite {expression.varied} gives it the value {value:g}",
-            next_step="leave parameters out that are zero, or choose another range",
+            next_step="leave out parameters that are zero, or choose another range",
         )
     return wanted
 
@@ -192,7 +192,7 @@ def _positive(text: str, token: str) -> float:
 
 @cache
 def _reduced(unit: str) -> str:
-    """Empty for units that cancel, such as ``Pa*m*kg^-1*Hz^-2``; else the same."""
+    """Empty for units that cancel, such as ``Pa*m*kg^-1*Hz^-2``; otherwise the unit itself."""
     simple = not unit or re.fullmatch(r"[A-Za-z]+(\^[0-9])?", unit)
     return "" if not simple and registry().Unit(unit).dimensionless else unit
 

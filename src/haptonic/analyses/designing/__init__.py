@@ -1,1 +1,1 @@
-"""The search of a design, as an analysis runs it: rounds of tasks, what they find, and why they may not."""
+"""The search of a design as an analysis runs it: rounds of tasks, their results, and reasons of a refusal."""

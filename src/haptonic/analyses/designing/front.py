@@ -1,4 +1,4 @@
-"""The widest margin against the pitch."""
+"""Widest margin against the pitch."""
 
 from __future__ import annotations
 
@@ -21,19 +21,21 @@ from haptonic.later import xarray as xr
 def compute_front(
     brief: Brief, best: Mapping[str, float], pitches: Sequence[float], *, steps: int, runner: Runner
 ) -> xr.Dataset:
-    """The widest margin that each of some pitches allows; each search starts from the best design, scaled.
+    """Widest margin for each of the pitches; each search starts from the best design, scaled.
 
-    NaN where no design is allowed at all.
+    NaN for a pitch at which no design is allowed.
     """
     asked: dict[float, Task] = {}
     briefs = {pitch: brief.fixed("cell.pitch", pitch) for pitch in pitches}
-    for pitch, held in briefs.items():
+    for pitch, at_pitch in briefs.items():
         scale = pitch / best["cell.pitch"]
-        scaled = np.array([best[p] * (scale if PILLAR in p and UNITS[p] == "m" else 1.0) for p in held.paths])
-        low, high = held.box.T
-        share = held.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))
-        if held.allows(share):
-            asked[pitch] = front_task(held, share, steps)
+        scaled = np.array(
+            [best[p] * (scale if PILLAR in p and UNITS[p] == "m" else 1.0) for p in at_pitch.paths]
+        )
+        low, high = at_pitch.box.T
+        share = at_pitch.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))
+        if at_pitch.allows(share):
+            asked[pitch] = front_task(at_pitch, share, steps)
     datasets = runner.run(front_dataset, list(asked.values()), 0)
     names = [path for path in brief.paths if path != "cell.pitch"]
     columns = {name: np.full(len(pitches), np.nan) for name in ("lower", "upper", "margin")}

@@ -1,4 +1,4 @@
-"""The search of a design: look all over what is allowed, climb, compute the summits as asked for."""
+"""The search of a design: sample the allowed designs, climb, compute the summits to the required accuracy."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.design import Design
 
-POLISH_STEPS = 5  # designs computed at most once the coarse model has been corrected
-LAST_STEPS = 20  # of the best climb at most, before it is said what holds it back
-MORE_CLIMBS = 3  # times as many climbs as asked for, while none has reached the carrier
-SAME = 0.02  # of the box, between two summits that count as one
-REFINED = 3  # summits computed at the accuracy asked for
-COARSE = 0.03  # of the carrier, by which the coarse model may miss an edge: summits below are not refined
+POLISH_STEPS = 5  # most designs of a climb after the coarse model has been corrected
+LAST_STEPS = 20  # most steps of the best climb before its bounds are reported
+MORE_CLIMBS = 3  # factor on the number of climbs if none has reached the carrier
+SAME = 0.02  # of the box; closer summits count as one
+REFINED = 3  # summits computed to the required accuracy
+COARSE = 0.03  # of the carrier; largest error of an edge in the coarse model: summits below are not refined
 
 
 def compute_design(
@@ -43,14 +43,14 @@ def compute_design(
     inputs: Mapping[str, Any],
     runner: Runner,
 ) -> Design:
-    """Look at designs all over what is allowed, climb from the best gaps, then correct the coarse model.
+    """Sample the allowed designs, climb from the best gaps, then correct the coarse model.
 
-    A design that cannot be computed is left out, and the result says so.
+    Designs that cannot be computed are left out and listed in the result.
 
     Raises
     ------
     StudyError : bounds that contradict each other, or a carrier that no allowed design reaches
-    ResourceError : no design that was found has a mesh that fits the budget and the memory
+    ResourceError : no design of the search has a mesh within the budget and the memory
     """
     brief.check()
     search = _Search(brief, settings, runner)
@@ -74,9 +74,9 @@ def compute_design(
 
 @dataclass(frozen=True)
 class _Refined:
-    """A design at the accuracy asked for.
+    """A design at the required accuracy.
 
-    visit : in the coarse model; values : SI, by path; margin : of the carrier in the gap, Hz, errors counted
+    visit : in the coarse model; values : SI, by path; margin : of the carrier in the gap with errors, Hz
     """
 
     visit: Visited
@@ -86,12 +86,12 @@ class _Refined:
 
 
 class _Search:
-    """A search under way.
+    """State of a search.
 
-    history : all designs seen, by stage; ends : Hz, lowest frequency of the last band of those looked at
-    left_out, failures : those that could not be computed, and why
-    tried : summits that were to be computed at the accuracy asked for; refused : those that could not be
-    best : the best that could
+    history : all designs, by stage; ends : Hz, lowest frequency of the last band of each sampled design
+    left_out, failures : designs that could not be computed, with the reasons
+    tried : summits for the required accuracy; refused : those that could not be computed
+    best : the best one that could be computed
     """
 
     def __init__(self, brief: Brief, settings: BandSettings, runner: Runner) -> None:
@@ -106,78 +106,78 @@ class _Search:
         self.done = 0
 
     def looked(self, count: int) -> list[HeightRow]:
-        """Columns of designs, in the coarse model."""
+        """Columns of sampled designs, in the coarse model."""
         places = spread(self.brief, count)
         asked = [tasks.look_task(self.brief, shares) for shares in places]
-        found = self._run("look", tasks.look_dataset, asked, places)
-        columns = [HeightRow(data["share"].values, data["edges"].values) for data in found]
+        datasets = self._run("look", tasks.look_dataset, asked, places)
+        columns = [HeightRow(data["share"].values, data["edges"].values) for data in datasets]
         for column in columns:
-            self.history += [("look", one.best(self.brief.carrier)[0][1]) for one in column.alone()]
+            self.history += [("look", row.best(self.brief.carrier)[0][1]) for row in column.alone()]
             self.ends += column.edges[:, 1, -1].tolist()
         if not columns:
             raise self.failures[0]
         return columns
 
     def climbed(self, begun: Sequence[Visited], steps: int) -> list[Visited]:
-        """Ends of climbs from some designs."""
+        """Ends of climbs from the given designs."""
         return [visits[-1] for visits in self._climbs("climb", begun, (0.0, 0.0), steps)]
 
     def _climbs(
         self, stage: str, begun: Sequence[Visited], offset: tuple[float, float], steps: int
     ) -> list[list[Visited]]:
         asked = [tasks.climb_task(self.brief, visit, offset, steps) for visit in begun]
-        found = self._run(stage, tasks.climb_dataset, asked, [visit.share for visit in begun])
-        climbs = [visits_of(data) for data in found]
+        datasets = self._run(stage, tasks.climb_dataset, asked, [visit.share for visit in begun])
+        climbs = [visits_of(data) for data in datasets]
         self.history += [(stage, visit) for visits in climbs for visit in visits]
         return climbs
 
     def ranked(self, summits: Sequence[Visited]) -> list[Visited]:
-        """The summits without doubles, the best first; bands that touch are behind all gaps."""
+        """Summits without duplicates, the best first; bands that touch come after all gaps."""
         return distinct(
-            sorted(summits, key=lambda one: (not one.is_open(self.brief.carrier), -one.margin)), SAME
+            sorted(summits, key=lambda visit: (not visit.is_open(self.brief.carrier), -visit.margin)), SAME
         )
 
     def refine(self, summits: Sequence[Visited]) -> None:
-        """Compute, the best first, those that may beat what has been computed."""
+        """Compute, the best first, the summits that may exceed the best computed design."""
         for summit in summits:
             reached = -np.inf if self.best is None else self.best.margin / self.brief.carrier
             hopeful = summit.is_open(self.brief.carrier) and summit.margin > max(reached, -COARSE)
             computed = len(self.tried) - len(self.refused)
-            if hopeful and computed < REFINED and not any(summit is one for one in self.tried):
+            if hopeful and computed < REFINED and not any(summit is other for other in self.tried):
                 self.tried.append(summit)
-                found = self.refined(summit)
-                found += [] if self.best is None else [self.best]
-                self.best = max(found, key=lambda one: one.margin, default=None)
+                candidates = self.refined(summit)
+                candidates += [] if self.best is None else [self.best]
+                self.best = max(candidates, key=lambda design: design.margin, default=None)
 
     def refined(self, summit: Visited) -> list[_Refined]:
-        """A summit at the accuracy asked for, and what a climb in the model corrected by it makes of it."""
-        known = len(self.failures)
-        found = self._at_accuracy(summit)
-        self.refused += [(summit, failure) for failure in self.failures[known:]]
-        for first in found[:1]:
+        """A summit at the required accuracy, and the end of a climb in the model corrected by it."""
+        before = len(self.failures)
+        designs = self._at_accuracy(summit)
+        self.refused += [(summit, failure) for failure in self.failures[before:]]
+        for first in designs[:1]:
             offset = first.gap.lower - summit.lower, first.gap.upper - summit.upper
             for visits in self._climbs("polish", [summit], offset, POLISH_STEPS):
-                found += self._at_accuracy(visits[-1])
-        return found
+                designs += self._at_accuracy(visits[-1])
+        return designs
 
     def _at_accuracy(self, visit: Visited) -> list[_Refined]:
-        """The complete gap of a design, if it has one and can be computed."""
-        values, found = _rounded(self.brief, visit), []
+        """Complete gap of a design; empty without a gap, or if it cannot be computed."""
+        values, designs = _round_to_micrometres(self.brief, visit), []
         task = tasks.gap_task(self.brief.cell.with_numbers(values), self.settings, visit.band)
         for data in self._run("refine", tasks.gap_dataset, [task], [visit.share]):
             for gap in gaps_of(data):
                 if gap.complete and gap.between[0] == visit.band:
-                    found.append(_Refined(visit, values, gap, gap.margin(self.brief.carrier)))
-        return found
+                    designs.append(_Refined(visit, values, gap, gap.margin(self.brief.carrier)))
+        return designs
 
     def refusal(self, summits: Sequence[Visited]) -> HaptonicError:
-        """Why there is no design to give."""
+        """Error of a search without a result."""
         if self.refused:
             visit, failure = self.refused[0]
             return uncomputed(self.brief, visit, failure)
         if not summits:
             return self.failures[0]
-        if self.best is None:  # a climb cut short tells nothing of what holds it back
+        if self.best is None:  # only a finished climb shows the bounds that limit it
             summits = self.ranked([*self.climbed(summits[:1], LAST_STEPS), *summits])
         gap = None if self.best is None else self.best.gap
         return out_of_reach(self.brief, gap, summits, [visit for _, visit in self.history], self.ends)
@@ -189,7 +189,7 @@ class _Search:
         asked: Sequence[Task],
         places: Sequence[Array],
     ) -> list[xr.Dataset]:
-        """Datasets of the tasks that could be computed; the others are noted, with the places they are at."""
+        """Datasets of the tasks that succeed; the failures are noted with the places of their designs."""
         outcomes = self.runner.tried(function, asked, self.done)
         self.done += len(asked)
         for outcome, place in zip(outcomes, places, strict=True):
@@ -201,29 +201,30 @@ class _Search:
         return [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
 
 
-def _rounded(brief: Brief, visit: Visited) -> dict[str, float]:
-    """Values of a design by path (SI), as a workshop would write them: lengths in whole micrometres.
+def _round_to_micrometres(brief: Brief, visit: Visited) -> dict[str, float]:
+    """Values of a design by path (SI), with lengths in whole micrometres as in a workshop.
 
-    The nearest ones inside the bounds; where these break a limit, single micrometres are given until none is
-    broken. A micrometre less of diameter may cost several of height, so that neighbours alone do not do.
+    These are the nearest values inside the bounds. If they break a limit, they are changed by single
+    micrometres until no limit is broken. A micrometre of diameter may cost several of height, so the direct
+    neighbours are not enough.
     """
     exact, (low, high) = np.array(brief.values(visit.share)), brief.box.T
     least, most = np.ceil(np.round(low * 1e6, 6)), np.floor(np.round(high * 1e6, 6))
     whole = np.array([UNITS[path] == "m" for path in brief.paths]) & (least <= most)
 
-    def valued(micrometres: Array) -> Array:
+    def in_si(micrometres: Array) -> Array:
         return np.where(whole, micrometres / 1e6, exact)
 
     def broken(micrometres: Array) -> float:
-        rooms = brief.limits((valued(micrometres) - low) / (high - low)).values()
+        rooms = brief.limits((in_si(micrometres) - low) / (high - low)).values()
         return -sum(min(room + SLACK, 0.0) for room in rooms)
 
-    found, steps = np.clip(np.round(exact * 1e6), least, most), np.eye(len(exact))[whole]
-    while broken(found) > 0:
-        near = [np.clip(found + step, least, most) for step in (*steps, *-steps)]
-        best = min(near, key=broken, default=found)
-        if broken(best) >= broken(found):
+    rounded, steps = np.clip(np.round(exact * 1e6), least, most), np.eye(len(exact))[whole]
+    while broken(rounded) > 0:
+        near = [np.clip(rounded + step, least, most) for step in (*steps, *-steps)]
+        best = min(near, key=broken, default=rounded)
+        if broken(best) >= broken(rounded):
             break  # no whole micrometres meet the limits, or one limit is met at the cost of another
-        found = best
-    values = valued(found)
+        rounded = best
+    values = in_si(rounded)
     return dict(zip(brief.paths, values.tolist(), strict=True))

@@ -1,4 +1,4 @@
-"""``haptonic keys``: the keys of the study file, as their declarations say them."""
+"""``haptonic keys``: the keys of the study file, as they are declared."""
 
 from __future__ import annotations
 
@@ -21,84 +21,84 @@ Pattern = Annotated[
 
 
 def run(pattern: Pattern = None, json: Json = False) -> None:
-    """Tell the keys that a pattern finds; without one list them all."""
+    """Print the keys that match a pattern in full; without a pattern, list all keys."""
     with speaking(json) as voice:
         every = table(Study)
-        found = every if pattern is None else matching(every, pattern)
-        voice.answer({"keys": [facts(key) for key in found.values()]})
+        keys = every if pattern is None else matching(every, pattern)
+        voice.answer({"keys": [facts(key) for key in keys.values()]})
         if pattern is None:
-            pairs(voice, {path: key.label for path, key in found.items()})
+            pairs(voice, {path: key.label for path, key in keys.items()})
             voice.tell(
-                f"{len(found)} keys. `haptonic keys PATTERN` tells all of some: `haptonic keys pillar`."
+                f"{len(keys)} keys. `haptonic keys PATTERN` explains some, such as `haptonic keys pillar`."
             )
         else:
-            tell(voice, found, pattern)
+            tell(voice, keys, pattern)
 
 
-def tell(voice: Voice, found: dict[str, Key], pattern: str) -> None:
-    """Keys whose path the pattern stands in, with all that is known; others that only mention it, by name."""
-    named = {path: key for path, key in found.items() if _plain(pattern) in _plain(path)} or found
+def tell(voice: Voice, keys: dict[str, Key], pattern: str) -> None:
+    """Print all facts of the keys whose path contains the pattern; list the others by name."""
+    named = {path: key for path, key in keys.items() if _plain(pattern) in _plain(path)} or keys
     for path, key in named.items():
         entry(voice, path, lines(key))
-    others = {path: key.label for path, key in found.items() if path not in named}
+    others = {path: key.label for path, key in keys.items() if path not in named}
     if others:
-        voice.tell(f"{len(others)} more mention it:")
+        voice.tell(f"The help of {len(others)} more keys contains it:")
         pairs(voice, others)
 
 
 def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
-    """The keys in whose path, help or words a pattern stands, whatever its capitals.
+    """Keys whose path, help or known names contain a pattern; capitals do not matter.
 
-    If it stands in none, those below its first part of which the others are said, by them or by a table that
-    they are in: ``plate.patch`` finds ``plate.actuator``, whose help speaks of patches, and all in it.
-
+    If no text contains it, the first part of the pattern has to be in the path, and the other parts in the
+    texts of the key or of a table around it: ``plate.patch`` finds ``plate.actuator``, whose help names
+    patches, and all its keys.
     Raises
     ------
-    StudyError : there is none
+    StudyError : no key matches
     """
     wanted = _plain(pattern)
     texts = {
         path: "\n".join((_plain(path), key.title, key.description, *key.known_names)).casefold()
         for path, key in keys.items()
     }
-    if found := {path: key for path, key in keys.items() if wanted in texts[path]}:
-        return found
+    if matches := {path: key for path, key in keys.items() if wanted in texts[path]}:
+        return matches
     first, *others = wanted.split(".")
-    found = {}
+    matches = {}
     for path in (path for path in keys if first in _plain(path)):
-        around = [text for one, text in texts.items() if f"{path}.".startswith((f"{one}.", f"{one}["))]
+        around = [text for other, text in texts.items() if f"{path}.".startswith((f"{other}.", f"{other}["))]
         if others and all(any(part in text for text in around) for part in others):
-            found[path] = keys[path]
-    if found:
-        return found
+            matches[path] = keys[path]
+    if matches:
+        return matches
     words = {part for path in keys for part in (path, *path.replace("[]", "").split("."))}
     guess = nearest(wanted, sorted(words))
     raise StudyError.unknown(
-        "pattern", pattern, words, "no key of the study file has it", slip=False,
+        "pattern", pattern, words, "no key of the study file contains it", slip=False,
         allowed="part of a path such as cell.pillar, or a word of a key's help",
-        next_step=f"haptonic keys {guess}" if guess else "list them all with `haptonic keys`",
+        next_step=f"haptonic keys {guess}" if guess else "list all keys with `haptonic keys`",
     )  # fmt: skip
 
 
 def _plain(path: str) -> str:
-    """Without capitals and numbers of tables: plate.actuator[1].size and plate.actuator.size are one."""
+    """Lower-case path without numbers of tables: ``plate.actuator[1]`` becomes ``plate.actuator``."""
     return re.sub(r"\[\d*\]", "", path.casefold())
 
 
 def lines(key: Key) -> dict[str, str]:
-    """All that is known of a key, in words."""
+    """All facts about a key, as texts by their labels."""
     return {
         "meaning": f"{key.title}. {key.description}",
         "allowed": allowed_at(key),
         "names": ", ".join(key.numbers or (key.known_names if key.named and key.kind != "text" else ())),
         "usual": key.typical,
-        "default": "none: it has to be given" if key.required else key.default_text,
+        "default": "none: the key is required" if key.required else key.default_text,
         "example": example(key),
     }
 
 
 def example(key: Key) -> str:
-    """A line for the study file; a table's own keys have theirs."""
+    """An example line for the study file; empty for a table, whose keys have their own examples."""
     if key.kind in {"table", "tables", "entries"} and not key.known_names:
         return ""
     value = key.default_text
@@ -109,7 +109,7 @@ def example(key: Key) -> str:
 
 
 def facts(key: Key) -> dict[str, Any]:
-    """What machines are told."""
+    """All facts about a key, for ``--json``."""
     return {
         "path": key.path,
         "title": key.title,

@@ -1,4 +1,4 @@
-"""``haptonic materials``: the built-in ones."""
+"""``haptonic materials``: the built-in materials."""
 
 from __future__ import annotations
 
@@ -15,36 +15,37 @@ from haptonic.materials import IsotropicMaterial, Material, PiezoelectricMateria
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity
 
-UNITS = {"youngs_modulus": "Pa", "density": "kg/m^3"}  # of uncertainties
+UNITS = {"youngs_modulus": "Pa", "density": "kg/m^3"}  # units of the uncertainties
 Pattern = Annotated[
-    str | None, typer.Argument(metavar="PATTERN", help="Part of a name; all is told of those that have it.")
+    str | None,
+    typer.Argument(metavar="PATTERN", help="Part of a name; prints all facts of the matching materials."),
 ]
 
 
 def run(pattern: Pattern = None, json: Json = False) -> None:
-    """List the materials; of those that a pattern finds tell sources and notes."""
+    """List the materials; with a pattern, print sources and notes of those that match."""
     with speaking(json) as voice:
-        found = {name: solid for name, solid in library().items() if (pattern or "").lower() in name}
-        if not found:
+        solids = {name: solid for name, solid in library().items() if (pattern or "").lower() in name}
+        if not solids:
             guess = nearest(str(pattern).lower(), library())
             instead = f"haptonic materials {guess}" if guess else "give its constants in a [material] table"
             raise StudyError.unknown(
-                "pattern", pattern, library(), "no built-in material has it in its name", slip=False,
+                "pattern", pattern, library(), "no built-in material has this text in its name", slip=False,
                 allowed=f"part of one of {', '.join(library())}", next_step=instead,
             )  # fmt: skip
-        voice.answer({"materials": {name: solid.to_dict() for name, solid in found.items()}})
+        voice.answer({"materials": {name: solid.to_dict() for name, solid in solids.items()}})
         if pattern is None:
-            voice.show(overview(found))
+            voice.show(overview(solids))
             voice.tell(
-                'In a study: material = "steel". `haptonic materials steel` tells its source and notes.'
+                'In a study: material = "steel". `haptonic materials steel` prints its source and notes.'
             )
         else:
-            for name, solid in found.items():
+            for name, solid in solids.items():
                 entry(voice, name, lines(solid))
 
 
 def overview(solids: dict[str, Material]) -> Table:
-    """Name, stiffness, density and losses of each."""
+    """Table of name, stiffness, density and losses of each material."""
     columns = (
         "name",
         "kind",
@@ -68,7 +69,7 @@ def overview(solids: dict[str, Material]) -> Table:
 
 
 def kind_of(solid: Material) -> str:
-    """Isotropic, anisotropic or piezoelectric."""
+    """Kind of a material: isotropic, anisotropic or piezoelectric."""
     if isinstance(solid, PiezoelectricMaterial):
         return "piezoelectric"
     return "isotropic" if isinstance(solid, IsotropicMaterial) else "anisotropic"
@@ -80,7 +81,7 @@ def stiffness(solid: Material) -> float:
 
 
 def lines(solid: Material) -> dict[str, str]:
-    """Constants in words, where they come from, and how far they can be trusted."""
+    """Constants of a material with their source and their uncertainty, as texts."""
     poisson = getattr(solid, "poisson_ratio", None)
     spread = [
         f"{name} {format_quantity(width, UNITS.get(name, ''))}" for name, width in solid.uncertainty.items()

@@ -1,4 +1,4 @@
-"""``haptonic new``: a study file to begin with."""
+"""``haptonic new``: write a study file from a template."""
 
 from __future__ import annotations
 
@@ -21,69 +21,76 @@ USUAL = "bare-cell"
 
 
 def complete(incomplete: str) -> list[str]:
-    """For a shell: the templates and cases whose names begin so."""
+    """Names of templates and cases that begin with the typed text, for the completion of a shell."""
     return [name for name in templates() | case_templates() if name.startswith(incomplete)]
 
 
 First = Annotated[
     str | None,
-    typer.Argument(metavar="TEMPLATE", help=f"Else {USUAL}.", autocompletion=complete, show_default=False),
+    typer.Argument(
+        metavar="TEMPLATE",
+        help=f"The template; {USUAL} if left out.",
+        autocompletion=complete,
+        show_default=False,
+    ),
 ]
-Second = Annotated[str | None, typer.Argument(metavar="FILE", help="The study file that is written.")]
-Over = Annotated[bool, typer.Option("--overwrite", help="Replace a file that is there.")]
+Second = Annotated[str | None, typer.Argument(metavar="FILE", help="The study file to write.")]
+Over = Annotated[bool, typer.Option("--overwrite", help="Replace an existing file.")]
 
 
 def run(template: First = None, file: Second = None, overwrite: Over = False, json: Json = False) -> None:
-    """Write a template; tell the templates if nothing is named."""
+    """Write a template; without arguments, list the templates."""
     with speaking(json) as voice:
-        known = templates()
+        choices = templates()
         if template is None:
-            pairs(voice, {name: text.about for name, text in known.items()})
-            voice.tell(f"`haptonic new touchpad my{ENDING}` writes one of them.")
-            voice.tell("It also writes the study of a case; `haptonic verify --list` lists the cases.")
+            pairs(voice, {name: text.about for name, text in choices.items()})
+            voice.tell(f"`haptonic new touchpad my{ENDING}` writes the template touchpad.")
+            voice.tell(
+                "`haptonic new` also writes the study of a case; `haptonic verify --list` lists the cases."
+            )
             voice.answer(
                 {
-                    "templates": {name: text.about for name, text in known.items()},
+                    "templates": {name: text.about for name, text in choices.items()},
                     "cases": {name: text.about for name, text in case_templates().items()},
                 }
             )
             return
-        known |= case_templates()
-        name, path = resolved(template, file, known)
+        choices |= case_templates()
+        name, path = resolved(template, file, choices)
         refuse_taken(path, overwrite)
-        text = known[name].adapted(path)
+        text = choices[name].adapted(path)
         write_atomically(path, lambda draft: draft.write_text(text, "utf-8"))
         first = text.commands[0]
         voice.tell(f"written: {path}, from the template {name}. Next:")
-        voice.tell(f"  {first}")  # a line of its own, to be copied
+        voice.tell(f"  {first}")  # on its own line, easy to copy
         voice.answer({"file": str(path), "template": name, "next": text.commands})
 
 
-def resolved(template: str, file: str | None, known: dict[str, Template]) -> tuple[str, Path]:
-    """The template and the file that two arguments name, or one.
+def resolved(template: str, file: str | None, choices: dict[str, Template]) -> tuple[str, Path]:
+    """Name of the template and path of the file from one or two arguments.
 
     Raises
     ------
-    StudyError : no such template, or no file
+    StudyError : the template is unknown, or no file is given
     """
     if file is None and template.endswith(ENDING):
         return USUAL, target(template, "FILE")
     name = re.sub(r"[\s_]+", "-", template.strip().lower())
-    guess = nearest(name, known)
-    if name not in known:
-        swapped = file is not None and file in known
-        cause = "template and file stand in the wrong order" if swapped else "there is no such template"
+    guess = nearest(name, choices)
+    if name not in choices:
+        swapped = file is not None and file in choices
+        cause = "template and file are in the wrong order" if swapped else "no template has this name"
         raise StudyError.unknown(
             "TEMPLATE",
             template,
-            known,
+            choices,
             cause,
             slip=False,
             next_step=f"haptonic new {file} {template}"
             if swapped
             else f"haptonic new {guess} {file or f'my{ENDING}'}"
             if guess
-            else "`haptonic new` tells what they are",
+            else "list the templates with `haptonic new`",
         )
     if file is None:
         raise StudyError.missing(
@@ -96,13 +103,13 @@ def resolved(template: str, file: str | None, known: dict[str, Template]) -> tup
 
 
 def refuse_taken(path: Path, overwrite: bool) -> None:
-    """Raise StudyError if something is there that was not asked to be replaced, or cannot be."""
+    """Raise StudyError if the path is taken, unless it is a file and may be overwritten."""
     if not os.path.lexists(path) or (overwrite and not path.is_dir()):
         return
     raise StudyError.repeated(
         argument="FILE",
         given=shown(str(path), 200),
         allowed="a name that is not taken, unless --overwrite is given",
-        cause="it is a folder" if path.is_dir() else "a file of this name is there",
+        cause="it is a folder" if path.is_dir() else "a file of this name exists",
         next_step="choose another name" + ("" if path.is_dir() else ", or give --overwrite to replace it"),
     )

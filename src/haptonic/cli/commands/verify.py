@@ -1,4 +1,4 @@
-"""``haptonic verify``."""
+"""``haptonic verify``: compare computed cases with published and exact values."""
 
 from __future__ import annotations
 
@@ -22,26 +22,28 @@ from haptonic.verification import (
 
 
 def complete(incomplete: str) -> list[str]:
-    """For a shell: the cases whose names begin so."""
+    """Names of cases that begin with the typed text, for the completion of a shell."""
     return [case.id for case in cases() if case.id.startswith(incomplete)]
 
 
 Names = Annotated[
     list[str] | None,
-    typer.Argument(metavar="CASE...", help="Else all.", autocompletion=complete, show_default=False),
+    typer.Argument(
+        metavar="CASE...", help="The cases; all if left out.", autocompletion=complete, show_default=False
+    ),
 ]
-Listing = Annotated[bool, typer.Option("--list", help="List the cases, and compute nothing.")]
+Listing = Annotated[bool, typer.Option("--list", help="List the cases without computing them.")]
 Page = Annotated[
     Path | None,
     typer.Option(
-        "--page", metavar="DIR", help="Folder for a page with the table and pictures; replaces both."
+        "--page", metavar="DIR", help="Folder for a page with table and pictures; earlier ones are replaced."
     ),
 ]
 
 
 def run(names: Names = None, listing: Listing = False, page: Page = None, json: Json = False) -> None:
     """Compare the cases; exit code 1 if a value lies outside its tolerance and both errors."""
-    with speaking(json, kept="computed cases are stored; the same command goes on from there") as voice:
+    with speaking(json, kept="computed cases are stored; run the same command to continue") as voice:
         chosen = cases(names or ())
         if listing:
             pairs(voice, {case.id: f"{case.title} ({case.kind}; {case.source})" for case in chosen})
@@ -59,7 +61,7 @@ def run(names: Names = None, listing: Listing = False, page: Page = None, json: 
         for case in chosen:
             if case.remark and (case.id in failed or len(chosen) == 1):
                 voice.tell(f"{case.id}: {case.remark}")
-        verdict = f"outside their errors: {', '.join(failed)}" if failed else "all agree"
+        verdict = f"outside the errors: {', '.join(failed)}" if failed else "all agree"
         voice.tell(f"{len(chosen)} cases, {len(comparisons)} quantities: {verdict}.")
         if folder is not None:
             write_page(folder, comparisons, omitted_cases())

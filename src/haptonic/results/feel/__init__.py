@@ -1,4 +1,4 @@
-"""What a finger feels of a plate's vibration."""
+"""Friction under a finger on a vibrating plate."""
 
 from haptonic.results.feel.value import Feel
 

@@ -1,4 +1,4 @@
-"""Whether a plate does what it is for, as requirements that are met or not, each with its reason."""
+"""Requirements of a plate, each with a colour and its reason."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from haptonic.friction.lubrication.on_plate import Reduction
 from haptonic.plots.text import band_text, in_percent
 from haptonic.units import hz_text
 
-FAR = 2.0  # times the smallest drop that people feel: what a driven region should reach
+FAR = 2.0  # reduction that a driven region should reach, relative to the smallest noticeable one
 Colour = Literal["green", "amber", "red"]
 
 
 @dataclass(frozen=True)
 class Requirement:
-    """One demand on a plate. what : the demand; reason : the numbers behind the colour"""
+    """One requirement of a plate. what : the requirement; reason : the numbers behind the colour"""
 
     colour: Colour
     what: str
@@ -33,18 +33,18 @@ def requirements(
     frequency: float,
     gap: Gap | None,
 ) -> list[Requirement]:
-    """One for every region, one for the time that the vibration takes, one for the gap.
+    """Requirements of each region, of the rise time of the vibration, and of the gap.
 
     Parameters
     ----------
-    driven : regions that a drive is to make slippery; the others are to stay as they are
+    driven : regions whose friction a drive should reduce; that of the others should not change
     rise, constant : 10 to 90 % rise time and time constant with a finger on the driven region, s
     frequency : of the drive, Hz; gap : around the carrier
     """
-    found = [
+    regions = [
         _driven(name, felt) if name in driven else _idle(name, felt) for name, felt in reductions.items()
     ]
-    return [*found, _time(rise, constant), _in_gap(frequency, gap)]
+    return [*regions, _time(rise, constant), _in_gap(frequency, gap)]
 
 
 def _driven(name: str, felt: Reduction) -> Requirement:

@@ -1,4 +1,4 @@
-"""What a finger feels of a plate: friction wherever it lies, regions, the drive that it takes, the time."""
+"""Friction under a finger on a plate: a map, reductions by region, the required drive, the rise time."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity, hz_text
 
-MARKS = {"green": "●", "amber": "▲", "red": "■"}  # told apart without their colour too
+MARKS = {"green": "●", "amber": "▲", "red": "■"}  # readable without colours
 COLUMNS = (
     Column("region"),
     Column("amplitude", shown="um", form=".3g"),
@@ -35,13 +35,13 @@ COLUMNS = (
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Feel(Result):
-    """What a finger feels of a plate, and whether that is what the plate is for.
+    """Friction under a finger on a plate, and the requirements of the plate.
 
-    plate : what vibrates; gap : of its lattice around the carrier, if there is one
-    friction : over that without vibration; reduction : for which a drive is asked, if one is
+    plate : the vibrating plate; gap : of its lattice around the carrier, if any
+    friction : relative to that without vibration; reduction : target for which the drive is computed, if any
     """
 
-    title = "What a finger feels"
+    title = "Friction under a finger"
     data_file = "feel"
 
     plate: Plate
@@ -51,26 +51,28 @@ class Feel(Result):
 
     @cached_property
     def by_region(self) -> xr.Dataset:
-        """(region) what is felt: ``reduction`` with its ends ``low`` and ``high``, the mean ``amplitude``
-        below the finger and without it, and the drive from which on people notice it."""
-        friction, regions, found = self.friction, self.friction.regions, self.friction.reductions()
-        told = {
-            "reduction": ("1", [found[name].value for name in regions]),
-            "low": ("1", [found[name].low for name in regions]),
-            "high": ("1", [found[name].high for name in regions]),
+        """(region) ``reduction`` with its ends ``low`` and ``high``, mean ``amplitude`` below the finger and
+        without it, and the smallest drive that people notice."""
+        friction, regions, reductions = self.friction, self.friction.regions, self.friction.reductions()
+        variables = {
+            "reduction": ("1", [reductions[name].value for name in regions]),
+            "low": ("1", [reductions[name].low for name in regions]),
+            "high": ("1", [reductions[name].high for name in regions]),
             "amplitude": ("m", [friction.amplitude(name) for name in regions]),
             "amplitude_without_finger": ("m", [friction.amplitude(name, "free") for name in regions]),
             "drive_to_be_felt": (
                 friction.unit, [friction.drive_for(WEBER_FRACTION, name) or np.nan for name in regions]
             ),
         }  # fmt: skip
-        made = xr.Dataset({name: ("region", numbers, {"units": u}) for name, (u, numbers) in told.items()})
-        declared(made, drive_to_be_felt="no drive makes it noticed")
-        return made.assign_coords(region=np.array(regions, dtype=str))
+        data = xr.Dataset(
+            {name: ("region", numbers, {"units": u}) for name, (u, numbers) in variables.items()}
+        )
+        declared(data, drive_to_be_felt="no drive makes it noticeable")
+        return data.assign_coords(region=np.array(regions, dtype=str))
 
     @property
     def requirements(self) -> list[Requirement]:
-        """Whether the plate does what it is for, each as a traffic light with its reason."""
+        """Requirements of the plate, each with a colour and its reason."""
         friction = self.friction
         return requirements(
             friction.reductions(),
@@ -91,9 +93,9 @@ class Feel(Result):
 
     @property
     def dataset(self) -> xr.Dataset:
-        """Friction and amplitudes at every place, with all that made them."""
+        """Friction and amplitudes at every point, with the assumptions."""
         friction = self.friction
-        found = friction.at_points()
+        data = friction.at_points()
         quality = friction.loaded["quality"].sel(load="value", drop=True)
         described = {
             "value": "mu / mu0, load sharing",
@@ -101,19 +103,19 @@ class Feel(Result):
             "high": "upper end of the band",
         }
         for name, words in described.items():
-            found[name].attrs = {"units": "1", "long_name": words}
-        found["amplitude"].attrs = {"units": "m", "long_name": "rms below the finger, peak in time"}
-        found["quality"] = quality
-        found.attrs |= dict(friction.loaded.attrs) | {
+            data[name].attrs = {"units": "1", "long_name": words}
+        data["amplitude"].attrs = {"units": "m", "long_name": "rms below the finger, peak in time"}
+        data["quality"] = quality
+        data.attrs |= dict(friction.loaded.attrs) | {
             "touch": json.dumps({"force_n": friction.touch.force, "speed_m_s": friction.touch.speed}),
             "assumptions": json.dumps(friction.skin.assumptions()),
         }
-        return found
+        return data
 
     @figure(
         "friction",
-        "Simulated friction below a finger with its middle at each point, over that without vibration; on "
-        "either side the ends of the band that two models and all plausible parameters leave.",
+        "Simulated friction below a finger centred at each point, relative to that without vibration; on "
+        "either side the ends of the interval over two models and all plausible parameters.",
     )
     def _friction(self) -> Figure:
         title = f"{self._frequency}, {self._drive}, simulated"
@@ -132,32 +134,33 @@ class Feel(Result):
     def summary(self) -> list[str]:
         driven, reductions = self.friction.driven, self.friction.reductions()
         felt = "; ".join(
-            f"{name}{' (driven)' if name in driven else ''}: {change(one.value, one.low, one.high)}"
-            for name, one in reductions.items()
+            f"{name}{' (driven)' if name in driven else ''}: {change(r.value, r.low, r.high)}"
+            for name, r in reductions.items()
         )
-        said = [f"At {self._frequency} and {self._drive}, {felt}."]
+        sentences = [f"At {self._frequency} and {self._drive}, {felt}."]
         if self.reduction is not None:
             drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
-            said.append(f"For a reduction of {100 * self.reduction:.0f} %: {drives}")
-        marked = [name for name, one in self.friction.skin.assumptions().items() if one["mark"] == "assumed"]
-        said.append(
-            f"Assumed, not measured: {', '.join(name.replace('_', ' ') for name in marked)}, damping of the "
-            "finger. Values by load sharing; intervals over both models and all plausible parameters. "
-            "Simulated."
+            sentences.append(f"Drive for a reduction of {100 * self.reduction:.0f} %: {drives}")
+        assumptions = self.friction.skin.assumptions()
+        assumed = [name for name, assumption in assumptions.items() if assumption["mark"] == "assumed"]
+        sentences.append(
+            f"Assumed, not measured: {', '.join(name.replace('_', ' ') for name in assumed)}, damping of the "
+            "finger. Values from the load-sharing model; intervals over both models and all plausible "
+            "parameters. Simulated."
         )
-        return said
+        return sentences
 
     @property
     def drives(self) -> dict[str, float | None]:
-        """Amplitude of the drive that gives the reduction asked for on each region."""
+        """Amplitude of the drive for the target reduction on each region; None if it is not reached."""
         return {name: self.friction.drive_for(self.reduction or 0.0, name) for name in self.friction.regions}
 
     def drive_text(self, drive: float | None) -> str:
-        """A drive as people read it."""
+        """A drive as text."""
         return "not reached" if drive is None else f"{drive:.3g} {self.friction.unit}"
 
     def tables(self) -> list[Table]:
-        """Every region: amplitudes, reduction, the drive from which on it is noticed; then the demands."""
+        """Table of the regions with amplitudes, reduction and noticeable drive; table of the requirements."""
         touched = Table.of(
             f"below a finger of {self.friction.touch.force:g} N at {self._frequency} and {self._drive}, "
             "simulated",
@@ -166,10 +169,10 @@ class Feel(Result):
             COLUMNS,
             [number for number, name in enumerate(self.friction.regions) if name in self.friction.driven],
         )
-        demands = [(f"{MARKS[one.colour]} {one.colour}", one.what, one.reason) for one in self.requirements]
+        demands = [(f"{MARKS[r.colour]} {r.colour}", r.what, r.reason) for r in self.requirements]
         return [
             touched,
-            Table("does the simulated plate do what it is for?", ("light", "demand", "why"), demands),
+            Table("requirements of the simulated plate", ("light", "requirement", "reason"), demands),
         ]
 
     def facts(self) -> dict[str, Any]:

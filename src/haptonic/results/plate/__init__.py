@@ -1,4 +1,4 @@
-"""How a finite plate vibrates."""
+"""Vibration of a finite plate."""
 
 from haptonic.results.plate.value import PlateResult
 

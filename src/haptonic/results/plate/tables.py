@@ -1,4 +1,4 @@
-"""The tables of a plate's result."""
+"""Tables of the result of a plate."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def lines_table(result: PlateResult) -> Table:
 
 
 def power_table(result: PlateResult) -> Table:
-    """Where the power goes at the resonance of the map in the gap."""
+    """Distribution of the power at the resonance of the map in the gap."""
     line = result.maps.sel(frequency=result.resonance)
     given, lost, (reference, _) = float(line["given"]), line["dissipated"], reference_of(result.plate)
     rows: list[tuple[Cell, ...]] = [

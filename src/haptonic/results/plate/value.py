@@ -1,4 +1,4 @@
-"""How a finite plate vibrates: response over a band, localisation, energies, impedance, modes."""
+"""Vibration of a finite plate: response over a band, localisation, energies, impedance, modes."""
 
 from __future__ import annotations
 
@@ -30,19 +30,21 @@ from haptonic.results.table import Table
 from haptonic.units import hz_text
 from haptonic.vtu import write_body
 
-# Measured in tests/plate/test_full_plate.py; no cheap estimate for the plate at hand is known.
+# Measured in tests/plate/test_full_plate.py; no cheap estimate for an arbitrary plate is known.
 ERRORS = (
-    "The solver's errors bound what solving the plate's equations adds. What the equations themselves "
-    "leave out, of tiles that meet in polynomials, is not estimated for this plate; on the one that was also "
-    "computed in full, 4 x 3 cells with a guide and a patch, frequencies were 0.01 to 0.05 % high, and the "
-    "field was off by 0.9 % in the energy norm at a resonance, and by 1 to 3 % half-way between two."
+    "This bounds the error of solving the plate's equations. The discretisation error is not estimated for "
+    "this plate. Another plate, 4 x 3 cells with a guide and a patch, was also computed in full: the "
+    "frequencies here were 0.01 to 0.05 % high, and the field differed by 0.9 % in the energy norm at a "
+    "resonance and by 1 to 3 % half-way between two."
 )
 
-OF_FILES = " Nor is the error of the mesh of the file's cells: `haptonic bands` estimates it for their bands."
+OF_FILES = (
+    " The error of the meshes of cells from files is not estimated either; `haptonic bands` does, for bands."
+)
 
 
 def _has_spectrum(result: PlateResult) -> bool:
-    return len(result.response.frequency) > 1  # there is none of a single line
+    return len(result.response.frequency) > 1
 
 
 def _compares(result: PlateResult) -> bool:
@@ -51,10 +53,10 @@ def _compares(result: PlateResult) -> bool:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PlateResult(Result):
-    """Response of a plate per unit of its reference, with all that was found beside it.
+    """Response of a plate per unit of its reference, with energies, impedances and modes.
 
-    plate : what was computed; gap : of its lattice around the carrier, if there is one; carrier : Hz
-    response : velocity of the flat face; marked : the same at the frequencies of the maps
+    plate : the computed plate; gap : of its lattice around the carrier, if any; carrier : Hz
+    response : velocity of the flat face; marked : response at the frequencies of the maps
     lines : dataset on the response's frequencies; modes : dataset of the modes near the carrier
     body : displacement of the whole plate at the carrier, on a coarse mesh
     """
@@ -73,11 +75,11 @@ class PlateResult(Result):
 
     @property
     def driven(self) -> str | None:
-        """The region of plain plate that carries the first actuator, or else the first force."""
+        """Region of plain plate with the first actuator, or else with the first force."""
         return driven_region(self.plate)
 
     def contrasts(self, response: FrequencyResponse) -> dict[str, xr.DataArray]:
-        """How much more the driven region vibrates than others and than all the rest, dB."""
+        """Level of the driven region over each of the others, and over all the rest, dB."""
         return contrasts(response, self.driven)
 
     @cached_property
@@ -100,7 +102,7 @@ class PlateResult(Result):
 
     @property
     def drive(self) -> float:
-        """Amplitude of the first drive, for which pictures are drawn, in the unit of the reference."""
+        """Amplitude of the first drive, used in pictures, in the unit of the reference."""
         return reference_of(self.plate)[1]
 
     @figure("maps", "Simulated normal velocity of the flat face, each map with a scale of its own.")
@@ -161,76 +163,76 @@ class PlateResult(Result):
     def summary(self) -> list[str]:
         line = self.maps.sel(frequency=self.resonance)
         levels = [f"{name} {level:.1f} dB" for name, level in split(line.get("contrast"), "pair").items()]
-        said = f"Contrast at {hz_text(self.resonance, form='.3f')}: {'; '.join(levels)}."
+        contrast = f"Contrast at {hz_text(self.resonance, form='.3f')}: {'; '.join(levels)}."
         basis = int(self.lines.attrs["basis"])
-        found = f" on {basis} vectors" if basis else ", each line solved by itself"
+        method = f", solved on {basis} vectors" if basis else ", solved at each frequency"
         return [
-            *([said] if levels else []),
+            *([contrast] if levels else []),
             *border_text(self.plate.layout),
-            f"Largest solver's error of the field at any line: {float(self.lines['solver_error'].max()):.1e} "
-            f"(a bound), of {self.lines.attrs['unknowns']} unknowns{found}. {self._errors} Simulated.",
+            f"Largest solver error of the field: {float(self.lines['solver_error'].max()):.1e}, of "
+            f"{self.lines.attrs['unknowns']} unknowns{method}. {self._errors} Simulated.",
         ]
 
     @property
     def _errors(self) -> str:
-        """What the solver's errors are, and what they leave out."""
+        """Meaning of the solver error, and the errors that it does not include."""
         return ERRORS + OF_FILES * any(cell.solid for cell in self.plate.layout.cells.values())
 
     def remarks(self) -> list[str]:
         if not self.plate.rigid:
             return []
-        return [f"nothing holds the plate: {self.plate.rigid_modes} rigid-body motions are free"]
+        return [f"the plate has no support: {self.plate.rigid_modes} rigid-body motions are free"]
 
     def tables(self) -> list[Table]:
-        found = [lines_table(self), power_table(self)]
-        return [*found, modes_table(self.modes)] if self.modes.sizes["mode"] else found
+        tables = [lines_table(self), power_table(self)]
+        return [*tables, modes_table(self.modes)] if self.modes.sizes["mode"] else tables
 
     @property
     def _gap_edges(self) -> tuple[float, float] | None:
         return (self.gap.lower, self.gap.upper) if self.gap else None
 
     def impedance(self, actuator: str) -> Complex:
-        """(frequency of ``lines``,) voltage over current of an actuator while all drives act, ohm."""
+        """(frequency of ``lines``,) voltage over current of an actuator with all drives active, ohm."""
         lines = self.lines.sel(actuator=actuator)
         return np.asarray(lines["impedance_real"].values + 1j * lines["impedance_imag"].values)
 
     @property
     def resonance(self) -> float:
-        """The frequency of the map in the gap, or else of the one nearest to the carrier, Hz."""
+        """Frequency of the map in the gap, or else of the map nearest to the carrier, Hz."""
         return resonance_of(self.marked.frequency, self.carrier, self._gap_edges)
 
     @cached_property
     def maps(self) -> xr.Dataset:
-        """All that is known at the frequencies of the maps; see `reported`."""
+        """All quantities at the frequencies of the maps; see `reported`."""
         return self.reported(self.marked)
 
     def reported(self, response: FrequencyResponse) -> xr.Dataset:
-        """What is known at the lines of the response or of the maps: energies, powers, impedances, and
+        """Quantities at the frequencies of the response or the maps: energies, powers, impedances, and
 
         ``rms`` (region) : velocity; ``contrast`` (pair) : dB of the driven region over others
         ``finger`` (region) : largest amplitude below a finger, per unit of the reference
         """
         lines = self.lines.sel(frequency=response.frequency, method="nearest")
-        found = lines.assign_coords(frequency=("frequency", response.frequency, {"units": "Hz"}))
+        data = lines.assign_coords(frequency=("frequency", response.frequency, {"units": "Hz"}))
         if names := [name for name in response.regions if name]:
-            found["rms"] = along({name: rms(response, name) for name in names}, "region")
-            found["finger"] = along(below_finger(response), "region")
+            data["rms"] = along({name: rms(response, name) for name in names}, "region")
+            data["finger"] = along(below_finger(response), "region")
         if levels := self.contrasts(response):
-            found["contrast"] = along(levels, "pair")
-        parts = found["impedance_real"], found["impedance_imag"]
-        found["impedance"] = (parts[0] + 1j * parts[1]).assign_attrs(units="ohm")
-        return found.drop_vars(["impedance_real", "impedance_imag"])
+            data["contrast"] = along(levels, "pair")
+        parts = data["impedance_real"], data["impedance_imag"]
+        data["impedance"] = (parts[0] + 1j * parts[1]).assign_attrs(units="ohm")
+        return data.drop_vars(["impedance_real", "impedance_imag"])
 
     def _guide_modes(self) -> dict[str, dict[str, float]]:
         """By region and name, the frequency (Hz) of the mode with most of its energy there."""
-        modes, found = self.modes, dict[str, dict[str, float]]()
+        modes, frequencies = self.modes, dict[str, dict[str, float]]()
         names, frequency = modes["name"].values.tolist(), modes["frequency"].values
         for region in self.plate.layout.regions:
             share = modes["strain_energy"].sel(part=part_name(self.plate, region)).values
             best = {name: max((k for k, n in enumerate(names) if n == name), key=share.__getitem__)
                     for name in names if name}  # fmt: skip
-            found[region] = {name: float(frequency[k]) for name, k in best.items()}
-        return found
+            frequencies[region] = {name: float(frequency[k]) for name, k in best.items()}
+        return frequencies
 
     def facts(self) -> dict[str, Any]:
         return {
@@ -248,6 +250,6 @@ class PlateResult(Result):
 
 
 def impedance_names(plate: Plate) -> dict[str, str]:
-    """By actuator, what the picture of its impedance is called."""
+    """Name of the picture of each actuator's impedance."""
     parts = file_parts(actuator.name for actuator in plate.actuators)
     return {name: f"impedance-{part}" for name, part in parts.items()}

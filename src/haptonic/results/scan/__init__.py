@@ -1,4 +1,4 @@
-"""Scans with a laser vibrometer: what to measure, what came out, and a simulated scan to test with."""
+"""Scans with a laser vibrometer: results of their analysis, and simulated scans for tests."""
 
 import lazy_loader as lazy
 

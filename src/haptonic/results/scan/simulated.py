@@ -1,4 +1,4 @@
-"""A scan in software, whose truth is known: what a vibrometer would record of a computed plate."""
+"""Simulated scan of a computed plate, with known truth."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from haptonic.vibrometry.settings import ScanSettings
 
 Kind = Literal["time", "frf"]
 
-STAGE = (12e-3, 7e-3)  # m, where the corner of the plate lies in the coordinates of the stage
+STAGE = (12e-3, 7e-3)  # m, corner of the plate in the coordinates of the stage
 TIME: dict[str, Callable[[TimeScan, Path], None]] = {
     "h5": write_records, "uff": write_uff_records, "mat": write_mat_records, "tdms": write_tdms,
 }  # fmt: skip
@@ -38,7 +38,7 @@ FRF: dict[str, Callable[[FrequencyResponse, Path], None]] = {
 RESPONSES = (*FRF, "csv")
 FORMATS = ("h5", "nc", "uff", "mat", "csv", "tdms")
 
-FOLDER = PurePosixPath("scan")  # of a scan that has a file for each point
+FOLDER = PurePosixPath("scan")  # folder of a scan with one file per point
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -46,9 +46,9 @@ class SimulatedScan(Result):
     """A simulated scan.
 
     true : the plate's response at the points of the plan, in the order of the stage, on the plate
-    records : what the instrument gives of it, in the coordinates of the stage
-    form : of its file; kind : time records or responses
-    estimated : what an instrument that estimates responses itself would store, if these are written
+    records : records of the instrument, in the coordinates of the stage
+    form : format of the file; kind : time records or responses
+    estimated : responses that the instrument estimates itself, if these are written
     """
 
     title = "Simulated scan"
@@ -87,10 +87,10 @@ class SimulatedScan(Result):
         return {f"scan.{self.form}": partial(FRF[self.form], self.estimated)} | truth
 
     def summary(self) -> list[str]:
-        records, what = self.records, "records" if self.kind == "time" else "responses"
+        records, content = self.records, "records" if self.kind == "time" else "responses"
         return [
             f"{len(records.names)} points, {records.repeats} periods of {records.samples} samples at "
-            f"{hz_text(records.sample_rate, form='g')}, written as {what}. Simulated."
+            f"{hz_text(records.sample_rate, form='g')}, written as {content}. Simulated."
         ]
 
     def facts(self) -> dict[str, Any]:
@@ -104,7 +104,7 @@ class SimulatedScan(Result):
         return {"files": [str(folder / name) for name in self.names(self)]}
 
     def truth(self) -> dict[str, Any]:
-        """What an analysis of the files has to find."""
+        """True values, which an analysis of the files should reproduce."""
         try:
             stands_out = asdict(contrast_range(self.true, self.plate))
         except HaptonicError as error:
@@ -132,27 +132,27 @@ class SimulatedScan(Result):
 
 
 def kind_of(form: str, kind: Kind | None) -> Kind:
-    """What a form holds when nothing is asked for: time records where it can.
+    """Content of a format: the given kind, by default time records if possible.
 
     Raises
     ------
-    ScanError : a form without this kind
+    ScanError : a format without this kind
     """
     have: list[Kind] = [name for name, forms in (("time", TIME), ("frf", RESPONSES)) if form in forms]  # type: ignore[misc]
     if kind is None:
         return have[0]
     if kind not in have:
-        other = [one for one in FORMATS if one in (TIME if kind == "time" else RESPONSES)]
+        other = [name for name in FORMATS if name in (TIME if kind == "time" else RESPONSES)]
         raise ScanError.conflict(
             argument="--format",
             given=f"{form} with --{kind}",
             allowed=f"with --{kind} one of {', '.join(other)}",
-            cause="this form does not hold both time records and responses",
-            next_step=f"leave --{kind} out, or choose another form",
+            cause="this format cannot contain both time records and responses",
+            next_step=f"leave --{kind} out, or choose another format",
         )
     return kind
 
 
 def scan_name(form: str) -> str | PurePosixPath:
-    """Of the file of a simulated scan, or of one in its folder."""
+    """Name of the file of a simulated scan, or of a file in its folder."""
     return FOLDER / GEOMETRY if form == "csv" else f"scan.{form}"

@@ -1,4 +1,4 @@
-"""What a scan told: its response, the quality of its points, the gap, waves along guides, decay."""
+"""Result of a scan: response, quality of its points, gap, waves along guides, decay."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from haptonic.vibrometry.estimation.quality import FLAGS
 from haptonic.vibrometry.guides import Guiding, Mirror, guides_of
 from haptonic.vibrometry.theory import guided
 
-SHOWN = ("average", "rms", "contrast", "decay", "low", "high")  # of the data, at the operating shapes
+SHOWN = ("average", "rms", "contrast", "decay", "low", "high")  # variables at the operating shapes
 DECAY = ("decay", "error_of_decay", "low", "high")  # variables of the decay through a mirror
 
 
@@ -51,19 +51,19 @@ def _has(name: str) -> Callable[[ScanResult], bool]:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ScanResult(Result):
-    """A scan that was read, estimated and, if a plate was given, laid on it.
+    """Responses of a scan and their analysis; with a plate, registered to it.
 
-    response : per unit of its reference; quality : of its points; report : of how it was read
-    averages : 0 where the instrument estimated the response itself
+    response : per unit of its reference; quality : of its points; report : of the reader
+    averages : 0 if the instrument estimated the response itself
     data : against frequency: ``average``, and on a plate ``rms`` (region), ``contrast`` and its ``error``
         (pair), ``waves`` (guide, step) with their ``wavenumber``, ``fading``, and the ``decay`` of a mirror
         with its ends ``low`` and ``high``
     shapes : frequencies of the operating shapes, Hz
-    measured : range in which the driven region stands out; lattice : edges of the gap by how waves fade
+    measured : range with high contrast of the driven region; lattice : edges of the gap from decay
     gap : of the lattice, computed; waves : see `computed_waves`
-    undetermined : what could not be determined, and why
-    verdict : on a model of the plate, if one was judged as well
-    state : folder in which an estimation that is stopped goes on
+    undetermined : reasons for missing results
+    verdict : comparison with a model of the plate, if any
+    state : folder from which an interrupted estimation continues
     """
 
     title = "Scan"
@@ -93,22 +93,22 @@ class ScanResult(Result):
 
     @property
     def loudest(self) -> float:
-        """The operating shape nearest to the carrier, or else the only one, Hz."""
+        """The operating shape nearest to the carrier, or else the only operating shape, Hz."""
         return min(self.shapes, key=lambda f: abs(f - (self.carrier or f)))
 
     @property
     def dataset(self) -> xr.Dataset:
-        """The data, with what may be seen of them."""
+        """The data with their origin."""
         return self.data.assign_attrs(origin=self.origin)
 
     @property
     def contrasts(self) -> dict[str, xr.DataArray]:
-        """dB against frequency, by what is compared."""
+        """Contrasts in dB against frequency, by pair of regions."""
         return dict(split(self.data.get("contrast"), "pair"))
 
     @property
     def decay(self) -> xr.Dataset | None:
-        """See `haptonic.vibrometry.lattice_decay`; None where it could not be fitted."""
+        """Decay in the lattice, see `haptonic.vibrometry.lattice_decay`; None if it could not be fitted."""
         if "decay" not in self.data:
             return None
         return self.data[list(DECAY)].assign_attrs(json.loads(self.data.attrs["decay"]))
@@ -123,7 +123,7 @@ class ScanResult(Result):
 
     @property
     def mapped(self) -> bool:
-        """Whether there are maps and an animation: they need the motion normal to the plate."""
+        """True if maps and an animation are possible: they need the motion normal to the plate."""
         return "z" in self.response.dataset["direction"].values
 
     @figure("average", "{Origin} velocity averaged over all points.")
@@ -152,9 +152,7 @@ class ScanResult(Result):
             ax=ax,
         )  # fmt: skip
 
-    @figure(
-        "contrast", "{Origin} contrast of the driven region, and where it is high.", when=_has("contrast")
-    )
+    @figure("contrast", "{Origin} contrast of the driven region, and its range.", when=_has("contrast"))
     def _contrast(self, *, ax: Axes | None = None) -> Figure:
         curves = {name: level.values for name, level in self.contrasts.items()}
         return plots.measured_contrast(
@@ -164,11 +162,11 @@ class ScanResult(Result):
     @figure("waves-*", "{Origin} waves along a guide.", when=_has("waves"))
     def _waves(self) -> dict[str, Callable[[], Figure]]:
         assert self.layout is not None
-        named, seen = wave_names(self.layout), self.data["guide"].values.tolist()
+        named, present = wave_names(self.layout), self.data["guide"].values.tolist()
         return {
-            named[one.region]: partial(self._waves_along, one)
-            for one in guides_of(self.layout)
-            if one.region in seen
+            named[guide.region]: partial(self._waves_along, guide)
+            for guide in guides_of(self.layout)
+            if guide.region in present
         }
 
     def _waves_along(self, guide: Guiding, *, ax: Axes | None = None) -> Figure:
@@ -178,14 +176,14 @@ class ScanResult(Result):
             mode = guided(self.waves, guide)
         return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin, ax=ax)
 
-    @figure("fading", "{Origin} fading of waves from row to row of the lattice.", when=_has("fading"))
+    @figure("fading", "{Origin} decay of waves from row to row of the lattice.", when=_has("fading"))
     def _fading_map(self, *, ax: Axes | None = None) -> Figure:
         return plots.decay_map(self.data["fading"], self.lattice, self._edges, origin=self.origin, ax=ax)
 
     @figure("decay", "{Origin} decay into the lattice.", when=_has("decay"))
     def _decay(self, *, ax: Axes | None = None) -> Figure:
         assert self.decay is not None
-        return plots.measured_decay(self.decay, self._fading, self._edges, origin=self.origin, ax=ax)
+        return plots.measured_decay(self.decay, self._computed_decay, self._edges, origin=self.origin, ax=ax)
 
     @file("response.nc")
     def _write_response(self, path: Path) -> None:
@@ -211,46 +209,47 @@ class ScanResult(Result):
 
     def write(self, folder: Path | str, *, overwrite: bool = False, progress: Progress = silent) -> None:
         super().write(folder, overwrite=overwrite, progress=progress)
-        if self.state is not None:  # what an estimation kept has done its work
+        if self.state is not None:  # the result is written, so the state is not needed
             shutil.rmtree(self.state, ignore_errors=True)
 
     def summary(self) -> list[str]:
-        """What was read, how well a model fits, the gap in it; then how it was read and registered."""
+        """Contents of the scan, comparison with a model, gap; then reading and registration."""
         flags = ", ".join(f"{count} {flag}" for flag, count in self.flags.items() if count)
         low, high = (f"{self.response.frequency[end] / 1e3:.4g}" for end in (0, -1))
-        said = [
+        sentences = [
             f"{len(self.response.points)} points ({flags or 'none flagged'}), {len(self.response.frequency)} "
-            f"lines from {low} to {high} kHz, {self.origin}."
+            f"frequencies from {low} to {high} kHz, {self.origin}."
         ]
-        said += self.verdict.summary() if self.verdict else []
+        sentences += self.verdict.summary() if self.verdict else []
         if self.lattice is not None:
             computed = f"; computed {hz_text(self.gap.lower, self.gap.upper, form='.2f')}" if self.gap else ""
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
             if self.gap and self.lattice.beside(self.gap.lower, self.gap.upper):
-                computed += ": another range, in which perhaps some waves only fade"
-            said.append(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
-            said += [f"  {text}" for text in self.lattice.reasons]
+                computed += ": another range, in which probably only some waves decay"
+            sentences.append(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
+            sentences += [f"  {text}" for text in self.lattice.reasons]
         if (seen := self.measured) is not None:
-            said.append(
-                f"The driven region stands out from the lattice from "
+            sentences.append(
+                f"High contrast of the driven region over the lattice: "
                 f"{hz_text(seen.lower, form='.2f', error=seen.lower_error)} to "
                 f"{hz_text(seen.upper, form='.2f', error=seen.upper_error)}."
             )
         if not self.report.complete or self.report.remarks:
-            said.append(str(self.report))
-        if (found := self.registration) is not None:
-            x, y = 1e3 * found.shift
-            said.append(
-                f"Registered: scale {found.scale:.5f}, turned by {np.degrees(found.angle):.3f}°, shifted by "
-                f"{x:.3f} and {y:.3f} mm; misfit {found.misfit * 1e3:.3f} mm."
+            sentences.append(str(self.report))
+        if (registration := self.registration) is not None:
+            x, y = 1e3 * registration.shift
+            sentences.append(
+                f"Registered: scale {registration.scale:.5f}, turned by "
+                f"{np.degrees(registration.angle):.3f}°, shifted by {x:.3f} and {y:.3f} mm; misfit "
+                f"{registration.misfit * 1e3:.3f} mm."
             )
-        return said
+        return sentences
 
     def remarks(self) -> list[str]:
         return [*self.undetermined, *accuracy_remarks({} if self.waves is None else self.waves.attrs)]
 
     def tables(self) -> list[Table]:
-        """Velocities, contrasts and decay at the frequencies of the operating shapes; then the verdict."""
+        """Velocities, contrasts and decay at the operating shapes; then the comparison with a model."""
         columns = (
             Column("frequency", shown="kHz", form=".3f"),
             Column("rms of all", form=".3g", of="average"),
@@ -260,13 +259,13 @@ class ScanResult(Result):
             Column("least computed decay", form=".1f", of="computed_least"),
             Column("largest computed decay", form=".1f", of="computed_largest"),
         )
-        told = self.at_shapes
-        known = [column for column in columns if (column.of or column.name) in told]
-        shapes = Table.of(f"operating shapes, {self.origin}", told, "frequency", known)
+        data = self.at_shapes
+        present = [column for column in columns if (column.of or column.name) in data]
+        shapes = Table.of(f"operating shapes, {self.origin}", data, "frequency", present)
         return [shapes, *(self.verdict.tables() if self.verdict else [])]
 
     @property
-    def _fading(self) -> xr.Dataset | None:
+    def _computed_decay(self) -> xr.Dataset | None:
         if self.waves is None or "attenuation" not in self.waves:
             return None
         return xr.Dataset({"attenuation": self.waves["attenuation"]}).rename(mirror_frequency="frequency")
@@ -286,19 +285,19 @@ class ScanResult(Result):
 
     @cached_property
     def at_shapes(self) -> xr.Dataset:
-        """The data at the operating shapes; beside a decay ``computed_least`` and ``computed_largest``."""
+        """The data at the operating shapes; with a decay also ``computed_least`` and ``computed_largest``."""
         names = [name for name in SHOWN if name in self.data]
-        found = self.data[names].sel(frequency=list(self.shapes), method="nearest")
-        if "decay" in found and (fading := self._fading) is not None:
-            near = fading["attenuation"].interp(frequency=list(self.shapes))
+        data = self.data[names].sel(frequency=list(self.shapes), method="nearest")
+        if "decay" in data and (decay := self._computed_decay) is not None:
+            near = decay["attenuation"].interp(frequency=list(self.shapes))
             beyond = {"units": "dB/row", WORD: "it was computed around the gap only"}
-            found["computed_least"] = "frequency", near.min("phase").values, beyond
-            found["computed_largest"] = "frequency", near.max("phase").values, beyond
-        return found
+            data["computed_least"] = "frequency", near.min("phase").values, beyond
+            data["computed_largest"] = "frequency", near.max("phase").values, beyond
+        return data
 
     @property
     def flags(self) -> dict[str, int]:
-        """How many points have each flag."""
+        """Number of points with each flag."""
         return {flag: int(self.quality.flagged(flag).sum()) for flag in FLAGS}
 
     def facts(self) -> dict[str, Any]:
@@ -307,7 +306,7 @@ class ScanResult(Result):
         return {
             "format": report.format,
             "points": self.response.dataset.sizes["point"],
-            "dropped": [str(one) for one in report.dropped],
+            "dropped": [str(name) for name in report.dropped],
             "missing": report.missing,
             "remarks": [*report.remarks, *self.undetermined, *reasons],
             "lines": len(lines),
@@ -328,11 +327,11 @@ class ScanResult(Result):
 def waves_of(data: xr.Dataset, guide: str) -> xr.DataArray:
     """(frequency, wavenumber) amplitude of the waves along a guide."""
     seen = data["waves"].sel(guide=guide)
-    there = np.isfinite(seen["wavenumber"].values)
-    cut = seen.isel(step=there).drop_vars("guide")
+    finite = np.isfinite(seen["wavenumber"].values)
+    cut = seen.isel(step=finite).drop_vars("guide")
     return cut.swap_dims(step="wavenumber")
 
 
 def wave_names(layout: Layout) -> dict[str, str]:
-    """By region, what the picture of the waves along it is called."""
+    """Name of the picture of the waves along each region."""
     return {name: f"waves-{part}" for name, part in file_parts(layout.regions).items()}
