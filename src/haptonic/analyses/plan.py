@@ -7,6 +7,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
+from haptonic.results.cost import Cost
 from haptonic.results.plan import StudyPlan
 from haptonic.study.schema import Description
 
@@ -15,7 +16,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
     """Sizes, the plate if there is one, and the forecast of every command that the study can be asked for."""
     plate = study.mounted_plate() if study.finite_plate else None
     every = ((name, named(name)) for name in NAMES)
-    costs = {name: one.cost(study, one.options()) for name, one in every if one.cost and one.foreseen(study)}
+    costs = {name: _cost(one, study) for name, one in every if one.cost and one.foreseen(study)}
     return StudyPlan(
         study=study.title,
         carrier=study.carrier,
@@ -24,6 +25,14 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
         costs=costs,
         inputs=study.inputs(),
     )
+
+
+def _cost(analysis: Analysis, study: Description) -> Cost:
+    """Of an analysis, or the error with which it refuses the study's cell."""
+    assert analysis.cost is not None
+    options = analysis.options()
+    refusal = analysis.supports(study.cell, options)
+    return analysis.cost(study, options) if refusal is None else Cost(0.0, refusal=refusal)
 
 
 ANALYSIS = Analysis(
