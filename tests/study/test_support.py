@@ -16,6 +16,7 @@ from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
+from haptonic.study import Study
 from stacks import STACKS
 
 MM = 1e-3
@@ -128,3 +129,11 @@ def test_the_report_asks_each_analysis_as_well():
 def test_no_analysis_says_nothing():
     with pytest.raises(TypeError, match="supports"):
         type(ANALYSES["bands"])(name="mute", result=object, compute=print)
+
+
+def test_a_plan_foresees_what_an_analysis_refuses_of_a_cell():
+    losses = Pillar(3 * MM, 6 * MM, material=material("epoxy"))
+    study = Study(cell=cell(losses), carrier=60e3)
+    costs = ANALYSES["plan"].compute(study, None, None).costs
+    assert_told(costs["layers"].refusal, code="unsupported", argument="cell.pillar.material")
+    assert costs["bands"].refusal is None

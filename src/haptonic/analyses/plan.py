@@ -7,6 +7,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
+from haptonic.results.cost import Cost
 from haptonic.results.plan import StudyPlan
 from haptonic.study.schema import Description
 
@@ -16,7 +17,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
     plate = study.mounted_plate() if study.finite_plate else None
     every = ((name, named(name)) for name in NAMES)
     costs = {
-        name: analysis.cost(study, analysis.options())
+        name: _cost(analysis, study)
         for name, analysis in every
         if analysis.cost and analysis.foreseen(study)
     }
@@ -28,6 +29,14 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
         costs=costs,
         inputs=study.inputs(),
     )
+
+
+def _cost(analysis: Analysis, study: Description) -> Cost:
+    """Of an analysis, or the error with which it refuses the study's cell."""
+    assert analysis.cost is not None
+    options = analysis.options()
+    refusal = analysis.supports(study.cell, options)
+    return analysis.cost(study, options) if refusal is None else Cost(0.0, refusal=refusal)
 
 
 ANALYSIS = Analysis(

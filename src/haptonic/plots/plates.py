@@ -118,7 +118,7 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
                    label=f"pillars on the back ({len(pillars)})")
         )  # fmt: skip
     if len(layout.bricks) > len(layout.features):
-        handles.append(Patch(facecolor=LATTICE, edgecolor="white", lw=0.4, label="cells of a file"))
+        handles.append(Patch(facecolor=LATTICE, edgecolor=style.INK, lw=0.4, label="cells of a file"))
     if layout.regions:
         handles.append(Patch(facecolor=REGION, edgecolor=style.INK, lw=0.8, label="region of plain plate"))
     return handles
