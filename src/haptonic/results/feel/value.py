@@ -112,8 +112,8 @@ class Feel(Result):
 
     @figure(
         "friction",
-        "Simulated friction below a finger with its middle at each point, over that without vibration; on "
-        "either side the ends of the band that two models and all plausible parameters leave.",
+        "Simulated reduction of friction below a finger with its middle at each point; on the right the ends "
+        "of the range that two models and all plausible parameters leave.",
     )
     def _friction(self) -> Figure:
         title = f"{self._frequency}, {self._drive}, simulated"
