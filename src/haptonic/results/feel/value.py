@@ -82,6 +82,11 @@ class Feel(Result):
         )
 
     @property
+    def drive_in_words(self) -> str:
+        """Frequency and amplitude of the drive."""
+        return f"{self._frequency} and {self._drive}"
+
+    @property
     def _frequency(self) -> str:
         return hz_text(self.friction.frequency, form=".2f")
 
@@ -135,7 +140,7 @@ class Feel(Result):
             f"{name}{' (driven)' if name in driven else ''}: {change(one.value, one.low, one.high)}"
             for name, one in reductions.items()
         )
-        said = [f"At {self._frequency} and {self._drive}, {felt}."]
+        said = [f"At {self.drive_in_words}, {felt}."]
         if self.reduction is not None:
             drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
             said.append(f"For a reduction of {100 * self.reduction:.0f} %: {drives}")
@@ -159,8 +164,7 @@ class Feel(Result):
     def tables(self) -> list[Table]:
         """Every region: amplitudes, reduction, the drive from which on it is noticed; then the demands."""
         touched = Table.of(
-            f"below a finger of {self.friction.touch.force:g} N at {self._frequency} and {self._drive}, "
-            "simulated",
+            f"below a finger of {self.friction.touch.force:g} N at {self.drive_in_words}, simulated",
             self.by_region,
             "region",
             COLUMNS,
