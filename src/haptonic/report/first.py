@@ -1,4 +1,4 @@
-"""The report's first screen: what was designed, three numbers, three lights, one picture."""
+"""The report's first screen: what was designed, three numbers, three requirements, one picture."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ class Number:
 class FirstScreen:
     """What a reader sees without scrolling.
 
-    lights : (colour, demand, reason), the worst ones; others : how many more there are
+    requirements : (colour, demand, reason), the worst ones; others : how many more there are
     """
 
     numbers: tuple[Number, ...]
-    lights: tuple[tuple[str, str, str], ...]
+    requirements: tuple[tuple[str, str, str], ...]
     others: int
     picture: Picture | None
 
@@ -49,7 +49,7 @@ def first_screen(results: Results, chapters: Iterable[Chapter]) -> FirstScreen:
     worst = sorted(demands, key=lambda one: SEVERITY.index(one.colour))[:LIGHTS]
     return FirstScreen(
         numbers=(*_gap(results), *_contrast(results), *_reduction(results)),
-        lights=tuple(map(_light, filter(worst.__contains__, demands))),
+        requirements=tuple(map(_light, filter(worst.__contains__, demands))),
         others=len(demands) - len(worst),
         picture=next((pictures[name] for name in SHOWN if name in pictures), None),
     )
@@ -94,7 +94,7 @@ def _reduction(results: Results) -> list[Number]:
         Number(
             in_percent(one.value),
             f"less friction on {name}",
-            f"plausible {100 * one.low:.0f} to {in_percent(one.high)}, at {feel.drive_in_words}",
+            f"plausible {100 * one.low:.0f} to {in_percent(one.high)}, at {feel.at_drive}",
         )
         for name, one in felt.items()
         if name in feel.friction.driven

@@ -82,7 +82,7 @@ class Feel(Result):
         )
 
     @property
-    def drive_in_words(self) -> str:
+    def at_drive(self) -> str:
         """Frequency and amplitude of the drive."""
         return f"{self._frequency} and {self._drive}"
 
@@ -140,7 +140,7 @@ class Feel(Result):
             f"{name}{' (driven)' if name in driven else ''}: {change(one.value, one.low, one.high)}"
             for name, one in reductions.items()
         )
-        said = [f"At {self.drive_in_words}, {felt}."]
+        said = [f"At {self.at_drive}, {felt}."]
         if self.reduction is not None:
             drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
             said.append(f"For a reduction of {100 * self.reduction:.0f} %: {drives}")
@@ -164,7 +164,7 @@ class Feel(Result):
     def tables(self) -> list[Table]:
         """Every region: amplitudes, reduction, the drive from which on it is noticed; then the demands."""
         touched = Table.of(
-            f"below a finger of {self.friction.touch.force:g} N at {self.drive_in_words}, simulated",
+            f"below a finger of {self.friction.touch.force:g} N at {self.at_drive}, simulated",
             self.by_region,
             "region",
             COLUMNS,
