@@ -72,6 +72,7 @@ _STYLE: dict[str, Any] = {
     "hatch.linewidth": 0.6,
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
+    "text.hinting": "none",  # a text is as wide at any resolution, so that the layout holds
     "text.parse_math": False,  # a name may hold dollar signs; labels of our own say when they are formulas
     "figure.dpi": 100,
     "svg.fonttype": "path",
