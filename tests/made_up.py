@@ -82,13 +82,17 @@ def made_up_search(visits: int = 14, *, best: float = 0.06) -> xr.Dataset:
     """
     margin = np.linspace(best - 0.14, best, visits)
     stage = np.array(["look", "climb", "polish"])[(3 * np.arange(visits)) // visits]
+    turn = np.linspace(0, 5, visits)
+    sizes = np.stack([12e-3 - 4e-3 * margin * np.cos(turn), 4e-3 + 20e-3 * margin * np.sin(turn)], axis=1)
     return xr.Dataset(
         {
             "lower": ("visit", 60e3 * (1 - margin)),
             "upper": ("visit", 60e3 * (1 + margin)),
             "margin": ("visit", margin),
             "stage": ("visit", stage),
+            "value": (("visit", "parameter"), sizes),
         },
+        coords={"parameter": ["cell.pillar.height", "cell.pillar.diameter"]},
         attrs={"carrier_hz": 60e3},
     )
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import pint
 
 LONGEST_TEXT = 80
+MOST_DECIMALS = 6  # of a number with the bound of its error
 LARGEST_EXPONENT = 400  # beyond the range of floats, while powers of ten of this size are still cheap
 
 PREFIXES = {"n": -9, "µ": -6, "m": -3, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
@@ -202,12 +203,30 @@ def hz_text(*frequencies: float, form: str = ".4g", error: float | None = None) 
 
     Parameters
     ----------
-    form : number format, as in `format`
-    error : error bound of the last frequency, Hz
+    form : format of each number, as in `format`
+    error : error bound of the last frequency, Hz, which is then rounded as by `uncertain`
     """
     unit, scale = frequency_scale(*frequencies)
-    text = " to ".join(format(frequency * scale, form) for frequency in frequencies)
-    return f"{text}{'' if error is None else f' ± {error * scale:{form}}'} {unit}"
+    texts = [format(frequency * scale, form) for frequency in frequencies]
+    if error is not None:
+        texts[-1] = uncertain(frequencies[-1] * scale, error * scale)
+    return f"{' to '.join(texts)} {unit}"
+
+
+def uncertain(value: float, bound: float) -> str:
+    """Value and bound of its error, ``52.51 ± 0.05``, both in the unit of the text.
+
+    The bound is rounded up to one digit, or to two if the first is a 1; the value has the same decimals.
+    """
+    if not (math.isfinite(bound) and bound > 0):
+        return f"{value:.3f}"
+    power = math.floor(math.log10(bound) + 1e-9)
+    power -= bound < 2 * 10.0**power  # for 1.02, one digit would double the bound
+    digit = math.ceil(bound / 10.0**power - 1e-9)
+    if digit == 10:
+        digit, power = 1, power + 1
+    decimals = min(max(-power, 0), MOST_DECIMALS)
+    return f"{value:.{decimals}f} ± {digit * 10.0**power:.{decimals}f}"
 
 
 def kind_of(unit: str) -> str:

@@ -25,10 +25,10 @@ def nothing_held():
 
 
 PICTURES = {
-    "search": lambda: plots.search(made_up_search()),
-    "search without a gap": lambda: plots.search(made_up_search(best=-0.02)),
-    "search of one design": lambda: plots.search(made_up_search(1)),
-    "long search": lambda: plots.search(made_up_search(60)),
+    "search": lambda: plots.search(made_up_search(), UNITS),
+    "search without a gap": lambda: plots.search(made_up_search(best=-0.02), UNITS),
+    "search of one design": lambda: plots.search(made_up_search(1), UNITS),
+    "long search": lambda: plots.search(made_up_search(60), UNITS),
     "front": lambda: plots.front(made_up_front()),
     "front of two pitches": lambda: plots.front(made_up_front(2)),
     "front of most pitches": lambda: plots.front(made_up_front(40)),
@@ -80,10 +80,13 @@ class TestEveryPicture:
     def test_axes_name_what_they_show_with_its_unit(self, drawn, name):
         for axes in drawn[name].axes:
             for label in (axes.get_xlabel(), axes.get_ylabel()):
-                if label and label != "design, in the order of the search" and "plates" not in label:
+                if label and "plates" not in label:
                     assert label[label.rindex("(") + 1 : label.rindex(")")] in {"kHz", "mm", "%"}
 
     def test_the_carrier_is_drawn_where_it_is(self, drawn, name):
+        if "search" in name:
+            assert "margin of 60 kHz" in drawn[name].axes[-1].get_ylabel()
+            return
         (line,) = by_gid(drawn[name], "carrier")
         places = line.get_xdata() if "tolerance" in name else line.get_ydata()
         assert set(places) == {60.0}
@@ -114,48 +117,35 @@ class TestEveryPicture:
 
 
 class TestSearch:
-    def test_bars_span_the_gaps_and_overlaps_are_hatched(self, drawn):
+    def test_sizes_are_against_each_other_with_the_margin_as_colour(self, drawn):
         data = made_up_search()
-        gaps = drawn["search"].axes[0]
-        there = data["upper"].values > data["lower"].values
-        assert 0 < there.sum() < there.size
-        numbers = np.arange(1, data.sizes["visit"] + 1)
-        spans = np.sort(np.stack([data["lower"].values, data["upper"].values]) / 1e3, axis=0).T
-        for colour, mine, hatched in ((style.GAP, there, False), ("#ffffff", ~there, True)):
-            found = bars(gaps, colour)
-            assert [bar.get_x() + 0.5 * bar.get_width() for bar in found] == pytest.approx(numbers[mine])
-            ends = [(bar.get_y(), bar.get_y() + bar.get_height()) for bar in found]
-            assert np.array(ends) == pytest.approx(spans[mine])
-            assert all(bool(bar.get_hatch()) == hatched for bar in found)
-
-    def test_margins_are_marked_by_stage(self, drawn):
-        data = made_up_search()
-        numbers = np.arange(1, data.sizes["visit"] + 1)
+        height, diameter = 1e3 * data["value"].values.T
         for stage in ("look", "climb", "polish"):
-            (line,) = by_gid(drawn["search"], stage)
+            (points,) = by_gid(drawn["search"], stage)
             own = data["stage"].values == stage
-            assert line.get_xdata() == pytest.approx(numbers[own])
-            assert line.get_ydata() == pytest.approx(100 * data["margin"].values[own])
-        markers = {by_gid(drawn["search"], stage)[0].get_marker() for stage in ("look", "climb", "polish")}
-        assert len(markers) == 3
+            assert np.asarray(points.get_offsets()) == pytest.approx(
+                np.stack([height, diameter], axis=1)[own]
+            )
+            assert np.asarray(points.get_array()) == pytest.approx(100 * data["margin"].values[own])
+            assert points.norm.vmin == -points.norm.vmax
+        axes = drawn["search"].axes[0]
+        assert (axes.get_xlabel(), axes.get_ylabel()) == ("pillar height (mm)", "pillar diameter (mm)")
 
-    def test_the_legend_has_what_is_drawn_and_nothing_else(self, drawn):
-        everything = {"carrier 60 kHz", "gap", "no gap: bands overlap", "starts", "climbs",
-                      "corrected by the finer model"}  # fmt: skip
-        assert set(in_legend(drawn["search"])) == everything
-        assert set(in_legend(drawn["search without a gap"])) == everything - {"gap"}
-        assert set(in_legend(drawn["search of one design"])) == {
-            "carrier 60 kHz", "no gap: bands overlap", "starts",
-        }  # fmt: skip
+    def test_the_best_design_is_ringed(self, drawn):
+        data = made_up_search()
+        (ring,) = by_gid(drawn["search"], "best")
+        place = 1e3 * data["value"].values[int(data["margin"].values.argmax())]
+        assert np.ravel(ring.get_data()) == pytest.approx(place)
+        assert "best, margin 6.0 %" in in_legend(drawn["search"])
+        assert set(in_legend(drawn["search of one design"])) == {"starts", "best, margin -8.0 %"}
 
-    def test_designs_are_counted_in_whole_numbers_from_one(self, drawn):
-        for name in ("search", "search of one design", "long search"):
-            axes = drawn[name].axes[1]
-            low, high = axes.get_xlim()
-            ticks = [tick for tick in axes.get_xticks() if low <= tick <= high]
-            assert len(ticks) >= 1
-            assert all(tick == int(tick) >= 1 for tick in ticks)
-        assert [t for t in drawn["search of one design"].axes[1].get_xticks() if 0.25 < t < 1.75] == [1]
+    def test_of_one_size_the_margin_is_the_height_and_of_many_each_has_a_panel(self):
+        one = made_up_search().isel(parameter=[0])
+        axes = plots.search(one, UNITS).axes[0]
+        assert (axes.get_xlabel(), axes.get_ylabel()) == ("pillar height (mm)", "margin (%)")
+        three = made_up_search().isel(parameter=[0, 1, 1])
+        three = three.assign_coords(parameter=["cell.pillar.height", "cell.pillar.diameter", "cell.pitch"])
+        assert len(plots.search(three, UNITS).axes) == 3  # two panels and the scale
 
 
 class TestFront:

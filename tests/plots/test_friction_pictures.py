@@ -29,23 +29,31 @@ def texts(figure):
     return [text.get_text() for text in figure.findobj(lambda one: hasattr(one, "get_text"))]
 
 
-def test_a_bar_for_every_condition(result):
+def test_a_mean_for_every_condition_and_a_line_from_off_to_on(result):
     figure = result.figures["conditions"]
     (axes,) = figure.axes
-    bars = {bar.get_gid(): bar.get_height() for bar in axes.patches if bar.get_gid()}
+    points = {line.get_gid(): line for line in axes.lines if len((line.get_gid() or "").split()) >= 3}
     found = {f"{c.participant} {c.waveguide} {c.actuation}": c.friction[0] for c in result.found.conditions}
-    assert bars == pytest.approx(found)
-    assert len(axes.containers) >= len(bars)  # one sd on each
+    assert {name: float(line.get_ydata()[0]) for name, line in points.items()} == pytest.approx(found)
+    for name, line in points.items():
+        hollow = line.get_markerfacecolor() == "white"
+        assert hollow == name.endswith("off")
+    joins = [line for line in axes.lines if len(line.get_xdata()) == 2 and line.get_linestyle() == "-"]
+    pairs = {tuple(np.round(line.get_ydata(), 9)) for line in joins}
+    for name, mean in found.items():
+        if name.endswith("off"):
+            assert (round(mean, 9), round(found[f"{name[:-3]}on"], 9)) in pairs
     assert axes.get_ylim()[1] > max(sum(c.friction) for c in result.found.conditions)
-    assert "simulated" in axes.get_title()
+    assert axes.get_ylim()[0] == 0
+    assert "simulated" in axes.get_ylabel()
 
 
-def test_the_published_numbers_only_where_they_belong(result):
-    plain = " ".join(texts(result.figures["conditions"]))
-    assert "published" not in plain
-    beside = " ".join(texts(replace(result, published=PUBLISHED).figures["conditions"]))
-    for words in ("published: 55%", "published: 11%", "published: about 80%", "WG1 (driven)"):
-        assert words in beside
+def test_the_published_reductions_only_where_they_belong(result):
+    assert not any("published" in text for text in texts(result.figures["reductions"]))
+    figure = replace(result, published=PUBLISHED).figures["reductions"]
+    marks = {line.get_gid(): line.get_xdata()[0] for line in figure.axes[0].lines if line.get_gid()}
+    assert marks["WG1 published"] == pytest.approx(100 * PUBLISHED["driven"])
+    assert marks["WG2 published"] == pytest.approx(100 * PUBLISHED["idle"])
 
 
 def test_reductions_with_their_intervals(result):
@@ -58,7 +66,7 @@ def test_reductions_with_their_intervals(result):
     ends = {tuple(np.round(line.get_xdata(), 6)) for line in axes.lines if line.get_gid() is None}
     one = result.found.own["WG1", "P2"]
     assert tuple(np.round([100 * one.low, 100 * one.high], 6)) in ends
-    assert "simulated" in axes.get_title()
+    assert "simulated" in axes.get_xlabel()
 
 
 def test_every_trial_of_a_block_is_on_its_sheet(result):

@@ -85,7 +85,7 @@ def test_results_give_back_the_axes():
 
 
 def test_one_wave_of_several_can_be_asked_for():
-    assert [axes.get_ylabel()[:3] for axes in reference_layers().plot(incident="SH0").axes] == ["SH0"]
+    assert [axes.get_ylabel()[:3] for axes in reference_layers().plot(incident="SH0").axes[::2]] == ["SH0"]
     refused(lambda: reference_layers().plot(incident="SH1"), "SH0", code="unknown", argument="incident")
 
 

@@ -19,6 +19,7 @@ from haptonic import plots
 from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout
 from haptonic.plate.parts import Plate
+from haptonic.plots import spectra
 from haptonic.plots.moving import FRAMES
 from haptonic.response import FrequencyResponse
 
@@ -99,7 +100,23 @@ class TestEveryPicture:
             assert box.x1 <= figure.bbox.width
 
     def test_axes_name_what_they_show_with_its_unit(self, drawn, name):
-        known = {"kHz", "dB", "mm", "µm/s/V", "mm/s/V", "m/s/V", "m/s/N", "Ω", "deg", "dimensionless"}
+        known = {
+            "kHz",
+            "dB",
+            "mm",
+            "µm/s/V",
+            "mm/s/V",
+            "m/s/V",
+            "m/s/N",
+            "mS",
+            "µS",
+            "nF",
+            "pm/V",
+            "nm/V",
+            "mm/V",
+            "µm/V",
+            "%",
+        }
         panels = drawn[name].axes
         assert panels[0].get_ylabel()
         for axes in panels:
@@ -122,27 +139,31 @@ class TestEveryPicture:
 class TestMaps:
     def test_each_is_the_vibration_when_its_largest_point_is_farthest_out(self, drawn):
         """By another route: of all moments of the cycle, that one; its largest value ends the scale."""
+        scales = set()
         for image, line in zip(artists(drawn["maps"], "map"), LINES, strict=True):
             shown = np.asarray(image.get_array())
             assert shown.shape == (71, 64)
-            field = 1e6 * vibration().at(line).grid()[0, 0].values  # µm/s/V
+            field = 1e12 * vibration().at(line).grid()[0, 0].values / (2 * np.pi * line)  # pm/V
             assert shown.max() == pytest.approx(np.abs(field).max())
             moments = np.exp(2j * np.pi * np.arange(3600) / 3600)
             peak = field[np.unravel_index(np.abs(field).argmax(), field.shape)]
             then = moments[(peak * moments).real.argmax()]
             assert shown == pytest.approx((field * then).real, abs=1e-3 * shown.max())
-            assert -image.norm.vmin == image.norm.vmax == shown.max()
-            (bar,) = [axes for axes in drawn["maps"].axes if axes.get_label() == "<colorbar>"
-                      and axes.get_xlim()[1] == pytest.approx(shown.max())]  # fmt: skip
-            assert bar.get_xlabel() == "normal velocity (µm/s/V)"
+            scales.add((image.norm.vmin, image.norm.vmax))
+        largest = max(np.asarray(image.get_array()).max() for image in artists(drawn["maps"], "map"))
+        assert scales == {(-largest, largest)}, "one scale for all"
+        (bar,) = [axes for axes in drawn["maps"].axes if axes.get_label() == "<colorbar>"]
+        assert bar.get_xlim()[1] == pytest.approx(largest)
+        assert bar.get_xlabel() == "simulated normal displacement (pm/V)"
 
     def test_of_a_known_drive_it_is_what_the_plate_does(self):
-        """3e-4 m/s/V at 58.8 kHz and 60 V: 18 mm/s, 49 nm."""
+        """3e-4 m/s/V at 58.8 kHz and 60 V: 49 nm."""
         (driven, bar) = plots.maps(vibration(), [58.8e3], prototype(), None, drive=60.0).axes
-        assert driven.images[0].norm.vmax == pytest.approx(60e3 * np.abs(vibration().at(58.8e3).values).max())
-        assert bar.get_xlabel() == "normal velocity (mm/s)"
-        said = float(re.search(r"up to ([\d.]+) nm at 60 V", driven.get_title())[1])
-        assert said == pytest.approx(1e6 * driven.images[0].norm.vmax / (2 * np.pi * 58.8e3), rel=5e-3)
+        largest = 60 * np.abs(vibration().at(58.8e3).values).max() / (2 * np.pi * 58.8e3)
+        assert driven.images[0].norm.vmax == pytest.approx(1e9 * largest)
+        assert bar.get_xlabel() == "simulated normal displacement (nm) at 60 V"
+        said = float(re.search(r"up to ([\d.]+) nm", driven.get_title())[1])
+        assert said == pytest.approx(1e9 * largest, rel=5e-3)
 
     def test_points_lie_where_they_were_seen(self, drawn):
         """Pixels of 2 mm, their middles on the points; only WG1 moves in the gap."""
@@ -179,8 +200,7 @@ class TestMaps:
             "computed",
             "scan",
         ]
-        origins = [re.search("simulated|measured", axes.get_title())[0] for axes in panels]
-        assert origins == ["simulated"] * 3 + ["measured"] * 3
+        assert drawn["maps, compared"].axes[-1].get_xlabel() == "normal displacement (pm/V)", "two origins"
         rows = np.array([np.asarray(image.get_array()) for image in artists(drawn["maps, compared"], "map")])
         assert rows[:3] == pytest.approx(rows[3:])
 
@@ -195,13 +215,15 @@ class TestMaps:
             (text, *_) = (t for t in artists(drawn["maps"], "region name") if t.get_text() == name)
             assert text.xy[0] == pytest.approx(0.5 * (left + right))
 
-    def test_titles_say_where_the_frequency_lies_and_where_it_comes_from(self, drawn):
-        assert [axes.get_title().rpartition("\n")[0] for axes in drawn["maps"].axes[:3]] == [
-            "below the gap\n45.0 kHz, simulated",
-            "in the gap\n58.8 kHz, simulated",
-            "above the gap\n70.0 kHz, simulated",
+    def test_titles_say_where_the_frequency_lies_and_how_far_it_moves(self, drawn):
+        assert [axes.get_title() for axes in drawn["maps"].axes[:3]] == [
+            "below the gap\n45.0 kHz\nup to 99 pm/V",
+            "in the gap\n58.8 kHz\nup to 821 pm/V",
+            "above the gap\n70.0 kHz\nup to 90.9 pm/V",
         ]
-        assert drawn["maps, one, measured"].axes[0].get_title() == "58.8 kHz, measured\nup to 821 pm/V"
+        measured = drawn["maps, one, measured"].axes
+        assert measured[0].get_title() == "58.8 kHz\nup to 821 pm/V"
+        assert measured[1].get_xlabel().startswith("measured")
 
     def test_where_nothing_was_seen_is_told_from_zero(self):
         whole = vibration()
@@ -240,21 +262,20 @@ class TestSpectra:
         assert len(shades) == panels
         for shade in shades:
             assert (shade.get_x(), shade.get_x() + shade.get_width()) == pytest.approx((52.5, 60.2))
-        written = [text.get_text() for text in drawn[name].legends[0].get_texts()]
-        assert "band gap, 52.5 to 60.2 kHz" in written
+        assert [text for text, _ in shown_texts(drawn[name])].count("band gap 52.5 to 60.2 kHz") == 1
 
     @pytest.mark.parametrize("gap", [None, (101e3, 120e3), (1e3, 2e3)])
     def test_a_gap_out_of_view_is_not(self, gap):
         part = FREQUENCY[100:]
         figure = plots.contrast_spectrum(part, {"a": part * 0}, gap)
         assert not artists(figure, "gap")
-        assert [text.get_text() for text in figure.legends[0].get_texts()] == ["a"]
+        assert not any("gap" in text for text, _ in shown_texts(figure))
 
     @pytest.mark.parametrize(("name", "values"), [("contrast", CONTRAST), ("velocity", VELOCITY)])
     def test_curves_are_the_values_under_their_names(self, drawn, name, values):
-        curves = {curve.get_label(): curve for curve in artists(drawn[name], "curve")}
-        assert list(curves) == list(values)
-        for label, curve in curves.items():
+        names = [mean.get_label() for mean in artists(drawn[name], "mean")]
+        assert names == list(values)
+        for label, curve in zip(names, artists(drawn[name], "curve"), strict=True):
             assert curve.get_xdata() == pytest.approx(FREQUENCY / 1e3)
             there = np.isfinite(curve.get_ydata())
             assert curve.get_ydata()[there] == pytest.approx(
@@ -272,26 +293,40 @@ class TestSpectra:
         assert drawn["velocity, seven"].axes[0].get_ylabel().endswith("(m/s/N)")
 
     def test_many_curves_are_told_apart(self, drawn):
-        curves = artists(drawn["velocity, seven"], "curve")
-        assert len(curves) == 7
-        assert len({(c.get_color(), c.get_linestyle()) for c in curves[:5]}) == 5
+        means = artists(drawn["velocity, seven"], "mean")
+        assert len(means) == 7
+        assert len({(c.get_color(), c.get_linestyle()) for c in means[:5]}) == 5
 
-    def test_a_capacitor_has_a_phase_of_minus_90(self, drawn):
-        magnitude, phase = drawn["impedance"].axes
-        assert magnitude.get_yscale() == "log"
-        (curve,) = (line for line in magnitude.lines if line.get_gid() == "curve")
-        assert curve.get_ydata() == pytest.approx(np.hypot(30, 1 / (2 * np.pi * FREQUENCY[1:] * 1.8e-9)))
-        (angle,) = (line for line in phase.lines if line.get_gid() == "curve")
-        expected = -np.degrees(np.arctan(1 / (2 * np.pi * FREQUENCY[1:] * 1.8e-9 * 30)))
-        assert angle.get_ydata() == pytest.approx(expected)
-        assert phase.get_ylim() == (-100, 100)
+    def test_the_mean_of_many_lines_is_that_of_their_levels(self):
+        """A level that alternates between 0 and 20 dB is 10 dB on average; few lines have no mean."""
+        figure = plots.contrast_spectrum(FREQUENCY, {"a": 20.0 * (np.arange(401) % 2)}, None)
+        (mean,) = artists(figure, "mean")
+        assert mean.get_ydata()[20:-20] == pytest.approx(np.full(361, 10.0), abs=1.0)
+        assert not artists(plots.contrast_spectrum(FREQUENCY[:9], {"a": np.ones(9)}, None), "mean")
+        gaps = np.where(FREQUENCY < 50e3, np.nan, 3.0)
+        mean = spectra.running_mean(gaps)
+        assert np.isnan(mean[:190]).all()
+        assert mean[210:] == pytest.approx(np.full(191, 3.0))
 
-    def test_a_phase_beyond_90_is_in_view(self):
+    def test_a_capacitor_with_a_resistor_has_their_conductance_and_capacitance(self, drawn):
+        """30 ohm in series with 1.8 nF: by hand, G = w²RC² / (1 + (wRC)²), C / (1 + (wRC)²)."""
+        above, below = drawn["impedance"].axes
+        assert above.get_yscale() == "log"
+        omega = 2 * np.pi * FREQUENCY[1:]
+        turn = (omega * 30 * 1.8e-9) ** 2
+        conductance, capacitance = (axes.lines[0].get_ydata() for axes in (above, below))
+        assert conductance == pytest.approx(1e6 * turn / 30 / (1 + turn))
+        assert capacitance == pytest.approx(1.8 / (1 + turn))
+        assert above.get_ylabel() == "conductance (µS)"
+        assert below.get_ylabel() == "capacitance (nF)"
+
+    def test_a_conductance_below_zero_is_in_view(self):
         figure = plots.impedance_spectrum(FREQUENCY[1:], -IMPEDANCE * np.exp(0.3j), None)
-        low, high = figure.axes[1].get_ylim()
-        (angle,) = figure.axes[1].lines
-        assert low < angle.get_ydata().min()
-        assert angle.get_ydata().max() < high
+        axes = figure.axes[0]
+        assert axes.get_yscale() == "linear"
+        values = axes.lines[0].get_ydata()
+        assert values.min() < 0
+        assert axes.get_ylim()[0] < values.min()
 
 
 class TestPlan:

@@ -5,18 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import xarray as xr
-from matplotlib.colors import to_hex
+from seeing import artists, shown_texts
 
 from haptonic import plots
-from haptonic.plots import style
 from haptonic.vibrometry import Edge, LatticeGap, MeasuredGap, Quality, drive
 
 LINES = 1e3 * np.arange(40.0, 71.0)
 
 
 def texts(figure) -> str:
-    legends = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
-    return " | ".join([*legends, *(axes.get_title() for axes in figure.axes)])
+    return " | ".join(text for text, _ in shown_texts(figure))
 
 
 def test_the_drive_and_its_band():
@@ -33,12 +31,17 @@ def test_the_drive_and_its_band():
 def test_the_contrast_and_the_gap_s_uncertainty():
     gap = MeasuredGap(52e3, 60e3, 500.0, 1500.0, 0, 0, 0, 20)
     figure = plots.measured_contrast(LINES, {"A over B": LINES / 1e3}, gap, (53e3, 59e3), origin="simulated")
-    (axes,) = figure.axes
-    errors = [p for p in axes.patches if p.get_hatch()]
-    assert sorted((p.get_x(), p.get_x() + p.get_width()) for p in errors) == [(51.5, 52.5), (58.5, 61.5)]
-    assert "simulated" in texts(figure)
-    assert "high contrast, 52.0 to 60.0 kHz" in texts(figure)
-    assert "computed gap, 53.0 to 59.0 kHz" in texts(figure)
+    assert sorted(tuple(line.get_xdata()) for line in artists(figure, "error")) == [
+        (51.5, 52.5),
+        (58.5, 61.5),
+    ]
+    (found,) = artists(figure, "range")
+    assert tuple(found.get_xdata()) == (52, 60)
+    (shade,) = artists(figure, "gap")
+    assert (shade.get_x(), shade.get_x() + shade.get_width()) == (53, 59)
+    assert "simulated contrast" in texts(figure)
+    assert "high contrast 52.0 ± 0.5 to 60.0 ± 1.5 kHz" in texts(figure)
+    assert "computed gap 53.0 to 59.0 kHz" in texts(figure)
 
 
 def test_fading_and_the_edge_that_is_told():
@@ -48,12 +51,14 @@ def test_fading_and_the_edge_that_is_told():
     )  # fmt: skip
     found = LatticeGap(Edge(53e3, 600.0), None, ("no upper edge: why",))
     figure = plots.decay_map(fades, found, (52.5e3, 60e3), origin="simulated")
-    axes = figure.axes[0]
-    assert axes.collections[0].get_array().max() == fades.values.max()
-    assert [line.get_ydata()[0] for line in axes.lines] == pytest.approx([52.5, 60, 53])
-    (sky,) = [p for p in axes.patches if to_hex(p.get_facecolor()) == style.SKY.lower()]
-    assert (sky.get_y(), sky.get_y() + sky.get_height()) == pytest.approx((52.4, 53.6))
-    assert "edge in this scan, 53.00 ± 0.60 kHz" in texts(figure)
+    (least,) = artists(figure, "least")
+    assert least.get_ydata()[5:-5] == pytest.approx(LINES[5:-5] / 10e3)  # the phase that decays least
+    (half,) = artists(figure, "half")
+    assert half.get_paths()[0].get_extents().y1 == pytest.approx(2.5 * 6.9, rel=0.02)  # of 1, 2 and 3
+    (error,) = {tuple(line.get_xdata()) for line in artists(figure, "error")}
+    assert error == pytest.approx((52.4, 53.6))
+    assert "lower edge in the scan 53.0 ± 0.6 kHz" in texts(figure)
+    assert "computed gap 52.5 to 60.0 kHz" in texts(figure)
     assert "simulated" in texts(figure)
 
 
@@ -71,10 +76,11 @@ def test_waves_and_dispersion():
     assert np.unravel_index(np.argmax(drawn), drawn.shape) == (10, 30)
     # there and back: a standing wave is both
     assert [line.get_xdata().tolist() for line in axes.lines] == [[0.2, 0.3], [-0.2, -0.3]]
-    assert "WG1, simulated" in texts(figure)
+    assert "along WG1" in texts(figure)
+    assert "simulated" in texts(figure)
     bar = figure.axes[-1]
     named = [one.get_text() for one in bar.get_yticklabels()]
-    assert {"10⁻³", "10⁻²", "10⁻¹", "10⁰"} <= set(named)
+    assert {"10⁻²", "10⁻¹", "10⁰"} <= set(named)
     assert not any("$" in one for one in named)
 
 
@@ -103,7 +109,7 @@ def test_decay_beside_the_computed_one():
         coords={"frequency": LINES, "phase": phases},
     )
     figure = plots.measured_decay(decay, fades, (52e3, 60e3), origin="simulated")
-    for words in ("phase 0 per", "phase 0.5 π per", "phase π per", "95 % interval", "simulated"):
+    for words in ("phase 0 ", "phase 0.5 π", "phase π", "95 % interval", "simulated"):
         assert words in texts(figure)
 
 
@@ -116,6 +122,8 @@ def test_bad_points_are_marked():
     figure = plots.point_quality(places, quality, origin="simulated")
     assert "dropout (2)" in texts(figure)
     assert "repaired (1)" in texts(figure)
-    assert len(figure.axes[0].collections[0].get_offsets()) == 11
+    shown = figure.axes[0].collections[0]
+    assert len(shown.get_offsets()) == 11
+    assert np.asarray(shown.get_array()) == pytest.approx(np.full(11, 0.03))  # 1 less the coherence
     unknown = Quality(quality.names, quality.clipped, quality.frozen, np.full(12, np.nan), ((),) * 12)
     assert len(plots.point_quality(places, unknown, origin="measured").axes) == 1

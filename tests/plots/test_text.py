@@ -5,7 +5,8 @@ from hypothesis import given, strategies as st
 from matplotlib.figure import Figure
 
 from haptonic.plots import style
-from haptonic.plots.text import readable, scaled_unit, uncertain
+from haptonic.plots.text import readable, scaled_unit
+from haptonic.units import uncertain
 
 
 @pytest.mark.parametrize(

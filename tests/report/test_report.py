@@ -15,6 +15,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from five_parts import refusing
+from haptonic.bloch import gaps_of
 from haptonic.cell import Disc, MeshPlan, UnitCell
 from haptonic.errors import ResourceError
 from haptonic.fields import unchecked
@@ -132,7 +133,7 @@ class TestOneFile:
 
     def test_pictures_hold_all_of_themselves_and_have_words_in_their_place(self, whole):
         images = read(whole).of("img")
-        assert len(images) == 10
+        assert len(images) == 11  # one of them again on the first screen
         moving = [image for image in images if image["src"].startswith("data:image/webp;base64,UklGR")]
         assert len(moving) == 1
         for image in images:
@@ -241,7 +242,7 @@ class TestChaptersLeftOut:
 
     def test_without_the_whole_zone_its_pictures_are_left_out(self):
         bands = reference_bands().drop_vars(["zone_frequency"])
-        assert len(read(page(results(bands=bands))).of("img")) == 5
+        assert len(read(page(results(bands=bands))).of("img")) == 6
 
     def test_a_study_without_references_is_not_compared(self):
         text = read(page(results(references=None, sweeps=()))).text
@@ -253,12 +254,12 @@ class TestChaptersLeftOut:
     def test_without_a_mirror_its_chapter_is_left_out_and_the_head_says_so(self):
         reader = read(page(results()))
         assert "mirror" not in [link["href"].removeprefix("#") for link in reader.of("a")]
-        assert len(reader.of("img")) == 7
+        assert len(reader.of("img")) == 8
         assert "Left out: Mirror, because it was not computed in this run." in reader.text
 
     def test_without_a_waveguide_nothing_is_said_of_one(self):
         reader = read(page(mirrored(waveguide=None, references=None)))
-        assert len(reader.of("img")) == 9
+        assert len(reader.of("img")) == 10
         assert "mirror" in [link["href"].removeprefix("#") for link in reader.of("a")]
         chapter = reader.text[reader.text.index("A plane wave of the plate") :]
         assert "waveguide" not in chapter[: chapter.index("Appendix")]
@@ -586,3 +587,39 @@ def test_sweeps_of_several_lengths_and_numbers_of_gaps_are_one_dataset():
     assert np.isnan(rows.dataset["value"][1, -1])
     assert rows.to_json()["sweeps"][1]["designs"][-1]["gaps"]
     assert " is at 0.8: " in rows.summary()[0]  # a bare number has no unit
+
+
+@pytest.mark.usefixtures("empty_pictures", "undrawn_mirror")
+class TestFirstScreen:
+    def test_it_has_the_gap_and_the_picture_of_the_bands_where_there_is_no_plate(self):
+        content = page(mirrored(sweeps=()))
+        first = content[content.index('<div class="first">') : content.index("<nav")]
+        assert re.findall(r"<b>(.*?)</b>", first) == [dispersion.gap_text(gaps_of(reference_bands())[0])]
+        assert "Band diagram" in first
+        assert 'class="lights"' not in first
+
+    def test_without_a_gap_it_says_so(self):
+        bands = reference_bands()
+        bands["gap_complete"][:] = 0
+        assert "<b>none</b> complete band gap" in page(results(bands=bands, sweeps=()))
+
+    def test_a_folded_chapter_shows_at_most_three_findings_and_no_finding_twice(self, whole):
+        for section in re.findall(r"<section.*?</section>", whole, re.S):
+            seen, folded = section.split("<details>")
+            assert seen.count("<li>") <= 3
+            assert "<figure" not in seen
+            assert "<table" not in seen
+            told = re.findall(r"<li>(.*?)</li>", section)
+            assert len(set(told)) == len(told)
+            more = re.search(r"(\d+) more finding", folded)
+            assert (int(more[1]) if more else 0) == folded.count("<li>")
+
+    def test_no_picture_needs_more_than_a_telephone(self, whole):
+        widths = [float(width) for width in re.findall(r'<svg [^>]*?width="([\d.]+)pt"', svgs(whole))]
+        assert len(widths) >= 9
+        assert max(widths) <= 85 / 25.4 * 72 + 1
+
+
+def svgs(content: str) -> str:
+    found = re.findall(r"data:image/svg\+xml;base64,([^\"]*)", content)
+    return "".join(base64.b64decode(one).decode() for one in found)

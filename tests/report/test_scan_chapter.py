@@ -16,6 +16,7 @@ from haptonic.response import FrequencyResponse
 from haptonic.results.references import References
 from haptonic.store import Store
 from haptonic.study import loads
+from haptonic.units import uncertain
 from haptonic.vibrometry.of_settings import drive_for, response_for
 from haptonic.vibrometry.on_plate import contrast_range
 from tiny_scan import TINY
@@ -72,7 +73,9 @@ def test_the_chapter_sets_scan_and_plate_side_by_side(study, plate, scan, known)
     seen = float(scan.contrasts["WG1 over WG2"].sel(frequency=frequency))
     assert levels.rows[0] == (f"WG1 over WG2, {frequency / 1e3:.2f} kHz", float(ours[0]), seen)
     named = {row[0]: row[1:] for row in gaps.rows}
-    assert named["high contrast, simulated scan"][0].startswith(f"{scan.measured.lower / 1e3:.1f} ± ")
+    assert named["high contrast, simulated scan"][0].startswith(
+        uncertain(scan.measured.lower / 1e3, scan.measured.lower_error / 1e3)
+    )
     assert "at 126 of 126 lines" in made.findings[0]
     assert "at 126 of them" in made.findings[0]
 

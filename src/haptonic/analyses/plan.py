@@ -17,9 +17,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
     plate = study.mounted_plate() if study.finite_plate else None
     every = ((name, named(name)) for name in NAMES)
     costs = {
-        name: _cost(analysis, study)
-        for name, analysis in every
-        if analysis.cost and analysis.foreseen(study)
+        name: _cost(analysis, study) for name, analysis in every if analysis.cost and analysis.foreseen(study)
     }
     return StudyPlan(
         study=study.title,

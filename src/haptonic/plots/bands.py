@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from haptonic.arrays import Array, Ints
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.looks import colours
 from haptonic.plots.stage import stage
 from haptonic.plots.text import band_text
 from haptonic.units import hz_text
@@ -50,8 +51,6 @@ def dispersion(
     title: str = "",
     *,
     natures: bool = False,
-    color: str | None = None,
-    legend: bool = True,
     ax: Axes | None = None,
 ) -> Figure:
     """Bands along the path; complete gaps shaded, the carrier dashed.
@@ -64,8 +63,6 @@ def dispersion(
     carrier_hz : drive frequency, Hz
     natures : draw each mode in the colour, dashes and marker of what moves; where its nature changes along a
         branch, so do these
-    color : of the curves, nearly black by default; with ``natures`` they have their own
-    legend : whether to explain the natures below the axes
     """
     on = stage(ax, 11.5)
     axes = on.axes
@@ -82,12 +79,12 @@ def dispersion(
             lower / 1e3, upper / 1e3, facecolor="none", edgecolor=style.GAP_EDGE, hatch=HATCHES[waves],
             linewidth=0.0, alpha=0.35, zorder=0, gid=f"gap {waves}",
         )  # fmt: skip
-    present = _draw_branches(axes, dataset, distance, frequency, None if natures else color or style.INK)
-    mark_corners(axes, dataset, brief=not on.own)
+    present = _draw_branches(axes, dataset, distance, frequency, None if natures else colours([style.INK])[0])
+    mark_corners(axes, dataset)
     axes.set_ylabel("frequency (kHz)")
     if title:
         axes.set_title(title, parse_math=False)
-    if natures and legend:
+    if natures:
         for name in present:
             stroke = CURVE_STYLES[name]
             axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
@@ -131,16 +128,14 @@ def _gap_labels(dataset: xr.Dataset) -> list[tuple[float, str]]:
     ]
 
 
-def mark_corners(axes: Axes, dataset: xr.Dataset, *, brief: bool = False) -> None:
+def mark_corners(axes: Axes, dataset: xr.Dataset) -> None:
     """Name the corners of the irreducible zone below the axes, with a line at each."""
     corners = json.loads(dataset.attrs["path_corners"])
     places = dataset["distance"].values[corners]
     for place in places[1:-1]:
         axes.axvline(place, color=style.PALE_INK, lw=0.6, zorder=1)
     axes.set_xticks(places, json.loads(dataset.attrs["path_labels"]))
-    longest = float(dataset["distance"][-1]) / 1e3
-    along = "" if brief else " along the edge of the irreducible zone"
-    axes.set_xlabel(f"wavevector{along} ({longest:.3g} rad/mm in all)")
+    axes.set_xlabel("wavevector")
 
 
 def _draw_branches(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import cycle
 from typing import Any
 
+import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
@@ -16,21 +17,25 @@ from matplotlib.patches import Patch
 from haptonic.later import xarray as xr
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
-from haptonic.plots.mapped import ends, outlined
+from haptonic.plots.looks import colours
+from haptonic.plots.mapped import LOW, ends, outlined
+from haptonic.plots.marks import LINE, above
 from haptonic.plots.spectra import LOOKS
 from haptonic.plots.stage import stage
 from haptonic.plots.text import label
 
 PANELS = {
-    "low": "least friction\nthat is plausible",
     "value": "prediction",
-    "high": "most friction\nthat is plausible",
+    "high": "least reduction\nthat is plausible",
+    "low": "most reduction\nthat is plausible",
 }
 
 
 @style.drawn
 def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Figure:
-    """Friction that a finger meets with its middle at each point, over that without vibration.
+    """Reduction of friction for a finger with its middle at each point, with both plausible ends.
+
+    White is no reduction.
 
     Parameters
     ----------
@@ -38,35 +43,41 @@ def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Fi
     title : of all three maps: frequency, drive, origin
     """
     slenderness = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
-    stacked = slenderness < 0.5  # side by side, the maps of a wide plate would be low strips
-    if stacked:
-        figure = style.blank(3 * (11.0 * slenderness + 1.2) + 3.6)
+    if slenderness < LOW:  # side by side, the maps of a wide plate would be low strips
+        figure = style.suited(3 * 0.8 * slenderness, 14)
         panels = figure.subplots(3, 1, sharex=True)
     else:
-        figure = style.blank(min((style.WIDTH - 2.0) / 3 * slenderness, 16.0) + 3.6)
-        panels = figure.subplots(1, 3, sharey=True)
+        figure = style.suited(min(0.5 * slenderness, 1.1), 8)
+        named = figure.subplot_mosaic([["value", "high"], ["value", "low"]], width_ratios=(2.1, 1))
+        panels = np.array([named[end] for end in PANELS])
     for axes, (end, words) in zip(panels, PANELS.items(), strict=True):
-        image = _draw_friction(axes, friction, end, layout)
-        axes.set_title(words.replace("\n", " ") if stacked else words, fontsize=9)
-        axes.set_ylabel("y (mm)")
-        axes.label_outer()
-    figure.suptitle(title, fontsize=9.5)
-    bar = figure.colorbar(image, ax=list(panels), location="bottom", shrink=0.6, aspect=30, pad=0.02)
-    bar.set_label("friction over that without vibration, finger's middle at each point (dimensionless)")
+        small = slenderness >= LOW and end != "value"
+        image, lines = _draw_friction(axes, friction, end, layout, named=not small)
+        said = words.replace("\n", " ") if slenderness < LOW else words
+        axes.set_title(said, pad=6 + lines * LINE * mpl.rcParams["font.size"])
+        if small:
+            axes.set(xlabel="", xticks=[], yticks=[])
+        else:
+            axes.set_ylabel("y (mm)")
+            axes.label_outer()
+    bar = figure.colorbar(image, ax=list(panels), location="bottom", shrink=0.8, aspect=30, pad=0.02)
+    bar.set_label(f"reduction of friction (%){', ' if title else ''}{title}")
     return figure
 
 
-def _draw_friction(axes: Axes, friction: xr.Dataset, end: str, layout: Layout) -> AxesImage:
+def _draw_friction(
+    axes: Axes, friction: xr.Dataset, end: str, layout: Layout, *, named: bool
+) -> tuple[AxesImage, int]:
     x, column = np.unique(np.round(friction["x"].values, 9), return_inverse=True)
     y, row = np.unique(np.round(friction["y"].values, 9), return_inverse=True)
     grid = np.full((len(y), len(x)), np.nan)
-    grid[row, column] = friction[end].values
+    grid[row, column] = 100 * (1 - friction[end].values)
     image = axes.imshow(
-        grid, cmap=style.perceptual().reversed(), norm=Normalize(0, 1), origin="lower",
-        extent=(*ends(1e3 * x), *ends(1e3 * y)), interpolation="nearest", gid="friction",
+        grid, cmap=style.amount(), norm=Normalize(0, 100), origin="lower",
+        extent=(*ends(1e3 * x), *ends(1e3 * y)), gid="friction",
+        interpolation="bilinear" if np.isfinite(grid).all() else "nearest",
     )  # fmt: skip
-    outlined(axes, layout)
-    return image
+    return image, outlined(axes, layout, named=named)
 
 
 @style.drawn
@@ -84,22 +95,24 @@ def reduction_curve(
     axes = on.axes
     handles: list[Line2D | Patch] = []
     drives, unit = curve["drive"].values, curve["drive"].attrs["units"]
-    for name, (colour, dashes) in zip(curve["region"].values.tolist(), cycle(LOOKS), strict=False):
+    tints = colours([colour for colour, _ in LOOKS])
+    names = curve["region"].values.tolist()
+    for name, colour, (_, dashes) in zip(names, cycle(tints), cycle(LOOKS), strict=False):
         region = curve.sel(region=name)
         low, high = 100 * region["low"].values, 100 * region["high"].values
         axes.fill_between(drives, low, high, color=colour, alpha=0.18, lw=0, gid="band")
         handles += axes.plot(
             drives, 100 * region["value"].values, color=colour, ls=dashes, label=label(name), gid="curve"
         )
-    handles.append(Patch(facecolor=style.PALE_INK, alpha=0.3, label="band of models and parameters"))
+    handles.append(Patch(facecolor=style.PALE_INK, alpha=0.3, label="plausible range"))
     look: dict[str, Any] = {"color": style.INK, "lw": 0.9}
-    handles.append(
-        axes.axhline(100 * noticed, ls=style.DOTTED, label=f"just noticed, {100 * noticed:.0f} %", **look)
-    )
-    handles.append(axes.axvline(drive, ls=style.DASHED, label=f"drive in use, {drive:g} {unit}", **look))
+    axes.axhline(100 * noticed, ls=style.DOTTED, gid="noticed", **look)
+    axes.axvline(drive, ls=style.DASHED, gid="drive", **look)
     axes.set(
-        xlim=(0, drives[-1]), ylim=(0, 100), title=title, xlabel=f"amplitude of the drive ({unit})",
-        ylabel="reduction of friction (%)",
+        xlim=(0, drives[-1]), ylim=(0, 100), xlabel=f"amplitude of the drive ({unit})",
+        ylabel=f"reduction of friction (%)\n{title}".strip(),
     )  # fmt: skip
-    on.legend(handles, ncols=3)
+    above(axes, [(drive, f"drive in use {drive:g} {unit}", style.INK)])
+    style.label_right(axes, [(100 * noticed, f"just noticed\n{100 * noticed:.0f} %", style.INK)], lines=2)
+    on.legend(handles, ncols=4)
     return on.figure

@@ -1,4 +1,4 @@
-"""Friction of strokes: bars of the conditions, reductions with intervals, every trial as a small plot."""
+"""Friction of strokes: means of the conditions, reductions with intervals, every trial as a small plot."""
 
 from __future__ import annotations
 
@@ -14,107 +14,75 @@ from matplotlib.patches import Patch, Rectangle
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
-from haptonic.friction.phrases import change
+from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate
 from haptonic.friction.statistics.summary import Condition
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.looks import colours
+from haptonic.plots.marks import above
 from haptonic.plots.stage import stage
-from haptonic.plots.text import label
+from haptonic.plots.text import in_percent, label
 
 LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
-MOST_PEOPLE = 12  # whose bars stand beside those of all
+MOST_PEOPLE = 12  # whose means are beside those of all
 MOST_NAMED = 30  # who have a name beside their reductions
 COLUMNS = 6  # of trials on a sheet
 
 
 @style.drawn
-def conditions(
-    found: Sequence[Condition],
-    reductions: Mapping[str, IntervalEstimate],
-    stopped: Mapping[str, IntervalEstimate],
-    *,
-    driven: str | None,
-    published: Mapping[str, float] | None,
-    origin: str,
-    ax: Axes | None = None,
-) -> Figure:
-    """Mean friction of every condition with one standard deviation, by participant and of all.
+def conditions(found: Sequence[Condition], *, origin: str, ax: Axes | None = None) -> Figure:
+    """Mean friction of every condition with one standard deviation of trials, by participant and of all.
 
-    Parameters
-    ----------
-    reductions, stopped : in the population, by waveguide; written above the bars of all participants
-    driven : the waveguide with the vibration
-    published : reductions, "driven" and "idle", and the share "stopped", to stand beside
+    A line leads from the mean without vibration, hollow, to that with it, filled.
     """
     guides = list(dict.fromkeys(one.waveguide for one in found))
     people = list(dict.fromkeys(one.participant for one in found))
     if len(people) > MOST_PEOPLE + 1:
         people = [EVERYBODY]
-    on = stage(ax, 9.0, min(30.0, max(style.WIDTH, 3.0 + 1.6 * len(people) * len(guides) / 2)))
+    on = stage(ax, 8.0)
     axes = on.axes
-    bar = 0.8 / (2 * len(guides))
-    shown = {(one.participant, one.waveguide, one.actuation): one for one in found}
-    drawn = [one for one in found if one.used and one.participant in people]
-    top = max((one.friction[0] + np.nan_to_num(one.friction[1]) for one in drawn), default=1.0)
+    shown = {(one.participant, one.waveguide, one.actuation): one for one in found if one.used}
+    tints = colours([colour for colour, _ in LOOKS])
+    step = 0.8 / (2 * len(guides))
     for place, person in enumerate(people):
         for g, guide in enumerate(guides):
+            marker = LOOKS[g % len(LOOKS)][1]
+            look: dict[str, Any] = {
+                "color": tints[g % len(tints)],
+                "marker": marker,
+                "ms": 5,
+                "mew": 1.0,
+                "capsize": 0,
+            }
+            line = []
             for a, side in enumerate(("off", "on")):
-                one = shown[person, guide, side]
-                if not one.used:
+                one = shown.get((person, guide, side))
+                if one is None:
                     continue
-                x = place - 0.4 + bar * (2 * g + a + 0.5)
-                axes.bar(
-                    x, one.friction[0], 0.92 * bar, **_look(g, side), lw=1.2, zorder=2,
-                    gid=f"{person} {guide} {side}",
-                )  # fmt: skip
-                if np.isfinite(one.friction[1]):
-                    axes.errorbar(x, *one.friction, color=style.INK, capsize=2.5, lw=1.0, zorder=3)
+                x, (mean, deviation) = place - 0.4 + step * (2 * g + a + 0.5), one.friction
+                known = deviation if np.isfinite(deviation) else None
+                face = look["color"] if side == "on" else "white"
+                points = axes.errorbar(x, mean, known, mfc=face, elinewidth=0.9, zorder=3, **look)
+                points.lines[0].set_gid(f"{person} {guide} {side}")
+                line.append((x, mean))
+            if len(line) == 2:
+                axes.plot(*zip(*line, strict=True), color=look["color"], lw=1.2, zorder=2)
     axes.set_xticks(range(len(people)), people)
     axes.set_xlim(-0.55, len(people) - 0.45)
-    axes.set_ylim(0, 1.06 * top)
-    axes.set_ylabel("coefficient of friction")
-    axes.set_title("mean and one standard deviation of trials" + _mark(origin))
-    handles: list[Artist] = [
-        Patch(**_look(g, side), label=label(f"{guide}, vibration {side}"))
-        for g, guide in enumerate(guides)
-        for side in ("off", "on")
-    ]
-    on.legend(handles, ncols=2)
-    if on.own:
-        lines = [*_said(reductions, stopped, driven, published)]
-        on.figure.suptitle("\n".join(lines), fontsize=8.5, x=0.02, ha="left")
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel(f"{origin} coefficient of friction")
+    if EVERYBODY in people and len(people) > 1:
+        axes.axvline(people.index(EVERYBODY) - 0.5, color=style.PALE_INK, lw=0.7)
+    handles: list[Artist] = []
+    for g, guide in enumerate(guides):
+        colour, marker = tints[g % len(tints)], LOOKS[g % len(LOOKS)][1]
+        handles += axes.plot([], [], marker, color=colour, label=label(guide))
+    for face, words in (("white", "vibration off"), (style.INK, "vibration on")):
+        handles += axes.plot([], [], "o", color=style.INK, mfc=face, label=words)
+    on.legend(handles, ncols=4)
     return on.figure
-
-
-def _look(guide: int, side: str) -> dict[str, Any]:
-    """Of the bars of a waveguide, filled with the vibration on and hatched with it off."""
-    colour = LOOKS[guide % len(LOOKS)][0]
-    filled = {"facecolor": colour} if side == "on" else {"facecolor": "white", "hatch": "///"}
-    return {**filled, "edgecolor": colour}
-
-
-def _said(
-    reductions: Mapping[str, IntervalEstimate],
-    stopped: Mapping[str, IntervalEstimate],
-    driven: str | None,
-    published: Mapping[str, float] | None,
-) -> list[str]:
-    lines = []
-    for guide, one in reductions.items():
-        role = "driven" if guide == driven else "idle"
-        beside = f"; published: {published[role]:.0%}" if published else ""
-        lines.append(f"{guide} ({role}): {change(one.value, one.low, one.high)}{beside}")
-    for guide, one in stopped.items():
-        beside = f"; published: about {published['stopped']:.0%}" if published else ""
-        lines.append(f"share of the reduction that does not reach {guide}: {_percent(one)}{beside}")
-    return lines
-
-
-def _percent(one: IntervalEstimate) -> str:
-    interval = f" [{one.low:.0%}, {one.high:.0%}]" if np.isfinite(one.low) else ", no interval"
-    return f"{one.value:.0%}{interval}"
 
 
 @style.drawn
@@ -123,6 +91,7 @@ def reductions(
     own: Mapping[tuple[str, str], IntervalEstimate],
     *,
     origin: str,
+    published: Mapping[str, float] | None = None,
     ax: Axes | None = None,
 ) -> Figure:
     """Reduction of every participant and of the population, with 95 % intervals.
@@ -131,14 +100,16 @@ def reductions(
     ----------
     population : by waveguide
     own : by waveguide and participant, intervals from the scatter of the participant's trials
+    published : reductions by waveguide, as hollow marks beside those of the population
     """
     people = list(dict.fromkeys(name for _, name in own))
     rows = [*people, EVERYBODY]
     named = len(people) <= MOST_NAMED
     on = stage(ax, 4.0 + 0.75 * min(len(rows), MOST_NAMED))
     axes = on.axes
+    tints = colours([colour for colour, _ in LOOKS])
     for g, (guide, whole) in enumerate(population.items()):
-        colour, marker = LOOKS[g % len(LOOKS)]
+        colour, marker = tints[g % len(tints)], LOOKS[g % len(LOOKS)][1]
         shift = 0.16 * (g - 0.5 * (len(population) - 1))
         for row, person in enumerate(rows):
             one = whole if person == EVERYBODY else own.get((guide, person))
@@ -152,15 +123,20 @@ def reductions(
                 100 * one.value, y, marker, color=colour, ms=7 if bold else 5, zorder=3,
                 label=label(guide) if row == 0 else None, gid=f"{guide} {person}",
             )  # fmt: skip
+        if published and guide in published:
+            axes.plot(
+                100 * published[guide], len(people) + 0.35, marker, color=colour, mfc="white", ms=6, zorder=3,
+                label=label(f"{guide}, published"), gid=f"{guide} published",
+            )  # fmt: skip
     axes.axhline(len(people) - 0.5, color=style.PALE_INK, lw=0.7)
     axes.axvline(0, color=style.INK, lw=0.7)
-    weber = axes.axvline(11, color=style.CARRIER, ls=style.DASHED, lw=1.0, gid="weber")
-    weber.set_label("smallest drop that people feel, 11 %")
+    axes.axvline(100 * WEBER_FRACTION, color=style.CARRIER, ls=style.DASHED, lw=1.0, gid="weber")
+    words = f"smallest drop that people feel {in_percent(WEBER_FRACTION)}"
+    above(axes, [(100 * WEBER_FRACTION, words, style.CARRIER)])
     axes.set_yticks(range(len(rows)) if named else [len(people)], rows if named else [EVERYBODY])
     axes.set_ylim(len(rows) - 0.4, -0.6)
-    axes.set_xlabel("reduction of friction (%)")
-    axes.set_title("reduction with its 95 % interval" + _mark(origin))
-    on.legend(ncols=3)
+    axes.set_xlabel(f"{origin} reduction of friction, 95 % interval (%)")
+    on.legend(ncols=4)
     return on.figure
 
 

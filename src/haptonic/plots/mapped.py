@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
 
+import matplotlib as mpl
 import numpy as np
 import scipy
 from matplotlib.axes import Axes
@@ -17,17 +20,17 @@ from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
+from haptonic.plots.marks import LINE, Gap
 from haptonic.plots.moving import moving
 from haptonic.plots.plates import HALO, region_borders, rows_of
-from haptonic.plots.stage import stage
-from haptonic.plots.text import absolute, driven
+from haptonic.plots.stage import Stage, stage
+from haptonic.plots.text import absolute, driven, label
 from haptonic.response import FrequencyResponse
 from haptonic.units import hz_text
 
-Gap = tuple[float, float] | None
-
 FINER = 5  # places of a map along a step of points that lie on no grid
 MOST_PLACES = 800  # along either side of such a map
+LOW = 0.45  # height over width of a map, below which maps are one above another
 NEAR = 0.75  # of a step, to which a point is shown: the corner of a square around it
 
 
@@ -41,7 +44,7 @@ def maps(
 ) -> Figure:
     """Normal vibration of the flat face at some frequencies, side by side, as in Fig. 5C of the paper.
 
-    Each map shows the moment at which its largest point is farthest out; its colours end at that point.
+    Each map shows the moment at which its largest point is farthest out. All have one scale of colours.
 
     Parameters
     ----------
@@ -65,8 +68,8 @@ def map_at(
     ax: Axes | None = None,
 ) -> Figure:
     """Normal vibration at one frequency; see `maps`."""
-    on = stage(ax, min(11.0 * _slenderness(response, layout), 16.0) + 4.0, 12.0)
-    _draw_map(on.axes, response.at(frequency), layout, gap, drive)
+    on = _stage(response, layout, ax)
+    _painted([on.axes], [_seen(response.at(frequency), drive)], layout, gap)
     return on.figure
 
 
@@ -80,16 +83,22 @@ def maps_compared(
     drive: float | None = None,
 ) -> Figure:
     """Maps of several responses at the same frequencies, by name one below the other; see `maps`."""
-    first = next(iter(rows.values()))
-    column = (style.WIDTH - 2.0) / max(len(frequencies), 2)
-    tall = min(column * _slenderness(first, layout), 16.0)
-    figure = style.blank(len(rows) * (tall + 4.0) + 0.4)
-    panels = figure.subplots(len(rows), len(frequencies), sharex=True, sharey=True, squeeze=False)
-    for row, (name, response) in zip(panels, rows.items(), strict=True):
-        for axes, asked in zip(row, frequencies, strict=True):
-            _draw_map(axes, response.at(asked), layout, gap, drive)
-            axes.label_outer()
-        row[0].set_ylabel(f"{name}\ny (mm)" if name else "y (mm)")
+    slender = _slenderness(next(iter(rows.values())), layout)
+    stacked = slender < LOW and len(rows) == 1  # side by side, the maps of a wide plate would be low strips
+    grid = (len(frequencies), 1) if stacked else (len(rows), len(frequencies))
+    across = 1 if stacked else max(grid[1], 2)
+    tall = min(0.85 / across * slender, 1.1)
+    figure = style.suited(
+        grid[0] * tall, 5.5 * grid[0] + 4, min(1.0, 0.2 + 0.4 * grid[1]) if not stacked else 1.0
+    )
+    panels = figure.subplots(*grid, sharex=True, sharey=True, squeeze=False)
+    seen = [_seen(one.at(asked), drive) for one in rows.values() for asked in frequencies]
+    _painted(panels.ravel().tolist(), seen, layout, gap)
+    for axes in panels.ravel():
+        axes.label_outer()
+    if not stacked:
+        for row, name in zip(panels, rows, strict=True):
+            row[0].set_ylabel(f"{name}\ny (mm)" if name else "y (mm)")
     return figure
 
 
@@ -100,19 +109,49 @@ def animated(
 
     It shows the real part of response times exp(i omega t), with a scale as in `maps`.
     """
-    line = response.at(frequency)
+    seen = _seen(response.at(frequency), drive)
     with style.styled():
-        figure = style.blank(min(6.5 * _slenderness(response, layout), 16.0) + 4.0, 9.0)
-        axes = figure.add_subplot()
-        image, shape = _draw_map(axes, line, layout, None, drive)
-        if line.frequency[0]:
-            cycle = f"one cycle of {1e6 / line.frequency[0]:.3g} µs"
-            axes.set_title(f"{axes.get_title()}\n{cycle}", fontsize=9)
-        return moving(figure, lambda turn: image.set_data((shape * turn).real))
+        on = _stage(response, layout, None)
+        ((image, shape),) = _painted([on.axes], [seen], layout, None)
+        if seen.frequency:
+            on.axes.set_title(f"{on.axes.get_title()}, one cycle of {1e6 / seen.frequency:.3g} µs")
+        return moving(on.figure, lambda turn: image.set_data((shape * turn).real))
 
 
-def _seen(line: FrequencyResponse) -> tuple[AnyComplex, tuple[float, float], tuple[float, float]]:
-    """(y, x) normal vibration at one frequency, with its largest point farthest out; its ends, mm.
+@dataclass(frozen=True)
+class Seen:
+    """Normal vibration at one frequency (Hz), with its largest point farthest out.
+
+    shape : (y, x), NaN where there is none; x, y : its ends, mm
+    quantity, units : of the shape; drive : amplitude that it is multiplied by, if it is known
+    """
+
+    shape: AnyComplex
+    x: tuple[float, float]
+    y: tuple[float, float]
+    frequency: float
+    quantity: str
+    units: str
+    drive: float | None
+    origin: str
+
+    @property
+    def largest(self) -> float:
+        """In SI units."""
+        return float(np.nanmax(np.abs(self.shape)))
+
+
+def _stage(response: FrequencyResponse, layout: Layout | None, ax: Axes | None) -> Stage:
+    """Axes for a single map."""
+    if ax is not None:
+        return stage(ax, 0.0)
+    return Stage(
+        style.suited(min(0.55 * _slenderness(response, layout), 1.1), 9, 0.7).add_subplot(), own=True
+    )
+
+
+def _seen(line: FrequencyResponse, drive: float | None) -> Seen:
+    """What is seen at the one frequency of a response: displacement, where velocity is given.
 
     Points that lie on no regular grid, as when a stage was turned, are drawn finer than they lie: every place
     shows its nearest point, and nothing where that is too far.
@@ -125,7 +164,48 @@ def _seen(line: FrequencyResponse) -> tuple[AnyComplex, tuple[float, float], tup
         shape, x, y = np.asarray(grid.sel(direction="z").values[0]), grid["x"].values, grid["y"].values
     largest = shape.flat[np.nanargmax(np.abs(shape))]
     turned = np.asarray(shape * (np.conj(largest) / abs(largest)) if largest else shape)
-    return turned, ends(1e3 * x), ends(1e3 * y)
+    frequency, quantity, units = float(line.frequency[0]), str(line.dataset.attrs["quantity"]), line.units
+    if frequency and quantity == "velocity":
+        turned, quantity = turned / (2 * np.pi * frequency), "displacement"
+        units = units.replace("m/s", "m", 1)
+    origin = str(line.dataset.attrs["origin"])
+    return Seen(
+        shape=turned, x=ends(1e3 * x), y=ends(1e3 * y), frequency=frequency, quantity=quantity, units=units,
+        drive=drive, origin=origin,
+    )  # fmt: skip
+
+
+def _painted(
+    panels: Sequence[Axes], seen: Sequence[Seen], layout: Layout | None, gap: Gap
+) -> list[tuple[AxesImage, AnyComplex]]:
+    """Maps on one scale of colours, the regions around them; each picture with its values as drawn."""
+    first, most = seen[0], max(one.largest for one in seen)
+    unit, factor = absolute(first.units, most, first.drive)
+    limit = factor * most or 1.0
+    made = []
+    for axes, one in zip(panels, seen, strict=True):
+        shape = np.asarray(factor * one.shape)
+        # a simulated field is smooth between its points; measured points are shown as they are
+        is_smooth = one.origin == "simulated" and bool(np.isfinite(shape).all())
+        image = axes.imshow(
+            shape.real, cmap=style.diverging(), norm=Normalize(-limit, limit), origin="lower",
+            extent=(*one.x, *one.y), interpolation="bicubic" if is_smooth else "nearest", gid="map",
+        )  # fmt: skip
+        lines = outlined(axes, layout)
+        axes.set_ylabel("y (mm)")
+        # all numbers of a figure in one unit, so that they can be compared
+        words = [_beside(one.frequency, gap), hz_text(one.frequency, form=".1f"),
+                 f"up to {factor * one.largest:.3g} {unit}"]  # fmt: skip
+        axes.set_title("\n".join(filter(None, words)), pad=6 + lines * LINE * mpl.rcParams["font.size"])
+        made.append((image, shape))
+    figure = panels[0].get_figure(root=True)
+    assert figure is not None
+    bar = figure.colorbar(made[0][0], ax=list(panels), location="bottom", aspect=30, pad=0.03, shrink=0.8)
+    origin = first.origin if all(one.origin == first.origin for one in seen) else ""
+    bar.set_label(f"{origin} normal {first.quantity} ({unit}){driven(first.units, first.drive)}".strip())
+    bar.locator = MaxNLocator(4, symmetric=True)
+    bar.update_ticks()
+    return made
 
 
 def _nearest(line: FrequencyResponse) -> tuple[AnyComplex, Array, Array]:
@@ -148,59 +228,47 @@ def _slenderness(response: FrequencyResponse, layout: Layout | None) -> float:
     return float(height / width) if width else 1.0
 
 
-def _draw_map(
-    axes: Axes, line: FrequencyResponse, layout: Layout | None, gap: Gap, drive: float | None
-) -> tuple[AxesImage, AnyComplex]:
-    """The vibration at one frequency, the regions around it and its scale; the picture and its values."""
-    shape, x, y = _seen(line)
-    largest, frequency = float(np.nanmax(np.abs(shape))), float(line.frequency[0])
-    unit, factor = absolute(line.units, largest, drive)
-    shape = np.asarray(factor * shape)
-    most = factor * largest or 1.0
-    # a simulated field is smooth between its points; measured points are shown as they are
-    is_smooth = line.dataset.attrs["origin"] == "simulated" and bool(np.isfinite(shape).all())
-    image = axes.imshow(
-        shape.real, cmap=style.diverging(), norm=Normalize(-most, most), origin="lower",
-        extent=(*x, *y), interpolation="bicubic" if is_smooth else "nearest", gid="map",
-    )  # fmt: skip
-    outlined(axes, layout)
-    axes.set_ylabel("y (mm)")
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    bar = figure.colorbar(image, ax=axes, location="bottom", aspect=18, pad=0.03)
-    bar.set_label(f"normal {line.dataset.attrs['quantity']} ({unit})")
-    bar.locator = MaxNLocator(4, symmetric=True)
-    bar.update_ticks()
-    said = [
-        _beside(frequency, gap),
-        f"{hz_text(frequency, form='.1f')}, {line.dataset.attrs['origin']}",
-    ]
-    if frequency and line.dataset.attrs["quantity"] == "velocity":
-        moved, times = absolute(line.units.replace("m/s", "m", 1), largest / (2 * np.pi * frequency), drive)
-        said.append(
-            f"up to {largest / (2 * np.pi * frequency) * times:.3g} {moved}{driven(line.units, drive)}"
-        )
-    axes.set_title("\n".join(filter(None, said)), fontsize=9)
-    return image, shape
+def outlined(axes: Axes, layout: Layout | None, *, named: bool = True) -> int:
+    """Set axes to a plate's size, in mm, and outline its regions, ``named`` or not, if the plate is known.
 
-
-def outlined(axes: Axes, layout: Layout | None) -> None:
-    """Set axes to a plate's size, in mm, and outline its regions with their names, if the plate is known."""
+    Names are beside the data where there is room; the number of their lines above the axes is returned.
+    """
     axes.set_facecolor(style.BEYOND)
     axes.set_xlabel("x (mm)")
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(4))
+        axis.set_major_locator(MaxNLocator(3, min_n_ticks=2))
     if layout is None:
-        return
+        return 0
     axes.set(xlim=(1e3 * layout.x[0], 1e3 * layout.x[-1]), ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]))
+    spans = {}
     for name in layout.regions:
         border = region_borders(layout, name)
         axes.add_collection(LineCollection(border, colors=style.INK, linewidths=0.9, gid=f"outline {name}"))
+        corners = np.concatenate(border)
+        spans[name] = corners.min(axis=0), corners.max(axis=0)
+    if not named:
+        return 0
+    size, width = mpl.rcParams["font.size"], axes.get_window_extent().width * 72 / axes.figure.dpi
+    if all(
+        one[1][0] <= other[0][0] or other[1][0] <= one[0][0] for one, other in combinations(spans.values(), 2)
+    ):
+        room = min((high[0] - low[0] for low, high in spans.values()), default=0.0)
+        across = room / (1e3 * (layout.x[-1] - layout.x[0])) * width
+        turned = any(0.65 * size * len(name) > 1.3 * across for name in spans)
+        for name, (low, high) in spans.items():
+            axes.annotate(
+                label(name), (0.5 * (low[0] + high[0]), 1e3 * layout.y[-1]), xytext=(0, 2),
+                textcoords="offset points", ha="left" if turned else "center", va="bottom",
+                rotation=30 if turned else 0, annotation_clip=False, gid="region name",
+            )  # fmt: skip
+        return (2 if turned else 1) if spans else 0
+    for name in layout.regions:
         x, _, top = max(rows_of(layout, name), key=lambda row: row[2])
         axes.annotate(
-            name, (1e3 * x, 1e3 * top), xytext=(0, -4), textcoords="offset points",
-            ha="center", va="top", fontsize=8.5, gid="region name", path_effects=HALO,
+            label(name), (1e3 * x, 1e3 * top), xytext=(0, -4), textcoords="offset points",
+            ha="center", va="top", gid="region name", path_effects=HALO,
         )  # fmt: skip
+    return 0
 
 
 def ends(middles: Array) -> tuple[float, float]:

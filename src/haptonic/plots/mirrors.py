@@ -1,24 +1,25 @@
-"""How waves fade in the lattice, what its rows let through, and the mode between two mirrors."""
+"""Decay of waves in the lattice, transmission of its rows, and the mode between two mirrors."""
 
 from __future__ import annotations
-
-from typing import Literal
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from haptonic.arrays import Array
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
-from haptonic.plots.stage import Stage, stage
-from haptonic.plots.text import in_pi
+from haptonic.plots.looks import colours
+from haptonic.plots.marks import above, mark
+from haptonic.plots.stage import Stage, below, stage
 from haptonic.units import hz_text
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
-DEEPEST = 1.2 * np.pi  # rad per row, imaginary part up to which waves are shown
+DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of 1 rad
 FLOOR = -100.0  # dB
 ROOM = 0.025  # of the axis beyond zero and the end, so that what lies on them can be seen
 FAMILIES = ("A0", "S0", "SH0")
@@ -26,7 +27,11 @@ FAMILIES = ("A0", "S0", "SH0")
 
 @style.drawn
 def decay(dataset: xr.Dataset) -> Figure:
-    """Complex band structure at normal incidence, and the decay per row for several phases along the rows.
+    """Decay per row against frequency, with its number at the drive frequency, above the propagating waves.
+
+    Upper panel: the wave that reaches farthest at normal incidence, the range of all directions along the
+    rows, and all evanescent waves at normal incidence as points. Lower panel: phase per row of those that
+    propagate.
 
     Parameters
     ----------
@@ -34,46 +39,47 @@ def decay(dataset: xr.Dataset) -> Figure:
         phase); attributes ``gap`` (edges in Hz, or empty) and ``carrier_hz``
     """
     figure = style.blank(12.0)
-    real, imaginary, depth = figure.subplots(1, 3, sharey=True, width_ratios=(3, 3, 5))
+    depth, phases = figure.subplots(2, 1, sharex=True, height_ratios=(5, 2))
     frequency = dataset["frequency"].values / 1e3
-    height = np.repeat(frequency[:, None], dataset.sizes["wave"], axis=1)
-    phase, fading = dataset["kappa_real"].values, dataset["kappa_imag"].values
-    moving, shown = fading < FLAT, fading < DEEPEST
-    folded = np.abs(phase) / np.pi
-    real.plot(folded[shown & ~moving], height[shown & ~moving], ".", ms=2, color=style.PALE_INK)
-    real.plot(folded[moving], height[moving], ".", ms=3, color=style.INK)
-    imaginary.plot(fading[shown & ~moving] / np.pi, height[shown & ~moving], ".", ms=2, color=style.PALE_INK)
-    real.set_xlabel("|Re κ| / π\n(dimensionless)")
-    imaginary.set_xlabel("Im κ / π\n(dimensionless)")
-    for axes, end in ((real, 1.0), (imaginary, DEEPEST / np.pi)):
-        axes.set_xlim(-ROOM * end, (1 + ROOM) * end)
-        axes.set_xticks([0, 0.5, 1], ["0", "0.5", "1"])
-    real.set_ylabel("frequency (kHz)")
-    real.set_ylim(frequency.min(), frequency.max())
-    looks = zip(
-        (style.BLUE, style.SKY, style.GREEN, style.ORANGE, style.RED),
-        (style.SOLID, style.DASHED, style.DOTTED, style.DASH_DOTTED, style.DASH_DOT_DOTTED),
-        strict=True,
-    )
-    for (colour, dashes), column in zip(looks, range(dataset.sizes["phase"]), strict=False):
-        label = f"decay, phase {in_pi(float(dataset['phase'][column]))} along the rows"
-        depth.plot(dataset["attenuation"].values[:, column], frequency, color=colour, ls=dashes, label=label)
-    depth.set_xlabel("decay (dB per row)")
-    deepest = max(float(np.nanmax(dataset["attenuation"].values)), 1.0)
-    depth.set_xlim(-ROOM * deepest, (1 + ROOM) * deepest)
+    across = np.repeat(frequency[:, None], dataset.sizes["wave"], axis=1)
+    imaginary, real = dataset["kappa_imag"].values, np.abs(dataset["kappa_real"].values)
+    moving = imaginary < FLAT
+    reach = dataset["attenuation"].values
+    top = max(1.15 * float(np.nanmax(reach)), 1.0)
+    shown = ~moving & (DECIBELS * imaginary < top)
+    color = colours([style.BLUE])[0]
     handles: list[Artist] = [
-        *real.plot([], [], ".", color=style.INK, label="propagating waves, normal incidence"),
-        *real.plot([], [], ".", color=style.PALE_INK, label="fading waves, normal incidence"),
-        *depth.get_legend_handles_labels()[0],
-    ]
-    marks = [_mark(axes, dataset, "y") for axes in (real, imaginary, depth)]
-    figure.legend(handles=[*handles, *marks[0]], loc="outside lower center", ncols=2)
+        *depth.plot(frequency, reach[:, 0], color=color, lw=1.6, label="normal incidence", gid="normal"),
+        depth.fill_between(frequency, reach.min(axis=1), reach.max(axis=1), color=color, alpha=0.2, lw=0,
+                           label="all directions", gid="range"),
+        *depth.plot(across[shown], DECIBELS * imaginary[shown], ".", ms=2, color=style.PALE_INK, zorder=1,
+                    label="other waves at normal incidence", gid="others"),
+    ]  # fmt: skip
+    carrier = float(dataset.attrs["carrier_hz"])
+    if frequency.min() <= carrier / 1e3 <= frequency.max():
+        there = float(np.interp(carrier / 1e3, frequency, reach[:, 0]))
+        depth.plot(carrier / 1e3, there, "o", color=color, ms=5, zorder=5, gid="number")
+    depth.set_ylim(0, top)
+    depth.set_ylabel("decay (dB per row)")
+    phases.plot(across[moving], real[moving] / np.pi, ".", ms=2, color=style.INK, gid="propagating")
+    phases.set_ylabel("|Re κ| / π\n(dimensionless)")
+    phases.set_ylim(-ROOM, 1 + ROOM)
+    phases.set_yticks([0, 0.5, 1], ["0", "0.5", "1"])
+    phases.set_xlim(frequency.min(), frequency.max())
+    phases.set_xlabel("frequency (kHz)")
+    for axes in (phases, depth):
+        _mark(axes, dataset, named=axes is depth)
+    if frequency.min() <= carrier / 1e3 <= frequency.max():
+        above(depth, [(carrier / 1e3, f"{there:.1f} dB per row", color)], first=2)
+    below(figure, handles)
     return figure
 
 
 @style.drawn
 def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None = None) -> Figure:
-    """Transmitted energy against frequency: a panel for each incident wave, a curve for each number of rows.
+    """Transmitted energy for each incident wave, against frequency and, at the carrier, against rows.
+
+    A curve for each number of rows, in the colour of its point in the panel on the right.
 
     Parameters
     ----------
@@ -86,36 +92,54 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
         cause = "there is no such wave, or it does not propagate at these frequencies"
         raise HaptonicError.unknown("incident", incident, there, cause)
     there = [incident] if incident else there[: None if ax is None else 1]
-    height = 3.5 + 4.6 * len(there)
-    panels = (
-        np.atleast_1d(style.blank(height).subplots(len(there), 1, sharex=True))
-        if ax is None
-        else [stage(ax, height).axes]
-    )
-    on = Stage(panels[-1], own=ax is None)
-    frequency = dataset["frequency"].values / 1e3
-    shades = style.perceptual()(np.linspace(0.75, 0.05, dataset.sizes["rows"]))
-    handles: list[Artist] = []
-    for axes, family in zip(panels, there, strict=True):
+    if ax is None:
+        figure = style.blank(3.0 + 4.2 * len(there))
+        panels = figure.subplots(len(there), 2, sharex="col", squeeze=False, width_ratios=(4, 1))
+    else:
+        panels = np.array([[stage(ax, 0.0).axes, None]], dtype=object)
+    rows, frequency = dataset["rows"].values, dataset["frequency"].values / 1e3
+    shades = colours([to_hex(one) for one in style.perceptual()(np.linspace(0.72, 0.05, len(rows)))])
+    carrier = float(dataset.attrs["carrier_hz"]) / 1e3
+    for (axes, beside), family in zip(panels, there, strict=True):
         total = dataset["transmitted"].sel(incident=family).sum("outgoing", skipna=False).values
-        lines = [
-            axes.plot(frequency, 10 * np.log10(np.maximum(total[:, k], 1e-30)), color=shade, lw=1.2,
-                      label=f"{rows} row{'s' if rows > 1 else ''}")[0]
-            for k, (rows, shade) in enumerate(zip(dataset["rows"].values, shades, strict=True))
-        ]  # fmt: skip
-        handles = [*lines, *_mark(axes, dataset, "x")]
-        lowest = np.nanmin(10 * np.log10(np.maximum(total, 1e-30)))
-        axes.set_ylim(min(max(FLOOR, 10 * np.floor(lowest / 10)), -10), 3)
-        axes.set_ylabel(f"{family}: transmitted (dB)")
+        level = 10 * np.log10(np.maximum(total, 1e-30))
+        lowest = min(max(FLOOR, 10 * np.floor(np.nanmin(level) / 10)), -10)
+        for k, (count, shade) in enumerate(zip(rows, shades, strict=False)):
+            axes.plot(frequency, level[:, k], color=shade, lw=1.2, label=_rows(count), gid="rows")
+            if beside is not None and frequency[0] <= carrier <= frequency[-1]:
+                at = float(np.interp(carrier, frequency, level[:, k]))
+                beside.plot(count, at, "o", color=shade, ms=5, gid="at carrier")
+        axes.set_ylim(1.06 * lowest, 3)
+        axes.set_xlim(frequency[0], frequency[-1])
+        axes.set_ylabel(f"{family} (dB)" if len(there) > 1 else f"{family}: transmitted (dB)")
+        _mark(axes, dataset, named=axes is panels[0][0])
+        if beside is not None:
+            beside.set_ylim(1.06 * lowest, 3)
+            beside.set_xlim(0.3, rows[-1] + 0.7)
+            beside.xaxis.set_major_locator(MaxNLocator(4, integer=True))
+            beside.tick_params(labelleft=False)
+            beside.axhline(0, color=style.PALE_INK, lw=0.6, zorder=1)
+    panels[-1][0].set_xlabel("frequency (kHz)")
+    if ax is not None:
+        Stage(ax, own=False).legend()
+        return Stage(ax, own=False).figure
+    panels[-1][1].set_xlabel("rows")
+    above(
+        panels[0][1], [(0.5 * (rows[0] + rows[-1]), f"at {hz_text(1e3 * carrier, form='g')}", style.CARRIER)]
+    )
     angle = np.degrees(float(dataset.attrs["angle"]))
-    direction = "normal incidence" if angle == 0 else f"incident at {angle:.3g}° from the normal"
     along = [int(one) for one in dataset.attrs["along"]]
-    of_rows = "" if along == [0, 1] else f"rows along {along}, "
-    panels[0].set_title(f"{of_rows}{direction}; all transmitted waves")
-    panels[-1].set_xlabel("frequency (kHz)")
-    panels[-1].set_xlim(frequency.min(), frequency.max())
-    on.legend(handles, ncols=4)
-    return on.figure
+    words = [
+        "transmitted" if len(there) > 1 else "",
+        "" if along == [0, 1] else f"rows along {along}",
+        "normal incidence" if angle == 0 else f"incident at {angle:.3g}° from the normal",
+    ]
+    figure.supylabel(", ".join(filter(None, words)), fontsize="medium")
+    return figure
+
+
+def _rows(count: int) -> str:
+    return f"{count} row{'s' if count > 1 else ''}"
 
 
 @style.drawn
@@ -152,25 +176,13 @@ def guide(
     axes.set_xlim(-reach, reach)
     axes.set_ylim(0, 1.08)
     axes.set_xlabel("position across the waveguide (mm)")
-    axes.set_ylabel("amplitude (dimensionless)")
+    axes.set_ylabel("amplitude\n(dimensionless)")
     on.legend(ncols=3)
     return on.figure
 
 
-def _mark(axes: Axes, dataset: xr.Dataset, along: Literal["x", "y"]) -> list[Artist]:
-    """Shade the gap and draw the carrier on an axis of frequencies, if they are in view; legend handles."""
-    low, high = float(dataset["frequency"].min()) / 1e3, float(dataset["frequency"].max()) / 1e3
-    handles: list[Artist] = []
-    edges = np.atleast_1d(dataset.attrs["gap"]) / 1e3
-    if len(edges) == 2 and edges[0] < high and edges[1] > low:
-        span = axes.axvspan if along == "x" else axes.axhspan
-        shade = span(edges[0], edges[1], facecolor=style.GAP, edgecolor="none", zorder=0)
-        shade.set(label="complete gap", gid="gap")
-        handles.append(shade)
-    carrier = float(dataset.attrs["carrier_hz"]) / 1e3
-    if low <= carrier <= high:
-        line = axes.axvline if along == "x" else axes.axhline
-        dashes = line(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1)
-        dashes.set(label=f"carrier {hz_text(1e3 * carrier, form='g')}", gid="carrier")
-        handles.append(dashes)
-    return handles
+def _mark(axes: Axes, dataset: xr.Dataset, *, named: bool) -> None:
+    """Shade the gap and draw the drive frequency, if they are in view."""
+    edges = np.atleast_1d(dataset.attrs["gap"])
+    gap = (float(edges[0]), float(edges[1])) if len(edges) == 2 else None
+    mark(axes, gap=gap, carrier=float(dataset.attrs["carrier_hz"]), name="complete gap", named=named)

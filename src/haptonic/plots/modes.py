@@ -5,9 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise, product
+from itertools import combinations, pairwise, product
 
 import numpy as np
+import scipy
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
@@ -28,6 +29,7 @@ PIECES = 8  # faces drawn along an element's side, at most
 FINER = 4  # patches of one colour along the side of a face, at most
 SHADES = 60  # steps of the scale of colours that cannot be told apart side by side
 LARGEST = 0.2  # drawn displacement, as a share of the period
+APART = 0.45  # of the clear distance of two pillars, so that they do not pass through each other
 SHARP = np.cos(np.radians(35))  # faces that meet at a larger angle make an edge of the outline
 SMOOTH = 2  # how much finer along x and y a body is painted than it is shown, so that its edges are smooth
 INKED = 0.65  # of the light of a colour that a line over it leaves
@@ -69,7 +71,7 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
     sides = np.unique(np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], -1).reshape(-1, 2)), axis=0)
     borders = sides[np.isin(sides, on_edge).all(axis=1)]
     outline = outline_edges(position, faces)
-    swing = LARGEST * np.ptp(position[:, 0])
+    swing = min(LARGEST * float(np.ptp(position[:, 0])), APART * clearance(position, faces))
     names = [name.replace(", ", "\n") for name in mode_names(dataset)[:SHOWN]]
     fields = (dataset["mode_real"].values + 1j * dataset["mode_imag"].values)[:count].astype(complex)
     amounts = np.linalg.norm(fields, axis=2)
@@ -93,8 +95,8 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
         axes.plot(*rest, color=style.PALE_INK, lw=0.5, zorder=0, gid="undeformed")
         frequency = float(dataset["mode_frequency"][k]) / 1e3
-        axes.set_title(f"M{k + 1}  {hz_text(1e3 * frequency, form='.2f')}\n{names[k]}", fontsize=8.5)
-    figure.suptitle(f"modes at {dataset.attrs['modes_at']}", fontsize=9, gid="wavevector")
+        axes.set_title(f"M{k + 1}  {hz_text(1e3 * frequency, form='.2f')}\n{names[k]}")
+    figure.suptitle(f"modes at {dataset.attrs['modes_at']}", gid="wavevector")
     bar = figure.colorbar(
         ScalarMappable(Normalize(0, 1), style.perceptual()),
         ax=list(panels), location="bottom", shrink=0.5, aspect=35, pad=0.02,
@@ -257,6 +259,19 @@ def outer_faces(cells: Ints) -> Ints:
     faces, ordered = faces[extended], ordered[extended]
     _, first, times = np.unique(ordered, axis=0, return_index=True, return_counts=True)
     return np.asarray(faces[first[times == 1]])
+
+
+def clearance(position: Array, faces: Ints) -> float:
+    """Least distance of two pillars, from parts of the upper half that are not connected; infinite of one."""
+    middle = 0.5 * (position[:, 2].min() + position[:, 2].max())
+    upper = faces[(position[faces, 2] > middle).all(axis=1)]
+    joins = np.concatenate([upper[:, [k, (k + 1) % 4]] for k in range(4)])
+    count = len(position)
+    graph = scipy.sparse.coo_array((np.ones(len(joins)), joins.T), shape=(count, count))
+    part = scipy.sparse.csgraph.connected_components(graph, directed=False)[1]
+    nodes = np.unique(upper)
+    trees = [scipy.spatial.cKDTree(position[nodes[part[nodes] == one]]) for one in np.unique(part[nodes])]
+    return min((float(a.query(b.data)[0].min()) for a, b in combinations(trees, 2)), default=float("inf"))
 
 
 def outline_edges(position: Array, faces: Ints) -> Ints:

@@ -14,7 +14,7 @@ from haptonic.plots import style
 
 FRAMES = 24  # of a cycle
 FRAME_SECONDS = 0.05
-FRAME_DOTS = 110  # per inch
+FRAME_DOTS = 160  # per inch
 
 
 def moments(count: int) -> list[complex]:

@@ -54,7 +54,7 @@ def plate_plan(plate: Plate, visited: Array | None = None, *, ax: Axes | None = 
         places = list(rows_of(layout, name))
         free = [min((np.hypot(x - a, y - b) for a, b in busy), default=1.0) for x, y, _ in places]
         x, y, _ = places[int(np.argmax(free))]
-        axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", fontsize=9, gid="region name")
+        axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", gid="region name")
     margin = 0.04 * 1e3 * max(layout.x[-1] - layout.x[0], layout.y[-1] - layout.y[0])
     axes.set(
         aspect="equal",
@@ -182,6 +182,6 @@ def _name(axes: Axes, centre: tuple[float, float], above: float, name: str) -> N
     """Write a name above a part; ``above`` is from its middle to its upper side, m."""
     axes.annotate(
         name, (1e3 * centre[0], 1e3 * (centre[1] + above)), xytext=(0, 3), textcoords="offset points",
-        ha="center", va="bottom", fontsize=9, zorder=7, gid="name",
+        ha="center", va="bottom", zorder=7, gid="name",
         bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
     )  # fmt: skip

@@ -14,20 +14,23 @@ from matplotlib.figure import Figure
 from haptonic.arrays import Array
 from haptonic.later import xarray as xr
 from haptonic.plots import style
-from haptonic.plots.spectra import curves, finished, shaded
-from haptonic.plots.stage import stage
-from haptonic.plots.text import absolute, in_pi
-from haptonic.units import hz_text
+from haptonic.plots.looks import choice, colours
+from haptonic.plots.marks import above, span_on_top
+from haptonic.plots.spectra import averaged, finished, running_mean
+from haptonic.plots.stage import Stage, stage
+from haptonic.plots.text import absolute, band_text, in_pi
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
 
 
 FLOOR = -80.0  # dB below the largest line, the lowest that a spectrum of a drive shows
-LEAST_COHERENCE = 0.8  # the lowest that colours show, unless there are lower ones
-STRONG = 20.0  # dB per row, beyond which colours do not change
+LEAST_NOISE = 1e-6  # of 1 less the coherence, for its logarithm
+TENFOLD = 10.0  # the least range of the scale of noise
 ROWS = 600  # of a map of waves at most: more than its picture has
-RANGE = 1e-3  # of the largest amplitude, the smallest that a map of waves tells apart
+BEYOND = 1.5  # times the largest computed wavenumber that are in view
+RANGE = 1e-2  # of the largest amplitude, the smallest that a map of waves tells apart
+DARK_PURPLE = "#8a4a70"  # of text
 BAD = {
     "saturated": (style.RED, "s"), "dropout": (style.ORANGE, "^"), "low coherence": (style.PURPLE, "v"),
     "repaired": (style.GREEN, "+"),
@@ -64,10 +67,12 @@ def average_response(
     on = stage(ax, 7.0)
     axes = on.axes
     unit, factor = absolute(units, float(amplitude.max()), None)
-    axes.plot(frequency / 1e3, np.where(amplitude > 0, factor * amplitude, np.nan), color=style.BLUE, lw=0.9)
     style.logarithmic(axes)
-    axes.set(xlabel="frequency (kHz)", ylabel=f"rms over all points ({unit})", title=origin,
-             xlim=(frequency[0] / 1e3, frequency[-1] / 1e3))  # fmt: skip
+    there = np.where(amplitude > 0, factor * amplitude, np.nan)
+    handles = averaged(axes, frequency, {"all points": there}, logarithmic=True)
+    axes.set_ylabel(f"{origin}\nrms velocity ({unit})")
+    finished(axes, frequency)
+    on.legend(handles if len(handles) > 1 else [])
     return on.figure
 
 
@@ -81,21 +86,21 @@ def measured_contrast(
     origin: str,
     ax: Axes | None = None,
 ) -> Figure:
-    """Contrasts of a scan (dB; NaN where noise hides it) and the range in which the region stands out."""
+    """Contrasts of a scan (dB; NaN where noise hides it) and the range in which the region stands out.
+
+    The computed gap is shaded; the range of the scan is a bar on the upper edge, its errors thinner.
+    """
     on = stage(ax, 8.6)
     axes = on.axes
-    handles = curves(axes, frequency, contrasts, width=0.9)
+    handles = averaged(axes, frequency, contrasts)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
-    handles += shaded(axes, frequency, computed, "computed gap")
+    axes.set_ylabel(f"{origin} contrast (dB)")
+    finished(axes, frequency, computed, name="computed gap")
     if gap is not None:
-        for edge, error in ((gap.lower, gap.lower_error), (gap.upper, gap.upper_error)):
-            axes.axvspan((edge - error) / 1e3, (edge + error) / 1e3, lw=0, facecolor="none",
-                         edgecolor=style.PURPLE, hatch="///", zorder=0.5)  # fmt: skip
-            line = axes.axvline(edge / 1e3, color=style.PURPLE, lw=1.1, zorder=3)
-        line.set_label(f"high contrast, {hz_text(gap.lower, gap.upper, form='.1f')}; standard error hatched")
-        handles.append(line)
-    axes.set_ylabel("contrast (dB)")
-    finished(axes, frequency, origin)
+        ends = (gap.lower / 1e3, gap.lower_error / 1e3), (gap.upper / 1e3, gap.upper_error / 1e3)
+        span_on_top(axes, *ends, style.PURPLE)
+        said = f"high contrast {band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}"
+        above(axes, [(0.5 * (ends[0][0] + ends[1][0]), said, DARK_PURPLE)], int(bool(computed)))
     on.legend(handles, ncols=2)
     return on.figure
 
@@ -109,31 +114,36 @@ def decay_map(
     origin: str,
     ax: Axes | None = None,
 ) -> Figure:
-    """How waves of a phase fade from row to row of a lattice (dB per row), and the edges told by it."""
-    on = stage(ax, 9.5)
+    """How waves decay from row to row of a lattice, and the edges that follow from it.
+
+    Means over frequency of the wave that reaches farthest, and the middle half of all phases along the rows.
+    Where noise hides them there are none.
+    """
+    on = stage(ax, 8.6)
     axes = on.axes
-    shown = fades[:: max(1, fades.sizes["frequency"] // ROWS)]
-    mesh = axes.pcolormesh(
-        shown["phase"].values / np.pi, shown["frequency"].values / 1e3, shown.values,
-        cmap=style.perceptual(), vmin=0, vmax=STRONG, shading="nearest", rasterized=True,
-    )  # fmt: skip
-    on.figure.colorbar(mesh, ax=axes, label="fading (dB/row); white: noise hides it", extend="max")
-    handles: list[Artist] = []
-    for number, border in enumerate(computed or ()):
-        line = axes.axhline(border / 1e3, color=style.RED, ls=style.DASHED, lw=1.2)
-        if number == 0:
-            line.set_label("computed gap")
-            handles.append(line)
-    for edge in (found.lower, found.upper) if found else ():
-        if edge is not None:
-            low, high = (edge.frequency - edge.error) / 1e3, (edge.frequency + edge.error) / 1e3
-            axes.axhspan(low, high, facecolor=style.SKY, alpha=0.45, lw=0)
-            line = axes.axhline(edge.frequency / 1e3, color=style.PURPLE, lw=1.2)
-            line.set_label(f"edge in this scan, {edge}")
-            handles.append(line)
-    axes.set(xlabel="phase from cell to cell along the rows (π)", ylabel="frequency (kHz)", title=origin)
-    if handles:
-        on.legend(handles, ncols=2)
+    frequency = fades["frequency"].values
+    smooth = np.stack([running_mean(column) for column in fades.values.T], axis=1)
+    known = np.isfinite(smooth).any(axis=1)
+    least, low, high = (np.full(len(frequency), np.nan) for _ in range(3))
+    least[known] = np.nanmin(smooth[known], axis=1)
+    low[known], high[known] = np.nanquantile(smooth[known], (0.25, 0.75), axis=1)
+    color = colours([style.BLUE])[0]
+    handles: list[Artist] = [
+        *axes.plot(frequency / 1e3, least, color=color, lw=1.6, label="wave that reaches farthest",
+                   gid="least"),
+        axes.fill_between(frequency / 1e3, low, high, color=color, alpha=0.2, lw=0, gid="half",
+                          label="half of the phases along the rows"),
+    ]  # fmt: skip
+    axes.set_ylabel(f"{origin}\ndecay (dB per row)")
+    axes.set_ylim(0, 1.05 * max(float(np.nanmax(high, initial=0.0)), 1.0))
+    finished(axes, frequency, computed, name="computed gap")
+    edges = [edge for edge in (found.lower, found.upper) if edge] if found else []
+    for number, edge in enumerate(edges, start=int(bool(computed))):
+        end = edge.frequency / 1e3, edge.error / 1e3
+        span_on_top(axes, end, end, style.PURPLE)
+        side = "lower" if found and edge is found.lower else "upper"
+        above(axes, [(end[0], f"{side} edge in the scan {edge}", DARK_PURPLE)], number)
+    on.legend(handles, ncols=2)
     return on.figure
 
 
@@ -161,13 +171,15 @@ def wave_map(
     amplitude = np.maximum.reduceat(waves.values / waves.values.max(), starts, axis=0)
     frequency, wavenumber = waves["frequency"].values[starts] / 1e3, waves["wavenumber"].values / 1e3
     image = axes.pcolormesh(
-        wavenumber, frequency, np.maximum(amplitude, RANGE), norm=LogNorm(RANGE, 1), cmap=style.perceptual(),
+        wavenumber, frequency, np.maximum(amplitude, RANGE), norm=LogNorm(RANGE, 1), cmap=style.amount(),
         shading="nearest", rasterized=True,
     )  # fmt: skip
     drawn: list[Artist] = []
+    known = [curve[1].max() / 1e3 for curve in (plain, guided) if curve is not None and len(curve[1])]
+    reach = min(float(wavenumber[-1]), BEYOND * max(known)) if known else float(wavenumber[-1])
     looks: tuple[dict[str, Any], ...] = (
-        {"color": "white", "ls": style.DASHED, "label": "A0 of the plain plate"},
-        {"color": style.ORANGE, "lw": 2.0, "label": "mode of the guide"},
+        {"color": style.RED, "ls": style.DASHED, "lw": 1.0, "label": "A0 of the plain plate, computed"},
+        {"color": style.ORANGE, "lw": 1.6, "label": "mode of the guide, computed"},
     )
     for curve, look in zip((plain, guided), looks, strict=True):
         if curve is None or not len(curve[0]):
@@ -175,16 +187,11 @@ def wave_map(
         for sign in (1, -1):
             drawn += axes.plot(sign * curve[1] / 1e3, curve[0] / 1e3, **look)[: 1 if sign > 0 else 0]
     axes.set(xlabel=f"wavenumber along {region} (rad/mm)", ylabel="frequency (kHz)",
-             xlim=(wavenumber[0], wavenumber[-1]), ylim=(frequency[0], frequency[-1]),
-             title=f"{region}, {origin}")  # fmt: skip
+             xlim=(-reach, reach), ylim=(frequency[0], frequency[-1]))  # fmt: skip
     on.figure.colorbar(
-        image, ax=axes, label="amplitude / its maximum (dimensionless)", format=style.PowersOfTen()
+        image, ax=axes, label=f"{origin} amplitude\n/ its maximum (dimensionless)", format=style.PowersOfTen()
     )
-    if drawn:
-        legend = on.legend(drawn, ncols=2, title="computed")
-        legend.get_frame().set(facecolor="#5a5a5a", alpha=1.0, visible=True)
-        for text in (legend.get_title(), *legend.get_texts()):
-            text.set_color("white")
+    on.legend(drawn, ncols=2)
     return on.figure
 
 
@@ -200,12 +207,13 @@ def measured_decay(
     """Decay through a lattice in dB per row against frequency, beside the computed evanescent waves."""
     on = stage(ax, 8.6)
     axes = on.axes
-    lines = decay["frequency"].values / 1e3
+    lines = decay["frequency"].values
     confidence = float(decay.attrs["confidence"])
+    color = colours([style.BLUE])[0]
     handles: list[Artist] = [
-        axes.fill_between(lines, decay["low"], decay["high"], color=style.SKY, alpha=0.5, lw=0,
+        *axes.plot(lines / 1e3, decay["decay"], color=color, lw=1.0, label="in the scan, fitted"),
+        axes.fill_between(lines / 1e3, decay["low"], decay["high"], color=color, alpha=0.25, lw=0,
                           label=f"its {100 * confidence:.0f} % interval"),
-        *axes.plot(lines, decay["decay"], color=style.BLUE, lw=1.0, label="decay in the scan, fitted"),
     ]  # fmt: skip
     if computed is not None:
         dashes = (style.SOLID, style.DASHED, style.DOTTED)
@@ -213,35 +221,42 @@ def measured_decay(
             level = computed["attenuation"].sel(phase=phase)
             handles += axes.plot(
                 computed["frequency"] / 1e3, level, color=style.RED, ls=look, lw=1.2,
-                label=f"evanescent, phase {in_pi(float(phase))} per row",
+                label=f"computed, phase {in_pi(float(phase))}",
             )  # fmt: skip
-    if gap is not None:
-        handles.append(axes.axvspan(gap[0] / 1e3, gap[1] / 1e3, facecolor=style.GAP, lw=0, zorder=0,
-                                    label="computed gap"))  # fmt: skip
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1)
-    axes.set(xlabel="frequency (kHz)", ylabel="decay (dB per row)", title=origin, xlim=(lines[0], lines[-1]))
+    axes.set_ylabel(f"{origin}\ndecay (dB per row)")
+    finished(axes, lines, gap, name="computed gap")
     on.legend(handles, ncols=2)
     return on.figure
 
 
 @style.drawn
 def point_quality(points: Array, quality: Quality, *, origin: str, ax: Axes | None = None) -> Figure:
-    """Median coherence of every point of a scan, and the points with flags."""
+    """Share of noise at every point of a scan, 1 less the median coherence, and the points with flags."""
     width, height = np.maximum(np.ptp(points, axis=0), 1e-9)
-    on = stage(ax, min(max(9.0 * height / width, 2.0), 16.0) + 4.5, 11.0)
+    across = 0.8
+    on = Stage(style.suited(min(max(0.62 * height / width, 0.2), 1.1), 9, across).add_subplot(), own=True)
+    if ax is not None:
+        on = stage(ax, 0.0)
     axes = on.axes
     known = np.isfinite(quality.coherence)
     x, y = 1e3 * points.T
     # squares that touch, in points of type squared
-    area = max(0.5, 72 * 9.0 / 2.54 * np.sqrt(width * height / len(points)) / width) ** 2
+    wide = 0.75 * across * choice().look.width / 2.54 * 72
+    area = max(0.5, wide * np.sqrt(width * height / len(points)) / width) ** 2
     if known.any():
-        least = min(LEAST_COHERENCE, float(quality.coherence[known].min()))
+        noise = np.maximum(1 - quality.coherence[known], LEAST_NOISE)
+        norm = LogNorm(
+            max(LEAST_NOISE, 0.9 * float(noise.min())), max(float(noise.max()), TENFOLD * noise.min())
+        )
         image = axes.scatter(
-            x[known], y[known], area, quality.coherence[known], marker="s", linewidths=0,
-            cmap=style.perceptual(), vmin=least, vmax=1, rasterized=True,
+            x[known], y[known], area, noise, marker="s", linewidths=0, cmap=style.amount(), norm=norm,
+            rasterized=True,
         )  # fmt: skip
-        bar = on.figure.colorbar(image, ax=axes, location="bottom", aspect=25, pad=0.03)
-        bar.set_label("median coherence (dimensionless)")
+        bar = on.figure.colorbar(
+            image, ax=axes, location="bottom", aspect=25, pad=0.03, format=style.PowersOfTen()
+        )
+        bar.set_label(f"{origin} 1 - median coherence\n(dimensionless)")
     else:
         axes.scatter(x, y, area, marker="s", linewidths=0, color=style.PALE_INK, rasterized=True)
     for flag, (colour, marker) in BAD.items():
@@ -250,7 +265,7 @@ def point_quality(points: Array, quality: Quality, *, origin: str, ax: Axes | No
             edge = {"color": colour} if marker == "+" else {"facecolors": "none", "edgecolors": colour}
             axes.scatter(x[here], y[here], 34, marker=marker, linewidths=1.1, zorder=3,
                          label=f"{flag} ({here.sum()})", **edge)  # type: ignore[arg-type]  # fmt: skip
-    axes.set(aspect="equal", xlabel="x (mm)", ylabel="y (mm)", title=f"quality of the points, {origin}")
+    axes.set(aspect="equal", xlabel="x (mm)", ylabel="y (mm)")
     if quality.flagged().any():
         on.legend(ncols=4)
     return on.figure

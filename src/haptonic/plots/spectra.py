@@ -1,4 +1,4 @@
-"""What a plate does at every frequency: contrast between regions, their velocities, the drive's impedance."""
+"""A plate at every frequency: contrast between regions, their velocities, the admittance of the drive."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from matplotlib.figure import Figure
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.plots import style
+from haptonic.plots.looks import colours
+from haptonic.plots.marks import Gap, mark
 from haptonic.plots.stage import stage
-from haptonic.plots.text import absolute, driven, label
+from haptonic.plots.text import absolute, driven, label, prefixed
 from haptonic.units import hz_text
 
-Gap = tuple[float, float] | None
 Looks = Sequence[tuple[str, Any]]
 
-PASSIVE = 95.0  # deg, phase of an impedance that takes up power, rounding included
 LOOKS = tuple(
     zip(
         (style.BLUE, style.RED, style.GREEN, style.PURPLE, style.ORANGE),
@@ -28,6 +28,9 @@ LOOKS = tuple(
         strict=True,
     )
 )
+DENSE = 150  # lines, above which a curve is a pale one with its mean on top
+WINDOWS = 40  # of a mean, side by side along the axis
+PALE = 0.4  # opacity of a curve below its mean
 
 
 @style.drawn
@@ -41,20 +44,22 @@ def contrast_spectrum(
 ) -> Figure:
     """By how much one region vibrates more than another one, against frequency.
 
+    Of many lines each curve is pale, with its running mean on top.
+
     Parameters
     ----------
     frequency : (frequency,) Hz
     contrast : label of each curve and its values (frequency,), dB
     gap : edges of the band gap, Hz, or None
-    origin : of the data, "simulated" or "measured", the title
+    origin : of the data, "simulated" or "measured"
     """
     on = stage(ax, _height(len(contrast)))
     axes = on.axes
-    handles = curves(axes, frequency, contrast)
+    handles = averaged(axes, frequency, contrast)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1, gid="zero")
-    axes.set_ylabel("contrast (dB)")
-    finished(axes, frequency, origin)
-    on.legend([*handles, *shaded(axes, frequency, gap)], ncols=2)
+    axes.set_ylabel(f"{origin} contrast (dB)".strip())
+    finished(axes, frequency, gap)
+    on.legend(handles, ncols=2)
     return on.figure
 
 
@@ -71,89 +76,121 @@ def velocity_spectrum(
 ) -> Figure:
     """Root-mean-square velocity of regions against frequency, on a logarithmic scale.
 
+    Of many lines each curve is pale, with the running mean of its level on top.
+
     Parameters
     ----------
     frequency : (frequency,) Hz
     velocity : name of each region and its values (frequency,), in ``units``; zeros are not drawn
     drive : amplitude of what the velocity is divided by, if it is known
     gap : edges of the band gap, Hz, or None
-    origin : of the data, "simulated" or "measured", the title
+    origin : of the data, "simulated" or "measured"
     """
     on = stage(ax, _height(len(velocity)))
     axes = on.axes
-    largest = max((float(values.max()) for values in velocity.values()), default=0.0)
+    largest = max((float(np.nanmax(values, initial=0.0)) for values in velocity.values()), default=0.0)
     unit, factor = absolute(units, largest, drive)
     positive = {name: np.where(values > 0, factor * values, np.nan) for name, values in velocity.items()}
-    handles = curves(axes, frequency, positive)
     style.logarithmic(axes)
-    axes.set_ylabel(f"rms normal velocity of the region\n({unit}){driven(units, drive)}")
-    finished(axes, frequency, origin)
-    on.legend([*handles, *shaded(axes, frequency, gap)], ncols=2)
+    handles = averaged(axes, frequency, positive, logarithmic=True)
+    axes.set_ylabel(f"{origin} rms velocity\n({unit}){driven(units, drive)}".strip())
+    finished(axes, frequency, gap)
+    on.legend(handles, ncols=4)
     return on.figure
 
 
 @style.drawn
 def impedance_spectrum(frequency: Array, impedance: AnyComplex, gap: Gap, *, origin: str = "") -> Figure:
-    """Electrical impedance of an actuator: magnitude above phase.
+    """Electrical admittance of an actuator: conductance, which takes up power, above capacitance.
+
+    The magnitude of an impedance is hidden below that of the capacitor, which falls as 1 / omega.
 
     Parameters
     ----------
     frequency : (frequency,) Hz, above 0
     impedance : (frequency,) ohm
     gap : edges of the band gap, Hz, or None
-    origin : of the data, "simulated" or "measured", the title
+    origin : of the data, "simulated" or "measured"
     """
     figure = style.blank(10.5)
-    magnitude, phase = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
-    handles = curves(
-        magnitude,
-        frequency,
-        {"electrical impedance of the actuator": np.asarray(np.abs(impedance), dtype=float)},
-    )
-    style.logarithmic(magnitude)
-    magnitude.set_ylabel("magnitude (Ω)")
-    degrees = np.asarray(np.angle(impedance, deg=True), dtype=float)
-    curves(phase, frequency, {"phase": degrees})
-    phase.set_ylabel("phase (deg)")
-    passive = np.abs(degrees).max() <= PASSIVE  # more is an error of measurement, and has to be seen
-    phase.set_ylim(*((-100, 100) if passive else (-190, 190)))
-    phase.set_yticks([-90, -45, 0, 45, 90] if passive else [-180, -90, 0, 90, 180])
-    shades = [shaded(axes, frequency, gap) for axes in (magnitude, phase)]
-    finished(phase, frequency)
-    magnitude.set_title(origin)
-    figure.legend(handles=[*handles, *shades[0]], loc="outside lower center", ncols=2)
+    above, below = figure.subplots(2, 1, sharex=True)
+    admittance = 1 / impedance
+    color = colours([style.BLUE])[0]
+    for axes, values, name in (
+        (above, admittance.real, "conductance"),
+        (below, admittance.imag / (2 * np.pi * frequency), "capacitance"),
+    ):
+        largest = float(np.nanmax(np.abs(values)))
+        unit, factor = prefixed(largest, "S" if axes is above else "F")
+        axes.plot(frequency / 1e3, factor * values, color=color, lw=1.0, gid="curve")
+        axes.set_ylabel(f"{name} ({unit})")
+        if axes is above and (values > 0).all():  # below zero is an error of measurement, and has to be seen
+            style.logarithmic(axes)
+    finished(above, frequency, gap)
+    finished(below, frequency, gap, named=False)
+    above.set_xlabel("")
+    below.set_xlabel(f"frequency (kHz){', ' if origin else ''}{origin}")
     return figure
 
 
 def _height(curves: int) -> float:
-    """Of a figure with so many curves, the gap and their legend, cm."""
-    return 7.6 + 0.5 * (-(-(curves + 1) // 2))
+    """Of a figure with so many curves and their legend, cm."""
+    return 7.6 + 0.5 * (-(-curves // 2))
 
 
 def curves(
     axes: Axes, frequency: Array, values: Mapping[str, Array], looks: Looks = LOOKS, width: float = 1.2
 ) -> list[Artist]:
     """Draw curves by name; what the legend needs."""
+    tints = colours([colour for colour, _ in looks])
     return [
         axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=width, label=label(name), gid="curve")[
             0
         ]
-        for (name, curve), (colour, dashes) in zip(values.items(), cycle(looks), strict=False)
+        for (name, curve), colour, (_, dashes) in zip(
+            values.items(), cycle(tints), cycle(looks), strict=False
+        )
     ]
 
 
-def shaded(axes: Axes, frequency: Array, gap: Gap, name: str = "band gap") -> list[Artist]:
-    """Shade the gap where it is in view; what the legend needs."""
-    if gap is None or gap[0] >= frequency[-1] or gap[1] <= frequency[0]:
-        return []
-    low, high = gap[0] / 1e3, gap[1] / 1e3
-    shade = axes.axvspan(low, high, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
-    shade.set_label(f"{name}, {hz_text(1e3 * low, 1e3 * high, form='.1f')}")
-    return [shade]
+def averaged(
+    axes: Axes, frequency: Array, values: Mapping[str, Array], *, logarithmic: bool = False
+) -> list[Artist]:
+    """Draw curves by name, pale with their running means where they have many lines; what a legend needs."""
+    if len(frequency) <= DENSE:
+        return curves(axes, frequency, values)
+    pale = [(colour, style.SOLID) for colour, _ in LOOKS]
+    for line in curves(axes, frequency, values, pale, 0.5):
+        line.set(alpha=PALE, label=None)
+    means = {
+        name: np.exp(running_mean(np.log(curve))) if logarithmic else running_mean(curve)
+        for name, curve in values.items()
+    }
+    handles = curves(axes, frequency, means, width=1.6)
+    for line in handles:
+        line.set_gid("mean")
+    window = (frequency[-1] - frequency[0]) / WINDOWS
+    (every,) = axes.plot([], [], color=style.PALE_INK, lw=0.5, label="pale: every frequency")
+    (mean,) = axes.plot(
+        [], [], color=style.PALE_INK, lw=1.6, label=f"mean over {hz_text(window, form='.2g')}"
+    )
+    return [*handles, every, mean]
 
 
-def finished(axes: Axes, frequency: Array, title: str = "") -> None:
-    """Title and the axis of frequencies."""
-    axes.set_title(title)
+def running_mean(values: Array) -> Array:
+    """Mean over a window about each line, of the values that are known there; NaN where none is known."""
+    half = max(1, len(values) // (2 * WINDOWS))
+    known = np.isfinite(values)
+    sums = [
+        np.convolve(part, np.ones(2 * half + 1), "same") for part in (np.where(known, values, 0.0), known)
+    ]
+    return np.asarray(np.divide(sums[0], sums[1], out=np.full(len(values), np.nan), where=sums[1] > 0))
+
+
+def finished(
+    axes: Axes, frequency: Array, gap: Gap = None, *, name: str = "band gap", named: bool = True
+) -> None:
+    """The axis of frequencies, and the gap in it."""
     axes.set_xlabel("frequency (kHz)")
     axes.set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)
+    mark(axes, gap=gap, name=name, named=named)

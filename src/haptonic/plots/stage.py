@@ -9,10 +9,10 @@ from typing import Any
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.legend import Legend
 
 from haptonic.errors import HaptonicError, shown
 from haptonic.plots import style
+from haptonic.plots.looks import choice
 
 
 @dataclass(frozen=True)
@@ -32,12 +32,24 @@ class Stage:
         assert found is not None
         return found
 
-    def legend(self, handles: Sequence[Artist] | None = None, **look: Any) -> Legend:
+    def legend(self, handles: Sequence[Artist] | None = None, ncols: int = 3, **look: Any) -> None:
         """Explain the handles, or all that has a label: below our own axes, within those of somebody else."""
         known = self.axes.get_legend_handles_labels()[0] if handles is None else list(handles)
         if self.own:
-            return self.figure.legend(handles=known, loc="outside lower center", **look)
-        return self.axes.legend(handles=known, **{**look, "ncols": 1})
+            below(self.figure, known, ncols, **look)
+        elif known and choice().legend:
+            self.axes.legend(handles=known, **look)
+
+
+def below(figure: Figure, handles: Sequence[Artist], ncols: int = 3, **look: Any) -> None:
+    """Explain the handles below a figure, in as many columns as its width has room for, up to ``ncols``."""
+    if not handles or not choice().legend:
+        return
+    for columns in range(min(ncols, len(handles)), 0, -1):
+        legend = figure.legend(handles=list(handles), loc="outside lower center", ncols=columns, **look)
+        if columns == 1 or legend.get_window_extent().width < figure.bbox.width:
+            return
+        legend.remove()
 
 
 def stage(ax: Axes | None, height: float, width: float = style.WIDTH, **how: Any) -> Stage:

@@ -12,23 +12,31 @@ from pathlib import Path
 from typing import Any, Literal, ParamSpec
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import Collection, PathCollection
 from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.text import Text
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogFormatterSciNotation, MaxNLocator
 
 from haptonic.names import latex
 from haptonic.paths import inside, target
+from haptonic.plots.looks import PAGE, choice
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.units import frequency_scale
 
 P = ParamSpec("P")
 
 CENTIMETRE = 1 / 2.54  # inch, in which matplotlib counts
-WIDTH = 15.0  # cm; type of 9 points is still 7 points when a picture is shrunk to 12 cm
-DOTS_PER_INCH = 200
+WIDTH = PAGE.width
+DOTS_PER_INCH = PAGE.dots
+PASSES = 2  # of the layout: ticks and so the widths of their labels change with the size of the axes
+TICK = 0.39  # length of a tick, and its distance from its label, over the size of the type
+FINE = 0.94  # type of ticks and legends over that of labels
 FILE_KINDS = ("svg", "png")
 
 INK = "#222222"
@@ -50,23 +58,21 @@ DASH_DOT_DOTTED: Dashes = (0, (5, 1.5, 1.2, 1.5, 1.2, 1.5))
 
 _STYLE: dict[str, Any] = {
     "font.family": "DejaVu Sans",  # comes with matplotlib: the same picture on every machine
-    "font.size": 9,
-    "axes.titlesize": 10,
-    "axes.labelsize": 9,
+    "axes.titlesize": "medium",
+    "figure.titlesize": "medium",
+    "axes.labelsize": "medium",
     "axes.linewidth": 0.7,
     "axes.edgecolor": INK,
     "axes.labelcolor": INK,
     "text.color": INK,
-    "xtick.labelsize": 8.5,
-    "ytick.labelsize": 8.5,
     "xtick.color": INK,
     "ytick.color": INK,
-    "legend.fontsize": 8.5,
     "legend.frameon": False,
     "lines.linewidth": 1.3,
     "hatch.linewidth": 0.6,
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
+    "text.hinting": "none",  # a text is as wide at any resolution, so that the layout holds
     "text.parse_math": False,  # a name may hold dollar signs; labels of our own say when they are formulas
     "figure.dpi": 100,
     "svg.fonttype": "path",
@@ -82,6 +88,12 @@ def styled() -> Iterator[None]:
         warnings.filterwarnings("ignore", r"Glyph .* missing from", UserWarning)
         mpl.rcdefaults()
         mpl.rcParams.update(_STYLE)  # type: ignore[arg-type]  # the stubs want literal keys
+        size = choice().look.type
+        sizes: dict[str, Any] = {"font.size": size, "legend.fontsize": FINE * size}
+        for axis in ("xtick", "ytick"):
+            sizes[f"{axis}.labelsize"] = FINE * size
+            sizes |= {f"{axis}.major.{part}": TICK * size for part in ("size", "pad")}
+        mpl.rcParams.update(sizes)  # type: ignore[arg-type]
         yield
 
 
@@ -96,6 +108,11 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
                 return make(*args, **kwargs)
         with styled():
             figure = make(*args, **kwargs)
+            weigh(figure, choice().look.type / PAGE.type)
+            for (
+                axes
+            ) in figure.axes:  # else the number of ticks would follow the settings at the time of writing
+                axes.tick_params(labelsize=mpl.rcParams["xtick.labelsize"])
             suit_units(figure)
             arrange(figure)  # ticks and their labels are made late: make them in this style
             return figure
@@ -118,6 +135,21 @@ def _safe_in_latex(axes: Axes) -> Iterator[None]:
         own = axis.get_major_formatter()
         if isinstance(own, FuncFormatter | PowersOfTen):  # names of places, or our powers of ten
             axis.set_major_formatter(FuncFormatter(lambda x, pos, own=own: latex(own(x, pos))))
+
+
+def weigh(figure: Figure, factor: float) -> None:
+    """Make lines and markers thinner or thicker, as the type is smaller or larger than on a page."""
+    if factor == 1.0:
+        return
+    for part in figure.findobj(Line2D):
+        part.set_linewidth(factor * part.get_linewidth())
+        part.set_markersize(factor * part.get_markersize())
+    for patch in figure.findobj(Patch):
+        patch.set_linewidth(factor * patch.get_linewidth())
+    for group in figure.findobj(Collection):
+        group.set_linewidth([factor * width for width in np.atleast_1d(group.get_linewidth())])
+        if isinstance(group, PathCollection) and not group.get_rasterized():  # those fill a plate as they are
+            group.set_sizes(factor**2 * group.get_sizes())
 
 
 def suit_units(figure: Figure) -> None:
@@ -159,12 +191,21 @@ def arrange(figure: Figure) -> None:
     """Give the parts of a figure their places; they keep them in whatever it is written as."""
     engine = figure.get_layout_engine()
     if engine is not None:
-        engine.execute(figure)
+        for _ in range(PASSES):
+            engine.execute(figure)
     figure.stale = False
 
 
 class Drawing(Figure):
-    """A figure that a notebook shows without any magic, at its size on paper."""
+    """A figure that a notebook shows without any magic, at its size on paper.
+
+    dots : of its PNG, per inch
+    """
+
+    def __init__(self, **how: Any) -> None:
+        """Make one in the look that was chosen."""
+        super().__init__(**how)
+        self.dots = choice().look.dots
 
     def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
         wide, high = (round(96 * inches) for inches in self.get_size_inches())  # px of CSS
@@ -172,8 +213,26 @@ class Drawing(Figure):
 
 
 def blank(height: float, width: float = WIDTH) -> Drawing:
-    """An empty figure of a size in cm, with its parts arranged so that they do not overlap."""
-    return Drawing(figsize=(width * CENTIMETRE, height * CENTIMETRE), layout="constrained")
+    """An empty figure whose parts do not overlap; its size in cm is that on a page, see `Look`."""
+    look = choice().look
+    return _empty(width / WIDTH * look.width, height * look.tall, "constrained")
+
+
+def suited(tall: float, lines: float, width: float = 1.0) -> Drawing:
+    """An empty figure for panels that keep their form.
+
+    Parameters
+    ----------
+    tall : height of all panels, in widths of a whole figure; lines : of type above and below them
+    width : of the figure, in the same widths
+    """
+    look = choice().look
+    height = tall * look.width + lines * 1.4 * look.type / 72 / CENTIMETRE
+    return _empty(width * look.width, height, "compressed")
+
+
+def _empty(width: float, height: float, layout: Literal["constrained", "compressed"]) -> Drawing:
+    return Drawing(figsize=(width * CENTIMETRE, height * CENTIMETRE), layout=layout)
 
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -202,6 +261,11 @@ def logarithmic(axes: Axes, *, across: bool = False) -> None:
 def perceptual() -> Colormap:
     """Colours for an amount: even steps look even, also in grey and to the colour-blind."""
     return mpl.colormaps["viridis"]
+
+
+def amount() -> Colormap:
+    """Colours for an amount on paper: nothing is white, much is dark; even steps look even in grey too."""
+    return mpl.colormaps["Blues"]
 
 
 def diverging() -> Colormap:
@@ -240,7 +304,8 @@ def rendered(figure: Figure, kind: str) -> bytes:
         figure.set_layout_engine(None)  # with one, every file is arranged anew, twice
         try:
             metadata = {"Date": None} if kind == "svg" else None
-            figure.savefig(stream, format=kind, dpi=DOTS_PER_INCH, metadata=metadata)
+            dots = figure.dots if isinstance(figure, Drawing) else DOTS_PER_INCH
+            figure.savefig(stream, format=kind, dpi=dots, metadata=metadata)
         finally:
             figure.set_layout_engine(engine)
             figure.stale = False  # another resolution moved nothing
@@ -291,9 +356,9 @@ def label_right(axes: Axes, labels: Sequence[tuple[float, str, str]], lines: int
         axes.annotate(
             text,
             xy=(1.0, height),
-            xytext=(1.045, place),
+            xytext=(2 * size, place),
             xycoords=("axes fraction", "data"),
-            textcoords=("axes fraction", "data"),
+            textcoords=("offset points", "data"),
             va="center",
             ha="left",
             color=colour,

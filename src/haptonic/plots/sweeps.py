@@ -8,143 +8,121 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
-from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.looks import colours
+from haptonic.plots.marks import above, mark
 from haptonic.plots.stage import stage
 from haptonic.plots.text import readable, scaled_unit
-from haptonic.units import hz_text
 
-BAR = 0.8  # width of a bar, as a share of the step
 SUBSCRIPTED = ("f₁", "f₂", "f₃")
-CURVES = {
-    "euler_bernoulli": ("cantilever, Euler-Bernoulli", style.BLUE, style.SOLID),
-    "timoshenko": ("cantilever, Timoshenko", style.RED, style.DASHED),
+CURVES: dict[str, tuple[str, style.Dashes]] = {
+    "timoshenko": ("pillar alone, Timoshenko", style.SOLID),
+    "euler_bernoulli": ("pillar alone, Euler", style.DOTTED),
 }
 
 
 @style.drawn
 def sweep(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
-    """Complete gaps as bars, one column for each design.
+    """Edges of complete gaps as points with their errors, one design above another; the gap shaded between.
 
-    A gap that is not wider than the errors of its edges is drawn pale and hatched. Above the highest band
-    that was computed nothing is known; that is grey.
+    Points of a gap that is not wider than the errors of its edges are hollow. Above the dashed line, the
+    highest band that was computed, nothing is known.
 
     Parameters
     ----------
-    dataset : variables ``value`` (step), ``gap_lower``, ``gap_upper`` and their errors (step, gap_slot; NaN
-        where there is none), ``searched_up_to`` (step), ``euler_bernoulli`` and ``timoshenko`` (step,
-        resonance); attributes ``expression`` and, if known, ``own_value`` and ``carrier_hz``
+    dataset : variables ``value`` (step), ``gap_lower``, ``gap_upper``, ``gap_below`` and the errors of the
+        edges (step, gap_slot; NaN where there is none), ``searched_up_to`` (step), ``euler_bernoulli`` and
+        ``timoshenko`` (step, resonance); attributes ``expression`` and, if known, ``own_value`` and
+        ``carrier_hz``
     """
-    on = stage(ax, 10.5)
+    on = stage(ax, 10.0)
     axes = on.axes
     unit, factor = scaled_unit(dataset["value"].attrs["units"])
     value = dataset["value"].values * factor
-    half = 0.5 * float(np.abs(np.diff(value)).min())
+    order = np.argsort(value)
+    dataset, value = dataset.isel(step=order), value[order]
+    half = 0.5 * float(np.diff(value).min()) if len(value) > 1 else 0.5
     searched = dataset["searched_up_to"].values / 1e3
-    axes.set_xlim(value.min() - half, value.max() + half)
-    axes.set_ylim(0, 1.06 * float(np.nanmax(searched, initial=0.0)) or 1.0)
-    handles: list[Artist] = [
-        *_draw_limit(axes, value, searched, half),
-        *_draw_gaps(axes, dataset, value, 2 * BAR * half),
-    ]
-    names = _draw_resonances(axes, dataset, value)
-    for name, (label, colour, dashes) in CURVES.items():
-        if np.isfinite(dataset[name].values).any():
-            handles += axes.plot([], [], color=colour, ls=dashes, label=label)
+    axes.set_xlim(value[0] - half, value[-1] + half)
+    axes.set_ylim(0, 1.04 * float(np.nanmax(searched, initial=0.0)) or 1.0)
+    handles = [*_draw_gaps(axes, dataset, value), *_draw_limit(axes, value, searched)]
+    handles += _draw_resonances(axes, dataset, value)
     if "own_value" in dataset.attrs:
         own = float(dataset.attrs["own_value"]) * factor
-        beside = "" if unit == "dimensionless" else f" {unit}"
-        if value.min() - half <= own <= value.max() + half:
-            handles.append(axes.axvline(own, color=style.INK, ls=style.DOTTED, lw=1.2, gid="own",
-                                        label=f"this study ({own:.4g}{beside})"))  # fmt: skip
+        if value[0] - half <= own <= value[-1] + half:
+            axes.axvline(own, color=style.INK, ls=style.DOTTED, lw=1.0, gid="own", zorder=1)
+            beside = "" if unit == "dimensionless" else f" {unit}"
+            above(axes, [(own, f"this study, {own:.4g}{beside}", style.INK)])
     carrier = dataset.attrs.get("carrier_hz")
-    if carrier is not None:
-        axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
-        names.append((carrier / 1e3, f"carrier {hz_text(carrier, form='g')}", style.CARRIER))
     axes.set_xlabel(f"{readable(dataset.attrs['expression'])} ({unit})", parse_math=False)
     axes.set_ylabel("frequency (kHz)")
-    on.legend(handles, ncols=2, handlelength=2.6)
-    style.label_right(axes, [name for name in names if name[0] <= axes.get_ylim()[1]])
+    on.legend(handles, ncols=3)
+    mark(axes, carrier=carrier, along="y")
     return on.figure
 
 
-def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array, width: float) -> list[Artist]:
-    lower, upper = dataset["gap_lower"].values, dataset["gap_upper"].values
-    doubt = dataset["gap_lower_error"].values + dataset["gap_upper_error"].values
-    there = np.isfinite(lower)
-    certain = there & (upper - lower > doubt)
-    looks: dict[str, tuple[NDArray[np.bool_], str, dict[str, Any]]] = {
-        "certain": (certain, "complete gap", {"facecolor": style.GAP, "edgecolor": style.GAP_EDGE}),
-        "uncertain": (
-            there & ~certain,
-            "gap not wider than its errors",
-            {"facecolor": "#fbf4e4", "edgecolor": "#cdb27f", "hatch": "/////"},
-        ),
-    }
+def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array) -> list[Artist]:
+    """Shade each gap along the designs that have it, and its edges as points; what the legend needs."""
+    lower, upper = dataset["gap_lower"].values / 1e3, dataset["gap_upper"].values / 1e3
+    errors = dataset["gap_lower_error"].values / 1e3, dataset["gap_upper_error"].values / 1e3
+    certain = upper - lower > errors[0] + errors[1]
+    below = dataset["gap_below"].values
+    for band in np.unique(below[np.isfinite(lower)]):
+        here = (below == band) & np.isfinite(lower)
+        ends = [
+            np.where(here, edge, np.nan).max(axis=1, initial=-np.inf, where=here) for edge in (lower, upper)
+        ]
+        known = here.any(axis=1)
+        low, high = (np.where(known, end, np.nan) for end in ends)
+        axes.fill_between(value, low, high, where=known, facecolor=style.GAP, lw=0, zorder=2, gid="gap")
+    color = colours([style.GAP_EDGE])[0]
     handles: list[Artist] = []
-    for name, (chosen, label, look) in looks.items():
-        if chosen.any():
-            step = np.nonzero(chosen)[0]
-            bars = axes.bar(
-                value[step],
-                (upper - lower)[chosen] / 1e3,
-                width,
-                lower[chosen] / 1e3,
-                lw=0.6,
-                zorder=2,
-                **look,
-            )
-            for bar in bars:
-                bar.set_gid(f"{name} gap")
-            handles.append(Patch(label=label, lw=0.6, **look))
+    looks = (
+        ("certain gap", certain, color, "edges of a complete gap"),
+        ("uncertain gap", ~certain & np.isfinite(lower), "white", "gap within its errors"),
+    )
+    for gid, chosen, face, words in looks:
+        if not chosen.any():
+            continue
+        step = np.nonzero(chosen)[0]
+        for edge, error in zip((lower, upper), errors, strict=True):
+            points = axes.errorbar(
+                value[step], edge[chosen], error[chosen], fmt="o", ms=3, color=color, mfc=face, mew=0.8,
+                elinewidth=0.8, zorder=4,
+            )  # fmt: skip
+            points.lines[0].set_gid(gid)
+        (point,) = axes.plot([], [], "o", ms=3, color=color, mfc=face, mew=0.8, label=words)
+        handles.append(point)
     return handles
 
 
-def _draw_limit(axes: Axes, value: Array, searched: Array, half: float) -> list[Artist]:
-    top = axes.get_ylim()[1]
+def _draw_limit(axes: Axes, value: Array, searched: Array) -> list[Artist]:
+    """The line up to which gaps were looked for, and crosses for designs that failed; what a legend needs."""
+    handles: list[Artist] = []
     computed = np.isfinite(searched)
-    look: dict[str, Any] = {"facecolor": style.BEYOND, "edgecolor": style.BEYOND, "lw": 0.4}
     if computed.any():
-        axes.bar(
-            value[computed],
-            top - searched[computed],
-            2 * half,
-            searched[computed],
-            zorder=1,
-            gid="beyond",
-            **look,
-        )
-    handles: list[Artist] = [Patch(label="above the bands that were computed", **look)]
+        look: dict[str, Any] = {"color": style.PALE_INK, "ls": style.DASHED, "lw": 0.8}
+        handles += axes.plot(value[computed], searched[computed], gid="beyond", **look, zorder=1,
+                             label="highest band computed")  # fmt: skip
     if not computed.all():
-        failed: dict[str, Any] = {"facecolor": "white", "edgecolor": style.PALE_INK, "hatch": "xxx"}
-        for bar in axes.bar(value[~computed], top, 2 * BAR * half, lw=0, zorder=1, **failed):
-            bar.set_gid("failed")
-        handles.append(Patch(label="could not be computed", lw=0, **failed))
+        failed = value[~computed]
+        handles += axes.plot(failed, np.zeros(len(failed)), "x", color=style.RED, clip_on=False, gid="failed",
+                             label="could not be computed", zorder=5)  # fmt: skip
     return handles
 
 
-def _draw_resonances(axes: Axes, dataset: xr.Dataset, value: Array) -> list[tuple[float, str, str]]:
-    """Draw the pillar's own resonances; names for the right-hand side, where a curve ends there."""
-    top = axes.get_ylim()[1]
-    names = []
-    for variable, (_, colour, dashes) in CURVES.items():
+def _draw_resonances(axes: Axes, dataset: xr.Dataset, value: Array) -> list[Artist]:
+    """Draw the resonances of the pillar alone as thin lines, each theory once in the legend."""
+    handles: list[Artist] = []
+    for variable, (words, dashes) in CURVES.items():
         for k in range(dataset.sizes["resonance"]):
             frequency = dataset[variable].values[:, k] / 1e3
-            axes.plot(value, frequency, color=colour, ls=dashes, lw=1.3, zorder=3, gid=f"{variable} {k + 1}")
-    variable, (_, colour, _) = next(iter(CURVES.items()))
-    order = np.argsort(value)
-    for k in range(dataset.sizes["resonance"]):
-        frequency = dataset[variable].values[order, k] / 1e3
-        if frequency[-1] <= top:
-            names.append((float(frequency[-1]), SUBSCRIPTED[k], colour))
-        elif frequency[0] <= top:  # leaves through the top on its way to the right
-            leaves = float(np.interp(top, frequency, value[order]))
-            axes.annotate(
-                SUBSCRIPTED[k], (leaves, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 3),
-                textcoords="offset points", ha="center", va="bottom", color=colour,
-            )  # fmt: skip
-    return names
+            (line,) = axes.plot(value, frequency, color=style.SKY, ls=dashes, lw=0.9, zorder=3,
+                                gid=f"{variable} {k + 1}")  # fmt: skip
+        if np.isfinite(dataset[variable].values).any():
+            line.set_label(words)
+            handles.append(line)
+    return handles

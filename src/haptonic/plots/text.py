@@ -7,7 +7,7 @@ import re
 from typing import SupportsFloat
 
 from haptonic.names import visible
-from haptonic.units import frequency_scale
+from haptonic.units import frequency_scale, uncertain
 
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten that they take away
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
@@ -19,7 +19,6 @@ _PROPERLY = {
 }
 _PROPER = re.compile(rf"\b(?:{'|'.join(map(re.escape, _PROPERLY))})\b")
 _OF_SITE = re.compile(r"\bcell\.site\[(\d*)\]\.([\w.]*\w)")
-MOST_DECIMALS = 6
 
 
 def uncertain_hertz(frequency: float, error: float) -> str:
@@ -33,22 +32,6 @@ def band_text(lower: float, lower_error: float, upper: float, upper_error: float
     unit, scale = frequency_scale(lower, upper)
     low, high = uncertain(lower * scale, lower_error * scale), uncertain(upper * scale, upper_error * scale)
     return f"{low} to {high} {unit}"
-
-
-def uncertain(value: float, bound: float) -> str:
-    """``52.51 ± 0.05``: a value and the bound of its error, both in the unit that is shown.
-
-    The bound is rounded up to one digit, to two where the first is a 1; the value has the same decimals.
-    """
-    if not (math.isfinite(bound) and bound > 0):
-        return f"{value:.3f}"
-    power = math.floor(math.log10(bound) + 1e-9)
-    power -= bound < 2 * 10.0**power  # of 1.02, one digit would make twice as much
-    digit = math.ceil(bound / 10.0**power - 1e-9)
-    if digit == 10:
-        digit, power = 1, power + 1
-    decimals = min(max(-power, 0), MOST_DECIMALS)
-    return f"{value:.{decimals}f} ± {digit * 10.0**power:.{decimals}f}"
 
 
 def label(name: str) -> str:
@@ -81,9 +64,15 @@ def absolute(units: str, largest: float, drive: float | None) -> tuple[str, floa
     """
     moving = "m/s" if units.startswith("m/s") else "m"
     factor = 1.0 if drive is None else drive
-    power = next((power for power in _PREFIXED if largest * factor * 10.0**power >= 1), max(_PREFIXED))
     beyond = units.removeprefix(moving) if drive is None else ""
-    return f"{_PREFIXED[power]}{moving}{beyond}", factor * 10.0**power
+    unit, scale = prefixed(largest * factor, moving)
+    return f"{unit}{beyond}", factor * scale
+
+
+def prefixed(largest: float, unit: str) -> tuple[str, float]:
+    """The unit with the prefix that suits values up to ``largest``, and what to multiply values by."""
+    power = next((power for power in _PREFIXED if largest * 10.0**power >= 1), max(_PREFIXED))
+    return f"{_PREFIXED[power]}{unit}", 10.0**power
 
 
 def driven(units: str, drive: float | None) -> str:

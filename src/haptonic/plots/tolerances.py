@@ -46,7 +46,7 @@ def _draw_edges(axes: Axes, dataset: xr.Dataset) -> None:
         axes.axvspan(carrier - margin, carrier + margin, color=style.CARRIER, alpha=0.12, lw=0,
                      label=f"margin {hz_text(1e3 * margin, form='g')}", gid="margin")  # fmt: skip
     axes.set_xlabel("frequency (kHz)")
-    axes.set_ylabel("plates drawn, in each bin")
+    axes.set_ylabel("plates in each bin")
 
 
 def _draw_shares(axes: Axes, dataset: xr.Dataset) -> None:
@@ -59,5 +59,5 @@ def _draw_shares(axes: Axes, dataset: xr.Dataset) -> None:
                   ms=3.5, clip_on=False, zorder=3, label=None if side else "to first order")  # fmt: skip
     axes.set_yticks(place, names)
     axes.set_ylim(len(names) - 0.4, -0.6)
-    axes.set_xlabel("share of the edge's variance, total Sobol index (%)")
+    axes.set_xlabel("share of variance, total Sobol index (%)")
     axes.set_xlim(0, 105)

@@ -15,6 +15,7 @@ from matplotlib.ticker import MaxNLocator
 from haptonic.arrays import Array
 from haptonic.plate.layout import Layout
 from haptonic.plots import style
+from haptonic.plots.looks import choice
 from haptonic.plots.plates import region_borders
 from haptonic.plots.spectra import curves, finished
 from haptonic.plots.stage import stage
@@ -72,7 +73,8 @@ def mac_matrix(of: Agreement, *, measured: str, computed: str, ax: Axes | None =
             for j in range(columns):
                 value = of.mac[i, j]
                 colour = style.INK if value > DARK else "white"
-                axes.text(j, i, f"{value:.2f}", ha="center", va="center", color=colour, fontsize=7)
+                axes.text(j, i, f"{value:.2f}", ha="center", va="center", color=colour, fontsize="small",
+                          gid="number in a cell")  # fmt: skip
     for pair in of.pairs:
         axes.add_patch(
             Rectangle((pair.second - 0.5, pair.first - 0.5), 1, 1, fill=False, edgecolor=style.RED, lw=1.8,
@@ -100,14 +102,14 @@ def frac_maps(points: Array, frac: Mapping[str, Array], layout: Layout, *, measu
     measured : what the measurement is called
     """
     ratio = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
-    wide = (style.WIDTH - 2.0) / max(len(frac), 2)
-    figure = style.blank(min(wide * ratio, 16.0) + 3.9)
+    wide = (choice().look.width - 2.0) / max(len(frac), 2)
+    figure = style.suited(min(0.85 / max(len(frac), 2) * ratio, 1.1), 9)
     panels = figure.subplots(1, len(frac), sharey=True, squeeze=False)[0]
     size = min(MARKER * 28.0 / np.sqrt(len(points)) * wide / style.WIDTH, 14.0) ** 2 / 4
     for axes, (name, values) in zip(panels, frac.items(), strict=True):
         marks = axes.scatter(
             1e3 * points[:, 0], 1e3 * points[:, 1], c=values, s=size, cmap=style.perceptual(),
-            norm=Normalize(0, 1), marker="s", linewidths=0, gid="frac",
+            norm=Normalize(0, 1), marker="s", linewidths=0, gid="frac", rasterized=True,
         )  # fmt: skip
         for region in layout.regions:
             axes.add_collection(
@@ -118,10 +120,10 @@ def frac_maps(points: Array, frac: Mapping[str, Array], layout: Layout, *, measu
             ylim=(1e3 * layout.y[0], 1e3 * layout.y[-1]), xlabel="x (mm)",
         )  # fmt: skip
         axes.xaxis.set_major_locator(MaxNLocator(4))
-        axes.set_title(f"{name}\nmedian {np.nanmedian(values):.3f}", fontsize=9)
+        axes.set_title(f"{name}\nmedian {np.nanmedian(values):.3f}")
     panels[0].set_ylabel("y (mm)")
     figure.colorbar(
         marks, ax=list(panels), location="bottom", shrink=0.6, aspect=30, pad=0.02,
-        label=f"FRAC of {measured} and model (dimensionless)",
+        label=f"FRAC of {measured}\nand model (dimensionless)",
     )  # fmt: skip
     return figure

@@ -16,10 +16,12 @@ from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice, PointGroup
 from haptonic.plots import style
 from haptonic.plots.bands import complete_gaps
+from haptonic.plots.marks import above
+from haptonic.plots.plates import HALO
 from haptonic.plots.stage import stage
 from haptonic.plots.text import band_text
 
-LEVELS = 9
+LEVELS = 9  # lines of equal frequency
 
 
 @style.drawn
@@ -32,28 +34,30 @@ def iso_frequency(dataset: xr.Dataset, bands: tuple[int, ...] = ()) -> Figure:
     bands : numbers, counted from 1; by default the first band and the one below the widest complete gap
     """
     chosen = bands or _telling_bands(dataset)
-    figure = style.blank(9.6, style.WIDTH if len(chosen) > 1 else 0.55 * style.WIDTH)
+    figure = style.suited(0.42, 7, 1.0 if len(chosen) > 1 else 0.55)
     surface = _surface(dataset)
+    below = dataset["gap_below"].values[dataset["gap_complete"].values.astype(bool)]
     panels = figure.subplots(1, len(chosen), squeeze=False)[0]
     for axes, band in zip(panels, chosen, strict=True):
-        _contours(figure, axes, surface, band)
+        _contours(figure, axes, surface, band, ", below the gap" if band in below else "")
         axes.set_xlabel(r"$k_x$ (rad/mm)", parse_math=True)
     panels[0].set_ylabel(r"$k_y$ (rad/mm)", parse_math=True)
     return figure
 
 
-def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int) -> None:
+def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int, beside: str) -> None:
     wavevectors, triangles, frequency = surface.unfolded(band - 1)
     k = wavevectors / 1e3
     values = frequency / 1e3
-    levels = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
     plane = Triangulation(k[:, 0], k[:, 1], triangles)
-    filled = axes.tricontourf(plane, values, levels=levels, cmap=style.perceptual())
-    filled.set_gid("frequency")  # as an argument it is not taken before matplotlib 3.11
-    axes.tricontour(plane, values, levels=levels, colors="white", linewidths=0.6)
+    filled = axes.tripcolor(
+        plane, values, shading="gouraud", cmap=style.perceptual(), rasterized=True, gid="frequency"
+    )
+    lines = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
+    axes.tricontour(plane, values, levels=lines, colors="white", linewidths=0.6)
     bar = figure.colorbar(filled, ax=axes, location="bottom", aspect=25, pad=0.03)
     bar.set_label("frequency (kHz)")
-    bar.locator = MaxNLocator(5)
+    bar.locator = MaxNLocator(3)
     bar.update_ticks()
     labels = surface.zone.corner_phases
     corners = surface.zone.lattice.wavevector(np.array(list(labels.values()))) / 1e3
@@ -65,14 +69,13 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int) -> No
     middle = corners.mean(axis=0)
     for label, place in zip(labels, corners, strict=True):
         axes.annotate(
-            label, place, textcoords="offset points", xytext=8 * np.sign(np.round(place - middle, 6)),
-            color=style.INK, ha="center", va="center", fontsize=8.5, annotation_clip=False,
-            bbox={"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none"},
+            label, place, textcoords="offset points", xytext=7 * np.sign(np.round(place - middle, 6)),
+            color=style.INK, ha="center", va="center", gid="corner", annotation_clip=False, path_effects=HALO,
         )  # fmt: skip
     axes.set_aspect("equal")
-    axes.set_title(f"band {band}", pad=15)  # above the labels of corners at the upper border
-    axes.xaxis.set_major_locator(MaxNLocator(5, symmetric=True))
-    axes.yaxis.set_major_locator(MaxNLocator(5, symmetric=True))
+    axes.set_title(f"band {band}{beside}", pad=15)  # above the labels of corners at the upper border
+    axes.xaxis.set_major_locator(MaxNLocator(3, symmetric=True))
+    axes.yaxis.set_major_locator(MaxNLocator(3, symmetric=True))
 
 
 @style.drawn
@@ -95,14 +98,15 @@ def density_of_states(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     for lower, upper, lower_error, upper_error in found:
         axes.axvspan(
             lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap",
-            label=f"complete gap, {band_text(lower, lower_error, upper, upper_error)}",
         )  # fmt: skip
+        text = f"complete gap {band_text(lower, lower_error, upper, upper_error)}"
+        above(axes, [(0.5 * (lower + upper) / 1e3, text, style.GAP_EDGE)])
     axes.axvspan(whole, end, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond",
-                 label="states of higher bands, which were not computed, are missing")  # fmt: skip
+                 label="states of bands that were not computed are missing")  # fmt: skip
     axes.stairs(density, edges, fill=True, color=style.SKY, alpha=0.55, lw=0, zorder=2)
     axes.stairs(density, edges, color=style.BLUE, lw=0.9, zorder=3, gid="density")
     axes.set_xlabel("frequency (kHz)")
-    axes.set_ylabel("density of states\n(states per cell and kHz)")
+    axes.set_ylabel("density of states\n(per cell and kHz)")
     on.legend(ncols=1)
     return on.figure
 

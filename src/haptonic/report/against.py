@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from haptonic.plots.text import minus, uncertain
+from haptonic.plots.text import minus
 from haptonic.results.references import References, Value, found_at
-from haptonic.units import to_si
+from haptonic.units import to_si, uncertain
 
 NONE = "-"  # where there is nothing to show
 ABSENT = "not computed in this run"

@@ -12,21 +12,23 @@ from typing import Any
 
 import numpy as np
 
+from haptonic import plots
 from haptonic.bloch import gaps_of
 from haptonic.cell import UnitCell
 from haptonic.fields import Quantity, table
 from haptonic.fields.keys import key_of, leaves
 from haptonic.materials import built_in_name
 from haptonic.pages import filled
-from haptonic.plots.text import uncertain_hertz
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.report.chapters import IN_ORDER, others
 from haptonic.report.chapters.dispersion import gap_text
+from haptonic.report.first import first_screen
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity, hz_text
 
 TEMPLATE = "page.html"
+MOST_FINDINGS = 3  # of a chapter that are seen while it is folded
 MESH = {
     "order": "Order of the elements around the pillar and in the core",
     "outward": "Order across the rings",
@@ -63,6 +65,11 @@ def write_report(results: Results, path: Path, overwrite: bool = False) -> Path:
 
 def page(results: Results) -> str:
     """The report as text."""
+    with plots.chosen("column"):  # a column fits a telephone, and two of them a screen
+        return _page(results)
+
+
+def _page(results: Results) -> str:
     made = [chapter(results) for chapter in IN_ORDER] + others(results)
     known, count, chapters = results.references, itertools.count(1), []
     for one in made:
@@ -73,6 +80,8 @@ def page(results: Results) -> str:
     return filled(
         TEMPLATE,
         study=results.study,
+        first=first_screen(results, chapters),
+        most=MOST_FINDINGS,
         facts=_key_numbers(results),
         chapters=chapters,
         absent=[one for one in made if isinstance(one, Absent)],
@@ -82,7 +91,7 @@ def page(results: Results) -> str:
 
 
 def _key_numbers(results: Results) -> list[tuple[str, str]]:
-    study, data = results.study, results.bands
+    study = results.study
     cell = study.cell
     sizes = [f"pitch {_length(cell.lattice.pitch)}", f"plate {_length(cell.thickness)}"]
     for pillar in dict.fromkeys(one for one in cell.pillars if one is not None):
@@ -94,18 +103,14 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     if cell.solid is not None:
         source = "mesh taken as it is from" if cell.solid.is_mesh else "solids of"
         sizes.append(f"{source} {Path(cell.solid.file).name}")
-    complete = [gap for gap in gaps_of(data) if gap.complete and gap.certain]
+    complete = [gap for gap in gaps_of(results.bands) if gap.complete and gap.certain]
     facts = [
         ("Unit cell", f"{cell.lattice.name} lattice; {'; '.join(sizes)}"),
         ("Material", _materials(cell)),
         ("Carrier", "not given" if study.carrier is None else hz_text(study.carrier, form="g")),
-        ("Complete gap", "; ".join(gap_text(gap) for gap in complete) or "none found"),
     ]
-    if complete:
-        widest = max(complete, key=lambda gap: gap.width)
-        relative = widest.width / widest.centre
-        width = uncertain_hertz(widest.width, widest.lower_error + widest.upper_error)
-        facts.append(("Width of the gap", f"{width}, {relative:.1%} of its centre"))
+    if len(complete) > 1:
+        facts.append(("Complete gaps", "; ".join(gap_text(gap) for gap in complete)))
     if results.started is not None:
         facts.append(("Computed", results.started.strftime("%d %B %Y, %H:%M %Z").strip()))
     return facts

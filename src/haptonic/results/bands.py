@@ -157,19 +157,19 @@ class Bands(Result):
         "Simulated dispersion along the edge of the irreducible zone. Complete gaps are shaded, those of one "
         "parity hatched.",
     )
-    def _dispersion(self, *, color: str | None = None, ax: Axes | None = None) -> Figure:
+    def _dispersion(self, *, ax: Axes | None = None) -> Figure:
         """Band diagram with the complete gaps and the carrier."""
-        return plots.dispersion(self.dataset, self.dataset.attrs.get("carrier_hz"), color=color, ax=ax)
+        return plots.dispersion(self.dataset, self.dataset.attrs.get("carrier_hz"), ax=ax)
 
     @figure(
         "natures",
         "Simulated bands, coloured by the motion: colour, dashes and markers change where a mode changes its "
         "motion. Complete gaps are shaded, those of one parity hatched.",
     )
-    def _natures(self, *, legend: bool = True, ax: Axes | None = None) -> Figure:
+    def _natures(self, *, ax: Axes | None = None) -> Figure:
         """Band diagram with each mode in the colour of its motion."""
         carrier = self.dataset.attrs.get("carrier_hz")
-        return plots.dispersion(self.dataset, carrier, natures=True, legend=legend, ax=ax)
+        return plots.dispersion(self.dataset, carrier, natures=True, ax=ax)
 
     @figure(
         "modes",

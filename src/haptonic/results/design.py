@@ -78,9 +78,11 @@ class Design(Result):
         table = Table("design", ("parameter", "study", "best design"), values)
         return [table] if self.front is None else [table, front_table(self.front)]
 
-    @figure("search", "Edges of the gap and margin of the carrier, design by design.")
+    @figure(
+        "search", "Simulated designs of the search: their sizes, and the margin of the carrier in the gap."
+    )
     def _search(self) -> Figure:
-        return plots.search(self.dataset)
+        return plots.search(self.dataset, UNITS)
 
     @figure("front", "The widest gap against the pitch.", when=_has_front)
     def _front(self, *, ax: Axes | None = None) -> Figure:

@@ -85,18 +85,17 @@ class FrictionResult(Result):
 
     @figure("conditions", "{Origin} friction of the conditions, mean and one standard deviation over trials.")
     def _conditions(self, *, ax: Axes | None = None) -> Figure:
-        summary = self.found
-        return plots.conditions(
-            summary.conditions, summary.reductions, summary.stopped, driven=summary.driven,
-            published=self.published or None, origin=self.origin, ax=ax,
-        )  # fmt: skip
+        return plots.conditions(self.found.conditions, origin=self.origin, ax=ax)
 
     @figure(
         "reductions",
         "{Origin} reductions with 95 % intervals: for the population, and for each participant.",
     )
     def _reductions(self, *, ax: Axes | None = None) -> Figure:
-        return plots.reductions(self.found.reductions, self.found.own, origin=self.origin, ax=ax)
+        found = self.found
+        roles = {guide: "driven" if guide == found.driven else "idle" for guide in found.reductions}
+        published = {guide: self.published[role] for guide, role in roles.items() if role in self.published}
+        return plots.reductions(found.reductions, found.own, origin=self.origin, published=published, ax=ax)
 
     def summary(self) -> list[str]:
         return reported(self)

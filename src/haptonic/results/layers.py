@@ -66,14 +66,18 @@ class Layers(Result):
         """Carrier frequency, Hz."""
         return float(self.dataset.attrs["carrier_hz"])
 
-    @figure("layers", "Simulated energy transmitted by rows of cells between two plain plates.")
+    @figure(
+        "layers",
+        "Simulated energy that rows of cells transmit between two plain plates, against frequency and, at "
+        "the carrier, against the number of rows. A curve and a point of one colour have as many rows.",
+    )
     def _layers(self, *, incident: str | None = None, ax: Axes | None = None) -> Figure:
         return plots.layers(self.dataset, incident=incident, ax=ax)
 
     @figure(
         "decay",
-        "Simulated complex band structure across the rows (left, middle), and decay per row of the wave "
-        "that decays most slowly, for several phases along the rows (right).",
+        "Simulated decay per row of the wave that reaches farthest, at normal incidence and over all "
+        "directions; below it the phase per row of waves that propagate.",
     )
     def _decay(self) -> Figure:
         return plots.decay(self.dataset)

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 from haptonic import plots
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, shown
 from haptonic.later import Axes, Figure
 from haptonic.pages import embedded
 from haptonic.paths import target
@@ -197,28 +197,50 @@ class Result:
         return writers
 
     @overload
-    def plot(self, name: str | None = None, *, ax: Axes, **how: Any) -> Axes: ...
+    def plot(self, name: str | None = None, *, ax: Axes, legend: bool = True,
+             color: str | Sequence[str] | None = None, **how: Any) -> Axes: ...  # fmt: skip
 
     @overload
-    def plot(self, name: str | None = None, *, ax: None = None, **how: Any) -> Figure: ...
+    def plot(self, name: str | None = None, *, ax: None = None, style: str = "plain", legend: bool = True,
+             color: str | Sequence[str] | None = None, **how: Any) -> Figure: ...  # fmt: skip
 
-    def plot(self, name: str | None = None, *, ax: Axes | None = None, **how: Any) -> Figure | Axes:
+    def plot(
+        self,
+        name: str | None = None,
+        *,
+        ax: Axes | None = None,
+        style: str | None = None,
+        legend: bool = True,
+        color: str | Sequence[str] | None = None,
+        **how: Any,
+    ) -> Figure | Axes:
         """Draw one picture, the first by default.
 
         Parameters
         ----------
         ax : axes of the user's figure to draw on; size, type and colours of everything but the data are then
             those of this figure, and the axes are returned. For pictures with one system of axes.
+        style : "plain" (150 mm wide, type of 9 points), "column" of a paper (85 mm, 7 points), "wide" over
+            two columns (180 mm, 8 points) or "slide" (240 mm, 16 points)
+        legend : whether to draw one
+        color : colour of the curves in their order, one or several
         how : options of a picture, such as ``frequency`` (Hz) of a map
 
         Raises
         ------
-        HaptonicError : no such picture or option, or axes that cannot be drawn on
+        HaptonicError : no such picture, style, colour or option, or axes that cannot be drawn on
         """
-        if ax is None:
-            return self.figures.drawn(name, how)
-        self.figures.drawn(name, {"ax": plots.checked(ax), **how})
-        return ax
+        if ax is not None and style is not None:
+            raise HaptonicError.conflict(
+                argument="style", given=f"style={shown(style)} with ax", allowed="style or ax",
+                cause="size and type are those of the figure that the axes belong to",
+                next_step="leave style out, or ax",
+            )  # fmt: skip
+        with plots.chosen(style, legend=legend, color=color):
+            if ax is None:
+                return self.figures.drawn(name, how)
+            self.figures.drawn(name, {"ax": plots.checked(ax), **how})
+            return ax
 
     def to_dataframe(self) -> pd.DataFrame:
         """The first table as raw values in SI units."""

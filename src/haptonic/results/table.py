@@ -12,7 +12,7 @@ from functools import cache
 from haptonic import names
 from haptonic.errors import HaptonicError
 from haptonic.later import pandas as pd, xarray as xr
-from haptonic.units import frequency_scale, to_si
+from haptonic.units import frequency_scale, to_si, uncertain
 
 NOTHING = "-"  # text of an empty cell
 
@@ -126,7 +126,7 @@ class Column:
             case str():
                 return cell
             case Uncertain(value, error, note):
-                return f"{self._number(value * scale)} ± {self._number(error * scale)}{note}"
+                return f"{uncertain(value * scale, error * scale)}{note}"
             case Ranged(low, high, None):
                 return f"{self._number(low * scale)} to {self._number(high * scale)}"
             case Ranged(low, high, value):

@@ -26,7 +26,7 @@ def chapter(results: Results) -> Chapter | Absent:
     result = results.of(PlateResult)
     if result is None:
         return Absent(TITLE, "it was not computed in this run")
-    words = dict.fromkeys(result.figures, "Magnitude and phase against frequency.") | {
+    words = dict.fromkeys(result.figures, "Conductance and capacitance against frequency.") | {
         "plan": "Map of tiles with pillars, regions, actuators and supports.",
         "maps": "; ".join(_in_words(line) for line in split(result.maps, "frequency")),
         "contrast": "Level of the driven region above the others against frequency.",
@@ -57,8 +57,8 @@ def _swinging(result: PlateResult) -> Picture:
     frequency = hz_text(result.resonance, form=".2f")
     return Picture(
         figure=plots.map_at(shown, result.resonance, layout, None, drive=drive),
-        caption=f"Simulated normal velocity of the flat face at {frequency}, in motion where motion is "
-        "wanted.",
+        caption=f"Simulated normal displacement of the flat face at {frequency}, as a moving picture unless "
+        "the reader prefers none.",
         alternative=f"Map of the plate at {frequency}, red and blue taking turns.",
         name="carrier",
         moving=partial(plots.animated, shown, result.resonance, layout, drive=drive),

@@ -33,8 +33,8 @@ def chapter(results: Results) -> Chapter | Absent:
     rows = {"computed": plate.response, "simulated scan": scan.response}
     maps = Picture(
         plots.maps_compared(rows, scan.shapes, plate.plate.layout, edges),
-        f"Simulated normal velocity of the flat face{results.where('maps')}; below it that of the "
-        f"simulated scan{results.where('scan')}. Each map is scaled to its largest point; grey: not scanned.",
+        f"Simulated normal displacement of the flat face{results.where('maps')}; below it that of the "
+        f"simulated scan{results.where('scan')}. All maps are on one scale; grey: not scanned.",
         "Maps below, in and above the gap, computed ones above those of the simulated scan.",
     )
     words = {

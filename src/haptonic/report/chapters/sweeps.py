@@ -42,11 +42,11 @@ def chapter(results: Results) -> Chapter | Absent:
         title=TITLE,
         identifier="sweeps",
         paragraphs=(
-            "Each column is one design; all its other sizes are those of the study. The lines are bending "
-            "resonances of the pillar alone, clamped at its foot: by equation (3) of Daunizeau, "
+            "Each pair of points is one design; all its other sizes are those of the study. Thin lines are "
+            "bending resonances of the pillar alone, clamped at its foot: by equation (3) of Daunizeau, "
             "Gueorguiev, Haliyo and Hayward, “Phononic Crystals Applied to Localised Surface Haptics”, "
-            "which takes it as slender, and with shear and rotary inertia (Timoshenko). In the grey region "
-            "gaps were not looked for.",
+            "which takes it as slender, and with shear and rotary inertia (Timoshenko). Gaps above the "
+            "dashed line were not looked for.",
         ),
         findings=tuple(said),
         pictures=tuple(

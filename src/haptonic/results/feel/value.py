@@ -84,6 +84,11 @@ class Feel(Result):
         )
 
     @property
+    def at_drive(self) -> str:
+        """Frequency and amplitude of the drive."""
+        return f"{self._frequency} and {self._drive}"
+
+    @property
     def _frequency(self) -> str:
         return hz_text(self.friction.frequency, form=".2f")
 
@@ -114,8 +119,8 @@ class Feel(Result):
 
     @figure(
         "friction",
-        "Simulated friction below a finger centred at each point, relative to that without vibration; on "
-        "either side the ends of the interval over two models and all plausible parameters.",
+        "Simulated reduction of friction below a finger centred at each point; on the right the ends of the "
+        "interval over two models and all plausible parameters.",
     )
     def _friction(self) -> Figure:
         title = f"{self._frequency}, {self._drive}, simulated"
@@ -137,7 +142,7 @@ class Feel(Result):
             f"{name}{' (driven)' if name in driven else ''}: {change(r.value, r.low, r.high)}"
             for name, r in reductions.items()
         )
-        sentences = [f"At {self._frequency} and {self._drive}, {felt}."]
+        sentences = [f"At {self.at_drive}, {felt}."]
         if self.reduction is not None:
             drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
             sentences.append(f"Drive for a reduction of {100 * self.reduction:.0f} %: {drives}")
@@ -162,8 +167,7 @@ class Feel(Result):
     def tables(self) -> list[Table]:
         """Table of the regions with amplitudes, reduction and noticeable drive; table of the requirements."""
         touched = Table.of(
-            f"below a finger of {self.friction.touch.force:g} N at {self._frequency} and {self._drive}, "
-            "simulated",
+            f"below a finger of {self.friction.touch.force:g} N at {self.at_drive}, simulated",
             self.by_region,
             "region",
             COLUMNS,

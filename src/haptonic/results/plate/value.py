@@ -105,7 +105,7 @@ class PlateResult(Result):
         """Amplitude of the first drive, used in pictures, in the unit of the reference."""
         return reference_of(self.plate)[1]
 
-    @figure("maps", "Simulated normal velocity of the flat face, each map with a scale of its own.")
+    @figure("maps", "Simulated normal displacement of the flat face, all maps on one scale.")
     def _maps(self, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
         layout, gap, drive = self.plate.layout, self._gap_edges, self.drive
         shown, lines = self.marked, self.marked.frequency.tolist()
@@ -129,7 +129,11 @@ class PlateResult(Result):
         lines = self.response.frequency
         return plots.contrast_spectrum(lines, curves, self._gap_edges, origin=self._origin, ax=ax)
 
-    @figure("impedance-*", "Simulated electrical impedance of an actuator.", when=_has_spectrum)
+    @figure(
+        "impedance-*",
+        "Simulated conductance and capacitance of an actuator, which give its electrical impedance.",
+        when=_has_spectrum,
+    )
     def _impedances(self) -> dict[str, Callable[[], Figure]]:
         return {
             name: partial(self._impedance, actuator) for actuator, name in impedance_names(self.plate).items()

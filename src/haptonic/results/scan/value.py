@@ -133,11 +133,14 @@ class ScanResult(Result):
             self.response.frequency, average, units=self.response.units, origin=self.origin, ax=ax
         )
 
-    @figure("quality", "{Origin} quality of every point.")
+    @figure(
+        "quality",
+        "{Origin} share of noise at every point, 1 less its median coherence; points with flags are marked.",
+    )
     def _quality(self, *, ax: Axes | None = None) -> Figure:
         return plots.point_quality(self.response.points, self.quality, origin=self.origin, ax=ax)
 
-    @figure("maps", "{Origin} normal velocity, each map scaled to its largest point.", when=_mapped)
+    @figure("maps", "{Origin} normal displacement, all maps on one scale.", when=_mapped)
     def _maps(self, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
         if ax is not None:
             return plots.map_at(self.response, frequency or self.loudest, self.layout, self._edges, ax=ax)
@@ -152,7 +155,11 @@ class ScanResult(Result):
             ax=ax,
         )  # fmt: skip
 
-    @figure("contrast", "{Origin} contrast of the driven region, and its range.", when=_has("contrast"))
+    @figure(
+        "contrast",
+        "{Origin} contrast of the driven region; the range of high contrast is the bar on the upper edge.",
+        when=_has("contrast"),
+    )
     def _contrast(self, *, ax: Axes | None = None) -> Figure:
         curves = {name: level.values for name, level in self.contrasts.items()}
         return plots.measured_contrast(
@@ -176,7 +183,11 @@ class ScanResult(Result):
             mode = guided(self.waves, guide)
         return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin, ax=ax)
 
-    @figure("fading", "{Origin} decay of waves from row to row of the lattice.", when=_has("fading"))
+    @figure(
+        "fading",
+        "{Origin} decay of waves from row to row of the lattice, means over frequency.",
+        when=_has("fading"),
+    )
     def _fading_map(self, *, ax: Axes | None = None) -> Figure:
         return plots.decay_map(self.data["fading"], self.lattice, self._edges, origin=self.origin, ax=ax)
 
