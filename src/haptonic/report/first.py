@@ -9,7 +9,6 @@ from haptonic.bloch import gaps_of
 from haptonic.plots.text import in_percent
 from haptonic.report.chapter import Chapter, Picture, Results
 from haptonic.report.chapters.dispersion import gap_text
-from haptonic.results.feel.requirements import Requirement
 from haptonic.results.feel.value import MARKS, Feel
 from haptonic.results.plain import split
 from haptonic.results.plate.value import PlateResult
@@ -22,7 +21,7 @@ SHOWN = ("maps", "dispersion")  # names of the picture, the first that a report 
 
 @dataclass(frozen=True)
 class Number:
-    """A large number, what it is, and under which condition."""
+    """A large number with its name and its condition."""
 
     value: str
     name: str
@@ -31,9 +30,10 @@ class Number:
 
 @dataclass(frozen=True, eq=False)
 class FirstScreen:
-    """What a reader sees without scrolling.
+    """Content of the report that is visible without scrolling.
 
-    requirements : (colour, demand, reason), the worst ones; others : how many more there are
+    requirements : (colour, requirement, reason) of the worst ones
+    others : number of further requirements
     """
 
     numbers: tuple[Number, ...]
@@ -43,25 +43,21 @@ class FirstScreen:
 
 
 def first_screen(results: Results, chapters: Iterable[Chapter]) -> FirstScreen:
-    """Of all results that are there."""
-    pictures = {one.name: one for chapter in reversed(list(chapters)) for one in chapter.pictures}
-    demands = _demands(results)
-    worst = sorted(demands, key=lambda one: SEVERITY.index(one.colour))[:LIGHTS]
+    """Build the first screen from the results of a report."""
+    pictures = {picture.name: picture for chapter in reversed(list(chapters)) for picture in chapter.pictures}
+    feel = results.of(Feel)
+    requirements = feel.requirements if feel else []
+    worst = sorted(requirements, key=lambda requirement: SEVERITY.index(requirement.colour))[:LIGHTS]
     return FirstScreen(
         numbers=(*_gap(results), *_contrast(results), *_reduction(results)),
-        requirements=tuple(map(_light, filter(worst.__contains__, demands))),
-        others=len(demands) - len(worst),
+        requirements=tuple(
+            (requirement.colour, f"{MARKS[requirement.colour]} {requirement.what}", requirement.reason)
+            for requirement in requirements
+            if requirement in worst
+        ),
+        others=len(requirements) - len(worst),
         picture=next((pictures[name] for name in SHOWN if name in pictures), None),
     )
-
-
-def _light(demand: Requirement) -> tuple[str, str, str]:
-    return demand.colour, f"{MARKS[demand.colour]} {demand.what}", demand.reason
-
-
-def _demands(results: Results) -> list[Requirement]:
-    feel = results.of(Feel)
-    return feel.requirements if feel else []
 
 
 def _gap(results: Results) -> list[Number]:
@@ -70,7 +66,9 @@ def _gap(results: Results) -> list[Number]:
         return [Number("none", "complete band gap")]
     widest = max(complete, key=lambda gap: gap.width)
     return [
-        Number(gap_text(widest), "complete band gap", f"{widest.width / widest.centre:.1%} of its centre")
+        Number(
+            gap_text(widest), "complete band gap", f"{100 * widest.width / widest.centre:.1f} % of its centre"
+        )
     ]
 
 
@@ -92,10 +90,10 @@ def _reduction(results: Results) -> list[Number]:
     felt = feel.friction.reductions()
     return [
         Number(
-            in_percent(one.value),
+            in_percent(reduction.value),
             f"less friction on {name}",
-            f"plausible {100 * one.low:.0f} to {in_percent(one.high)}, at {feel.at_drive}",
+            f"plausible {100 * reduction.low:.0f} to {in_percent(reduction.high)}, at {feel.at_drive}",
         )
-        for name, one in felt.items()
+        for name, reduction in felt.items()
         if name in feel.friction.driven
     ][:1]
