@@ -18,8 +18,8 @@ from haptonic.study.schema import Description
 
 FIRST, SECOND = 0.5, 0.25  # shares of the estimate for a mesh; the second mesh is not always needed
 ZONE = 0.2  # s, of the search for gaps
-# Of a file's cell as a tile of a plate, times the time of its bands: it keeps more of the interior. At orders
-# 3 and 4 a drawn pillar took 25 and 85 s; for its bands 11 and 44 s are foreseen.
+# Time of a file's cell as a tile of a plate over that of its bands, because it keeps more of the interior. At
+# orders 3 and 4 a drawn pillar took 25 and 85 s; the estimates for its bands are 11 and 44 s.
 OF_SOLIDS = 2.1
 
 

@@ -71,7 +71,7 @@ def checked_fineness(study: Description) -> Fineness | None:
 
 
 def tile_resolution(cell: UnitCell, chosen: Fineness | None) -> Resolution:
-    """Of a cell as a tile of a finite plate."""
+    """Resolution of a cell as a tile of a finite plate."""
     fine = chosen or Fineness()
     return Resolution(fine.of_cell(cell.solid), fine.rings, STEPS, BLOCK)
 

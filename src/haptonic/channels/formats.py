@@ -15,12 +15,16 @@ from haptonic.errors import ChannelError, ResourceError
 
 @dataclass(frozen=True)
 class Format:
-    """A format. read : function that reads the groups; tells : True for the first bytes of such a file."""
+    """A format.
+
+    read : function that reads the groups
+    recognises : True for the first bytes of such a file
+    """
 
     name: str
     suffixes: tuple[str, ...]
     read: Callable[[Path, Notebook], Mapping[str, Group]]
-    tells: Callable[[bytes], bool] = lambda head: False
+    recognises: Callable[[bytes], bool] = lambda head: False
 
 
 HEAD = 4096  # bytes for the detection
@@ -49,7 +53,7 @@ def format_of(path: Path) -> Format | None:
     with path.open("rb") as file:
         head = file.read(HEAD)
     suffix = path.suffix.lower()
-    return next((form for form in FORMATS if suffix in form.suffixes or form.tells(head)), None)
+    return next((form for form in FORMATS if suffix in form.suffixes or form.recognises(head)), None)
 
 
 def opened(path: Path) -> SignalFile:

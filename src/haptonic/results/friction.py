@@ -92,10 +92,12 @@ class FrictionResult(Result):
         "{Origin} reductions with 95 % intervals: for the population, and for each participant.",
     )
     def _reductions(self, *, ax: Axes | None = None) -> Figure:
-        found = self.found
-        roles = {guide: "driven" if guide == found.driven else "idle" for guide in found.reductions}
+        summary = self.found
+        roles = {guide: "driven" if guide == summary.driven else "idle" for guide in summary.reductions}
         published = {guide: self.published[role] for guide, role in roles.items() if role in self.published}
-        return plots.reductions(found.reductions, found.own, origin=self.origin, published=published, ax=ax)
+        return plots.reductions(
+            summary.reductions, summary.own, origin=self.origin, published=published, ax=ax
+        )
 
     def summary(self) -> list[str]:
         return reported(self)

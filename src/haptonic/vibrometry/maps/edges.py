@@ -149,7 +149,7 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
     )  # fmt: skip
 
 
-def gap_edges(fades: xr.DataArray, depth: float = 1.0) -> LatticeGap:
+def gap_edges(decays: xr.DataArray, depth: float = 1.0) -> LatticeGap:
     """Edges of the widest range in which waves decay whose phases exceed a quarter turn.
 
     An edge counts if a band is next to it and waves of smaller phase stop there as well. Otherwise it may be
@@ -157,12 +157,12 @@ def gap_edges(fades: xr.DataArray, depth: float = 1.0) -> LatticeGap:
 
     Parameters
     ----------
-    fades : see `decay_along`
+    decays : see `decay_along`
     depth : depth of a row, in spacings of pillars
     """
-    lines = np.asarray(fades["frequency"].values, float)
-    large = fades["phase"].values > np.pi / 2
-    most, others = (_mean_of_heard(fades.values[:, phases] / depth) for phases in (large, ~large))
+    lines = np.asarray(decays["frequency"].values, float)
+    large = decays["phase"].values > np.pi / 2
+    most, others = (_mean_of_heard(decays.values[:, phases] / depth) for phases in (large, ~large))
     if np.isnan(most).all() or np.isnan(others).all():
         return LatticeGap(None, None, ("no edges of the gap: noise hides the waves in the lattice",))
     heard = np.isfinite(most) & np.isfinite(others)
@@ -186,11 +186,11 @@ def gap_edges(fades: xr.DataArray, depth: float = 1.0) -> LatticeGap:
     return LatticeGap(edges[0], edges[1], tuple(reasons))
 
 
-def _mean_of_heard(fades: Array) -> Array:
+def _mean_of_heard(decays: Array) -> Array:
     """(frequency,) means over the phases (frequency, phase) above the noise; NaN if they are too few."""
-    heard = np.isfinite(fades)
-    total, count = np.where(heard, fades, 0.0).sum(axis=1), heard.sum(axis=1)
-    return np.where(count >= HEARD * fades.shape[1], total / np.maximum(count, 1), np.nan)
+    heard = np.isfinite(decays)
+    total, count = np.where(heard, decays, 0.0).sum(axis=1), heard.sum(axis=1)
+    return np.where(count >= HEARD * decays.shape[1], total / np.maximum(count, 1), np.nan)
 
 
 def _edge(lines: Array, most: Array, others: Array, heard: Bools, first: int) -> Edge | str:
