@@ -1,4 +1,4 @@
-"""One superelement, many uses: K and M of a cell condensed onto its lateral faces."""
+"""Superelements: stiffness and mass of a cell condensed onto its lateral faces."""
 
 from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each

@@ -19,17 +19,17 @@ from haptonic.superelement.symmetry import Folding
 
 @dataclass(frozen=True, eq=False)
 class Assembler:
-    """Where each pair of element nodes goes in the folded matrix, as 3 x 3 blocks of its upper triangle.
+    """Positions of all pairs of element nodes in the folded matrix, as 3 x 3 blocks of its upper triangle.
 
-    kept : for each family, numbers of the contributions to keep among (elements, k) raveled
-    ends : (2, pairs of all families) node numbers of those two in the mesh
-    weight : (pairs,) how many images the pair's element stands for
-    in_pillar : numbers of the pairs that lie above the plate's top
+    kept : for each family, numbers of the contributions used, among (elements, k) raveled
+    ends : (2, pairs of all families) numbers of the pair's nodes in the mesh
+    weight : (pairs,) number of images that the pair's element represents
+    in_pillar : numbers of the pairs above the plate's top
     gather : (blocks, pairs) sparse matrix of ones that adds pairs into blocks
     rows, columns : (blocks,) representatives that a block couples, row <= column
-    inner : blocks among interior nodes only; pattern : these, as a scalar upper triangle
-    source : for each entry of the pattern its position among the raveled inner blocks
-    coupling : blocks between interior (row) and boundary (column); outer : blocks among boundary nodes
+    inner : blocks between interior nodes only; pattern : of these blocks, as a scalar upper triangle
+    source : for each entry of the pattern, its position in the raveled inner blocks
+    coupling : blocks between interior (row) and boundary (column); outer : blocks between boundary nodes
     """
 
     folding: Folding
@@ -48,15 +48,18 @@ class Assembler:
 
     @cached_property
     def signs(self) -> tuple[NDArray[np.int8], ...]:
-        """For each symmetry class (pairs, 9) what it does to the stiffness of a pair of nodes."""
+        """For each symmetry class, signs (pairs, 9) of the stiffness between the nodes of a pair."""
         first, second = self.ends
         return tuple(
             np.repeat(sign, 3, axis=1)[first] * np.tile(sign, 3)[second] for sign in self.folding.sign
         )
 
     def paired(self, elements: tuple[ElementMatrices, ...]) -> Array:
-        """(pairs, 9) stiffness between pairs of nodes, images counted."""
-        picked = [e.stiffness.reshape(-1, 9)[kept] for e, kept in zip(elements, self.kept, strict=True)]
+        """(pairs, 9) stiffness between pairs of nodes, images included."""
+        picked = [
+            e.stiffness.reshape(-1, 9)[contributions]
+            for e, contributions in zip(elements, self.kept, strict=True)
+        ]
         return np.asarray(np.concatenate(picked) * self.weight[:, None])
 
     def assembled(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
@@ -65,7 +68,7 @@ class Assembler:
         return FoldedStiffness(self, np.asarray(blocks).reshape(-1, 3, 3))
 
     def assembled_pillar(self, paired: Array, symmetry_class: int) -> sp.csr_array:
-        """(3 representatives, 3 representatives) the share of the pillar in that."""
+        """(3 representatives, 3 representatives) the pillar's share of that stiffness."""
         chosen, (gather, place) = self.in_pillar, self._of_pillar
         blocks = gather @ (paired[chosen] * self.signs[symmetry_class][chosen])
         numbers = np.asarray(blocks).ravel()[place.data]
@@ -73,13 +76,13 @@ class Assembler:
 
     @cached_property
     def _of_pillar(self) -> tuple[sp.csr_array, sp.csr_array]:
-        """What adds the pillar's pairs into blocks, and where each of their numbers stands in its matrix."""
+        """Matrix that adds the pillar's pairs into blocks, and positions of their entries."""
         gather = self.gather[:, self.in_pillar]
         met = np.flatnonzero(np.diff(gather.indptr))
         number = np.arange(9 * len(met)).reshape(-1, 3, 3)
         row = (3 * self.rows[met, None] + np.arange(3)).repeat(3, axis=1).ravel()
         column = np.tile(3 * self.columns[met, None] + np.arange(3), 3).ravel()
-        off = row // 3 != column // 3  # the upper triangle holds blocks on the diagonal whole
+        off = row // 3 != column // 3  # blocks on the diagonal are complete in the upper triangle
         both = np.concatenate([row, column[off]]), np.concatenate([column, row[off]])
         size = 3 * len(self.folding.origin)
         place = np.concatenate([number.ravel(), number.ravel()[off]])
@@ -88,13 +91,13 @@ class Assembler:
 
 @dataclass(frozen=True)
 class FoldedStiffness:
-    """Folded stiffness as (blocks, 3, 3) numbers on the structure of an assembler, N/m."""
+    """Folded stiffness as values (blocks, 3, 3) on the structure of an assembler, N/m."""
 
     assembler: Assembler
     blocks: Array
 
     def interior(self) -> Array:
-        """Numbers on the interior pattern; components that the class forces to vanish hang on springs."""
+        """Values on the interior pattern, with springs on components that are zero in the class."""
         data = self.unsprung()
         diagonal = self.assembler.pattern.indptr[:-1]
         pivots = data[diagonal]
@@ -102,40 +105,41 @@ class FoldedStiffness:
         return data
 
     def unsprung(self) -> Array:
-        """Numbers on the interior pattern, zero where a component vanishes."""
+        """Values on the interior pattern, zero where a component is zero in the class."""
         return self.blocks[self.assembler.inner].ravel()[self.assembler.source]
 
     def coupling(self) -> sp.csr_array:
-        """(3 interior, 3 boundary) between interior and boundary."""
+        """(3 interior, 3 boundary) stiffness between interior and boundary."""
         return self._between(self.assembler.coupling, 0)
 
     def boundary(self) -> sp.csr_array:
-        """(3 boundary, 3 boundary) symmetric."""
+        """(3 boundary, 3 boundary) stiffness of the boundary, symmetric."""
         upper = self._between(self.assembler.outer, self.assembler.folding.interior)
         return sp.triu(upper) + sp.triu(upper, 1).T
 
     def _between(self, chosen: Ints, first: int) -> sp.csr_array:
-        """Of representatives from a first one on, up to the boundary or beyond, and those on the boundary."""
+        """Stiffness between representatives, from number ``first`` on, and those on the boundary."""
         folding = self.assembler.folding
         boundary = len(folding.origin) - folding.interior
         rows = boundary if first else folding.interior
         row = 3 * (self.assembler.rows[chosen] - first)[:, None, None] + np.arange(3)[:, None]
         column = 3 * (self.assembler.columns[chosen] - folding.interior)[:, None, None] + np.arange(3)
-        places = (np.broadcast_to(one, (len(chosen), 3, 3)).ravel() for one in (row, column))
+        places = (np.broadcast_to(numbers, (len(chosen), 3, 3)).ravel() for numbers in (row, column))
         return sp.csr_array((self.blocks[chosen].ravel(), tuple(places)), shape=(3 * rows, 3 * boundary))
 
 
-KEPT_PAIRS = 1e7  # of nodes of all that wait, of about 100 bytes each: 23 usual cells, each of two orders
-_assemblers = Kept[Assembler](KEPT_PAIRS, lambda one: len(one.weight))
+# pairs of nodes in all stored assemblers, about 100 bytes each: 23 usual cells with two orders each
+KEPT_PAIRS = 1e7
+_assemblers = Kept[Assembler](KEPT_PAIRS, lambda assembler: len(assembler.weight))
 
 
 def assembler_of(topology: Topology, folding: Folding) -> Assembler:
-    """The index work of a topology; the same object for the same arguments while it waits."""
+    """Return the assembler of a topology, from the cache if it is there."""
     return _assemblers.of((topology, folding), lambda: _assembler(topology, folding))
 
 
 def _assembler(topology: Topology, folding: Folding) -> Assembler:
-    kept, ends, keys, weights, above = [], [], [], [], []
+    contributions, ends, keys, weights, above = [], [], [], [], []
     count = len(folding.origin)
     for family, chosen, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
         nodes = family.nodes[chosen]
@@ -143,7 +147,7 @@ def _assembler(topology: Topology, folding: Folding) -> Assembler:
         nodes = nodes.reshape(len(nodes), -1)
         representative = folding.node[nodes]
         e, pair = np.nonzero(representative[:, a] <= representative[:, b])
-        kept.append(e * len(a) + pair)
+        contributions.append(e * len(a) + pair)
         a, b = a[pair], b[pair]
         ends.append(np.stack([nodes[e, a], nodes[e, b]]))
         keys.append(representative[e, a] * count + representative[e, b])
@@ -166,7 +170,7 @@ def _assembler(topology: Topology, folding: Folding) -> Assembler:
     i, j = i[order], j[order]
     return Assembler(
         folding=folding,
-        kept=tuple(kept),
+        kept=tuple(contributions),
         ends=np.concatenate(ends, axis=1),
         weight=np.concatenate(weights).astype(float),
         in_pillar=np.flatnonzero(np.concatenate(above)),

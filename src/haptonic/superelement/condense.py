@@ -1,14 +1,14 @@
-"""One unit cell, its interior condensed once (Craig and Bampton 1968, doi 10.2514/3.4741).
+"""Condensation of a unit cell's interior (Craig and Bampton 1968, doi 10.2514/3.4741).
 
-Inside the cell a field is the static answer to its trace, plus modes that have no trace. With the unknowns
-split into trace b and interior i, and a lumped mass,
+Inside the cell a field is the static response to its trace plus modes that vanish on the trace. With
+the unknowns split into trace b and interior i, and a lumped mass,
 
     u_i = T u_b + Phi q,    K_ii T = -K_ib,    Phi^T M_ii Phi = 1,    Phi^T K_ii Phi = Lambda (diagonal),
 
     K = [ K_bb + K_bi T   0      ]      M = [ M_bb + T^T M_ii T   T^T M_ii Phi ]
         [ 0               Lambda ]          [ Phi^T M_ii T        1            ]
 
-on (u_b, q): static answers do no work on fields without a trace.
+on (u_b, q), because static responses do no work on fields that vanish on the trace.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ from haptonic.superelement.trace import FoldedTrace, TraceOperation
 class Superelement:
     """Condensed cell. Unknowns: the trace (level, place on the rim, component), then modal amplitudes.
 
-    cell, meshes : what it was made from; the first mesh reaches to the lateral faces
+    cell, meshes : the cell and its meshes; the first mesh reaches the lateral faces
     levels : trace nodes through the thickness
     stiffness, mass : (t + m, t + m), N/m and kg
-    truncation : (t + m, t + m) such that ``lambda**2 u* truncation u`` is, to first order, what the interior
-        fields that were left out would take off the eigenvalue lambda of a field u of unit mass
+    truncation : (t + m, t + m) form; ``lambda**2 u* truncation u`` is, to first order, the decrease of the
+        eigenvalue lambda of a field u of unit mass that the omitted interior fields would cause
     parts : the symmetry classes, in the order of their modes
-    measures : what characterises motion, if it was asked for
+    measures : forms that characterise motion, or None if they were not requested
     """
 
     cell: TileShape
@@ -56,7 +56,7 @@ class Superelement:
 
     @property
     def mesh(self) -> HexMesh | SurfaceMesh:
-        """That of the plate."""
+        """Mesh of the plate."""
         return self.meshes[0]
 
     @property
@@ -69,7 +69,7 @@ class Superelement:
 
     @property
     def half_turn_parity(self) -> Array:
-        """(m,) +1 for modes that the half-turn about the normal leaves alone, -1 for those it turns over."""
+        """(m,) +1 for modes that are even in the half-turn about the normal, -1 for odd ones."""
         parity = self.parts[0].trace.folding.parity
         assert parity.shape[1], "a mesh that is not folded has no classes that are even or odd"
         counts = [part.count for part in self.parts]
@@ -82,7 +82,7 @@ class Superelement:
         return np.repeat(middle, counts).astype(float)
 
     def mirror(self, turn: Array) -> TraceOperation:
-        """How a mirror, or the half-turn, a map of space (3, 3), acts on traces."""
+        """Action on traces of a mirror or the half-turn, given as a map of space (3, 3)."""
         return TraceOperation.of(self.cell, self.mesh.topology, self.levels, turn)
 
     def lifted(self, fields: Fields) -> Fields:
@@ -106,27 +106,28 @@ def condense(
 
     Parameters
     ----------
-    cell, plan : what to mesh, and how finely
-    steps, block : number and size of the blocks of the Krylov space that stands for the interior's own motion
-    measured : also make what characterises motion
+    cell, plan : cell to mesh, and its mesh plan
+    steps, block : number and size of the blocks of the Krylov space of interior motions
+    measured : whether to compute the forms that characterise motion
     """
     return condensed(FoldedMesh.of(cell, plan), steps, block=block, measured=measured)
 
 
 @definite()
 def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> Superelement:
-    """The superelement of a mesh that is folded already; see `condense`."""
+    """Condense a folded mesh; see `condense`."""
     mesh = shared.mesh
-
-    found = reduced_by_parts(shared, (), steps, block)
+    classes = reduced_by_parts(shared, (), steps, block)
 
     def piece(q: int) -> CondensedClass:
-        own = found[q]
-        part = ClassLifting(shared.traces[q], shared.through, own.static, own.modes)
-        return CondensedClass.of(part, own, ClassMeasures.of(shared, q, own) if measured else None)
+        reduced_class = classes[q]
+        part = ClassLifting(shared.traces[q], shared.through, reduced_class.static, reduced_class.modes)
+        return CondensedClass.of(
+            part, reduced_class, ClassMeasures.of(shared, q, reduced_class) if measured else None
+        )
 
     sizes = section_sizes(mesh, shared.nodal_mass) if measured else None
-    return assembled(shared.cell, (mesh,), shared.levels, each(piece, range(len(found))), sizes)
+    return assembled(shared.cell, (mesh,), shared.levels, each(piece, range(len(classes))), sizes)
 
 
 def assembled(
@@ -136,7 +137,7 @@ def assembled(
     pieces: Sequence[CondensedClass],
     sizes: Array | None,
 ) -> Superelement:
-    """The superelement that consists of given classes; measured ones come with the sizes of the sections."""
+    """Assemble a superelement from its classes; ``sizes`` of the sections if these are measured."""
     measures = None
     if sizes is not None:
         forms = {name: whole(pieces, name) for name in ENERGIES}
@@ -159,7 +160,7 @@ def assembled(
 
 
 def whole(pieces: Sequence[CondensedClass], name: str) -> Array:
-    """(t + m, t + m) a form of all classes together."""
+    """(t + m, t + m) form of all classes together."""
     forms = [piece.forms[name] for piece in pieces]
     corner = np.sum([form.corner for form in forms], axis=0)
     side = np.hstack([form.side for form in forms])
@@ -168,7 +169,10 @@ def whole(pieces: Sequence[CondensedClass], name: str) -> Array:
 
 @dataclass(frozen=True)
 class ClassForm:
-    """Quadratic form of one class: on the whole trace, between this and the class's modes, among these."""
+    """Quadratic form of one class.
+
+    corner : on the whole trace; side : between the trace and the class's modes; modal : on these modes
+    """
 
     corner: Array
     side: Array
@@ -176,12 +180,12 @@ class ClassForm:
 
     @classmethod
     def unfolded(cls, trace: FoldedTrace, corner: Array, side: Array, modal: Array) -> ClassForm:
-        """From its parts on the class's own share of the trace."""
+        """Unfold the parts of a form on the class's share of the trace."""
         return cls(trace.unfold_form(corner), trace.unfold_rows(side), modal)
 
     @classmethod
     def split(cls, trace: FoldedTrace, form: Array) -> ClassForm:
-        """From a form (b + m, b + m) on the class's share of the trace and its modes."""
+        """Split and unfold a form (b + m, b + m) on the class's share of the trace and its modes."""
         count = len(trace.kept)
         return cls.unfolded(trace, form[:count, :count], form[:count, count:], form[count:, count:])
 
@@ -190,8 +194,8 @@ class ClassForm:
 class CondensedClass:
     """One symmetry class of a superelement, unfolded.
 
-    forms : by name; momenta_of_trace, momenta_of_modes : (4 sections, t) and (4 sections, m), none unless
-        measured
+    forms : by name; momenta_of_trace, momenta_of_modes : (4 sections, t) and (4 sections, m), without
+        sections if motion is not measured
     """
 
     part: Lifting
@@ -201,9 +205,9 @@ class CondensedClass:
 
     @classmethod
     def of(cls, part: Lifting, own: CraigBampton, measured: ClassMeasures | None) -> CondensedClass:
-        """From forms on the class's share of the trace, and its modes."""
+        """Unfold forms on the class's share of the trace and its modes."""
         trace, count = part.trace, len(own.mass)
-        # static answers do no work on fields without a trace
+        # static responses do no work on fields that vanish on the trace
         apart = np.zeros_like(own.to_modes)
         forms = {
             "stiffness": ClassForm.unfolded(trace, own.stiffness, apart, np.diag(own.values)),

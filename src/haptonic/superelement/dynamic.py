@@ -1,16 +1,16 @@
-"""Exact dynamic condensation of a cell's mesh: nothing of a reduced model enters.
+"""Exact dynamic condensation of a cell's mesh, independent of any reduced model.
 
-At an angular frequency omega the trace b feels, with the interior i eliminated,
+At an angular frequency omega, elimination of the interior i leaves on the trace b the dynamic stiffness
 
     D(omega) = K_bb - omega^2 M_bb - K_bi (K_ii - omega^2 M_ii)^-1 K_ib.
 
-It counts eigenvalues without computing them, so that none can be missed. Below omega lie
+It gives the number of eigenvalues below omega without their computation, so none can be missed:
 
     J(omega) = J_held(omega) + s(D(omega))
 
-of them (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263): those of the interior with its trace held,
-plus the negative eigenvalues of D. By Sylvester's law of inertia both are counts of negative pivots. D also
-gives modes of the mesh itself, see `haptonic.bloch.exact`.
+(Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263), the eigenvalues of the interior with its trace
+clamped plus the negative eigenvalues of D. By Sylvester's law of inertia, both are numbers of negative
+pivots. D also gives modes of the mesh itself, see `haptonic.bloch.exact`.
 """
 
 from __future__ import annotations
@@ -29,13 +29,14 @@ from haptonic.superelement.parts import ClassPart, PartForms, for_each_part
 
 @dataclass(frozen=True)
 class DynamicStiffness:
-    """What the trace of a cell feels at one angular frequency, and how the inside answers to loads.
+    """Dynamic stiffness of a cell on its trace at one angular frequency, and responses to loads inside.
 
-    omega : rad/s; below : eigenvalues of the interior with the trace held that lie below it
+    omega : rad/s; below : number of eigenvalues of the interior with the trace clamped below omega
     matrix : (t, t) dynamic stiffness K - omega^2 M, N/m
     mass : (t, t) minus the derivative of that with respect to omega^2, kg
-    parts : how the interior follows the trace at this frequency
-    held : (nodes, 3, k) answers to k loads with the trace held; force : (t, k) what they add to its loads
+    parts : motion of the interior for a given trace at this frequency
+    held : (nodes, 3, k) responses to k loads with the trace clamped
+    force : (t, k) forces of these loads on the trace
     """
 
     omega: float
@@ -53,9 +54,9 @@ class DynamicStiffness:
 
 @dataclass(frozen=True)
 class _Share:
-    """What a part has of one symmetry class; see `DynamicStiffness`.
+    """Contribution of a part to one symmetry class; see `DynamicStiffness`.
 
-    static : (3 interior, b) how the inside follows the boundary
+    static : (3 interior, b) motion of the interior for a motion of the boundary
     """
 
     below: int
@@ -74,13 +75,13 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
     topology = shared.mesh.topology
     loads = np.zeros((topology.nodes, 3, 0)) if loads is None else loads
 
-    def one(part: ClassPart, solver: Solver) -> dict[int, _Share]:
+    def shares_of_part(part: ClassPart, solver: Solver) -> dict[int, _Share]:
         forms = PartForms.of(shared, part, ())
         body, shifted = forms.body, forms.interior.copy()
         shifted[part.pattern.indptr[:-1]] -= omega**2 * body.mass
         below = solver.factorise(shifted, definite=False)
         inside = solver.solve(-body.coupling)
-        own = body.outer_stiffness - omega**2 * body.outer_mass + body.coupling.T @ inside
+        stiffness = body.outer_stiffness - omega**2 * body.outer_mass + body.coupling.T @ inside
         inertia = body.outer_mass + inside.T @ (body.mass[:, None] * inside)
         shares = {}
         for q, boundary in forms.boundary.items():
@@ -89,7 +90,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
             static = inside if part.is_class else fields @ (inside @ boundary.T)
             shares[q] = _Share(
                 below=below,
-                matrix=unfold(boundary @ (0.5 * (own + own.T)) @ boundary.T),
+                matrix=unfold(boundary @ (0.5 * (stiffness + stiffness.T)) @ boundary.T),
                 mass=unfold(boundary @ inertia @ boundary.T),
                 static=static,
                 held=_unfolded(shared, q, fields @ _solved(solver, load)),
@@ -97,7 +98,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
             )
         return shares
 
-    pieces = for_each_part(shared, one)
+    pieces = for_each_part(shared, shares_of_part)
     every = [share for piece in pieces for share in piece.values()]
     on_rim = np.tensordot(shared.through.T, loads[topology.rim], axes=1)
     return DynamicStiffness(
@@ -121,7 +122,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
 
 
 def _folded_load(shared: FoldedMesh, q: int, load: Fields) -> Fields:
-    """(3 interior, k) share of a load (nodes, 3, k) that works on the fields of one class."""
+    """(3 interior, k) share of a load (nodes, 3, k) that does work on the fields of one class."""
     folding = shared.folding
     total = np.zeros((len(folding.origin), *load.shape[1:]), dtype=load.dtype)
     np.add.at(total, folding.node, folding.sign[q][:, :, None] * load)
@@ -129,7 +130,7 @@ def _folded_load(shared: FoldedMesh, q: int, load: Fields) -> Fields:
 
 
 def _unfolded(shared: FoldedMesh, q: int, interior: Fields) -> Fields:
-    """(nodes, 3, k) field of one class from its interior unknowns, its sides at rest."""
+    """(nodes, 3, k) field of one class from its interior unknowns, with its sides at rest."""
     folding = shared.folding
     values = np.zeros((len(folding.origin), 3, interior.shape[1]), dtype=interior.dtype)
     values[: folding.interior] = interior.reshape(folding.interior, 3, interior.shape[1])
@@ -137,7 +138,7 @@ def _unfolded(shared: FoldedMesh, q: int, interior: Fields) -> Fields:
 
 
 def _solved(solver: Solver, right: Fields) -> Fields:
-    """Solutions for real or complex right-hand sides; some solvers take real ones only."""
+    """Solve for real or complex right-hand sides with solvers that may accept real ones only."""
     if not right.shape[1]:
         return right
     if not np.iscomplexobj(right):

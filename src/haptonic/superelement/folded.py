@@ -1,4 +1,4 @@
-"""The matrices of a cell before condensation, one symmetry class after the other."""
+"""Matrices of a cell before condensation, by symmetry class."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from haptonic.superelement.trace import FoldedTrace, trace_levels
 
 
 def through_levels(cell: TileShape, mesh: HexMesh, levels: int) -> Array:
-    """(plate levels, levels) values on the mesh's levels at the cell's sides from those on the trace's."""
+    """(plate levels, levels) interpolation from the levels of the trace to those of the mesh at its sides."""
     if mesh.topology.free:
         return np.zeros((mesh.topology.plan.plate_levels, levels))
     levels_at = 0.5 * cell.thickness * (1 + lobatto(levels - 1)[0])
@@ -28,11 +28,12 @@ def through_levels(cell: TileShape, mesh: HexMesh, levels: int) -> Array:
 
 @dataclass(frozen=True)
 class FoldedMesh:
-    """What the symmetry classes of a cell share.
+    """Mesh and matrices that the symmetry classes of a cell share.
 
-    levels : trace nodes through the thickness; through : (plate levels, levels) from these to the mesh's
+    levels : trace nodes through the thickness
+    through : (plate levels, levels) interpolation from these to the levels of the mesh
     paired : (pairs, 9) stiffness between pairs of nodes, see `Assembler`
-    representative_mass, nodal_mass : lumped mass of the folded and of the whole mesh, kg
+    representative_mass, nodal_mass : lumped mass of the folded and the whole mesh, kg
     """
 
     cell: TileShape
@@ -51,7 +52,7 @@ class FoldedMesh:
 
     @classmethod
     def of_mesh(cls, cell: TileShape, mesh: HexMesh, *, open_top: bool = False) -> FoldedMesh:
-        """Fold a mesh; with an open top, the lower part of one, to which something will be joined."""
+        """Fold a mesh; ``open_top`` if another part will be joined to its top."""
         levels = trace_levels(mesh.topology.plan)
         topology = mesh.topology
         folding = fold(topology, folds_of(cell), open_top=open_top)
@@ -59,8 +60,8 @@ class FoldedMesh:
         for family, picked, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
             nodes = family.nodes[picked]
             matrices = matrices_by_region(mesh.points, nodes, cell.solids, family.region[picked])
-            own = (matrices.mass * weight[:, None]).ravel()
-            mass += np.bincount(folding.node[nodes].ravel(), own, minlength=len(mass))
+            masses = (matrices.mass * weight[:, None]).ravel()
+            mass += np.bincount(folding.node[nodes].ravel(), masses, minlength=len(mass))
             elements.append(matrices)
         assembler = assembler_of(topology, folding)
         return cls(
@@ -80,23 +81,23 @@ class FoldedMesh:
 
     @cached_property
     def traces(self) -> tuple[FoldedTrace, ...]:
-        """The share that each class has of the trace."""
+        """Share of each class in the trace."""
         classes = range(self.folding.classes)
         return tuple(FoldedTrace(self.mesh.topology, self.folding, q, self.levels) for q in classes)
 
     def rim_motion(self, q: int) -> Array:
-        """(3 rim, b) motion of the representatives on the rim from a class's share of the trace."""
+        """(3 rim, b) motion of the representatives on the rim for the class's unknowns of the trace."""
         trace = self.traces[q]
         motion = trace.on_levels(self.through, np.eye(len(trace.kept)))
         return motion.reshape(3 * trace.rim_size, len(trace.kept))
 
     def symmetry_class(self, q: int, on_ends: Array | None = None) -> tuple[Array, Bounded]:
-        """Numbers of one class's interior stiffness on the pattern of the classes, and its other forms.
+        """Values of one class's interior stiffness on the pattern of the classes, and its other forms.
 
-        Interior unknowns are (representative, component), the boundary is the trace, then the open ends. The
-        mass of a component that the class forces to vanish is 0.
+        Interior unknowns are (representative, component); the boundary is the trace, then the open ends. The
+        mass of a component that is zero in the class is 0.
 
-        ``on_ends`` (3 representatives, s) gives the motions that open ends have, besides the trace's.
+        ``on_ends`` (3 representatives, s) contains the motions of open ends.
         """
         folding, motion = self.folding, self.rim_motion(q)
         motion = motion if on_ends is None else la.block_diag(motion, on_ends)
@@ -112,7 +113,7 @@ class FoldedMesh:
         return stiffness.interior(), body
 
     def pillar_stiffness(self, q: int) -> sp.csr_array:
-        """(3 representatives, 3 representatives) the pillar's share of the stiffness of one class."""
+        """(3 representatives, 3 representatives) pillar's share of the stiffness of one class."""
         return self.assembler.assembled_pillar(self.paired, q)
 
     @cached_property

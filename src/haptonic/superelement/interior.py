@@ -1,4 +1,4 @@
-"""A body seen from its boundary: static answers, and a Krylov space of K^-1 M with the boundary at rest."""
+"""Reduction of a body to its boundary: static responses, and a Krylov space of K^-1 M inside."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.later import linalg as la, sparse as sp
 
-# motions of the boundary whose inertia the interior's modes have to answer: these and as many as it gets
-# directions; with 24 whatever it gets, 25 bands lost up to ten times what the truncation told
+# Number of motions of the boundary whose inertia the interior modes must balance, beyond the number of
+# directions. With 24 for any number of directions, errors of 25 bands were up to ten times the estimate.
 SOFT_TRACES = 4
-# Of a block's directions, as many of these motions the blocks start from, however many blocks there are: the
-# space of more steps holds that of fewer then. From as many as there are directions in all, one step more
-# mended 5 % of a loss in place of 40 %.
+# Motions per direction of a block from which the blocks start, for any number of blocks: the space of more
+# steps then contains that of fewer. With as many as directions in all blocks, a further step removed 5 % of
+# an error instead of 40 %.
 STARTS_PER_DIRECTION = 2
-DEPENDENT = 1e-13  # share of the largest inertia below which a direction repeats others
-EXTRA = 3  # random ones beside them, for modes that hardly touch the trace
+DEPENDENT = 1e-13  # share of the largest inertia below which a direction depends on others
+EXTRA = 3  # random directions in addition, for modes with little motion near the trace
 
 
 class Factorised(Protocol):
-    """Anything that solves with the stiffness of an interior."""
+    """Solver with the factorised stiffness of an interior."""
 
     def solve(self, right: Array) -> Array:
-        """(n, m) answers to forces (n, m)."""
+        """(n, m) static responses to forces (n, m)."""
         ...
 
 
@@ -52,12 +52,12 @@ class Bounded:
 
 @dataclass(frozen=True)
 class CraigBampton:
-    """A body on static answers to its boundary and on some interior modes (Craig and Bampton).
+    """Body reduced to static responses to its boundary and some interior modes (Craig and Bampton).
 
     static : (n, b), modes : (n, m) fields inside
-    stiffness, mass : (b, b), the interior following statically
-    values : (m,) eigenvalues, (rad/s)^2; to_modes : (b, m) mass between static answers and modes
-    truncation : (b + m, b + m), what was left out, see `Superelement`
+    stiffness, mass : (b, b) for the static response of the interior
+    values : (m,) eigenvalues, (rad/s)^2; to_modes : (b, m) mass between static responses and modes
+    truncation : (b + m, b + m) effect of the omitted fields, see `Superelement`
     """
 
     static: Array
@@ -69,10 +69,10 @@ class CraigBampton:
     truncation: Array
 
     def unfolded(self, inside: sp.csr_array, boundary: Array) -> CraigBampton:
-        """The same of a body of which this is a part, no other part of it moving.
+        """Express this part in the unknowns of the body that contains it, with other parts at rest.
 
-        inside : (n, own n) its fields from those of the part; boundary : (b, own b), the transpose of what
-            gives the part's boundary from the body's
+        inside : (n, n of the part) fields of the body from those of the part
+        boundary : (b, b of the part) transpose of the matrix from the body's boundary to the part's
         """
         spread = la.block_diag(boundary, np.eye(len(self.values)))
         return CraigBampton(
@@ -87,22 +87,22 @@ class CraigBampton:
 
     @classmethod
     def together(cls, parts: Sequence[CraigBampton]) -> CraigBampton:
-        """A body from its parts, which nothing couples, all on its own boundary."""
+        """Join uncoupled parts of a body, all on the boundary of the body."""
         if len(parts) == 1:
             return parts[0]
         count = len(parts[0].mass)
         corner, sides, modal = (
-            [one.truncation[rows, columns] for one in parts]
+            [part.truncation[rows, columns] for part in parts]
             for rows, columns in (np.s_[:count, :count], np.s_[:count, count:], np.s_[count:, count:])
         )
         side = np.hstack(sides)
         return cls(
-            static=np.sum([one.static for one in parts], axis=0),
-            modes=np.hstack([one.modes for one in parts]),
-            stiffness=np.sum([one.stiffness for one in parts], axis=0),
-            mass=np.sum([one.mass for one in parts], axis=0),
-            values=np.concatenate([one.values for one in parts]),
-            to_modes=np.hstack([one.to_modes for one in parts]),
+            static=np.sum([part.static for part in parts], axis=0),
+            modes=np.hstack([part.modes for part in parts]),
+            stiffness=np.sum([part.stiffness for part in parts], axis=0),
+            mass=np.sum([part.mass for part in parts], axis=0),
+            values=np.concatenate([part.values for part in parts]),
+            to_modes=np.hstack([part.to_modes for part in parts]),
             truncation=np.block([[np.sum(corner, axis=0), side], [side.T, la.block_diag(*modal)]]),
         )
 
@@ -110,12 +110,12 @@ class CraigBampton:
 def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigBampton:
     """Reduce a body whose interior stiffness ``solver`` has factorised; see `interior_modes`.
 
-    The inertia F inside leaves a force that the modes Phi do not balance. To first order in what they miss,
-    an eigenvalue lambda of a field u of unit mass is too high by the work of that force on its own answer,
+    The modes Phi do not balance the whole inertia F inside. To first order in the remaining force, the
+    eigenvalue lambda of a field u of unit mass is too high by the work of that force on its response,
 
         lambda - lambda_exact = lambda^2 u* Omega u,    Omega = F^T (K_ii^-1 - Phi Lambda^-1 Phi^T) F,
 
-    with ``F = M_ii [T, Phi]``. Of the static answers T only the softest motions of the boundary enter Omega.
+    with ``F = M_ii [T, Phi]``. Only the static responses T to the softest boundary motions enter Omega.
     """
     static = solver.solve(-body.coupling)
     inertia = body.inertia(static)
@@ -132,8 +132,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     else:
         values, modes, dynamic, moved = consistent_modes(solver, body.mass, force, steps, block)
     to_modes = inertia.T @ modes
-    # inertia of the soft motions and of the modes, what of it the modes do not carry answered by the inverse
-    # stiffness
+    # work of the inertia of soft motions and modes on its static response, without the share of the modes
     to_all = np.vstack([soft.T @ to_modes, np.eye(len(values))])
     forces = np.hstack([force, body.inertia(modes)])
     missing = forces.T @ np.hstack([dynamic, moved]) - (to_all / values) @ to_all.T
@@ -152,9 +151,9 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
 
 
 def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
-    """(b, s) the ``count`` softest motions of a boundary that the interior just follows, and their dual.
+    """(b, s) the ``count`` softest motions of a boundary with static response inside, and their dual.
 
-    With M-orthonormal motions W every one b is ``W (M W)^T b``; of these the first are kept.
+    With M-orthonormal motions W, every motion b is ``W (M W)^T b``; the first columns are returned.
     """
     _, soft = la.eigh(stiffness, mass, subset_by_index=(0, min(count, len(mass)) - 1))
     return soft, mass @ soft
@@ -163,7 +162,7 @@ def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
 def consistent_modes(
     solver: Factorised, mass: sp.csr_array, inertia: Array, steps: int, block: int
 ) -> tuple[Array, Array, Array, Array]:
-    """The same as `interior_modes` for a mass (n, n) that is not diagonal."""
+    """Compute `interior_modes` for a mass (n, n) that is not diagonal."""
     random = mass @ np.random.default_rng(0).standard_normal((mass.shape[0], EXTRA))
     dynamic, extra = np.split(solver.solve(np.hstack([inertia, random])), [inertia.shape[1]], axis=1)
     starts = dynamic[:, : SOFT_TRACES + STARTS_PER_DIRECTION * block]
@@ -178,36 +177,36 @@ def consistent_modes(
     forces = mass @ basis
     fields = solver.solve(forces)
     weights, turn = la.eigh(fields.T @ (mass @ fields))
-    kept = weights > DEPENDENT * weights[-1]
-    turn = turn[:, kept] / np.sqrt(weights[kept])
+    independent = weights > DEPENDENT * weights[-1]
+    turn = turn[:, independent] / np.sqrt(weights[independent])
     values, mixed = la.eigh(turn.T @ (fields.T @ forces) @ turn)
     modes = fields @ (turn @ mixed)
     return values, modes, dynamic, solver.solve(mass @ modes)
 
 
 def _unit_mass(fields: Array, mass: sp.csr_array) -> Array:
-    """(n, k) combinations of fields that are orthonormal in a mass, without what is hardly there."""
+    """(n, k) combinations of fields that are orthonormal in a mass, without dependent ones."""
     weights, turn = la.eigh(fields.T @ (mass @ fields))
-    kept = weights > DEPENDENT * weights[-1]
-    return np.asarray(fields @ (turn[:, kept] / np.sqrt(weights[kept])))
+    independent = weights > DEPENDENT * weights[-1]
+    return np.asarray(fields @ (turn[:, independent] / np.sqrt(weights[independent])))
 
 
 def interior_modes(
     solver: Factorised, mass: Array, inertia: Array, steps: int, block: int
 ) -> tuple[Array, Array, Array, Array]:
-    """Rayleigh-Ritz modes of the interior on a short Krylov space.
+    """Compute Rayleigh-Ritz modes of the interior on a short Krylov space.
 
     The space is ``span(A X, ..., A^steps X)`` with ``A = K^-1 M`` and X the main directions of ``A T``, the
-    answer to the inertia of the softest static answers T. The dynamic answer to the trace is the series
-    ``(1 + omega^2 A + omega^4 A^2 + ...) T``. The space follows it to several orders in frequency with far
-    fewer vectors than exact modes would take; all its Ritz modes are kept, converged or not.
+    response to the inertia of the softest static responses T. The dynamic response to the trace is the series
+    ``(1 + omega^2 A + omega^4 A^2 + ...) T``. The space approximates it to several orders in frequency with
+    far fewer vectors than exact modes. All its Ritz modes are used, converged or not.
 
     Parameters
     ----------
-    solver : has factorised the stiffness K
+    solver : solver with the factorised stiffness K
     mass : (n,) diagonal mass M
-    inertia : (n, b) M times static answers, those to the softest motions first
-    steps : blocks of the space; block : directions that each takes on from the static answers' inertia
+    inertia : (n, b) M times static responses, in ascending order of stiffness
+    steps : number of blocks of the space; block : directions of each that start from this inertia
 
     Returns
     -------
@@ -235,16 +234,16 @@ def interior_modes(
         new = root * answers_to[-1]
     fields = np.hstack(answers_to)
     moving = root * fields
-    known = np.hstack(blocks).T @ moving
-    # K^-1 M on the fields: those of every block but the last move within the space
-    further = fields @ known
+    form = np.hstack(blocks).T @ moving
+    # K^-1 M maps the fields of all blocks but the last into the space
+    further = fields @ form
     further[:, -new.shape[1] :] = solver.solve(root * new)
-    # a small interior has not room for all the blocks
+    # a small interior has fewer unknowns than the blocks have directions
     weights, turn = la.eigh(moving.T @ moving)
-    kept = weights > DEPENDENT * weights[-1]
-    basis = turn[:, kept] / np.sqrt(weights[kept])
-    values, turn = la.eigh(basis.T @ known @ basis)
-    modes, moved = (some @ (basis @ turn) for some in (fields, further))
-    # signs that do not depend on rounding, for the sake of random starts in what is made from these modes
+    independent = weights > DEPENDENT * weights[-1]
+    basis = turn[:, independent] / np.sqrt(weights[independent])
+    values, turn = la.eigh(basis.T @ form @ basis)
+    modes, moved = (columns @ (basis @ turn) for columns in (fields, further))
+    # signs that do not depend on rounding, for later random start vectors in terms of these modes
     sign = np.where(random[:, 0] @ modes < 0, -1.0, 1.0)
     return values, sign * modes, dynamic, sign * moved

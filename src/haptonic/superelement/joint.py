@@ -1,4 +1,4 @@
-"""How the rims of tiles meet, within a cell and across its borders."""
+"""Joints of the rims of tiles, within a cell and across its borders."""
 
 from __future__ import annotations
 
@@ -17,14 +17,13 @@ from haptonic.lattice import Operation
 
 
 def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
-    """Which of some places (n, 2) are one, but for translations (d, 2), two of a lattice or one of a ribbon.
+    """Find places (n, 2) that are equal up to translations (d, 2), two of a lattice or one of a ribbon.
 
-    Of all that are one place of the lattice that with the least sum of lattice coordinates, and then with the
-    least second one, counts.
+    The master of equal places has the least sum of lattice coordinates, then the least second coordinate.
 
     Returns
     -------
-    (n,) the place that counts for each, and (n, d) the integer translation from there
+    (n,) number of each place's master, and (n, d) integer translation from the master to the place
     """
     whole, same = steps_between(position, position, vectors)
     order = len(position) * (-2 * len(position) * whole.sum(axis=2) - whole[..., -1])
@@ -34,7 +33,7 @@ def repeated(position: Array, vectors: Array) -> tuple[Ints, Ints]:
 
 
 def steps_between(places: Array, others: Array, vectors: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """(n, m, d) translations from the others to the places, rounded, and (n, m) whether they are whole."""
+    """(n, m, d) rounded translations from the others to the places, and (n, m) True for integer ones."""
     steps: Array = places[:, None] - others
     inverse = np.asarray(np.linalg.pinv(vectors), dtype=np.float64)
     whole: Array = np.round(steps @ inverse)
@@ -45,10 +44,10 @@ def steps_between(places: Array, others: Array, vectors: Array) -> tuple[Array, 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """The traces of a period's tiles; those of the whole period are theirs, one tile after the other.
+    """Traces of a period's tiles; the trace of the period contains them one after the other.
 
-    period : a cell, or one of a ribbon; placed : the tiles; levels : of all their traces
-    position : (places,) of the rims, m; ends : of each tile's among them
+    period : a cell, or a period of a ribbon; placed : its tiles; levels : number of levels of all traces
+    position : (places,) of all rims, m; ends : number of places up to the end of each tile's rim
     """
 
     period: Period
@@ -59,13 +58,13 @@ class Joint:
 
     @classmethod
     def of(cls, period: Period, placed: Sequence[PlacedTile], rims: Sequence[Array], levels: int) -> Joint:
-        """Join tiles, given the places (n, 3) of their rims in their own axes, m.
+        """Join tiles, given the places (n, 3) of their rims in the tiles' axes, m.
 
         Raises
         ------
-        GeometryError : edges that do not meet
+        GeometryError : edges do not meet
         """
-        places = [one.points(rim)[:, :2] for one, rim in zip(placed, rims, strict=True)]
+        places = [tile.points(rim)[:, :2] for tile, rim in zip(placed, rims, strict=True)]
         joint = cls(
             period=period,
             placed=tuple(placed),
@@ -76,9 +75,9 @@ class Joint:
         alone = np.bincount(joint.master)[joint.master] == 1
         starts = np.concatenate([[0], joint.ends])
         for end in period.free_edges:
-            own = slice(starts[end.first], starts[end.beyond])
-            there = joint.position[own]
-            alone[own] &= end.step is not None and ~steps_between(there, there + end.step, period.vectors)[
+            edge = slice(starts[end.first], starts[end.beyond])
+            there = joint.position[edge]
+            alone[edge] &= end.step is not None and ~steps_between(there, there + end.step, period.vectors)[
                 1
             ].any(axis=1)
         if alone.any():
@@ -94,7 +93,7 @@ class Joint:
     @property
     def cell(self) -> UnitCell:
         """The period, if it is a cell."""
-        assert isinstance(self.period, UnitCell), "a ribbon is no cell"
+        assert isinstance(self.period, UnitCell), "a ribbon is not a cell"
         return self.period
 
     @cached_property
@@ -103,17 +102,17 @@ class Joint:
 
     @property
     def master(self) -> Ints:
-        """(places,) see `repeated`."""
+        """(places,) number of each place's master, see `repeated`."""
         return self._repeated[0]
 
     @property
     def shift(self) -> Ints:
-        """(places, d) see `repeated`."""
+        """(places, d) integer translation from the master, see `repeated`."""
         return self._repeated[1]
 
     @property
     def size(self) -> int:
-        """Unknowns of all traces."""
+        """Number of unknowns of all traces."""
         return 3 * self.levels * len(self.position)
 
     @cached_property
@@ -132,7 +131,7 @@ class Joint:
         return slice(3 * self.levels * int(start), 3 * self.levels * int(self.ends[number]))
 
     def turned(self, number: int, rows: Fields, *, back: bool = False) -> Fields:
-        """(n, k) motions of a tile's trace in the cell's axes from those in its own, or back."""
+        """Transform motions (n, k) of a tile's trace from the tile's axes to the cell's, or back."""
         placed = self.placed[number]
         if not placed.is_turned:
             return rows
@@ -140,7 +139,7 @@ class Joint:
         return np.asarray(turn @ rows.reshape(-1, 3, rows.shape[1])).reshape(rows.shape)
 
     def form(self, number: int, own: Array, traces: int) -> Array:
-        """A form of a tile, whose first unknowns are its trace, in the cell's axes."""
+        """Transform a form of a tile, whose first unknowns are its trace, to the cell's axes."""
         if not self.placed[number].is_turned:
             return own
         for _ in range(2):
@@ -148,12 +147,14 @@ class Joint:
         return own
 
     def image(self, operation: Operation) -> JointImage:
-        """How an operation of the cell acts on traces."""
+        """Action of an operation of the cell on traces."""
         mapped = self.cell.site_map(operation)
         assert mapped is not None, "no symmetry of this cell"
         lattice = self.cell.lattice
         turn = lattice.point_group.turn(operation)
-        before = (self.position - mapped.move @ lattice.vectors) @ turn[:2, :2]  # where each comes from
+        before = (self.position - mapped.move @ lattice.vectors) @ turn[
+            :2, :2
+        ]  # position of each place before the operation
         whole, same = steps_between(before, self.position, lattice.vectors)
         rank = np.where(same, np.abs(whole).sum(axis=2), np.inf)
         source = rank.argmin(axis=1)
@@ -166,10 +167,10 @@ class Joint:
 
 @dataclass(frozen=True, eq=False)
 class JointImage:
-    """A mirror, perhaps with a glide, or the half-turn, on traces of Bloch waves: ``turn u(g^-1 x)``.
+    """Mirror, glide mirror or half-turn of traces of Bloch waves: ``turn u(g^-1 x)``.
 
-    turn : (3, 3); source : (places,) the place that each takes its motion from, ``shift`` (places, 2)
-    translations away; twice : (2,) translation that the operation is if it is done twice
+    turn : (3, 3); source : (places,) place whose motion each place has afterwards
+    shift : (places, 2) translations between the two; twice : (2,) translation of the operation done twice
     """
 
     joint: Joint
@@ -179,7 +180,7 @@ class JointImage:
     twice: Array
 
     def applied(self, trace: Fields, kappa: Array) -> Fields:
-        """Image of (t, k) traces at the phases (2,), twice of which they are themselves."""
+        """Image of (t, k) traces at phases (2,) whose double changes nothing."""
         unknowns = self.joint.unknowns
         phase = np.exp(1j * (self.shift @ kappa + 0.5 * self.twice @ kappa))
         moved = trace[unknowns[:, self.source]] * phase[:, None, None]
@@ -188,7 +189,7 @@ class JointImage:
         return image
 
     def half_turned(self) -> tuple[Ints, Array, Array]:
-        """Of each unknown (t,): which it takes its motion from, with which sign, (t, 2) how far away."""
+        """Source (t,) of each unknown's motion, its sign (t,) and its translation (t, 2)."""
         assert np.array_equal(self.turn, HALF_TURNED)
         unknowns = self.joint.unknowns
         source, sign, shift = (

@@ -1,4 +1,4 @@
-"""What was made last waits for who asks for the same again, up to a size in all."""
+"""Cache of recently used values with a bounded total size."""
 
 from __future__ import annotations
 
@@ -11,35 +11,35 @@ Value = TypeVar("Value")
 
 
 class Kept(Generic[Value]):
-    """Values by key, those asked for last; one that alone is larger than ``most`` does not wait.
+    """Cache of the most recently used values by key. A value larger than ``most`` alone is not stored.
 
-    size : of a value; most : of all that wait, in the same measure
+    size : function that measures a value; most : largest sum of the sizes of all stored values
     """
 
     def __init__(self, most: float, size: Callable[[Value], float]) -> None:
         self._most, self._size = most, size
-        self._waiting: OrderedDict[Hashable, Value] = OrderedDict()
+        self._values: OrderedDict[Hashable, Value] = OrderedDict()
         self._lock = Lock()
 
     def __len__(self) -> int:
-        return len(self._waiting)
+        return len(self._values)
 
     def of(self, key: Hashable, make: Callable[[], Value]) -> Value:
-        """The value that waits, or one that is made; two threads may make the same at a time."""
+        """Return the stored value, or make it; two threads may make the same value at the same time."""
         with self._lock:
-            if key in self._waiting:
-                self._waiting.move_to_end(key)
-                return self._waiting[key]
-        made = make()
-        if self._size(made) > self._most:
-            return made
+            if key in self._values:
+                self._values.move_to_end(key)
+                return self._values[key]
+        value = make()
+        if self._size(value) > self._most:
+            return value
         with self._lock:
-            self._waiting[key] = made
-            while sum(map(self._size, self._waiting.values())) > self._most:
-                self._waiting.popitem(last=False)
-        return made
+            self._values[key] = value
+            while sum(map(self._size, self._values.values())) > self._most:
+                self._values.popitem(last=False)
+        return value
 
     def clear(self) -> None:
-        """Let go of all."""
+        """Remove all values."""
         with self._lock:
-            self._waiting.clear()
+            self._values.clear()

@@ -1,4 +1,4 @@
-"""From the unknowns of a condensed cell back to displacement on its mesh."""
+"""Displacement on the mesh of a condensed cell from its unknowns."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from haptonic.superelement.trace import FoldedTrace
 
 @dataclass(frozen=True)
 class ClassLifting:
-    """How one symmetry class is lifted back: static answers (3 interior, b) and modes (3 interior, m)."""
+    """Fields of one symmetry class: static responses (3 interior, b) and modes (3 interior, m)."""
 
     trace: FoldedTrace
     through: Array
@@ -28,13 +28,13 @@ class ClassLifting:
 
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
         """(nodes, 3, k) displacement from a whole trace (t, k) and the class's modal amplitudes (m, k)."""
-        own = self.trace.fold(trace)
-        inside = self.static @ own + self.modes @ amplitudes
-        return unfolded(self.trace, inside, self.trace.on_levels(self.through, own))
+        of_class = self.trace.fold(trace)
+        inside = self.static @ of_class + self.modes @ amplitudes
+        return unfolded(self.trace, inside, self.trace.on_levels(self.through, of_class))
 
 
 class Lifting(Protocol):
-    """How a symmetry class is lifted back; see `ClassLifting`."""
+    """Lifting of a symmetry class; see `ClassLifting`."""
 
     @property
     def trace(self) -> FoldedTrace: ...
@@ -46,7 +46,7 @@ class Lifting(Protocol):
 
 
 def unfolded(trace: FoldedTrace, inside: Fields, *boundary: Fields) -> Fields:
-    """(nodes, 3, k) field of a class from its values (3 interior, k) inside and (n, 3, k) on the boundary."""
+    """(nodes, 3, k) field of a class from values (3 interior, k) inside and (n, 3, k) on the boundary."""
     values = np.concatenate([inside.reshape(-1, 3, inside.shape[1]), *boundary])
     return np.asarray(trace.folding.sign[trace.symmetry_class][:, :, None] * values[trace.folding.node])
 

@@ -1,12 +1,12 @@
-"""The body of a pillar, from a little above its foot to its top: a prism, which needs no mesh.
+"""Body of a pillar, from a little above its foot to its top: a prism, which needs no mesh.
 
-Over its section displacement is a polynomial in x and y, along it one in z: far from the foot, where stress
-is singular, it is smooth. A motion is given by its values on Gauss-Lobatto-Legendre levels along the body,
-each a sum of polynomials that are orthonormal over the section. In a symmetry class of two mirrors the
-polynomials of a component are even or odd in x and y, and there are as many of them whichever it is; with
-fewer operations several of these kinds make a class.
+The displacement is a polynomial in x and y over the section, and in z along the body, because it is smooth
+away from the foot with its stress singularity. A motion is given by its values on Gauss-Lobatto-Legendre
+levels along the body, each a sum of polynomials that are orthonormal over the section. In a symmetry class of
+two mirrors the polynomials of a component are even or odd in x and y, and equal in number for each of these
+kinds; with fewer operations a class contains several kinds.
 
-Stiffness and mass are those of the prism's own energies, u^T K u = integral of strain : C : strain and
+Stiffness and mass follow from the energies of the prism, u^T K u = integral of strain : C : strain and
 u^T M u = integral of rho |u|^2, integrals over the section times integrals along it.
 """
 
@@ -26,7 +26,7 @@ from haptonic.later import linalg as la
 from haptonic.materials import Material, elasticity_tensor
 
 Parity = tuple[int, int]  # in x and y: 0 even, 1 odd
-Kinds = tuple[Parity, ...]  # of the polynomials of a component
+Kinds = tuple[Parity, ...]  # kinds of polynomials of a component
 
 PARITIES: tuple[Parity, ...] = ((0, 0), (0, 1), (1, 0), (1, 1))
 
@@ -35,11 +35,11 @@ PARITIES: tuple[Parity, ...] = ((0, 0), (0, 1), (1, 0), (1, 1))
 class PillarBody:
     """A prism along z.
 
-    low, length : height of its lower end, and how far it reaches from there, m
-    half_width : smallest one of the section, m; outline : of the section, of half-width 1
-    degree : of the polynomials in x^2 and y^2, beside the factors x and y of odd ones
-    order : of the polynomials along z; kinds : of polynomials over the section that each component has
-    faces : of the plate that it stands on; with two the forms are those of it and of its image together
+    low, length : height of its lower end, and its length from there, m
+    half_width : smallest half-width of the section, m; outline : of the section, scaled to half-width 1
+    degree : of the polynomials in x^2 and y^2, without the factors x and y of odd ones
+    order : of the polynomials along z; kinds : number of kinds of polynomials over the section per component
+    faces : number of faces of the plate with a pillar; for two the forms include the image of the body
     """
 
     low: float
@@ -59,7 +59,7 @@ class PillarBody:
 
     @property
     def on_section(self) -> int:
-        """Unknowns of one level."""
+        """Number of unknowns of one level."""
         return 3 * self.shapes
 
     def stiffness(self, parities: tuple[Kinds, ...]) -> Array:
@@ -94,18 +94,18 @@ class PillarBody:
 
     @property
     def _weights(self) -> Array:
-        """(levels,) each one's share of the mass per area of the section of half-width 1, kg."""
+        """(levels,) share of each level in the mass per area of the section of half-width 1, kg."""
         per_length = self.faces * self.half_width**2 * self.material.density
         return np.asarray(0.5 * self.length * per_length * lobatto(self.order)[1])
 
     @cached_property
     def mass(self) -> Array:
-        """(u,) lumped on the levels, kg."""
+        """(u,) mass lumped on the levels, kg."""
         return np.repeat(self._weights, self.on_section)
 
     @property
     def sizes(self) -> Array:
-        """(3, levels) height (m), mass (kg) and inertia about the axis (kg m^2) of each level's share."""
+        """(3, levels) height (m), mass (kg) and inertia about the axis (kg m^2) of each level."""
         points, weights = self.outline.cubature(2)
         turning = self._weights * (weights @ points**2).sum() * self.half_width**2
         return np.stack([self._levels, self._weights * weights.sum(), turning])
@@ -160,9 +160,9 @@ def _exponents(parity: Parity, degree: int) -> list[tuple[int, int]]:
 
 @dataclass(frozen=True)
 class _Polynomials:
-    """Polynomials of some parities that are orthonormal over an outline's inside, all together.
+    """Polynomials of some parities that are together orthonormal over the inside of an outline.
 
-    powers : (monomials, 2) of x and y; combined : (monomials, shapes) their coefficients
+    powers : (monomials, 2) of x and y; combined : (monomials, shapes) coefficients of the polynomials
     """
 
     outline: Outline

@@ -1,4 +1,4 @@
-"""How the pillar moves, section by section: what tells bending from torsion and traction."""
+"""Motion of a pillar's sections, by which bending, torsion and axial motion are distinguished."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from haptonic.superelement.symmetry import Folding
 class PillarSections:
     """Rigid-body part of the motion of each horizontal layer of nodes of the pillar.
 
-    Where one stands on either face, a layer is that of both.
+    With a pillar on each face, a layer is that of both pillars.
 
     height : (sections,) above the plate's flat face, m
     mass : (sections,) kg; inertia : (sections,) about the pillar's axis, kg m^2
@@ -33,27 +33,27 @@ class PillarSections:
     def energies(self, fields: NDArray[np.complex128]) -> Array:
         """Kinetic energies (3, k) of the pillar's bending, axial and twisting motion.
 
-        ``fields`` is (t + m, k); the result is in kg m^2, as ``u* M u``.
+        ``fields`` is (t + m, k); the result is ``u* M u`` in kg m^2.
         """
         moved = np.abs(self.motion @ fields) ** 2
         along = np.einsum("csk,s->ck", moved[:3], 1.0 / self.mass)
         return np.stack([along[0] + along[1], along[2], np.einsum("sk,s->k", moved[3], 1.0 / self.inertia)])
 
     def rising(self, fields: NDArray[np.complex128]) -> Array:
-        """Kinetic energy (k,) of a pillar that only rises and sinks as its foot does, in kg m^2."""
+        """Kinetic energy (k,) of a pillar whose vertical motion equals that of its foot, in kg m^2."""
         foot = np.abs(self.motion[2, 0] @ fields) / self.mass[0]
         return np.asarray(self.mass.sum() * foot**2)
 
     def against_foot(self, fields: NDArray[np.complex128]) -> Array:
-        """Kinetic energy (k,) of the pillar as its foot sees it, of all its motions, in kg m^2."""
+        """Kinetic energy (k,) of all motions of the pillar relative to its foot, in kg m^2."""
         weight = np.stack([self.mass] * 3 + [self.inertia])[:, :, None]
         moved = (self.motion @ fields) / weight
         return np.asarray((weight * np.abs(moved - moved[:, :1]) ** 2).sum(axis=(0, 1)))
 
     def bending_nodes(self, fields: NDArray[np.complex128]) -> NDArray[np.int64]:
-        """(k,) how often the pillar's axis crosses the vertical through its foot, as a cantilever's would.
+        """(k,) number of nodes of the bent pillar axis above its foot, as of a cantilever.
 
-        The axis is taken in the direction and phase in which it moves most.
+        Displacements are relative to the foot, in the direction and phase of the largest motion.
         """
         path = (self.motion[:2] @ fields) / self.mass[:, None]
         path -= path[:, :1]
@@ -68,7 +68,7 @@ class PillarSections:
 
 
 def section_levels(mesh: HexMesh) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
-    """Heights of the upper pillar's node levels, and for each of its nodes its number and level."""
+    """Heights of the upper pillar's node levels, and number and level of each of its nodes."""
     starts = mesh.topology.pillar_start
     nodes = np.arange(starts[0], starts[-1])
     level = np.repeat(np.arange(len(starts) - 1), np.diff(starts))
@@ -76,16 +76,16 @@ def section_levels(mesh: HexMesh) -> tuple[Array, NDArray[np.int64], NDArray[np.
 
 
 def momentum_forms(mesh: HexMesh, folding: Folding, symmetry_class: int, nodal_mass: Array) -> sp.csr_array:
-    """(4 sections, 3 representatives) sparse: the momenta of one class's own values, boundary included."""
+    """(4 sections, 3 representatives) sparse: momenta from the values of one class, boundary included."""
     heights, nodes, level = section_levels(mesh)
     count = len(heights)
     x, y = mesh.points[nodes, 0], mesh.points[nodes, 1]
-    m = mesh.topology.faces * nodal_mass[nodes]  # a pillar's image on the other face moves as it does
+    m = mesh.topology.faces * nodal_mass[nodes]  # the image of a pillar on the other face has the same motion
     sign = folding.sign[symmetry_class][nodes].astype(float)
-    own = 3 * folding.node[nodes]
+    unknown = 3 * folding.node[nodes]
     entries = [(c, c, m) for c in range(3)] + [(3, 1, m * x), (3, 0, -m * y)]
     rows = np.concatenate([row * count + level for row, _, _ in entries])
-    columns = np.concatenate([own + c for _, c, _ in entries])
+    columns = np.concatenate([unknown + c for _, c, _ in entries])
     values = np.concatenate([weight * sign[:, c] for _, c, weight in entries])
     return sp.csr_array((values, (rows, columns)), shape=(4 * count, 3 * len(folding.origin)))
 

@@ -1,8 +1,8 @@
-"""Solids of a CAD file, condensed like any other tile.
+"""Condensation of solids from a CAD file.
 
 The matrices come from `haptonic.foreign.solids`: curved tetrahedra, prisms and hexahedra of one order, with a
-mass that is not lumped. Their lateral faces follow polynomials, as those of a tile that is meshed in blocks
-do, so that neighbours need not have equal meshes there.
+consistent mass matrix. Displacements of their lateral faces are polynomials, like those of a tile meshed in
+blocks, so neighbours need not have equal meshes there.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.symmetry import fold
 from haptonic.superelement.trace import FoldedTrace
 
-NO_SECTIONS = np.zeros((3, 0))  # height, mass and inertia of a pillar's sections, of which none are known
+NO_SECTIONS = np.zeros((3, 0))  # height, mass and inertia of pillar sections; a file's solids have none
 
 
 @dataclass(frozen=True, eq=False)
 class SurfaceLifting:
-    """How a tile without symmetry is lifted to its surface.
+    """Lifting of a tile without symmetry to its surface.
 
     of_trace : (3 points, t); of_modes : (3 points, m)
     """
@@ -57,7 +57,7 @@ class SurfaceLifting:
 class SolidBody:
     """Matrices of the elements of a tile; unknowns are (component, scalar unknown).
 
-    stiffness, mass : sparse, N/m and kg; above : the share of the mass beyond the plate's faces
+    stiffness, mass : sparse, N/m and kg; above : share of the mass beyond the plate's faces
     inner, outer : numbers of the unknowns inside and on the lateral faces
     on_sides : (outer, t) motion of the lateral faces from the trace (level, place, component)
     shown : (3 points, 3 n) displacement at the points of the surface
@@ -85,7 +85,7 @@ class SolidBody:
         assert isinstance(tile, UnitCell)
         assert tile.solid is not None
         solids = [tile.solid.material_of(name, tile.material) for name in tile.solid_period.names]
-        made = tile.solid.ask(
+        assembly = tile.solid.ask(
             "assembled",
             tile.corners,
             tile.vectors,
@@ -98,22 +98,22 @@ class SolidBody:
             upward=0.5 * (1 + lobatto(plan.levels - 1)[0]),
             inside=0.5 * (1 + lobatto(plan.upward)[0]),
         )
-        count = int(made["unknowns"])
-        outer = (np.arange(3)[:, None] * count + made["lateral"]).ravel()
-        mass = _sparse(made["mass"])
-        used = mass.diagonal() > 0.0  # a mesh may have points that no element has
+        count = int(assembly["unknowns"])
+        outer = (np.arange(3)[:, None] * count + assembly["lateral"]).ravel()
+        mass = _sparse(assembly["mass"])
+        used = mass.diagonal() > 0.0  # a mesh may have points outside all elements
         inner = np.setdiff1d(np.flatnonzero(np.tile(used, 3)), outer)
-        trace = made["trace"]
-        shown = made["shown"]
+        trace = assembly["trace"]
+        shown = assembly["shown"]
         of_points = sp.csr_array(
-            (shown["values"], (shown["rows"], shown["columns"])), shape=(len(made["points"]), count)
+            (shown["values"], (shown["rows"], shown["columns"])), shape=(len(assembly["points"]), count)
         )
         topology = topology_of(plan)
         rim = along_sides(tile.corners, side_shares(plan))
         mesh = SurfaceMesh(
-            points=made["points"],
-            cells=made["cells"],
-            lower=made["lower"],
+            points=assembly["points"],
+            cells=assembly["cells"],
+            lower=assembly["lower"],
             rim_points=np.column_stack([rim, np.zeros(len(rim))]),
             unknowns=3 * count,
             topology=topology,
@@ -121,9 +121,9 @@ class SolidBody:
         return cls(
             tile=tile,
             plan=plan,
-            stiffness=_sparse(made["stiffness"]),
+            stiffness=_sparse(assembly["stiffness"]),
             mass=sp.csr_array(sp.kron(sp.eye_array(3), mass, format="csr")),
-            above=_sparse(made["above"]),
+            above=_sparse(assembly["above"]),
             inner=inner,
             outer=outer,
             on_sides=np.einsum("nt,ij->intj", trace, np.eye(3)).reshape(3 * len(trace), -1),
@@ -133,12 +133,12 @@ class SolidBody:
 
     @cached_property
     def trace(self) -> FoldedTrace:
-        """That of a tile without symmetry."""
+        """Trace of a tile without symmetry."""
         return FoldedTrace(self.mesh.topology, fold(self.mesh.topology, ()), 0, self.plan.levels)
 
     @cached_property
     def _inside(self) -> tuple[Pattern, Array, Array]:
-        """Pattern of the inner unknowns, and the numbers of stiffness and mass on it."""
+        """Pattern of the inner unknowns, and values of stiffness and mass on it."""
         stiffness, mass = (
             sp.csr_array(sp.triu(form[self.inner][:, self.inner])) for form in (self.stiffness, self.mass)
         )
@@ -169,7 +169,10 @@ class SolidBody:
         )
 
     def factorised(self, shift: float = 0.0) -> tuple[Solver, int]:
-        """A solver of K - shift M inside, and the number of eigenvalues below the shift, (rad/s)^2."""
+        """Factorise K - shift M inside; return the solver and the number of eigenvalues below the shift.
+
+        shift : (rad/s)^2
+        """
         pattern, stiffness, mass = self._inside
         solver: Solver = chosen()(pattern)
         below = solver.factorise(stiffness - shift * mass, definite=shift == 0.0)
@@ -182,7 +185,7 @@ class SolidBody:
         return fields
 
     def dynamic(self, omega: float) -> DynamicStiffness:
-        """What the trace feels at an angular frequency (rad/s); nothing of a reduced model enters."""
+        """Dynamic stiffness of the trace at an angular frequency (rad/s), without any reduced model."""
         solver, below = self.factorised(omega**2)
         body = self.bounded
         assert body.mass_coupling is not None
@@ -202,7 +205,7 @@ class SolidBody:
 
 @lru_cache(maxsize=1)
 def solid_body(tile: TileShape, plan: MeshPlan) -> SolidBody:
-    """The matrices of a tile on a plan, for counts; one is kept, which may have gigabytes."""
+    """Matrices of a tile on a plan, for counts; only the last is cached, as it may need gigabytes."""
     return SolidBody.of(tile, plan)
 
 
@@ -213,17 +216,17 @@ def condense_solid(
     """Condense the solids of a CAD file onto their lateral faces; parameters as for `condense`."""
     body = SolidBody.of(tile, plan)
     solver, _ = body.factorised()
-    own = reduced(solver, body.bounded, steps, block)
-    of_trace = body.whole(own.static, np.eye(body.on_sides.shape[1]))
-    of_modes = body.whole(own.modes, np.zeros((body.on_sides.shape[1], own.modes.shape[1])))
+    reduced_body = reduced(solver, body.bounded, steps, block)
+    of_trace = body.whole(reduced_body.static, np.eye(body.on_sides.shape[1]))
+    of_modes = body.whole(reduced_body.modes, np.zeros((body.on_sides.shape[1], reduced_body.modes.shape[1])))
     lifting = SurfaceLifting(body.trace, body.shown @ of_trace, body.shown @ of_modes)
     measured_class = _measures(body, np.hstack([of_trace, of_modes])) if measured else None
-    piece = CondensedClass.of(lifting, own, measured_class)
+    piece = CondensedClass.of(lifting, reduced_body, measured_class)
     return assembled(tile, (body.mesh,), plan.levels, [piece], NO_SECTIONS if measured else None)
 
 
 def _measures(body: SolidBody, fields: Array) -> ClassMeasures:
-    """Shares of kinetic energy beyond the plate's faces and along z; that of strain energy is not known."""
+    """Shares of kinetic energy beyond the plate's faces and along z; the share of strain energy is 0."""
     moved = fields.reshape(3, -1, fields.shape[1])
     above = sum(component.T @ (body.above @ component) for component in moved)
     scalar = body.mass[: moved.shape[1]][:, : moved.shape[1]]

@@ -1,4 +1,4 @@
-"""The feet and bodies of a pillar, one upon the other: joined on their sections, reduced, and lifted back."""
+"""Feet and bodies of a pillar, joined on their sections, reduced, and lifted."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from haptonic.superelement.trace import FoldedTrace
 
 @dataclass(frozen=True)
 class FootClass:
-    """One symmetry class of a foot: its boundary is the trace, then the sections of the bodies it is next to.
+    """One symmetry class of a foot; its boundary is the trace, then the sections of adjacent bodies.
 
     parities : of the polynomials of the displacement's components in this class
-    on_ends : (3 representatives, s) the nodes of its open ends from the sections' unknowns
-    own : on boundary and modes; measures : the same
+    on_ends : (3 representatives, s) motion of its open ends from the unknowns of the sections
+    own : reduced foot on boundary and modes; measures : on the same unknowns
     """
 
     trace: FoldedTrace
@@ -37,9 +37,9 @@ class FootClass:
 
 @dataclass(frozen=True)
 class Storey:
-    """A foot's mesh with the body upon it, in the cell's place.
+    """Mesh of a foot with the body on it, in the axes of the cell.
 
-    mesh : goes on along the body, for pictures; through : as of a `FoldedMesh`
+    mesh : includes the body, for pictures; through : see `FoldedMesh`
     """
 
     mesh: HexMesh
@@ -49,17 +49,17 @@ class Storey:
 
     @classmethod
     def of(cls, mesh: HexMesh, body: PillarBody | None, base: float, through: Array) -> Storey:
-        """From mesh and body in axes of their own, which start at a height ``base`` (m)."""
+        """Raise a mesh and a body, given in axes that start at a height ``base`` (m), to that height."""
         lifted = HexMesh(mesh.topology, mesh.points + np.array([0.0, 0.0, base])) if base else mesh
         return cls(lifted, body and replace(body, low=body.low + base), base, through)
 
     def sizes(self, foot: Array) -> Array:
-        """(3, sections) of the foot's sections, given in its own axes, and the body's; see `PillarBody`."""
+        """(3, sections) sizes of the foot's sections, given in its axes, and the body's; see `PillarBody`."""
         foot = foot + np.array([[self.base], [0.0], [0.0]])
         return foot if self.body is None else np.hstack([foot, self.body.sizes])
 
     def lifted(self, foot: FootClass, own: Fields, body: Fields) -> Fields:
-        """(nodes, 3, k) displacement, from ``own`` of the foot's boundary and modes, and the body's."""
+        """(nodes, 3, k) displacement from unknowns ``own`` of the foot (boundary, modes) and of the body."""
         whole, count = self.mesh.topology, own.shape[1]
         boundary, modes = np.split(own, [len(foot.own.mass)])
         inside = foot.own.static @ boundary + foot.own.modes @ modes
@@ -79,9 +79,10 @@ class Storey:
 
 @dataclass(frozen=True)
 class _Numbers:
-    """Which unknowns of a class's inside belong to what: first those that a mass couples, then the others.
+    """Numbers of the interior unknowns of a class: first those with coupled masses, then the others.
 
-    feet : sections and modes of each; bodies : of each, level by level; heavy, size : first ones, all
+    feet : for each, its sections and modes; bodies : for each, level by level
+    heavy : number of unknowns with coupled masses; size : number of all unknowns
     """
 
     feet: tuple[Ints, ...]
@@ -91,40 +92,44 @@ class _Numbers:
 
     @classmethod
     def of(cls, feet: Sequence[FootClass], storeys: Sequence[Storey]) -> _Numbers:
-        ends = np.cumsum([0, *(one.on_ends.shape[1] + len(one.own.values) for one in feet)])
-        own = [np.arange(first, beyond) for first, beyond in pairwise(ends)]
+        ends = np.cumsum([0, *(foot.on_ends.shape[1] + len(foot.own.values) for foot in feet)])
+        of_feet = [np.arange(first, beyond) for first, beyond in pairwise(ends)]
         size, bodies = int(ends[-1]), []
         for number, storey in enumerate(storeys):
             if storey.body is None:
                 bodies.append(np.empty(0, dtype=np.int64))
                 continue
             section = storey.body.on_section
-            top = own[number][: feet[number].on_ends.shape[1]][-section:]
-            last = own[number + 1][:section] if number + 1 < len(own) else own[0][:0]
+            top = of_feet[number][: feet[number].on_ends.shape[1]][-section:]
+            last = of_feet[number + 1][:section] if number + 1 < len(of_feet) else of_feet[0][:0]
             between = len(storey.body.mass) - len(top) - len(last)
             bodies.append(np.concatenate([top, np.arange(size, size + between), last]))
             size += between
-        return cls(tuple(own), tuple(bodies), int(ends[-1]), size)
+        return cls(tuple(of_feet), tuple(bodies), int(ends[-1]), size)
 
 
 def joined(feet: Sequence[FootClass], storeys: Sequence[Storey], steps: int, block: int) -> CondensedClass:
-    """A class of the whole cell: inside are the sections, the feet's modes, and the rest of the bodies."""
+    """Reduce a class of the whole cell with sections, modes of feet, and rests of bodies as its interior."""
     foot, numbers = feet[0], _Numbers.of(feet, storeys)
     heavy, trace = numbers.heavy, len(foot.trace.kept)
     stiffness, mass = np.zeros((numbers.size, numbers.size)), np.zeros((heavy, heavy))
     lumped, stiff = np.zeros(numbers.size), []
-    for one, own in zip(feet, numbers.feet, strict=True):
-        sections = np.s_[len(one.trace.kept) :]
-        to_modes = one.own.to_modes[sections]
-        place, modes = np.ix_(own, own), len(one.own.values)
-        stiffness[place] += la.block_diag(one.own.stiffness[sections, sections], np.diag(one.own.values))
-        mass[place] += np.block([[one.own.mass[sections, sections], to_modes], [to_modes.T, np.eye(modes)]])
-    for one, storey, own in zip(feet, storeys, numbers.bodies, strict=True):
+    for member, place in zip(feet, numbers.feet, strict=True):
+        sections = np.s_[len(member.trace.kept) :]
+        to_modes = member.own.to_modes[sections]
+        square, modes = np.ix_(place, place), len(member.own.values)
+        stiffness[square] += la.block_diag(
+            member.own.stiffness[sections, sections], np.diag(member.own.values)
+        )
+        mass[square] += np.block(
+            [[member.own.mass[sections, sections], to_modes], [to_modes.T, np.eye(modes)]]
+        )
+    for member, storey, place in zip(feet, storeys, numbers.bodies, strict=True):
         if storey.body is not None:
-            stiff.append(storey.body.stiffness(one.parities))
-            stiffness[np.ix_(own, own)] += stiff[-1]
-            lumped[own] += storey.body.mass
-    # unknowns in which the mass is 1: those of sections and modes are coupled by theirs, the others are not
+            stiff.append(storey.body.stiffness(member.parities))
+            stiffness[np.ix_(place, place)] += stiff[-1]
+            lumped[place] += storey.body.mass
+    # change to unknowns of unit mass; the mass matrix couples those of sections and modes only
     mass[np.diag_indices(heavy)] += lumped[:heavy]
     turn = la.solve_triangular(la.cholesky(mass, lower=True), np.eye(heavy), lower=True).T
     light = lumped[heavy:] ** -0.5
@@ -146,29 +151,29 @@ def joined(feet: Sequence[FootClass], storeys: Sequence[Storey], steps: int, blo
         mass=np.ones(numbers.size),
         mass_coupling=mass_coupling,
     )
-    found = reduced(_Dense(inside), bounded, steps, block)
+    reduced_class = reduced(_Dense(inside), bounded, steps, block)
     static, dynamic = (
         np.vstack([turn @ fields[:heavy], light[:, None] * fields[heavy:]])
-        for fields in (found.static, found.modes)
+        for fields in (reduced_class.static, reduced_class.modes)
     )
     part = SubstructuredPart(
         feet=tuple(feet), storeys=tuple(storeys), numbers=numbers, static=static, modes=dynamic
     )
     inner = np.hstack([static, dynamic])
-    truncation, measured = found.truncation, []
-    for number, (one, storey) in enumerate(zip(feet, storeys, strict=True)):
+    truncation, measured = reduced_class.truncation, []
+    for number, (member, storey) in enumerate(zip(feet, storeys, strict=True)):
         of_foot, of_body = part.members(number, np.eye(trace, inner.shape[1]), inner)
-        truncation = truncation + of_foot.T @ one.own.truncation @ of_foot
-        if one.measures is not None:
-            measured.append(one.measures.on(of_foot))
+        truncation = truncation + of_foot.T @ member.own.truncation @ of_foot
+        if member.measures is not None:
+            measured.append(member.measures.on(of_foot))
             if storey.body is not None:
-                measured.append(_of_body(storey.body, one.parities, stiff[number], of_body))
-    piece = CondensedClass.of(part, found, ClassMeasures.together(measured) if measured else None)
+                measured.append(_of_body(storey.body, member.parities, stiff[number], of_body))
+    piece = CondensedClass.of(part, reduced_class, ClassMeasures.together(measured) if measured else None)
     return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(foot.trace, truncation)})
 
 
 def _of_body(body: PillarBody, parities: tuple[Kinds, ...], stiff: Array, fields: Array) -> ClassMeasures:
-    """Measures of a body of stiffness ``stiff`` that moves as ``fields`` (u, b + m)."""
+    """Measures of a body of stiffness ``stiff`` with motions ``fields`` (u, b + m)."""
     heavy = body.mass[:, None] * fields
     vertical = np.tile([0.0, 0.0, 1.0], len(heavy) // 3)[:, None]
     energies = {
@@ -180,7 +185,7 @@ def _of_body(body: PillarBody, parities: tuple[Kinds, ...], stiff: Array, fields
 
 
 class _Dense:
-    """A small stiffness, factorised."""
+    """Factorised small stiffness."""
 
     def __init__(self, stiffness: Array) -> None:
         self._factor = la.cho_factor(stiffness)
@@ -191,9 +196,9 @@ class _Dense:
 
 @dataclass(frozen=True)
 class SubstructuredPart:
-    """How one symmetry class is lifted back, see `haptonic.superelement.lifting.ClassLifting`.
+    """Lifting of one symmetry class, see `haptonic.superelement.lifting.ClassLifting`.
 
-    static : (u, b), modes : (u, m) of sections, feet's modes and the rest of the bodies
+    static : (u, b), modes : (u, m) values of sections, modes of feet and rests of bodies
     """
 
     feet: tuple[FootClass, ...]
@@ -211,14 +216,14 @@ class SubstructuredPart:
         return int(self.modes.shape[1])
 
     def members(self, number: int, trace: Fields, inner: Fields) -> tuple[Fields, Fields]:
-        """Boundary and modes of a foot, and unknowns of the body upon it, from those of the class."""
-        own = inner[self.numbers.feet[number]]
-        return np.vstack([trace, own]) if number == 0 else own, inner[self.numbers.bodies[number]]
+        """Boundary and modes of a foot, and unknowns of the body on it, from those of the class."""
+        of_foot = inner[self.numbers.feet[number]]
+        return np.vstack([trace, of_foot]) if number == 0 else of_foot, inner[self.numbers.bodies[number]]
 
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields:
-        own = self.trace.fold(trace)
-        inner = self.static @ own + self.modes @ amplitudes
+        of_class = self.trace.fold(trace)
+        inner = self.static @ of_class + self.modes @ amplitudes
         return np.concatenate([
-            storey.lifted(one, *self.members(number, own, inner))
-            for number, (one, storey) in enumerate(zip(self.feet, self.storeys, strict=True))
+            storey.lifted(foot, *self.members(number, of_class, inner))
+            for number, (foot, storey) in enumerate(zip(self.feet, self.storeys, strict=True))
         ])  # fmt: skip

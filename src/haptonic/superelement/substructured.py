@@ -1,8 +1,8 @@
-"""A cell condensed in two steps: its plate with the foot of the pillar, then the pillar's body upon it.
+"""Condensation in two steps: the plate with the foot of the pillar, then the body of the pillar on it.
 
-The body needs no mesh, and what stands below it is condensed once for all lengths of the body. Only the
-foot sees the singular edge, and it alone needs the fine mesh. Where the pillar has a step, what is about the
-step is the foot of a further body, and stands on the first as that does on the plate's.
+The body needs no mesh, and the foot is condensed once for all lengths of the body. Only the foot contains
+the singular edge and needs a fine mesh. The surroundings of a step in the pillar are the foot of a further
+body, which is on top of the first body.
 """
 
 from __future__ import annotations
@@ -30,52 +30,57 @@ from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.stacked import FootClass, Storey, joined
 from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
 
-LEAST_DEGREE = 2  # over the section: with 1 a round body loses up to 1e-3 of a frequency, with 2 some 1e-5
-LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and what each layer of a mesh adds
-FOR_SECTION = 4  # directions in each block of a foot's Krylov space beyond those that a whole cell has
-KEPT_FEET = 5e6  # entries of stiffness of all that wait for the next design with the same: 16 usual ones
+LEAST_DEGREE = (
+    2  # over the section: relative error of a frequency up to 1e-3 with 1, about 1e-5 with 2 (round body)
+)
+LEAST_ORDER, PER_LAYER = (
+    8,
+    2,
+)  # order of the polynomials along the body, and its increase per layer of the mesh
+FOR_SECTION = 4  # directions in each block of a foot's Krylov space in addition to those of a whole cell
+KEPT_FEET = 5e6  # entries of stiffness of all feet stored for further designs: 16 usual feet
 
 
 @definite()
 def condense_by_parts(
     cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
 ) -> Superelement:
-    """Condense a cell onto its lateral faces, its pillar's bodies apart where they are prisms.
+    """Condense a cell onto its lateral faces, with prismatic bodies of its pillar treated separately.
 
-    Parameters as for `condense`. On the same plan the two differ by the error that the mesh of the body has
-    there. A pillar with draft, or one too short, has no body, and then they are the same.
+    Parameters as for `condense`. On the same plan the two differ by the error of the body's mesh in
+    `condense`. They are equal for a pillar with draft or a short pillar, which has no body.
     """
     pieces = pieces_of(cell, plan)
-    meshes = [mesh_cell(one.tile, one.plan) for one in pieces]
+    meshes = [mesh_cell(piece.tile, piece.plan) for piece in pieces]
     bodies = [
-        pillar_body_of(one.tile, mesh, is_cut=number + 1 < len(pieces))
-        for number, (one, mesh) in enumerate(zip(pieces, meshes, strict=True))
+        pillar_body_of(piece.tile, mesh, is_cut=number + 1 < len(pieces))
+        for number, (piece, mesh) in enumerate(zip(pieces, meshes, strict=True))
     ]
     if bodies[0] is None:
         return condensed(FoldedMesh.of_mesh(cell, meshes[0]), steps, block=block, measured=measured)
     feet = [
-        _foot(one.tile, mesh, ends, steps, block, measured)
-        for one, mesh, ends in zip(pieces, meshes, pairwise([None, *bodies]), strict=True)
+        _foot(piece.tile, mesh, ends, steps, block, measured)
+        for piece, mesh, ends in zip(pieces, meshes, pairwise([None, *bodies]), strict=True)
     ]
     storeys = [
-        Storey.of(mesh, body, one.base, foot.through)
-        for one, mesh, body, foot in zip(pieces, meshes, bodies, feet, strict=True)
+        Storey.of(mesh, body, piece.base, foot.through)
+        for piece, mesh, body, foot in zip(pieces, meshes, bodies, feet, strict=True)
     ]
-    made = each(
+    classes = each(
         lambda of_class: joined(of_class, storeys, steps, block),
-        zip(*(one.classes for one in feet), strict=True),
+        zip(*(foot.classes for foot in feet), strict=True),
     )
     sizes = (
         [storey.sizes(foot.sizes) for storey, foot in zip(storeys, feet, strict=True)] if measured else None
     )
-    whole = tuple(one.mesh for one in storeys)
-    return assembled(cell, whole, feet[0].levels, made, np.hstack(sizes) if sizes else None)
+    whole = tuple(storey.mesh for storey in storeys)
+    return assembled(cell, whole, feet[0].levels, classes, np.hstack(sizes) if sizes else None)
 
 
 def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> PillarBody | None:
-    """The body of a tile's pillar, which starts where the mesh's second layer above the thin ones does.
+    """Body of a tile's pillar; it starts at the lower end of the second layer above the thin ones.
 
-    What is cut, for more to stand on it, is a prism there and has a body, however low it starts.
+    is_cut : whether a further piece is on top; then the tile has a body at any height of its lower end
     """
     pillar, plan = tile.pillar, mesh.topology.plan
     if pillar is None or not pillar.is_prism or plan.pillar_layers < 2:
@@ -83,9 +88,9 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
     low = float(mesh.points[mesh.topology.foot.level_start[-2], 2])
     if not is_cut and low - tile.thickness < FOOT_LAYER * 2 * pillar.radius * (1 - 1e-9):
         return None
-    # polynomials that the nodes of the foot can follow; other sections than round ones warp in torsion
+    # polynomials that the nodes of the foot can represent; sections that are not round warp in torsion
     degree = plan.per_quarter // 2 if pillar.outline.warps else (plan.per_quarter + 2) // 3
-    if plan.blocks * plan.sides > 4:  # a coarse mesh of four blocks does not follow so many polynomials
+    if plan.blocks * plan.sides > 4:  # a coarse mesh of four blocks cannot represent so many polynomials
         degree = max(degree, LEAST_DEGREE)
     return PillarBody(
         low=low,
@@ -102,10 +107,10 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
 
 @dataclass(frozen=True)
 class _Foot:
-    """All that stands below a body, down to the one that it stands on itself, condensed.
+    """Condensed part below a body, down to the next body or to the plate.
 
-    levels, through : as of a `FoldedMesh`; sizes : of the pillar's sections below the body
-    entries : of the stiffness inside
+    levels, through : see `FoldedMesh`; sizes : of the pillar's sections below the body
+    entries : number of entries of the interior stiffness
     """
 
     entries: int
@@ -117,11 +122,11 @@ class _Foot:
 
 Ends = tuple[PillarBody | None, PillarBody | None]  # bodies below and above a foot
 
-_feet = Kept[_Foot](KEPT_FEET, lambda one: one.entries)
+_feet = Kept[_Foot](KEPT_FEET, lambda foot: foot.entries)
 
 
 def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, measured: bool) -> _Foot:
-    """A foot between two bodies, made or found again."""
+    """Condense a foot between two bodies, or return the stored one."""
     topology = mesh.topology.foot if ends[1] else mesh.topology
     points = mesh.points[mesh.topology.of_foot] if ends[1] else mesh.points
     about = (
@@ -142,33 +147,32 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
 
 
 def _condensed(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, measured: bool) -> _Foot:
-    """A foot between two bodies."""
+    """Condense a foot between two bodies."""
     shared = FoldedMesh.of_mesh(tile, mesh, open_top=ends[1] is not None)
-
     block += FOR_SECTION * sum(end.kinds for end in ends if end is not None)
     on_ends = [_on_ends(shared, q, ends) for q in range(shared.folding.classes)]
-    found = reduced_by_parts(shared, on_ends, steps, block)
+    reduced_classes = reduced_by_parts(shared, on_ends, steps, block)
 
     def foot_class(q: int) -> FootClass:
         return FootClass(
             trace=shared.traces[q],
             parities=_parities(shared.folding, q),
             on_ends=on_ends[q],
-            own=found[q],
-            measures=ClassMeasures.of(shared, q, found[q], on_ends[q]) if measured else None,
+            own=reduced_classes[q],
+            measures=ClassMeasures.of(shared, q, reduced_classes[q], on_ends[q]) if measured else None,
         )
 
     return _Foot(
         entries=len(shared.assembler.pattern.indices),
         levels=shared.levels,
         through=shared.through,
-        classes=tuple(each(foot_class, range(len(found)))),
+        classes=tuple(each(foot_class, range(len(reduced_classes)))),
         sizes=section_sizes(shared.mesh, shared.nodal_mass),
     )
 
 
 def _on_ends(shared: FoldedMesh, q: int, ends: Ends) -> Array:
-    """(3 representatives, s) motions of a foot's open ends in a class, from the sections' unknowns."""
+    """(3 representatives, s) motions of a foot's open ends in a class, from unknowns of the sections."""
     folding, topology = shared.folding, shared.mesh.topology
     levels: tuple[Ints, ...] = (np.arange(topology.level_start[1]), topology.top)
     motions = []
@@ -180,7 +184,7 @@ def _on_ends(shared: FoldedMesh, q: int, ends: Ends) -> Array:
 
 
 def _parities(folding: Folding, q: int) -> tuple[Kinds, ...]:
-    """Kinds of polynomials of the displacement's components in a class: those with its signs."""
+    """Kinds of polynomials of each displacement component with the signs of a class."""
     wanted = folding.parity[q][:, None] * folding.component
     return tuple(
         tuple(

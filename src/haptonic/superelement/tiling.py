@@ -1,8 +1,8 @@
-"""A tiling: condensed tiles in their places in one period of a plate or a ribbon, joined edge to edge.
+"""Tilings: condensed tiles at their positions in one period of a plate or a ribbon, joined edge to edge.
 
-Tiles meet in their traces alone, so each is condensed by itself, and equal ones once. A cell of one site is
-the tiling of a single tile. Unknowns are the traces of all tiles, then the amplitudes of all their modes;
-`Joint` says which traces are one.
+Tiles are coupled by their traces only, so each is condensed separately, and equal tiles once. A cell of one
+site is the tiling of a single tile. Unknowns are the traces of all tiles, then the amplitudes of all their
+modes; `Joint` identifies equal places of the traces.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ from haptonic.superelement.solid import SolidBody, condense_solid, solid_body
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.symmetry import THROUGH, folds_of
 
-CLASSES = 4  # of most tiles: one without classes gets as many directions in all
+CLASSES = 4  # of most tiles; a tile without classes gets as many directions in all
 
 
 @dataclass(frozen=True, eq=False)
 class Tiling:
     """Condensed tiles of a cell, joined.
 
-    joint : where their rims meet; tiles : condensed, in the order of the joint's
+    joint : of their rims; tiles : condensed, in the order of the joint
     """
 
     joint: Joint
@@ -43,14 +43,14 @@ class Tiling:
 
     @classmethod
     def of(cls, period: Period, placed: Sequence[PlacedTile], tiles: Sequence[Superelement]) -> Tiling:
-        """Join condensed tiles in their places; each its own, or the same several times.
+        """Join condensed tiles at their positions; the same tile may occur several times.
 
         Raises
         ------
-        GeometryError : edges that do not meet
+        GeometryError : edges do not meet
         """
         rims = [tile.mesh.rim_points for tile in tiles]
-        levels = {one.levels for one in tiles}
+        levels = {tile.levels for tile in tiles}
         assert len(levels) == 1, "traces of several numbers of levels"
         return cls(Joint.of(period, placed, rims, levels.pop()), tuple(tiles))
 
@@ -66,14 +66,14 @@ class Tiling:
     ) -> Tiling:
         """Condense the tiles of a period by parts, equal ones once, and join them.
 
-        plans : of each tile; parameters else as for `condense`
+        plans : of each tile; other parameters as for `condense`
         """
 
         def condense(tile: TileShape, plan: MeshPlan) -> Superelement:
-            way = condense_by_parts if tile.solid is None else condense_solid
-            return way(tile, plan, steps, block=directions(tile, block), measured=measured)
+            condense_tile = condense_by_parts if tile.solid is None else condense_solid
+            return condense_tile(tile, plan, steps, block=directions(tile, block), measured=measured)
 
-        return cls.of(period, period.tiles, _each(period.tiles, plans, condense))
+        return cls.of(period, period.tiles, _for_each_tile(period.tiles, plans, condense))
 
     @property
     def cell(self) -> UnitCell:
@@ -89,17 +89,17 @@ class Tiling:
 
     @property
     def meshes(self) -> tuple[HexMesh | SurfaceMesh, ...]:
-        """Of all tiles, one after the other."""
-        return tuple(mesh for one in self.tiles for mesh in one.meshes)
+        """Meshes of all tiles, one after the other."""
+        return tuple(mesh for tile in self.tiles for mesh in tile.meshes)
 
     @cached_property
     def _modes(self) -> list[int]:
         """Number of modes of each tile."""
-        return [one.size - one.trace_size for one in self.tiles]
+        return [tile.size - tile.trace_size for tile in self.tiles]
 
     @cached_property
     def own(self) -> list[Ints]:
-        """Numbers of the unknowns of each tile: of its trace, then of its modes."""
+        """For each tile, numbers of the unknowns of its trace, then of its modes."""
         ends = self.trace_size + np.cumsum(self._modes)
         return [
             np.r_[self.joint.of_tile(number), end - count : end]
@@ -107,50 +107,50 @@ class Tiling:
         ]
 
     def joined(self, forms: Sequence[Array]) -> Array:
-        """(n, n) a form of the cell from those of its tiles."""
+        """(n, n) form of the cell from those of its tiles."""
         if len(forms) == 1:
             return self.joint.form(0, forms[0], self.trace_size)
         whole = np.zeros((self.size, self.size))
-        for number, (form, own, tile) in enumerate(zip(forms, self.own, self.tiles, strict=True)):
-            whole[np.ix_(own, own)] = self.joint.form(number, form, tile.trace_size)
+        for number, (form, numbers, tile) in enumerate(zip(forms, self.own, self.tiles, strict=True)):
+            whole[np.ix_(numbers, numbers)] = self.joint.form(number, form, tile.trace_size)
         return whole
 
     @cached_property
     def stiffness(self) -> Array:
         """(n, n) N/m."""
-        return self.joined([one.stiffness for one in self.tiles])
+        return self.joined([tile.stiffness for tile in self.tiles])
 
     @cached_property
     def mass(self) -> Array:
         """(n, n) kg."""
-        return self.joined([one.mass for one in self.tiles])
+        return self.joined([tile.mass for tile in self.tiles])
 
     @cached_property
     def truncation(self) -> Array:
         """(n, n) see `Superelement`."""
-        return self.joined([one.truncation for one in self.tiles])
+        return self.joined([tile.truncation for tile in self.tiles])
 
     @cached_property
     def measures(self) -> Measures | None:
-        """What characterises motion, if it was asked for."""
-        found = [one.measures for one in self.tiles]
-        if any(one is None for one in found):
+        """Forms that characterise motion, or None if they were not requested."""
+        of_tiles = [tile.measures for tile in self.tiles]
+        if any(measures is None for measures in of_tiles):
             return None
-        forms = {name: self.joined([getattr(one, name) for one in found]) for name in ENERGIES}
+        forms = {name: self.joined([getattr(measures, name) for measures in of_tiles]) for name in ENERGIES}
         sections = [
-            self._spread(number, one)
-            for number, measures in enumerate(found)
+            self._spread(number, pillar)
+            for number, measures in enumerate(of_tiles)
             if measures is not None
-            for one in measures.sections
+            for pillar in measures.sections
         ]
         return Measures(**forms, sections=tuple(sections))
 
     def _spread(self, number: int, sections: PillarSections) -> PillarSections:
-        """Sections of one tile's pillar on the unknowns of the cell; momenta stay in the tile's own axes."""
+        """Sections of one tile's pillar on the unknowns of the cell; momenta are in the axes of the tile."""
         traces = self.tiles[number].trace_size
-        own = sections.motion.reshape(-1, sections.motion.shape[2]).T
-        motion = np.zeros((self.size, own.shape[1]))
-        motion[self.own[number]] = np.vstack([self.joint.turned(number, own[:traces]), own[traces:]])
+        of_tile = sections.motion.reshape(-1, sections.motion.shape[2]).T
+        motion = np.zeros((self.size, of_tile.shape[1]))
+        motion[self.own[number]] = np.vstack([self.joint.turned(number, of_tile[:traces]), of_tile[traces:]])
         return PillarSections(
             sections.height,
             sections.mass,
@@ -160,11 +160,11 @@ class Tiling:
 
     @property
     def points(self) -> Array:
-        """(nodes, 3) of the meshes, one after the other, m."""
+        """(nodes, 3) points of the meshes, one after the other, m."""
         return np.concatenate([
             placed.points(mesh.points)
-            for placed, one in zip(self.joint.placed, self.tiles, strict=True)
-            for mesh in one.meshes
+            for placed, tile in zip(self.joint.placed, self.tiles, strict=True)
+            for mesh in tile.meshes
         ])  # fmt: skip
 
     def linear_subcells(self) -> Ints:
@@ -177,41 +177,41 @@ class Tiling:
     def lifted(self, fields: Fields) -> Fields:
         """(nodes, 3, k) displacement on the meshes, one after the other, from (n, k) unknowns."""
         pieces = []
-        for number, (tile, own) in enumerate(zip(self.tiles, self.own, strict=True)):
-            mine = fields[own]
-            trace = self.joint.turned(number, mine[: tile.trace_size], back=True)
+        for number, (tile, numbers) in enumerate(zip(self.tiles, self.own, strict=True)):
+            of_tile = fields[numbers]
+            trace = self.joint.turned(number, of_tile[: tile.trace_size], back=True)
             pieces.append(
-                self.joint.placed[number].turn @ tile.lifted(np.vstack([trace, mine[tile.trace_size :]]))
+                self.joint.placed[number].turn @ tile.lifted(np.vstack([trace, of_tile[tile.trace_size :]]))
             )
         return np.concatenate(pieces)
 
     def in_middle_plane(self) -> tuple[Ints, Array] | None:
-        """What the mirror in the plate's middle plane takes each unknown from, and its sign.
+        """Source of each unknown and its sign for the mirror in the plate's middle plane.
 
-        None where pillars on one face have no image on the other.
+        None if pillars on one face have no image on the other.
         """
-        if not all(one.cell.is_mirrored for one in self.tiles):
+        if not all(tile.cell.is_mirrored for tile in self.tiles):
             return None
         source, unknowns = np.arange(self.size), self.joint.unknowns
         source[unknowns] = unknowns[::-1]
         traces = np.empty(self.trace_size)
         traces[unknowns] = THROUGH
-        return source, np.concatenate([traces, *(one.middle_parity for one in self.tiles)])
+        return source, np.concatenate([traces, *(tile.middle_parity for tile in self.tiles)])
 
     @property
     def is_centred(self) -> bool:
-        """Whether half a turn about the normal leaves the cell and its meshes as they are."""
+        """True if half a turn about the normal leaves the cell and its meshes unchanged."""
         meshed_in_blocks = all(tile.cell.solid is None for tile in self.tiles)
         return meshed_in_blocks and HALF_TURN in self.cell.point_group
 
     def half_turn(self) -> tuple[Ints, Array, Array] | None:
-        """What half a turn about the normal takes each unknown from, see `JointImage.half_turned`."""
+        """Source, sign and translation of each unknown for the half-turn, see `JointImage.half_turned`."""
         if not self.is_centred:
             return None
         image = self.joint.image(HALF_TURN)
         mapped = self.cell.site_map(HALF_TURN)
         assert mapped is not None
-        source, sign, shift = ([one] for one in image.half_turned())
+        source, sign, shift = ([of_traces] for of_traces in image.half_turned())
         for number, tile in enumerate(self.tiles):
             other, count = int(mapped.image[number]), self._modes[number]
             source.append(self.own[other][self.tiles[other].trace_size :])
@@ -220,19 +220,19 @@ class Tiling:
         return np.concatenate(source), np.concatenate(sign), np.concatenate(shift)
 
 
-def _each(
-    placed: Sequence[PlacedTile], plans: Sequence[MeshPlan], made: Callable[[TileShape, MeshPlan], Any]
+def _for_each_tile(
+    placed: Sequence[PlacedTile], plans: Sequence[MeshPlan], make: Callable[[TileShape, MeshPlan], Any]
 ) -> list[Any]:
-    """``made(tile, plan)`` for each tile; equal ones share it."""
-    kept: dict[tuple[int, MeshPlan], Any] = {}
-    for one, plan in zip(placed, plans, strict=True):
-        if (id(one.tile), plan) not in kept:
-            kept[id(one.tile), plan] = made(one.tile, plan)
-    return [kept[id(one.tile), plan] for one, plan in zip(placed, plans, strict=True)]
+    """Return ``make(tile, plan)`` for each tile, computed once for equal tiles."""
+    values: dict[tuple[int, MeshPlan], Any] = {}
+    for tile, plan in zip(placed, plans, strict=True):
+        if (id(tile.tile), plan) not in values:
+            values[id(tile.tile), plan] = make(tile.tile, plan)
+    return [values[id(tile.tile), plan] for tile, plan in zip(placed, plans, strict=True)]
 
 
 def directions(tile: TileShape, block: int) -> int:
-    """Size of the blocks of a tile's Krylov space: one symmetry class gets as many in all as two do."""
+    """Size of the blocks of a tile's Krylov space; tiles of one and of two classes get as many in all."""
     if tile.solid is not None:
         return CLASSES * block
     return block if folds_of(tile) else 2 * block
@@ -240,7 +240,7 @@ def directions(tile: TileShape, block: int) -> int:
 
 @dataclass(frozen=True, eq=False)
 class TiledMesh:
-    """The folded meshes of a cell's tiles, joined: nothing of them is condensed yet."""
+    """Folded meshes of a cell's tiles, joined but not condensed."""
 
     joint: Joint
     meshes: tuple[FoldedMesh, ...]
@@ -248,7 +248,7 @@ class TiledMesh:
     @classmethod
     def of(cls, cell: UnitCell, plans: Sequence[MeshPlan]) -> TiledMesh:
         """Mesh the tiles of a cell, each by its plan."""
-        meshes: list[FoldedMesh] = _each(cell.tiles, plans, FoldedMesh.of)
+        meshes: list[FoldedMesh] = _for_each_tile(cell.tiles, plans, FoldedMesh.of)
         rims = [folded.mesh.rim_points for folded in meshes]
         return cls(Joint.of(cell, cell.tiles, rims, meshes[0].levels), tuple(meshes))
 
@@ -258,55 +258,55 @@ class TiledMesh:
 
     @property
     def plans(self) -> tuple[MeshPlan, ...]:
-        return tuple(one.mesh.topology.plan for one in self.meshes)
+        return tuple(folded.mesh.topology.plan for folded in self.meshes)
 
     @property
     def nodal_mass(self) -> Array:
-        """(nodes,) kg, of all meshes."""
-        return np.concatenate([one.nodal_mass for one in self.meshes])
+        """(nodes,) mass at the nodes of all meshes, kg."""
+        return np.concatenate([folded.nodal_mass for folded in self.meshes])
 
     def condensed(self, steps: int, block: int, *, measured: bool = True) -> Tiling:
-        """The tiling of these meshes; parameters as for `condense`."""
-        made: dict[int, Superelement] = {}
-        for one in self.meshes:
-            if id(one) not in made:
-                size = directions(one.cell, block)
-                made[id(one)] = condensed(one, steps, block=size, measured=measured)
-        return Tiling(self.joint, tuple(made[id(one)] for one in self.meshes))
+        """Condense these meshes to a tiling; parameters as for `condense`."""
+        by_mesh: dict[int, Superelement] = {}
+        for folded in self.meshes:
+            if id(folded) not in by_mesh:
+                size = directions(folded.cell, block)
+                by_mesh[id(folded)] = condensed(folded, steps, block=size, measured=measured)
+        return Tiling(self.joint, tuple(by_mesh[id(folded)] for folded in self.meshes))
 
     def dynamic(self, omega: float, loads: Fields | None = None) -> JoinedStiffness:
-        """What all traces feel at an angular frequency; ``loads`` (nodes, 3, k) act on the nodes, N."""
-        ends = np.cumsum([one.mesh.topology.nodes for one in self.meshes])
+        """Dynamic stiffness of all traces at an angular frequency; ``loads`` (nodes, 3, k) on nodes, N."""
+        ends = np.cumsum([folded.mesh.topology.nodes for folded in self.meshes])
         pieces: list[DynamicStiffness] = []
         for number, mesh in enumerate(self.meshes):
             same = next((n for n in range(number) if self.meshes[n] is mesh), None)
             if loads is None and same is not None:
                 pieces.append(pieces[same])
                 continue
-            own = None
+            loads_of_tile = None
             if loads is not None:
-                own = (
+                loads_of_tile = (
                     self.joint.placed[number].turn.T
                     @ loads[ends[number] - mesh.mesh.topology.nodes : ends[number]]
                 )
-            pieces.append(dynamic_stiffness(mesh, omega, own))
+            pieces.append(dynamic_stiffness(mesh, omega, loads_of_tile))
         return JoinedStiffness(self.joint, tuple(pieces))
 
 
 @dataclass(frozen=True, eq=False)
 class SolidMesh:
-    """The elements of a cell of a CAD file: nothing of them is condensed yet; see `TiledMesh`."""
+    """Elements of a cell of a CAD file, not condensed; see `TiledMesh`."""
 
     joint: Joint
     body: SolidBody
 
     def dynamic(self, omega: float) -> JoinedStiffness:
-        """What the trace feels at an angular frequency, rad/s."""
+        """Dynamic stiffness of the trace at an angular frequency, rad/s."""
         return JoinedStiffness(self.joint, (self.body.dynamic(omega),))
 
 
 def whole_mesh(cell: UnitCell, plans: Sequence[MeshPlan]) -> TiledMesh | SolidMesh:
-    """The meshes of a cell before condensation."""
+    """Mesh a cell without condensation."""
     if cell.solid is None:
         return TiledMesh.of(cell, plans)
     body = solid_body(cell, plans[0])
@@ -322,39 +322,39 @@ class JoinedStiffness:
 
     @property
     def below(self) -> int:
-        """Eigenvalues of the insides with their traces held below this frequency."""
-        return sum(one.below for one in self.pieces)
+        """Number of eigenvalues of the interiors with clamped traces below this frequency."""
+        return sum(piece.below for piece in self.pieces)
 
     @property
     def matrix(self) -> Array:
         """(t, t) N/m."""
-        return self._joined([one.matrix for one in self.pieces])
+        return self._joined([piece.matrix for piece in self.pieces])
 
     @property
     def mass(self) -> Array:
         """(t, t) kg."""
-        return self._joined([one.mass for one in self.pieces])
+        return self._joined([piece.mass for piece in self.pieces])
 
     @property
     def held(self) -> Fields:
-        """(nodes, 3, k) answers to the loads with the traces held."""
+        """(nodes, 3, k) responses to the loads with the traces clamped."""
         return np.concatenate(
-            [one.turn @ piece.held for one, piece in zip(self.joint.placed, self.pieces, strict=True)]
+            [placed.turn @ piece.held for placed, piece in zip(self.joint.placed, self.pieces, strict=True)]
         )
 
     @property
     def force(self) -> Fields:
-        """(t, k) what these add to the traces' loads."""
-        return np.concatenate([self.joint.turned(n, one.force) for n, one in enumerate(self.pieces)])
+        """(t, k) forces of these loads on the traces."""
+        return np.concatenate([self.joint.turned(n, piece.force) for n, piece in enumerate(self.pieces)])
 
     def lifted(self, trace: Fields) -> Fields:
         """(nodes, 3, k) displacement on the meshes from a trace (t, k) without loads."""
-        joint, found = self.joint, []
+        joint, displacements = self.joint, []
         for number, piece in enumerate(self.pieces):
-            own = joint.turned(number, trace[joint.of_tile(number)], back=True)
-            found.append(joint.placed[number].turn @ piece.lifted(own))
-        return np.concatenate(found)
+            of_tile = joint.turned(number, trace[joint.of_tile(number)], back=True)
+            displacements.append(joint.placed[number].turn @ piece.lifted(of_tile))
+        return np.concatenate(displacements)
 
     def _joined(self, forms: Sequence[Array]) -> Array:
-        own = [self.joint.form(number, form, len(form)) for number, form in enumerate(forms)]
-        return np.asarray(la.block_diag(*own))
+        joined_forms = [self.joint.form(number, form, len(form)) for number, form in enumerate(forms)]
+        return np.asarray(la.block_diag(*joined_forms))

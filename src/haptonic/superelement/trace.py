@@ -1,7 +1,7 @@
-"""The trace of a field on the lateral faces: the only unknowns through which cells meet.
+"""Trace of a field on the lateral faces: the only unknowns that couple cells.
 
-On each place of the rim the trace is a polynomial through the thickness, given by its values on
-Gauss-Lobatto-Legendre levels. It does not depend on the layers that a mesh has inside.
+At each place of the rim the trace is a polynomial through the thickness, given by its values on
+Gauss-Lobatto-Legendre levels. It does not depend on the layers of the mesh inside.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from haptonic.superelement.symmetry import THROUGH, Folding
 
 
 def trace_levels(plan: MeshPlan) -> int:
-    """Levels of the trace: the mesh's own where the plate has one layer.
+    """Number of levels of the trace, equal to that of the mesh if the plate has one layer.
 
-    Where it has several, for the sake of the pillar's foot, a polynomial of one order less than theirs is
-    enough far from it, but a parabola at least.
+    If it has several layers for the foot of the pillar, a polynomial of one order less than theirs, at least
+    a parabola, is enough far from the foot.
     """
     layers = len(plan.plate_layer_orders)
     if plan.levels:
@@ -32,10 +32,10 @@ def trace_levels(plan: MeshPlan) -> int:
 
 @dataclass(frozen=True, eq=False)
 class FoldedTrace:
-    """Trace unknowns of one symmetry class, and how they stand for those of the whole cell.
+    """Trace unknowns of one symmetry class, and their relation to those of the whole cell.
 
-    The whole trace is ordered (level, place on the rim, component). The class has a share of it on the
-    representative places, without the components that it forces to vanish; where the middle plane is a
+    The whole trace is ordered (level, place on the rim, component). The class has unknowns at the
+    representative places, without the components that are zero in the class; if the middle plane is a
     mirror, on the levels from there up.
     """
 
@@ -61,28 +61,30 @@ class FoldedTrace:
 
     @cached_property
     def _behind(self) -> tuple[Ints, Array]:
-        """(levels,) own level behind each of the trace's, and (levels, 3) signs of the components there."""
+        """(levels,) level of the class for each level of the trace, and (levels, 3) signs of components."""
         level, middle = np.arange(self.levels), self.folding.middle[self.symmetry_class]
         if not middle:
             return level, np.ones((self.levels, 3))
         away = level - level[::-1]
         sign = np.where(away[:, None] < 0, self.sign_of_image, 1.0)
-        sign[away == 0] = self.sign_of_image > 0  # in the plane itself one that is its own opposite vanishes
+        sign[away == 0] = (
+            self.sign_of_image > 0
+        )  # a component equal to its opposite is zero in the plane itself
         return np.maximum(level, level[::-1]) - self.levels // 2, sign
 
     @property
     def sign_of_image(self) -> Array:
-        """(3,) what the mirror in the middle plane does to the components of the class."""
+        """(3,) signs of the components of the class after the mirror in the middle plane."""
         return np.asarray(self.folding.middle[self.symmetry_class] * THROUGH, dtype=float)
 
     @property
     def own_levels(self) -> int:
-        """Number of levels with unknowns of the class's own."""
+        """Number of levels with unknowns of the class."""
         return int(self._behind[0].max()) + 1
 
     @cached_property
     def kept(self) -> Ints:
-        """(b,) own unknowns among (level, representative place, component)."""
+        """(b,) numbers of the class's unknowns among (level, representative place, component)."""
         highest = self.folding.interior + self.rim_size - self.sites
         on_rim = self.folding.origin[highest : highest + self.sites]
         alive = self.folding.sign[self.symmetry_class][on_rim] != 0
@@ -90,22 +92,22 @@ class FoldedTrace:
 
     @cached_property
     def number(self) -> Ints:
-        """(t,) own unknown behind each unknown of the whole trace (0 where its sign is 0)."""
-        own = np.zeros(self.own_levels * self.sites * 3, dtype=np.int64)
-        own[self.kept] = np.arange(len(self.kept))
+        """(t,) class's unknown for each unknown of the whole trace (0 where its sign is 0)."""
+        numbers = np.zeros(self.own_levels * self.sites * 3, dtype=np.int64)
+        numbers[self.kept] = np.arange(len(self.kept))
         return np.asarray(
-            own.reshape(self.own_levels, self.sites, 3)[self._behind[0]][:, self._place].ravel()
+            numbers.reshape(self.own_levels, self.sites, 3)[self._behind[0]][:, self._place].ravel()
         )
 
     @cached_property
     def sign(self) -> Array:
-        """(t,) whole trace = sign * own trace."""
+        """(t,) sign of each unknown of the whole trace relative to that of the class."""
         sign = self.folding.sign[self.symmetry_class][self.topology.rim[-1]].astype(float)
         return np.asarray((self._behind[1][:, None] * sign).ravel())
 
     @cached_property
     def images(self) -> Array:
-        """(b,) how many unknowns of the whole trace each own one stands for."""
+        """(b,) number of unknowns of the whole trace that each unknown of the class represents."""
         return np.bincount(self.number, np.abs(self.sign), minlength=len(self.kept)).astype(float)
 
     def fold(self, whole: NDArray[Any]) -> NDArray[Any]:
@@ -127,7 +129,7 @@ class FoldedTrace:
         return np.asarray((own / self.images[:, None])[self.number] * self.sign[:, None])
 
     def on_levels(self, through: Array, own: NDArray[Any]) -> NDArray[Any]:
-        """(rim size, 3, k) values on the mesh's rim from own trace unknowns (b, k)."""
+        """(rim size, 3, k) values on the mesh's rim from the class's trace unknowns (b, k)."""
         trace = np.zeros((self.own_levels * self.sites * 3, own.shape[1]), dtype=own.dtype)
         trace[self.kept] = own
         behind, sign = self._behind
@@ -140,9 +142,9 @@ class FoldedTrace:
 
 @dataclass(frozen=True, eq=False)
 class TraceOperation:
-    """A mirror, or the half-turn, acting on whole traces: ``(R b)(x) = turn b(R^-1 x)``.
+    """Mirror or half-turn of whole traces: ``(R b)(x) = turn b(R^-1 x)``.
 
-    sites : (sites,) the place of the rim that each takes its motion from; turn : (3, 3)
+    sites : (sites,) place of the rim whose motion each place has afterwards; turn : (3, 3)
     levels : nodes through the thickness
     """
 
@@ -152,9 +154,9 @@ class TraceOperation:
 
     @classmethod
     def of(cls, tile: TileShape, topology: Topology, levels: int, turn: Array) -> TraceOperation:
-        """An operation (3, 3) on space that is its own inverse and leaves the tile as it is."""
+        """Make it from an operation (3, 3) on space that is its own inverse and leaves the tile unchanged."""
         sides = tile.moved_sides(turn)
-        assert sides is not None, "no symmetry of this tile"
+        assert sides is not None, "the operation is not a symmetry of this tile"
         first = topology.rim[0]
         position = {int(node): place for place, node in enumerate(first)}
         moved = np.array([position[int(n)] for n in topology.permutation(sides)[first]])
