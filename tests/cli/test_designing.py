@@ -409,7 +409,7 @@ class TestExport:
     @pytest.mark.parametrize(
         ("changes", "said"),
         [
-            ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell holds it"),
+            ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell contains it"),
             ((('carrier = "60 kHz"', ""),), "see carrier: the study does not say which frequency"),
         ],
         ids=["no gap", "no carrier"],
