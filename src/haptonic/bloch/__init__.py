@@ -1,4 +1,4 @@
-"""Bands, gaps and modes of the infinite lattice, all from one small pencil of matrices."""
+"""Bands, gaps and modes of the infinite lattice, computed from one small matrix pencil."""
 
 from haptonic.bloch.bands import bands_dataset, gaps_dataset, gaps_of, mode_shapes
 from haptonic.bloch.gaps import Gap

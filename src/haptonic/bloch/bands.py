@@ -1,4 +1,4 @@
-"""Bands, gaps and mode shapes of a cell as labelled arrays that explain themselves."""
+"""Bands, gaps and mode shapes of a cell as labelled datasets."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from haptonic.superelement import whole_mesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 DENSITY_BINS = 200  # from zero to the highest frequency
-MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 where that is no mirror"
+MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if that is not a mirror"
 
 
 @one_thread()
@@ -41,8 +41,8 @@ def bands_dataset(
     Parameters
     ----------
     surface : also sample the whole zone evenly, for contours and the density of states
-    modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; else the middle of the path's
-        second segment
+    modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; by default the middle of the
+        path's second segment
 
     Returns
     -------
@@ -51,24 +51,24 @@ def bands_dataset(
 
     Raises
     ------
-    ResourceError : not even the coarsest mesh fits the budget and the memory; where some do and none reaches
-        the accuracy, the best of them answers: see `BestModel.attributes`
+    ResourceError : the coarsest mesh exceeds the budget or the memory; if some meshes fit and none reaches
+        the accuracy, the best result is returned: see `BestModel.attributes`
     """
-    path = cell.zone.path(settings.points)  # first: it refuses too few points
+    path = cell.zone.path(settings.points)  # first, because it refuses too few points
     best = best_model(cell, settings)
     model = best.model
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
 
-    def shown() -> xr.Dataset:
+    def merged_parts() -> xr.Dataset:
         along = diagram(model, path)
         listed = (*gaps, *parity_gaps(model, gaps), *partial_gaps(along, gaps))
         parts = [_gaps_dataset(listed), mode_shapes(model, kappa)]
         return xr.merge([_diagram_dataset(along), *parts, *([_surface_dataset(model)] if surface else [])])
 
-    # the counts have a mesh of their own, and take as long as all that is shown
+    # the counts use a separate mesh, and take as long as the rest
     with ThreadPoolExecutor(1) as aside:
-        showing = aside.submit(shown)
+        showing = aside.submit(merged_parts)
         levels = [gap.centre for gap in gaps] or [float(showing.result()["frequency"][:, -1].min())]
         checked, missed = count_check(model, levels)
         dataset = showing.result()
@@ -96,28 +96,29 @@ def bands_dataset(
 
 @one_thread()
 def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = None) -> xr.Dataset:
-    """The complete gaps of a cell alone: one design of a sweep.
+    """Compute only the complete gaps of a cell, for one design of a sweep.
 
-    Errors and attributes as in `bands_dataset`; here the accuracy is asked of the gaps' edges only, and if
-    ``above`` names a band, from 1, only of those of the gap above it.
+    Errors and attributes as in `bands_dataset`. The accuracy applies to the edges of gaps only; if ``above``
+    is the number of a band, from 1, only to those of the gap above it.
     """
     model: BlochModel | None = None
     lack: Lack | None = None
-    for found in candidate_models(cell, settings, gaps_only=True):
-        if isinstance(found, Lack):
-            lack = found
+    for candidate in candidate_models(cell, settings, gaps_only=True):
+        if isinstance(candidate, Lack):
+            lack = candidate
             break
-        model, gaps = found, complete_gaps(found)
+        model, gaps = candidate, complete_gaps(candidate)
         matter = [gap for gap in gaps if above is None or gap.between[0] == above]
         if settings.resolution or all(gap.relative_error <= settings.accuracy for gap in matter):
             break
-    assert model is not None, "no model, and no error that says why"
+    assert model is not None, "the candidates contain neither a model nor an error"
     dataset = _gaps_dataset(gaps)
     wavevectors, _ = cell.zone.triangles(2)
     lowest = min(float(model.frequencies(kappa)[-1]) for kappa in wavevectors)
     dataset["searched_up_to"] = (), lowest
     _describe(
-        dataset, {"searched_up_to": ("Hz", "lowest value seen of the last band; above it more bands exist")}
+        dataset,
+        {"searched_up_to": ("Hz", "lowest computed frequency of the last band; above it more bands exist")},
     )
     dataset.attrs = {"mesh": _mesh_attribute(model), "accuracy": settings.accuracy}
     if lack is not None:
@@ -130,11 +131,11 @@ def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = 
 
 
 def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
-    """The gaps in a dataset as values, complete ones first."""
-    found = []
+    """Read the gaps of a dataset, complete gaps first."""
+    gaps = []
     for number in range(dataset.sizes["gap"]):
         row = dataset.isel(gap=number)
-        found.append(
+        gaps.append(
             Gap(
                 between=(int(row["gap_below"]), int(row["gap_below"]) + 1),
                 lower=float(row["gap_lower"]),
@@ -149,20 +150,20 @@ def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
                 waves=row["gap_waves"].item(),
             )
         )
-    return tuple(found)
+    return tuple(gaps)
 
 
 def lattice_of(dataset: xr.Dataset) -> Lattice:
-    """The lattice of a dataset of bands."""
-    keys = {"form": "lattice", "period": "pitch"}  # of fields whose key has another name
+    """Read the lattice of a dataset of bands."""
+    keys = {"form": "lattice", "period": "pitch"}  # fields with another name as a key
     values = {keys.get(name, name): value for name, value in json.loads(dataset.attrs["lattice"]).items()}
     return Lattice(**{key: value for key, value in values.items() if value is not None})
 
 
 def mode_names(dataset: xr.Dataset) -> list[str]:
-    """Names of the modes at the one wavevector where they are known, in order of frequency.
+    """Names of the modes at the wavevector of the mode shapes, in order of frequency.
 
-    With their symmetry about the plate's middle plane, where that is a mirror.
+    If the middle plane of the plate is a mirror, they include the symmetry about it.
     """
     if "mode_name" not in dataset:
         return []
@@ -172,14 +173,14 @@ def mode_names(dataset: xr.Dataset) -> list[str]:
 
 
 def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
-    """Compare how many bands lie below some frequencies with an exact count in the full model.
+    """Compare the number of bands below some frequencies with an exact count in the full model.
 
-    Done at the corners of the irreducible zone and half-way between them; a wavevector at which a band
-    comes within its error of the frequency decides nothing and is left out.
+    The comparison is made at the corners of the irreducible zone and half-way between them. A wavevector
+    at which the error of a band includes the frequency is skipped.
 
     Returns
     -------
-    checked, missed : comparisons made, and bands that they found missing or too many
+    checked, missed : number of comparisons, and number of missing or excess bands
     """
     cell = model.cell
     mesh = whole_mesh(cell, model.resolution.plans(cell))
@@ -188,17 +189,17 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     checked = missed = 0
     for level in frequencies:
         dynamic = mesh.dynamic(2 * np.pi * level)
-        matrix, held = dynamic.matrix, dynamic.below
+        matrix, clamped = dynamic.matrix, dynamic.below
         for kappa in wavevectors:
             solution = model.solve(kappa)
             if (np.abs(solution.frequency - level) < 2 * solution.error).any():
                 continue
             folded = periodic.hermitian(matrix, kappa)
-            exact = held + int((np.linalg.eigvalsh(folded) < 0).sum())
-            found = int((solution.frequency < level).sum())
-            if found < model.count or exact <= model.count:
+            exact = clamped + int((np.linalg.eigvalsh(folded) < 0).sum())
+            computed = int((solution.frequency < level).sum())
+            if computed < model.count or exact <= model.count:
                 checked += 1
-                missed += abs(exact - found)
+                missed += abs(exact - computed)
     return checked, missed
 
 
@@ -209,7 +210,7 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
     shapes = model.displacement(solution)
     largest = np.abs(shapes).max(axis=(0, 1))
     turned = shapes / largest
-    for k in range(turned.shape[2]):  # turn the phase so that the real part is largest
+    for k in range(turned.shape[2]):  # choose the phase with the largest real part
         square = (turned[..., k] ** 2).sum()
         turned[..., k] *= np.exp(-0.5j * np.angle(square))
     named = characters(tiling, solution.fields)
@@ -241,33 +242,33 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
 
 
 def _mesh_attribute(model: BlochModel) -> str:
-    """The plans of the tiles, as text: of a single one itself."""
+    """Plans of the tiles as JSON text; for a single tile its plan."""
     plans = [asdict(plan) for plan in model.resolution.plans(model.cell)]
     return json.dumps(plans[0] if len(plans) == 1 else plans)
 
 
-def _describe(dataset: xr.Dataset, words: dict[str, tuple[str, str]]) -> None:
-    for name, (unit, title) in words.items():
+def _describe(dataset: xr.Dataset, titles: dict[str, tuple[str, str]]) -> None:
+    for name, (unit, title) in titles.items():
         dataset[name].attrs = {"units": unit, "long_name": title}
 
 
 def _diagram_dataset(along: Diagram) -> xr.Dataset:
-    both = ("wavevector", "band")
+    of_modes = ("wavevector", "band")
     dataset = xr.Dataset(
         {
             "kappa": (("wavevector", "axis"), along.path.kappa),
             "distance": ("wavevector", along.path.distance),
-            "frequency": (both, along.frequency),
-            "frequency_error": (both, along.error),
-            "group_velocity": ((*both, "axis"), along.velocity),
-            "parity": (both, along.parity),
-            "middle_parity": (both, along.middle),
+            "frequency": (of_modes, along.frequency),
+            "frequency_error": (of_modes, along.error),
+            "group_velocity": ((*of_modes, "axis"), along.velocity),
+            "parity": (of_modes, along.parity),
+            "middle_parity": (of_modes, along.middle),
             "corner_symmetry": (("path_corner", "band"), np.array(along.corner_symmetry).astype("U")),
-            "branch": (both, along.branch),
-            "out_of_plane": (both, along.vertical),
-            "pillar_strain": (both, along.pillar_strain),
-            "pillar_kinetic": (both, along.pillar_kinetic),
-            "character": (both, along.name),
+            "branch": (of_modes, along.branch),
+            "out_of_plane": (of_modes, along.vertical),
+            "pillar_strain": (of_modes, along.pillar_strain),
+            "pillar_kinetic": (of_modes, along.pillar_kinetic),
+            "character": (of_modes, along.name),
         },
         coords={"band": np.arange(1, along.frequency.shape[1] + 1)},
     )
@@ -286,7 +287,7 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
         "pillar_kinetic": ("1", "share of kinetic energy in the pillar"),
         "character": ("1", "character, a position in character_names"),
     })  # fmt: skip
-    return declared(dataset, group_velocity="a rigid-body motion, which has none")
+    return declared(dataset, group_velocity="not defined for a rigid-body motion")
 
 
 def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
@@ -312,10 +313,10 @@ def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
         "gap_below": ("1", "number of the band below, from 1"),
         "gap_lower_kappa": ("rad", "phases at which the lower edge lies"),
         "gap_upper_kappa": ("rad", "phases at which the upper edge lies"),
-        "gap_complete": ("1", "1 when it holds over the whole irreducible zone, for all waves"),
-        "gap_direction": ("1", "segment of the path that it holds on, or all"),
-        "gap_waves": ("1", "waves that it holds for, by their symmetry about the plate's middle plane"),
-        "gap_samples": ("1", "wavevectors that the claim rests on"),
+        "gap_complete": ("1", "1 if it covers the whole irreducible zone and all waves"),
+        "gap_direction": ("1", "segment of the path of the gap, or all"),
+        "gap_waves": ("1", "waves of the gap, by their symmetry about the plate's middle plane"),
+        "gap_samples": ("1", "number of sampled wavevectors"),
     })  # fmt: skip
     return dataset
 

@@ -1,7 +1,7 @@
-"""Seen from its centre, a cell that a half-turn leaves unchanged has a real pencil.
+"""Real pencils of cells that a half-turn about their centre leaves unchanged.
 
-With its phases counted from the centre, the half-turn R about the normal takes Bloch fields at kappa to
-ones at -kappa by a constant matrix, and so does complex conjugation: ``conj(A(kappa)) = A(-kappa) =
+With phases relative to the centre, the half-turn R about the normal maps Bloch fields at kappa to fields
+at -kappa by a constant matrix, and so does complex conjugation: ``conj(A(kappa)) = A(-kappa) =
 R A(kappa) R``. On even vectors, and ``i`` times odd ones, A(kappa) is therefore real and symmetric. Real
 eigenproblems take a quarter of the time of Hermitian ones.
 """
@@ -19,7 +19,7 @@ from haptonic.bloch.pencil import Pencil, Periodic, SplitPencil, bloch_pencil
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement import Tiling
 
-STEP = 1e-3  # rad, of the differences that stand for derivatives at Gamma
+STEP = 1e-3  # rad, of finite differences that approximate derivatives at Gamma
 
 
 @dataclass(frozen=True)
@@ -28,11 +28,11 @@ class CentredPencil:
 
     periodic : the free unknowns of the lattice
     pencil : Laurent pencil on combinations of free unknowns that are even or odd under the half-turn
-    combinations : (n, n) sparse orthogonal matrix, these in terms of the free unknowns
-    offset : (n, 2) where the middle of each lies from the centre, in translations: halves
-    odd : (n,) True for odd ones
+    combinations : (n, n) sparse orthogonal matrix of these combinations
+    offset : (n, 2) position of the middle of each relative to the centre, in half translations
+    odd : (n,) True for odd combinations
     translations : (n, 3) unit motions along x, y and z
-    middle : (n, n) sparse, the mirror in the plate's middle plane on these unknowns, if it is one
+    middle : (n, n) sparse, the mirror in the plate's middle plane on these unknowns, or None
     """
 
     periodic: Periodic
@@ -50,9 +50,9 @@ class CentredPencil:
         laurent = bloch_pencil(tiling)
         count, turned = len(periodic.free), tiling.half_turn()
         assert turned is not None, "a cell that the half-turn changes"
-        source, signs, away = (one[periodic.free] for one in turned)
+        source, signs, away = (of_unknowns[periodic.free] for of_unknowns in turned)
         image, sign = periodic.number[source], signs
-        # each orbit {j, image of j} gives an even and an odd combination; a single unknown is one of them
+        # each orbit {j, image of j} gives an even and an odd combination; a fixed unknown is even or odd
         j = np.arange(count)
         first, alone = j[j < image], j[j == image]
         second, between, pairs = image[first], sign[first], len(first)
@@ -64,13 +64,13 @@ class CentredPencil:
         combinations = sp.csr_array((values, (rows, columns)), shape=(count, count))
 
         def combined(forms: Array) -> Array:
-            stacked = forms.reshape(-1, count).T  # the sparse factor has to come first
+            stacked = forms.reshape(-1, count).T  # the sparse factor must be the first one
             half = (combinations.T @ stacked).T.reshape(forms.shape).swapaxes(1, 2)
             turned = (combinations.T @ half.reshape(-1, count).T).T.reshape(forms.shape)
             return np.asarray(turned.swapaxes(1, 2))
 
         middle = periodic.in_middle_plane(tiling)
-        between = periodic.shift[source] + away  # an unknown and its image, to the next translation
+        between = periodic.shift[source] + away  # translation from an unknown to its image
         return cls(
             periodic=periodic,
             pencil=Pencil(laurent.shifts, combined(laurent.stiffness), combined(laurent.mass)),
@@ -113,14 +113,14 @@ class CentredPencil:
 
     @cached_property
     def _pieces(self) -> list[_Piece]:
-        """The parts of the pencil between unknowns of the same offset and parity that are not zero."""
+        """Nonzero parts of the pencil between unknowns of equal offset and parity."""
         kinds, member = np.unique(np.column_stack([2 * self.offset, self.odd]), axis=0, return_inverse=True)
         groups = [np.flatnonzero(member.ravel() == kind) for kind in range(len(kinds))]
-        pencil, found = self.pencil, []
+        pencil, pieces = self.pencil, []
         for number, shift in enumerate(pencil.shifts):
-            both = np.stack([pencil.stiffness[number], pencil.mass[number]])
+            form_blocks = np.stack([pencil.stiffness[number], pencil.mass[number]])
             for sign in (1, -1) if shift.any() else (1,):
-                forms = both if sign > 0 else both.swapaxes(1, 2)
+                forms = form_blocks if sign > 0 else form_blocks.swapaxes(1, 2)
                 for g, rows in enumerate(groups):
                     for h, columns in enumerate(groups):
                         part = forms[:, rows[:, None], columns]
@@ -129,7 +129,7 @@ class CentredPencil:
                         step = sign * shift + 0.5 * (kinds[g, :2] - kinds[h, :2])
                         forward = 1 if tuple(step) >= (0, 0) else -1
                         turned = int(forward * (kinds[h, 2] - kinds[g, 2]))
-                        found.append(
+                        pieces.append(
                             _Piece(
                                 shift=tuple(forward * step),
                                 turned=turned,
@@ -138,14 +138,13 @@ class CentredPencil:
                                 forms=part,
                             )
                         )
-        return found
+        return pieces
 
     def near_rest(self) -> Array:
-        """(n, 12) translations, and what they turn into as the wavevector grows from zero.
+        """(n, 12) translations and their derivatives with respect to the phases, at zero wavevector.
 
-        Each comes with its first derivatives with respect to both phases, and the one along z, whose
-        frequency grows with the square of the wavevector, with its second ones: a basis that holds them
-        is exact in the limit of long waves.
+        The basis contains first derivatives of all translations, and second derivatives of the one along z,
+        whose frequency grows with the square of the wavevector. It is exact in the limit of long waves.
         """
         (K, M), (K1, _), (K2, _), (K12, _) = (
             self.at(STEP * np.array(kappa)) for kappa in ((0, 0), (1, 0), (0, 1), (1, 1))
@@ -156,15 +155,15 @@ class CentredPencil:
         return _long_waves(K, M, self.translations, first, bent, -1.0)
 
     def snapshots(self, modes: Array) -> Array:
-        """Real fields that span some modes."""
+        """Real fields that span given modes."""
         return modes
 
 
 @dataclass(frozen=True)
 class PhasedPencil:
-    """Pencil of a cell that half a turn does change, as Hermitian matrices; see `CentredPencil`.
+    """Pencil of a cell without the half-turn, as Hermitian matrices; see `CentredPencil`.
 
-    A constant basis has to be real, so that time reversal, which takes kappa to -kappa, is kept.
+    A constant basis must be real to conserve time reversal, which maps kappa to -kappa.
     """
 
     periodic: Periodic
@@ -199,7 +198,7 @@ class PhasedPencil:
         return self.pencil.projected(basis)
 
     def near_rest(self) -> Array:
-        """(n, 12) as of a `CentredPencil`; the first derivatives are the imaginary part of the modes'."""
+        """(n, 12) as in `CentredPencil`; first derivatives are the imaginary part of those of the modes."""
         (K, M), (K1, _), (K2, _), (K12, _) = (
             self.at(STEP * np.array(kappa)) for kappa in ((0, 0), (1, 0), (0, 1), (1, 1))
         )
@@ -208,7 +207,7 @@ class PhasedPencil:
         return _long_waves(K.real, M.real, self.translations, first, bent, 1.0)
 
     def snapshots(self, modes: Complex) -> Array:
-        """Real fields that span some modes, of unit mass at most."""
+        """Real fields that span given modes, with at most unit mass."""
         return np.hstack([modes.real, modes.imag])
 
 
@@ -217,30 +216,30 @@ def _long_waves(
 ) -> Array:
     """(n, 12) translations and their derivatives, from those of the stiffness at Gamma.
 
-    first : with respect to each phase; bent : half the second ones, then what both together give
-    twice : -1, or +1 where first derivatives are imaginary and stand here without their i
+    first : first derivatives for each phase; bent : half the second ones, then for both phases together
+    twice : -1, or +1 if first derivatives are imaginary and given without the factor i
     """
-    held = M @ translations
-    held /= np.sqrt(np.einsum("nk,nk->k", translations, held))
-    stiff = la.cho_factor(K + (np.trace(K) / np.trace(M)) * held @ held.T)
-    rest = la.cho_solve(stiff, held)  # along the translations, whatever the stiffness lent to them
+    momenta = M @ translations
+    momenta /= np.sqrt(np.einsum("nk,nk->k", translations, momenta))
+    stiff = la.cho_factor(K + (np.trace(K) / np.trace(M)) * momenta @ momenta.T)
+    rest = la.cho_solve(stiff, momenta)  # along the translations, for any added stiffness
     rest /= np.sqrt(np.einsum("nk,nk->k", rest, M @ rest))
 
-    def answer(load: Array) -> Array:
-        return np.asarray(la.cho_solve(stiff, load - held @ (rest.T @ load)))
+    def response(load: Array) -> Array:
+        return np.asarray(la.cho_solve(stiff, load - momenta @ (rest.T @ load)))
 
-    slopes = [answer(-A @ rest) for A in first]
+    slopes = [response(-A @ rest) for A in first]
     (along_1, along_2), up = (slope[:, 2:] for slope in slopes), rest[:, 2:]
     curvatures = [
-        answer(2 * (twice * first[0] @ along_1 - bent[0] @ up)),
-        answer(2 * (twice * first[1] @ along_2 - bent[1] @ up)),
-        answer(twice * (first[0] @ along_2 + first[1] @ along_1) - (bent[2] - bent[0] - bent[1]) @ up),
+        response(2 * (twice * first[0] @ along_1 - bent[0] @ up)),
+        response(2 * (twice * first[1] @ along_2 - bent[1] @ up)),
+        response(twice * (first[0] @ along_2 + first[1] @ along_1) - (bent[2] - bent[0] - bent[1]) @ up),
     ]
     return np.hstack([rest, *slopes, *curvatures])
 
 
 def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
-    """The pencil of a tiling, real if half a turn leaves the cell as it is."""
+    """Make the pencil of a tiling, real if half a turn leaves the cell unchanged."""
     if tiling.is_centred:
         return CentredPencil.of(tiling)
     return PhasedPencil.of(tiling)
@@ -249,9 +248,9 @@ def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
 def parted(
     full: CentredPencil | PhasedPencil,
 ) -> tuple[CentredPencil | PhasedPencil | SplitPencil, tuple[Array, Array] | None]:
-    """The pencil by what is symmetric about the plate's middle plane and what is not, and bases of either.
+    """Split a pencil into symmetric and antisymmetric motions about the middle plane, with their bases.
 
-    Where that is no mirror it is the pencil itself, and None.
+    If that plane is not a mirror, return the pencil itself and None.
     """
     if full.middle is None:
         return full, None
@@ -260,28 +259,28 @@ def parted(
 
 
 def _halves(middle: sp.csr_array) -> tuple[Array, Array]:
-    """(n, s) and (n, a) orthonormal unknowns that a mirror (n, n) leaves as they are, and turns over.
+    """(n, s) and (n, a) orthonormal bases of even and odd motions of a mirror (n, n).
 
-    The mirror exchanges unknowns, or keeps one with its sign or the opposite one.
+    The mirror exchanges pairs of unknowns, or maps an unknown to itself or to its opposite.
     """
-    found = middle.tocoo()
-    first, second = found.coords
+    entries = middle.tocoo()
+    first, second = entries.coords
     alone, pair = first == second, first < second
     count, root = middle.shape[0], np.sqrt(0.5)
     parts = []
     for parity in (1, -1):
-        single = first[alone & (found.data * parity > 0)]
+        single = first[alone & (entries.data * parity > 0)]
         basis = np.zeros((count, pair.sum() + len(single)))
         columns = np.arange(pair.sum())
         basis[first[pair], columns] = root
-        basis[second[pair], columns] = parity * root * found.data[pair]
+        basis[second[pair], columns] = parity * root * entries.data[pair]
         basis[single, pair.sum() + np.arange(len(single))] = 1.0
         parts.append(basis)
     return parts[0], parts[1]
 
 
 def split(full: CentredPencil | PhasedPencil, bases: tuple[Array, Array]) -> SplitPencil:
-    """The pencil on constant real bases of symmetric motions and of antisymmetric ones."""
+    """Project a pencil onto constant real bases of symmetric and of antisymmetric motions."""
     symmetric, antisymmetric = (full.projected(basis) for basis in bases)
     return SplitPencil((symmetric, antisymmetric))
 
@@ -315,9 +314,9 @@ class RealPencil:
 
     @cached_property
     def _stack(self) -> Array:
-        """(2 s, 2 r r) all coefficients, for a single product."""
-        both = np.concatenate([self.cosine, self.sine], axis=1)
-        return np.ascontiguousarray(np.moveaxis(both, 0, 1).reshape(2 * len(self.shifts), -1))
+        """(2 s, 2 r r) all coefficients, for evaluation by a single product."""
+        coefficients = np.concatenate([self.cosine, self.sine], axis=1)
+        return np.ascontiguousarray(np.moveaxis(coefficients, 0, 1).reshape(2 * len(self.shifts), -1))
 
     def at(self, kappa: Array) -> tuple[Array, Array]:
         """(r, r) real symmetric stiffness and mass at the phases (2,)."""

@@ -1,12 +1,12 @@
-"""Hermitian pencils of a row of blocks, each coupled to the next alone: what a ribbon is at one phase.
+"""Hermitian block-tridiagonal pencils, such as those of a ribbon at one phase.
 
-Elimination from left to right leaves the Schur complements
+Elimination from left to right gives the Schur complements
 
     S_1 = A_11,    S_c = A_cc - B_c* S_(c-1)^-1 B_c,    B_c = A_(c-1)c,
 
-with A = K - sigma M, one after the other. They have as many negative eigenvalues together as there are
-eigenvalues below sigma (Sylvester), so that none is missed, and they answer loads for the Krylov space about
-sigma in which the eigenvalues near it are found.
+with A = K - sigma M. The number of their negative eigenvalues is the number of eigenvalues below sigma
+(Sylvester), so none is missed. They also solve for the Krylov space about sigma in which the eigenvalues
+near sigma are computed.
 """
 
 from __future__ import annotations
@@ -22,50 +22,54 @@ from haptonic.errors import NumericalError
 from haptonic.later import linalg as la
 
 BLOCK = 16  # directions in each step of the Krylov space
-CONVERGED = (
-    1e-9  # of the interval: change of an eigenvalue in a step of the space from which it counts as found
-)
-MOST_STEPS = 60  # of the space; eight did for thirty eigenvalues
-LOST = 1e-20  # share of the inertia of a step's directions below which nothing new is left of them
-SEED = 20  # of the first directions: the same pencil gives the same modes
+CONVERGED = 1e-9  # share of the interval: largest change of a converged eigenvalue in a step of the space
+MOST_STEPS = 60  # of the space; eight were enough for thirty eigenvalues
+LOST = 1e-20  # share of the inertia of a step's directions below which they depend on earlier ones
+SEED = 20  # of the random start directions, so that results are reproducible
 
 
 @dataclass(frozen=True)
 class BlockChain:
-    """A Hermitian form of blocks in a row. own : (c,) of them (n_c, n_c); off : (c - 1,) (n_c, n_(c + 1))"""
+    """Hermitian block-tridiagonal form.
+
+    own : (c,) diagonal blocks (n_c, n_c); off : (c - 1,) blocks (n_c, n_(c + 1)) to the next
+    """
 
     own: tuple[Complex, ...]
     off: tuple[Complex, ...]
 
     @property
     def sizes(self) -> list[int]:
-        return [len(one) for one in self.own]
+        return [len(block) for block in self.own]
 
     def split(self, fields: Complex) -> list[Complex]:
-        """Rows (n, k) by block."""
+        """Split rows (n, k) by block."""
         return np.split(fields, np.cumsum(self.sizes)[:-1])
 
     def times(self, fields: Complex) -> Complex:
-        """(n, k) the form times fields (n, k)."""
+        """(n, k) product of the form and fields (n, k)."""
         parts = self.split(fields)
-        found = [one @ part for one, part in zip(self.own, parts, strict=True)]
+        products = [block @ part for block, part in zip(self.own, parts, strict=True)]
         for number, off in enumerate(self.off):
-            found[number] = found[number] + off @ parts[number + 1]
-            found[number + 1] = found[number + 1] + off.conj().T @ parts[number]
-        return np.concatenate(found)
+            products[number] = products[number] + off @ parts[number + 1]
+            products[number + 1] = products[number + 1] + off.conj().T @ parts[number]
+        return np.concatenate(products)
 
     def less(self, other: BlockChain, factor: float) -> BlockChain:
-        """This minus ``factor`` times another one."""
+        """Subtract ``factor`` times another form."""
         return BlockChain(
-            tuple(mine - factor * one for mine, one in zip(self.own, other.own, strict=True)),
-            tuple(mine - factor * one for mine, one in zip(self.off, other.off, strict=True)),
+            tuple(block - factor * subtracted for block, subtracted in zip(self.own, other.own, strict=True)),
+            tuple(block - factor * subtracted for block, subtracted in zip(self.off, other.off, strict=True)),
         )
 
 
 @dataclass(frozen=True)
 class _Link:
-    """A Schur complement, factorised. rows : that are coupled to the next block; answer : to unit loads there
-    (n, rows); coupling : of these rows (rows, n of the next)"""
+    """Factorised Schur complement of a block.
+
+    rows : numbers of the rows coupled to the next block; answer : (n, rows) responses to unit loads there
+    coupling : (rows, n of the next block) of these rows
+    """
 
     factor: Complex
     pivots: NDArray[np.int32]
@@ -74,13 +78,13 @@ class _Link:
     coupling: Complex
 
     def solved(self, loads: Complex) -> Complex:
-        found, info = la.lapack.zhetrs(self.factor, self.pivots, loads)
+        solution, info = la.lapack.zhetrs(self.factor, self.pivots, loads)
         assert info == 0
-        return np.asarray(found)
+        return np.asarray(solution)
 
     @property
     def negative(self) -> int:
-        """Eigenvalues below zero; a pivot of two rows has one."""
+        """Number of negative eigenvalues; a pivot of two rows has one."""
         double = self.pivots < 0
         return int((np.diag(self.factor).real[~double] < 0).sum() + double.sum() // 2)
 
@@ -94,22 +98,22 @@ class Elimination:
     @classmethod
     def of(cls, form: BlockChain) -> Elimination:
         links: list[_Link] = []
-        for number, own in enumerate(form.own):
+        for number, schur in enumerate(form.own):
             if links:
                 before = links[-1]
-                own = own - before.coupling.conj().T @ before.answer[before.rows] @ before.coupling
-            factor, pivots, info = la.lapack.zhetrf(own, lwork=64 * len(own))
+                schur = schur - before.coupling.conj().T @ before.answer[before.rows] @ before.coupling
+            factor, pivots, info = la.lapack.zhetrf(schur, lwork=64 * len(schur))
             if info != 0:
                 raise NumericalError.inaccurate(
                     argument="ribbon",
-                    given="a frequency that is one of the ribbon's own to rounding",
-                    allowed="frequencies between them",
-                    cause="an end of the range, or its middle, met one by chance",
+                    given="a frequency that equals a resonance of the ribbon to rounding",
+                    allowed="frequencies between the resonances",
+                    cause="an end of the range, or its middle, is a resonance by chance",
                     next_step="change ribbon.lowest or ribbon.highest a little",
                 )
-            off = form.off[number] if number < len(form.off) else np.zeros((len(own), 0), dtype=complex)
+            off = form.off[number] if number < len(form.off) else np.zeros((len(schur), 0), dtype=complex)
             rows = np.flatnonzero(off.any(axis=1))
-            unit = np.zeros((len(own), len(rows)), dtype=complex)
+            unit = np.zeros((len(schur), len(rows)), dtype=complex)
             unit[rows, np.arange(len(rows))] = 1.0
             answer = la.lapack.zhetrs(factor, pivots, unit)[0] if len(rows) else unit
             links.append(_Link(factor=factor, pivots=pivots, rows=rows, answer=answer, coupling=off[rows]))
@@ -117,11 +121,11 @@ class Elimination:
 
     @property
     def negative(self) -> int:
-        """Eigenvalues of the pencil below sigma."""
-        return sum(one.negative for one in self.links)
+        """Number of eigenvalues of the pencil below sigma."""
+        return sum(link.negative for link in self.links)
 
     def solved(self, loads: Sequence[Complex]) -> Complex:
-        """(n, k) answers to loads by block."""
+        """(n, k) solutions for loads by block."""
         carried = np.zeros((0, loads[0].shape[1]), dtype=complex)
         answers: list[Complex] = []
         for link, load in zip(self.links, loads, strict=True):
@@ -134,22 +138,22 @@ class Elimination:
 
 
 def counted(stiffness: BlockChain, mass: BlockChain, value: float) -> int:
-    """Eigenvalues of a pencil below a value."""
+    """Count the eigenvalues of a pencil below a value."""
     return Elimination.of(stiffness.less(mass, value)).negative
 
 
 def eigenpairs_within(
     stiffness: BlockChain, mass: BlockChain, low: float, high: float
 ) -> tuple[int, Array, Complex]:
-    """All eigenvalues of a pencil within an interval.
+    """Compute all eigenvalues of a pencil within an interval.
 
     Returns
     -------
-    how many lie below it; (k,) eigenvalues, ascending; (n, k) modes of unit mass
+    number of eigenvalues below it; (k,) eigenvalues, ascending; (n, k) modes of unit mass
 
     Raises
     ------
-    NumericalError : those found are not as many as the interval holds
+    NumericalError : fewer eigenvalues converged than the interval contains
     """
     below, beyond = (counted(stiffness, mass, value) for value in (low, high))
     wanted, size = beyond - below, sum(stiffness.sizes)
@@ -171,8 +175,8 @@ def eigenpairs_within(
         weighed = mass.times(new)
         values, turn = la.eigh(new.conj().T @ weighed)
         largest = float(np.linalg.norm(weighed)) * given / max(float(np.linalg.norm(new)), 1e-300)
-        kept = values > LOST * largest * given
-        turn = turn[:, kept] / np.sqrt(values[kept])
+        independent = values > LOST * largest * given
+        turn = turn[:, independent] / np.sqrt(values[independent])
         new, weighed = new @ turn, weighed @ turn
         following = inverse.solved(stiffness.split(weighed))
         basis, heavy = np.hstack([basis, new]), np.hstack([heavy, weighed])
@@ -181,20 +185,22 @@ def eigenpairs_within(
         form = heavy.conj().T @ operated
         inverses, modes = la.eigh(0.5 * (form + form.conj().T))
         with np.errstate(divide="ignore"):
-            found = middle + 1 / inverses
-        inside = (found > low) & (found < high) & (inverses != 0)
-        order = np.flatnonzero(inside)[np.argsort(found[inside])]
-        settled = len(last) == len(order) and (np.abs(found[order] - last) < CONVERGED * (high - low)).all()
-        exhausted = basis.shape[1] >= size or not kept.any()
+            eigenvalues = middle + 1 / inverses
+        inside = (eigenvalues > low) & (eigenvalues < high) & (inverses != 0)
+        order = np.flatnonzero(inside)[np.argsort(eigenvalues[inside])]
+        settled = (
+            len(last) == len(order) and (np.abs(eigenvalues[order] - last) < CONVERGED * (high - low)).all()
+        )
+        exhausted = basis.shape[1] >= size or not independent.any()
         if len(order) == wanted and (settled or exhausted):
-            return below, found[order], np.asarray(basis @ modes[:, order])
-        last = found[order]
+            return below, eigenvalues[order], np.asarray(basis @ modes[:, order])
+        last = eigenvalues[order]
         if exhausted:
             break
     raise NumericalError.inaccurate(
         argument="ribbon",
         given=f"{len(last)} of {wanted} modes",
-        allowed="as many modes as a count by signs says there are",
-        cause="some of them lie at an end of the range of frequencies",
+        allowed="as many modes as the eigenvalue count of the factorisation",
+        cause="some modes lie at an end of the range of frequencies",
         next_step="change ribbon.lowest or ribbon.highest a little",
     )

@@ -1,4 +1,4 @@
-"""What a mode is: measured on the mode itself, then named."""
+"""Character of modes: shares of their energies, and a name."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ NAMES = (
     "rigid body",
 )
 BENDING, TORSION, TRACTION, FLEXURAL, IN_PLANE, RIGID = 0, 4, 5, 6, 7, 8
-PILLAR_LEADS = 0.5  # share of the kinetic energy from which a mode belongs to the pillar
-# Mean square of the pillar's velocity over that of the plate, up to which the plate carries it along: 1 for a
-# travelling wave, 2 on the antinode of a standing one.
+PILLAR_LEADS = 0.5  # share of the kinetic energy above which a mode is a pillar mode
+# Largest ratio of the mean square velocities of pillar and plate at which the pillar moves with the plate: 1
+# for a travelling wave, 2 at the antinode of a standing one.
 CARRIED = 2.0
 
 
 @dataclass(frozen=True)
 class Character:
-    """Measures of k modes, (k,) each, all between 0 and 1, and the name's number in `NAMES`.
+    """Measures of k modes, (k,) each, between 0 and 1, and the number of the name in `NAMES`.
 
-    vertical : share of the kinetic energy that is motion along z
+    vertical : share of motion along z in the kinetic energy
     pillar_strain, pillar_kinetic : shares of the strain and kinetic energy in the pillar
     name : position in `NAMES`
     """
@@ -44,13 +44,13 @@ class Character:
 
 
 def characters(tiling: Tiling, fields: Complex) -> Character:
-    """Character of modes given as (t + m, k) unknowns of a tiling.
+    """Compute the character of modes, given as (t + m, k) unknowns of a tiling.
 
     A mode whose kinetic energy is mostly in the pillars is named after the rigid motion of their sections
-    that carries most of it: bending (numbered by the nodes of the axis of the pillar that has most of it),
-    traction, torsion. The others are named after the plate's motion, out of its plane or in it: so are those
-    that carry the pillars along. Heavy pillars have most of the energy of a long wave without having a part
-    in it.
+    with the largest energy: bending (numbered by the nodes of the axis of the pillar with the largest
+    energy), axial motion, torsion. Other modes are named after the motion of the plate, out of its plane or
+    in it. This includes modes whose pillars move with the plate: heavy pillars can have most of the energy of
+    a long wave.
     """
     measures = tiling.measures
     assert measures is not None, "condense with measured=True"
@@ -58,20 +58,20 @@ def characters(tiling: Tiling, fields: Complex) -> Character:
     in_pillar = on_each(measures.pillar_mass, fields) / kinetic
     vertical = on_each(measures.vertical_mass, fields) / kinetic
     strain = on_each(tiling.stiffness, fields)
-    moving = strain > 1e-7 * strain.max()  # a rigid-body motion has no strain to share
+    moving = strain > 1e-7 * strain.max()  # a rigid-body motion has no strain energy
     pillar_strain = np.divide(
         on_each(measures.pillar_stiffness, fields), strain, out=np.zeros_like(strain), where=moving
     )
     name = np.where(vertical > 0.5, FLEXURAL, IN_PLANE)
     if measures.sections:
-        motions = np.array([one.energies(fields) for one in measures.sections])
+        motions = np.array([pillar.energies(fields) for pillar in measures.sections])
         total = motions.sum(axis=0)
         kind = np.argmax(total, axis=0)
-        nodes = np.array([one.bending_nodes(fields) for one in measures.sections])
+        nodes = np.array([pillar.bending_nodes(fields) for pillar in measures.sections])
         most = motions.sum(axis=1).argmax(axis=0)
         bending = BENDING + np.minimum(nodes[most, np.arange(len(most))], 3)
         of_pillar = np.choose(kind, [bending, np.full_like(kind, TRACTION), np.full_like(kind, TORSION)])
-        rising = sum(one.rising(fields) for one in measures.sections)
+        rising = sum(pillar.rising(fields) for pillar in measures.sections)
         unstretched = (of_pillar == TRACTION) & (rising > 0.5 * total[1])
         carried = _carried(tiling, fields, kinetic, in_pillar, unstretched)
         name = np.where((in_pillar > PILLAR_LEADS) & ~carried, of_pillar, name)
@@ -79,15 +79,15 @@ def characters(tiling: Tiling, fields: Complex) -> Character:
 
 
 def _carried(tiling: Tiling, fields: Complex, kinetic: Array, in_pillar: Array, unstretched: Bools) -> Bools:
-    """(k,) whether the pillars move as the plate does below them, and little against their feet.
+    """(k,) True if the pillars move like the plate below them, with little motion relative to their feet.
 
-    unstretched : (k,) whether they mostly rise and sink with their feet; tall ones tilt as well, and move
-        against their feet though the plate carries them
+    unstretched : (k,) True if vertical motion equal to that of the feet dominates; tall pillars also tilt, so
+        they move relative to their feet although they follow the plate
     """
     assert tiling.measures is not None
     sections, cell = tiling.measures.sections, tiling.cell
     plate = cell.material.density * cell.lattice.area * cell.thickness
     of_plate = (1.0 - in_pillar) * kinetic
-    as_fast = in_pillar * kinetic / sum(one.mass.sum() for one in sections) < CARRIED * of_plate / plate
-    still = sum(one.against_foot(fields) for one in sections) < of_plate
+    as_fast = in_pillar * kinetic / sum(pillar.mass.sum() for pillar in sections) < CARRIED * of_plate / plate
+    still = sum(pillar.against_foot(fields) for pillar in sections) < of_plate
     return np.asarray(as_fast & (unstretched | still))

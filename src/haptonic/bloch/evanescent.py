@@ -1,8 +1,8 @@
-"""Waves at a given frequency, those that die out included: the complex band structure k(omega).
+"""Waves at a given frequency, evanescent waves included: the complex band structure k(omega).
 
-Seen across them a few rows of cells are a slab between two faces. A wave multiplies what happens on its left
-face by a complex number lambda on the right one; within a gap no |lambda| is 1 and the waves fade. All that
-is below such a slab takes plain face matrices, whatever they were made from.
+A few rows of cells are a slab between two faces. For a wave, displacement and force of the right face are
+those of the left face times a complex number lambda. Within a gap no |lambda| is 1 and all waves decay. The
+functions below `Slab` need only face matrices.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from haptonic.arrays import Array, Bools, Complex, Ints
 from haptonic.later import csgraph, linalg as la, sparse as sp
 from haptonic.superelement import Tiling, steps_between
 
-SHIFT = 1.2 * np.exp(0.9j)  # multiplier about which the waves are sought, off the unit circle
+SHIFT = 1.2 * np.exp(0.9j)  # multiplier about which the waves are computed, off the unit circle
 ON_CIRCLE = 1e-7  # real part of an exponent below which a wave counts as propagating
-COINCIDENT = 1e-6  # distance below which two multipliers count as the same
+COINCIDENT = 1e-6  # distance below which two multipliers count as equal
 BETWEEN = 2  # places on neither of two faces
-SMALLEST = 1e-200  # stands for a multiplier, or a shifted inverse, that is zero
+SMALLEST = 1e-200  # replaces a multiplier, or a shifted inverse, that is zero
 
 
 @dataclass(frozen=True)
 class FaceStiffness:
-    """Dynamic stiffness of a slab, N/m: forces on its left (L) and right (R) face that move these faces.
+    """Dynamic stiffness of a slab, N/m: forces on its left (L) and right (R) face per displacement of these.
 
-    LL, LR, RL, RR : (n, n) complex; ``LR`` is the force on the left that a motion of the right face takes
+    LL, LR, RL, RR : (n, n) complex; ``LR`` is the force on the left face for a motion of the right one
     """
 
     LL: Complex
@@ -39,7 +39,7 @@ class FaceStiffness:
 
     @classmethod
     def of(cls, whole: NDArray[Any]) -> FaceStiffness:
-        """From a matrix (2n, 2n), the left face first."""
+        """Split a matrix (2n, 2n), the left face first."""
         n = len(whole) // 2
         return cls(whole[:n, :n], whole[:n, n:], whole[n:, :n], whole[n:, n:])
 
@@ -48,7 +48,7 @@ class FaceStiffness:
         return len(self.LL)
 
     def followed_by(self, right: FaceStiffness) -> FaceStiffness:
-        """This slab and another one on its right, the face between them free of forces from outside."""
+        """Join another slab on the right, without external forces on the common face."""
         n = self.size
         answer = la.solve(self.RR + right.LL, np.hstack([self.RL, right.LR]))
         return FaceStiffness(
@@ -59,22 +59,22 @@ class FaceStiffness:
         )
 
     def projected(self, basis: Complex) -> FaceStiffness:
-        """On face motions (n, p) alone, forces by the work that they do on these."""
+        """Project onto face motions (n, p); forces are given by their work on these motions."""
         adjoint = basis.conj().T
         return FaceStiffness(*(adjoint @ block @ basis for block in (self.LL, self.LR, self.RL, self.RR)))
 
 
 @dataclass(frozen=True)
 class Slab:
-    """A piece of plate between two faces, one period of it at a fixed phase along them.
+    """Piece of plate between two faces, one period long, at a fixed phase along the faces.
 
-    Boundary unknowns: the left face, the right face (n each), then what lies between them. Each face has
-    unknowns (level, place, component), without the images of places a period on.
+    Boundary unknowns: the left face, the right face (n each), then the sides between them. Each face has
+    unknowns (level, place, component), without the images of places one period away.
 
-    stiffness, lossless : (b, b) on the boundary, of what has losses and of what has none
+    stiffness, lossless : (b, b) on the boundary, of tiles with losses and of tiles without
     mass : (b, b); coupling : (b, m) mass between it and the modes of the tiles
-    poles : (m,) eigenvalues of these modes, (rad/s)^2; lossy : (m,) which of them have losses
-    size : n, unknowns of a face
+    poles : (m,) eigenvalues of these modes, (rad/s)^2; lossy : (m,) True for modes with losses
+    size : n, number of unknowns of a face
     """
 
     stiffness: Complex
@@ -87,26 +87,28 @@ class Slab:
 
     @classmethod
     def of(cls, tiling: Tiling, phase: float, left: Array, right: Array, lossy: Sequence[bool]) -> Slab:
-        """A tiling that is repeated once, at the phase (rad) of its period.
+        """Make a slab of a tiling with one period, at the phase (rad) of the period.
 
-        left, right : (n, 2) places of the faces, m, in one order; lossy : which tiles have losses
+        left, right : (n, 2) places of the faces, m, in the same order; lossy : True for tiles with losses
         """
         joint, levels = tiling.joint, tiling.joint.levels
-        free, own = np.unique(joint.master, return_inverse=True)
+        free, number_of_free = np.unique(joint.master, return_inverse=True)
         kind, slot, shift = np.full(len(free), BETWEEN), np.zeros_like(free), np.zeros_like(free)
         for number, face in enumerate((left, right)):
             whole, same = steps_between(joint.position[free], face, joint.period.vectors)
-            assert (same.sum(axis=0) == 1).all(), "a place of a face that no tile has, or several have"
+            assert (same.sum(axis=0) == 1).all(), "a place of a face belongs to no tile or to several"
             place, slots = np.nonzero(same)
             kind[place], slot[place], shift[place] = number, slots, whole[place, slots, 0]
         between = kind == BETWEEN
-        assert (np.bincount(own)[between] > 1).all(), "sides of tiles that meet no other, and no face"
+        assert (np.bincount(number_of_free)[between] > 1).all(), (
+            "sides of tiles meet neither another tile nor a face"
+        )
         slot[between] = np.arange(between.sum())
         size = 3 * levels * len(left)
         on_level = 3 * np.where(between, between.sum(), len(left))
-        first = (size * kind + 3 * slot)[own][:, None] + np.arange(3)
-        column = first + np.arange(levels)[:, None, None] * on_level[own][:, None]
-        turn = np.exp(1j * phase * (joint.shift[:, 0] + shift[own]))
+        first = (size * kind + 3 * slot)[number_of_free][:, None] + np.arange(3)
+        column = first + np.arange(levels)[:, None, None] * on_level[number_of_free][:, None]
+        turn = np.exp(1j * phase * (joint.shift[:, 0] + shift[number_of_free]))
 
         total = 2 * size + 3 * levels * int(between.sum())
         stiffness, lossless, mass = np.zeros((3, total, total), dtype=complex)
@@ -126,7 +128,7 @@ class Slab:
             to_modes[rows] = fold @ M[:traces, traces:]
             coupling.append(to_modes)
             poles.append(np.diag(K)[traces:])
-        counts = [len(one) for one in poles]
+        counts = [len(of_tile) for of_tile in poles]
         return cls(
             stiffness=stiffness,
             lossless=lossless,
@@ -138,9 +140,9 @@ class Slab:
         )
 
     def at(self, omega: float, loss_factor: float = 0.0) -> FaceStiffness:
-        """Dynamic stiffness at omega (rad/s), nothing but the faces kept.
+        """Dynamic stiffness of the faces at omega (rad/s).
 
-        The stiffness of what has losses is ``1 + i loss_factor`` times the real one.
+        The stiffness of tiles with losses is ``1 + i loss_factor`` times the real one.
         """
         loss = 1 + 1j * loss_factor
         poles = np.where(self.lossy, loss, 1.0) * self.poles
@@ -153,12 +155,12 @@ class Slab:
 
 @dataclass(frozen=True)
 class Waves:
-    """Waves that go, or die out, to one side of a plane: those that carry energy first, then by their reach.
+    """Waves that propagate or decay to one side of a plane: propagating ones first, then by their decay.
 
-    exponent : (w,) complex, its exponential multiplies a wave from one face to the next on the right
-    displacement : (n, w) of a face, m; force : (n, w) that what lies left of it exerts on what lies right, N
-    propagates : (w,) whether a wave carries energy: 1 W if it does, and the others are scaled so that the
-        norms of force and velocity would give 1 W
+    exponent : (w,) complex; a wave is multiplied by its exponential from one face to the next on the right
+    displacement : (n, w) of a face, m; force : (n, w) of the part left of it on the part right of it, N
+    propagates : (w,) True for waves that carry energy, 1 W each; evanescent waves are scaled so that the
+        product of the norms of force and velocity is that of 1 W
     """
 
     exponent: Complex
@@ -170,7 +172,7 @@ class Waves:
         return len(self.exponent)
 
     def chosen(self, members: Ints) -> Waves:
-        """Some of the waves."""
+        """Select waves by number."""
         return Waves(
             self.exponent[members],
             self.displacement[:, members],
@@ -179,15 +181,15 @@ class Waves:
         )
 
     def impedance(self) -> Complex:
-        """(n, n) force per displacement on the face of a half-space in which there are only these n waves."""
+        """(n, n) force per displacement on the face of a half-space with only these n waves."""
         return np.asarray(la.solve(self.displacement.T, self.force.T).T)
 
 
 def symmetric(field: Complex) -> Bools:
-    """(w,) whether waves (levels, ..., 3, w) are rather symmetric about the plate's middle plane."""
+    """(w,) True for waves (levels, ..., 3, w) that are mostly symmetric about the plate's middle plane."""
     image = field[::-1] * np.array([1.0, 1.0, -1.0])[:, None]
-    found = (field.conj() * image).reshape(-1, field.shape[-1]).sum(axis=0).real > 0
-    return np.asarray(found)
+    overlap = (field.conj() * image).reshape(-1, field.shape[-1]).sum(axis=0).real
+    return np.asarray(overlap > 0)
 
 
 def energy_flux(displacement: Complex, force: Complex, omega: float) -> Complex:
@@ -201,10 +203,10 @@ def energy_flux(displacement: Complex, force: Complex, omega: float) -> Complex:
 
 
 def directed(exponent: Complex, displacement: Complex, force: Complex, omega: float) -> tuple[Waves, Waves]:
-    """Waves to the right and waves to the left, out of the 2n of a slab or a plate.
+    """Divide the 2n waves of a slab or a plate into waves to the right and waves to the left.
 
-    Those that fade go where they fade to, those that propagate where their energy goes. Among propagating
-    ones with the same multiplier combinations are taken that carry energy independently of each other.
+    The direction of an evanescent wave is that of its decay, the direction of a propagating wave that of its
+    energy. Propagating waves of equal multiplier are combined so that they carry energy independently.
     """
     scale = np.linalg.norm(displacement, axis=0) * np.linalg.norm(force, axis=0)
     scale = np.sqrt(2 / (omega * scale))
@@ -229,14 +231,14 @@ def directed(exponent: Complex, displacement: Complex, force: Complex, omega: fl
         return everything.chosen(members[np.argsort(reach, kind="stable")])
 
     right, left = sorted_out(to_right), sorted_out(~to_right)
-    assert len(right) == len(left), "as many waves go to the right as to the left"
+    assert len(right) == len(left), "the numbers of waves to the right and to the left are equal"
     return right, left
 
 
 def bloch_waves(slab: FaceStiffness, omega: float) -> tuple[Waves, Waves]:
-    """Waves of an endless row of slabs, on the left face of each: n to the right, n to the left.
+    """Compute the waves of an infinite row of slabs, on their left faces: n to the right, n to the left.
 
-    No force from outside acts where two slabs meet, so that ``RL + (LL + RR) lambda + LR lambda^2`` maps the
+    No external force acts between two slabs, so ``RL + (LL + RR) lambda + LR lambda^2`` maps the
     displacement of a face to zero. With ``mu = 1 / (lambda - SHIFT)`` it is a standard eigenproblem in which
     neither lambda = 0 nor infinity is special.
     """
@@ -246,16 +248,16 @@ def bloch_waves(slab: FaceStiffness, omega: float) -> tuple[Waves, Waves]:
     companion = np.zeros((2 * n, 2 * n), dtype=complex)
     companion[:n, n:] = np.eye(n)
     companion[n:] = -la.solve(at_shift, np.hstack([slab.LR, middle + 2 * SHIFT * slab.LR]))
-    mu, fields = np.linalg.eig(companion)  # NumPy's is nearly twice as fast here as SciPy's
+    mu, fields = np.linalg.eig(companion)  # NumPy is nearly twice as fast here as SciPy
     multiplier = SHIFT + 1 / np.where(np.abs(mu) < SMALLEST, SMALLEST, mu)
     multiplier = np.where(np.abs(multiplier) < SMALLEST, SMALLEST, multiplier)
     u = fields[:n]
-    outer = np.abs(multiplier) > 1  # whichever power of lambda is the smaller one
+    outer = np.abs(multiplier) > 1  # use the smaller power of lambda
     ahead, behind = np.where(outer, 0, multiplier), np.where(outer, 1 / multiplier, 0)
     force = np.where(outer, -slab.RR @ u - (slab.RL @ u) * behind, slab.LL @ u + (slab.LR @ u) * ahead)
     return directed(np.log(multiplier), u, force, omega)
 
 
 def decibels(right: Waves) -> float:
-    """Decay from face to face of the wave to the right that reaches farthest, dB; 0 if it propagates."""
+    """Decay from face to face of the least attenuated wave to the right, dB; 0 if it propagates."""
     return 0.0 if right.propagates[0] else float(-20 / np.log(10) * right.exponent[0].real)

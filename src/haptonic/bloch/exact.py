@@ -1,4 +1,4 @@
-"""Modes of a cell's mesh itself at one wavevector: nothing of the reduced model is left in them."""
+"""Modes of a cell's mesh at one wavevector, independent of the reduced model."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from haptonic.later import linalg as la
 from haptonic.superelement import TiledMesh
 
 TOGETHER = 1e-6  # relative distance of eigenvalues below which modes count as degenerate
-ASIDE = 2e-4  # of the eigenvalue, between it and the shift: nearer, the inside may resonate as well
-BLOCK = 4  # modes that are improved together
+ASIDE = 2e-4  # relative distance of the shift from the eigenvalue; nearer, the interior may resonate
+BLOCK = 4  # number of modes iterated together
 SETTLED = 1e-12  # relative change of the eigenvalue at which the iteration stops
-MOST_STEPS = 12  # without which the iteration counts as not settled
+MOST_STEPS = 12  # of the iteration
 
 
 @dataclass(frozen=True)
 class ExactModes:
-    """Modes of the same eigenvalue.
+    """Modes of one eigenvalue.
 
     kappa : (2,) phases, rad; omega : rad/s
     fields : (nodes, 3, k) displacement on the mesh, orthogonal and of unit mass
-    trace : (t, k) the unknowns behind its lateral faces
+    trace : (t, k) unknowns of its lateral faces
     """
 
     kappa: Array
@@ -34,11 +34,11 @@ class ExactModes:
 
 
 def exact_modes(shared: TiledMesh, kappa: Array, omega: float) -> ExactModes:
-    """The mode of the mesh whose frequency is nearest to ``omega``, with all that are degenerate with it.
+    """Compute the mode of the mesh with the frequency nearest to ``omega``, and all degenerate with it.
 
     Inverse iteration on whole fields: ``(K - s M) y = M x`` with a shift s a little below the eigenvalue,
-    from the traces on which the dynamic stiffness at s almost vanishes. A shift at the eigenvalue itself
-    would do in one step but for modes that hardly move the trace: there the inside resonates by itself.
+    starting from traces for which the dynamic stiffness at s is nearly zero. A shift at the eigenvalue itself
+    would need one step, but it fails for modes with little motion of the trace, as the interior resonates.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def exact_modes(shared: TiledMesh, kappa: Array, omega: float) -> ExactModes:
 
     Raises
     ------
-    ArithmeticError : the iteration does not settle
+    ArithmeticError : the iteration does not converge
     """
     periodic = Periodic.of_joint(shared.joint)
     turn = np.exp(1j * (periodic.shift @ kappa))[:, None]
@@ -55,7 +55,7 @@ def exact_modes(shared: TiledMesh, kappa: Array, omega: float) -> ExactModes:
     shift = (1 - ASIDE) * omega**2
     at_shift = shared.dynamic(float(np.sqrt(shift)))
     stiffness = periodic.hermitian(at_shift.matrix, kappa)
-    factor = la.lu_factor(stiffness)  # nearly singular, as inverse iteration wants it
+    factor = la.lu_factor(stiffness)  # nearly singular, as required for inverse iteration
     offsets, vectors = la.eigh(stiffness, periodic.hermitian(at_shift.mass, kappa))
     start = np.argsort(np.abs(offsets - ASIDE * omega**2))[:BLOCK]
     trace = vectors[:, start][periodic.number] * turn
@@ -75,4 +75,4 @@ def exact_modes(shared: TiledMesh, kappa: Array, omega: float) -> ExactModes:
         if abs(value - before) <= SETTLED * value:
             same = np.abs(shift + offsets[order] - value) <= TOGETHER * value
             return ExactModes(kappa, float(np.sqrt(value)), fields[:, :, same], trace[:, same])
-    raise ArithmeticError(f"the mode near {omega / (2 * np.pi):g} Hz does not settle")
+    raise ArithmeticError(f"the mode near {omega / (2 * np.pi):g} Hz does not converge")

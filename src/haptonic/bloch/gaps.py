@@ -1,4 +1,4 @@
-"""Band gaps: complete ones from the whole irreducible zone, partial ones from the path."""
+"""Band gaps: complete gaps from the whole irreducible zone, partial gaps from the path."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from haptonic.errors import StudyError
 from haptonic.units import Hertz, format_quantity, hz_text
 
 COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
-DOUBT = 0.5  # share by which a band may rise more, or fall less, than its slope at a corner says
-FLAT = 0.05  # slope at a corner, as a share of its triangle's steepest, that tells nothing of the inside
+DOUBT = 0.5  # relative deviation allowed between the change of a band and its slope at a corner
+FLAT = 0.05  # slope at a corner, as a share of the triangle's steepest, below which the corner gives no bound
 INSIDE = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6.0  # of a triangle
-SEARCH_GOAL = 1e-4  # relative; the search for an edge stops when it can move by no more than this
-MOST_SAMPLES = 600  # wavevectors; when they are used up the remaining doubt goes into the error
+SEARCH_GOAL = 1e-4  # relative uncertainty of an edge at which the search stops
+MOST_SAMPLES = 600  # wavevectors; beyond them the remaining uncertainty is added to the error
 
 
 @dataclass(frozen=True)
 class Gap:
-    """Frequencies that no wave of some wavevectors has, between two neighbouring bands.
+    """Frequencies without waves of given wavevectors, between two neighbouring bands.
 
-    between : numbers of the bands below and above, counted from 1, among those of its waves
+    between : numbers, from 1, of the bands below and above among bands of its waves
     lower, upper : edges, Hz; lower_error, upper_error : bounds of their errors, Hz
     lower_kappa, upper_kappa : phases (rad) at which the edges were found
-    complete : True when it holds for every direction and every wave; else ``direction`` names the segment of
-        the path, or is "all" where the whole irreducible zone was searched for ``waves`` of one parity
-    samples : wavevectors that the claim rests on
+    complete : True for a gap of every direction and every wave; otherwise ``direction`` is the segment of the
+        path, or "all" if the whole irreducible zone was searched for ``waves`` of one parity
+    samples : number of sampled wavevectors
     """
 
     between: tuple[int, int]
@@ -57,27 +57,27 @@ class Gap:
 
     @property
     def certain(self) -> bool:
-        """Whether the gap is wider than the doubt about its edges."""
+        """True if the gap is wider than the errors of its edges."""
         return self.width > self.lower_error + self.upper_error
 
     @property
     def relative_error(self) -> float:
-        """Of the worse edge."""
+        """Larger relative error of the two edges."""
         return max(self.lower_error / self.lower, self.upper_error / self.upper)
 
     def margin(self, frequency: float) -> float:
-        """How far inside of the nearer edge a frequency lies, errors counted, Hz; negative outside."""
+        """Distance of a frequency from the nearer edge minus its error, Hz; negative outside the gap."""
         return min(frequency - self.lower - self.lower_error, self.upper - self.upper_error - frequency)
 
     def holds(self, frequency: float) -> bool:
-        """Whether a frequency lies inside, errors counted."""
+        """True if a frequency lies inside the gap by more than the errors of its edges."""
         return self.margin(frequency) > 0
 
 
 class ZoneSampling:
-    """Frequencies at wavevectors of the irreducible zone, on triangles that are halved where it matters.
+    """Frequencies at wavevectors of the irreducible zone, on triangles refined near the edges of gaps.
 
-    Grows while edges are searched; nothing outside this module holds one.
+    Mutable: samples are added during the search for edges. Used in this module only.
     """
 
     def __init__(self, model: BlochModel) -> None:
@@ -100,18 +100,18 @@ class ZoneSampling:
     def edge(self, band: int, sign: int) -> tuple[float, Array, float]:
         """Highest (sign = +1) or lowest (-1) frequency of a band over the zone.
 
-        Inside a triangle with corners kappa_v a band f, of gradient g_v there, is taken to stay below
+        Inside a triangle with corners kappa_v, a band f with gradients g_v there is assumed to stay below
 
             min over v of  f(kappa_v) + g_v . (kappa - kappa_v) + DOUBT |g_v . (kappa - kappa_v)|,
 
-        planes that touch it and rise a little more than it does; that also holds where it is the lower of
-        two bands that cross. A corner where the band is level, as symmetry makes it at some, is asked only
-        if it is the highest of its triangle. Triangles that could beat the best value found are halved until
-        none can by more than the goal.
+        planes that touch the band and rise a little faster. This also applies to the lower of two crossing
+        bands. A corner with zero slope, which symmetry requires at some wavevectors, gives no bound unless it
+        is the maximum of its triangle. Triangles that could exceed the best value are halved until no
+        triangle can exceed it by more than the goal.
 
         Returns
         -------
-        frequency : Hz; kappa : (2,) where; doubt : Hz, by how much a value not seen may exceed it
+        frequency : Hz; kappa : (2,) its wavevector; doubt : Hz, largest excess of an unsampled value
         """
         while True:
             value = sign * np.array([f[band] for f in self.frequency])
@@ -124,7 +124,7 @@ class ZoneSampling:
             steepness = np.linalg.norm(slope[self.triangles], axis=2)
             flat = steepness <= FLAT * steepness.max(axis=1, keepdims=True)
             flat &= at_corners < at_corners.max(axis=1, keepdims=True)
-            planes = np.where(flat[:, None], np.inf, planes)  # the two others know better
+            planes = np.where(flat[:, None], np.inf, planes)  # use the two other corners
             ceiling = np.maximum(at_corners.max(axis=1), planes.min(axis=2).max(axis=1))
             best = int(value.argmax())
             doubt = float(ceiling.max() - value[best])
@@ -135,7 +135,7 @@ class ZoneSampling:
             self._halve(np.flatnonzero(ceiling > value[best] + goal), sides)
 
     def _halve(self, chosen: Ints, sides: Array) -> None:
-        kept = np.delete(self.triangles, chosen, axis=0)
+        remaining = np.delete(self.triangles, chosen, axis=0)
         new = []
         for number in chosen:
             longest = int(sides[number].argmax())
@@ -145,21 +145,21 @@ class ZoneSampling:
                 self._middle[key] = self._add(0.5 * (self.kappa[a] + self.kappa[b]))
             m = self._middle[key]
             new += [(a, m, c), (m, b, c)]
-        self.triangles = np.concatenate([kept, np.array(new, dtype=np.int64)])
+        self.triangles = np.concatenate([remaining, np.array(new, dtype=np.int64)])
 
 
 def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
-    """Gaps between neighbouring bands that hold over the whole irreducible zone, lowest first.
+    """Gaps between neighbouring bands over the whole irreducible zone, lowest first.
 
-    One that is narrower than its errors may not exist and is listed all the same, as not certain; but not if
-    it is also too narrow for the search of the zone, which bands look like that symmetry makes touch.
+    A gap narrower than its errors may not exist; it is listed as not certain. It is omitted if it is also
+    narrower than the resolution of the search, as bands that touch by symmetry would appear as such a gap.
     """
     zone = ZoneSampling(model)
     gaps = []
     for band in range(model.count - 1):
         frequency = np.array(zone.frequency)
         if frequency[:, band].max() >= frequency[:, band + 1].min():
-            continue  # finer sampling can only bring the bands closer
+            continue  # finer sampling can only reduce the distance of the bands
         lower, lower_kappa, lower_doubt = zone.edge(band, +1)
         upper, upper_kappa, upper_doubt = zone.edge(band + 1, -1)
         gap = Gap(
@@ -174,38 +174,38 @@ def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
             direction="all",
             samples=len(zone.kappa),
         )
-        doubt = lower_doubt + upper_doubt  # bands that touch somewhere between the samples look like this
+        doubt = lower_doubt + upper_doubt  # bands that touch between samples give a gap no wider than this
         if gap.width > doubt and (gap.certain or gap.width > SEARCH_GOAL * gap.centre):
             gaps.append(gap)
     return tuple(gaps)
 
 
 def parity_gaps(model: BlochModel, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
-    """Gaps of one parity in the plate's middle plane over the whole irreducible zone, where that is a mirror.
+    """Gaps of one parity over the whole irreducible zone, if the plate's middle plane is a mirror.
 
-    Waves of one parity pass what is a gap for the other. Listed as far as they are certain, and more than a
-    complete one.
+    Waves of the other parity pass such a gap. Gaps are listed if they are certain and not within a complete
+    gap.
     """
     return tuple(
         replace(gap, complete=False, waves=WAVES[parity])
         for parity, half in model.halves.items()
         for gap in complete_gaps(half)
-        if gap.certain and not any(_within(gap, one) for one in complete)
+        if gap.certain and not any(_within(gap, covering) for covering in complete)
     )
 
 
 def _within(gap: Gap, other: Gap) -> bool:
-    """Whether a gap reaches beyond another by no more than the errors of its edges."""
+    """True if a gap exceeds another by no more than the errors of its edges."""
     return other.lower <= gap.lower + gap.lower_error and gap.upper <= other.upper + gap.upper_error
 
 
 def gap_at(gaps: Iterable[Gap], frequency: float) -> Gap | None:
-    """The gap that holds a frequency (Hz): complete, with its edges' errors counted; of several the widest.
+    """Widest complete gap that contains a frequency (Hz) by more than the errors of its edges, or None.
 
-    This is what "the gap that holds the carrier" means everywhere.
+    This is the definition of "the gap at the carrier" in the whole program.
     """
-    holding = [gap for gap in gaps if gap.complete and gap.holds(frequency)]
-    return max(holding, key=lambda gap: gap.width, default=None)
+    containing = [gap for gap in gaps if gap.complete and gap.holds(frequency)]
+    return max(containing, key=lambda gap: gap.width, default=None)
 
 
 def widest_gap(gaps: Iterable[Gap]) -> Gap | None:
@@ -215,11 +215,11 @@ def widest_gap(gaps: Iterable[Gap]) -> Gap | None:
 
 
 def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
-    """The gap that holds the carrier (Hz); see `gap_at`.
+    """Return the gap at the carrier (Hz); see `gap_at`.
 
     Raises
     ------
-    StudyError : there is none
+    StudyError : no gap contains the carrier
     """
     gap, widest = gap_at(gaps, carrier), widest_gap(gaps)
     if gap is None:
@@ -228,7 +228,7 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
             argument="carrier",
             given=format_quantity(carrier, "Hz"),
             allowed="a frequency in a complete gap of the cell, by more than the errors of its edges",
-            cause=f"no complete gap of the cell holds it{nearest}",
+            cause=f"no complete gap of the cell contains it{nearest}",
             next_step="find a cell for this carrier with `haptonic design`, or look higher, with more bands "
             "([bands] count)",
         )
@@ -236,11 +236,11 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
 
 
 def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
-    """Gaps for the wavevectors of one segment of the path only, as far as they are certain and not complete.
+    """Certain gaps for the wavevectors of one segment of the path, without complete gaps.
 
-    The doubt of an edge is what its band could still do between two samples, by the slopes there.
+    The error of an edge includes the possible change of its band between two samples, from the slopes there.
     """
-    known = {gap.between for gap in complete}
+    of_complete = {gap.between for gap in complete}
     path, gaps = diagram.path, []
     pieces = zip(path.corners, path.corners[1:], path.labels, path.labels[1:], strict=False)
     for start, stop, first, last in pieces:
@@ -251,7 +251,7 @@ def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]
         for band in range(frequency.shape[1] - 1):
             low, high = int(frequency[:, band].argmax()), int(frequency[:, band + 1].argmin())
             lower, upper = float(frequency[low, band]), float(frequency[high, band + 1])
-            if (band + 1, band + 2) in known or lower >= upper:
+            if (band + 1, band + 2) in of_complete or lower >= upper:
                 continue
             gap = Gap(
                 between=(band + 1, band + 2),

@@ -1,8 +1,8 @@
-"""A lattice as a boundary of a plain plate: where it seems to hold the plate, and the modes of a strip.
+"""Lattices as boundaries of a plain plate: the equivalent fixed line, and modes of a strip between two.
 
-Flexural waves that meet the lattice within its gap come back as if the plate were held at a line some way
-behind the interface. Between two such mirrors a strip of plate guides waves along it. Where pillars stand on
-both faces, waves that are symmetric about the plate's middle plane do not meet these at all.
+Within the gap, the lattice reflects flexural waves like a support at a line behind the interface. A strip of
+plate between two such mirrors guides waves. With pillars on both faces, flexural waves are not coupled to
+waves that are symmetric about the middle plane of the plate.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from haptonic.later import linalg as la
 from haptonic.units import hz_text
 
 LEAD = "A0"  # the wave that is guided
-SAMPLES = 401  # of a mode across the strip
-CLOSED = 1e-6  # rad, how well a mode must close on itself
+SAMPLES = 401  # positions of a mode across the strip
+CLOSED = 1e-6  # rad, largest phase mismatch of a mode
 
 
 @dataclass(frozen=True)
 class Wall:
-    """The lattice on the right as seen from the plate, at one frequency and tangential wavenumber.
+    """Lattice on the right as a boundary of the plate, at one frequency and tangential wavenumber.
 
-    Widths of strips count from where the lattice's face lies on average.
+    Widths of strips are measured from the average position of the lattice's face.
 
-    plate : the plate's waves to the right, those that meet the flexural one
-    reflection : (p, p) amplitudes of their mirror images, to the left, for unit ones that come
-    flexural : number of the flexural wave that propagates
-    closed : whether no wave that meets the flexural one enters the lattice
-    face : (h, p) harmonics of the motion normal to the plate along the lattice's face, of unit waves
-    setback : from the straight line beyond which there is but plain plate to that place, m
+    plate : waves of the plate to the right that are coupled to the flexural wave
+    reflection : (p, p) amplitudes of their mirror images, to the left, for unit incident waves
+    flexural : number of the propagating flexural wave
+    closed : True if no wave coupled to the flexural one enters the lattice
+    face : (h, p) harmonics of the normal motion along the lattice's face for unit waves
+    setback : distance from the straight edge of the plain plate to the average face of the lattice, m
     """
 
     plate: PlateWaves
@@ -50,7 +50,7 @@ class Wall:
 
     @classmethod
     def of(cls, interface: Interface, omega: float) -> Wall | None:
-        """The wall at omega (rad/s); None where no flexural wave propagates towards it."""
+        """Compute the wall at omega (rad/s); None if no flexural wave propagates towards it."""
         mirror = interface.mirror(omega)
         right = mirror.incoming
         leads = np.flatnonzero(right.labelled(LEAD) & (right.harmonic == 0))
@@ -67,9 +67,13 @@ class Wall:
             inside = mirror.lattice.displacement.reshape(levels, -1, 3, len(entering))
             entering = entering & ~symmetric(inside)
             profiles = right.waves.displacement.reshape(-1, levels, 3, len(right)).swapaxes(0, 1)
-            own = ~symmetric(profiles)
-            right, reflection, face = right.chosen(own), reflection[np.ix_(own, own)], face[:, own]
-            leads = np.cumsum(own)[leads] - 1
+            antisymmetric = ~symmetric(profiles)
+            right, reflection, face = (
+                right.chosen(antisymmetric),
+                reflection[np.ix_(antisymmetric, antisymmetric)],
+                face[:, antisymmetric],
+            )
+            leads = np.cumsum(antisymmetric)[leads] - 1
         return cls(
             plate=right,
             reflection=reflection,
@@ -81,27 +85,27 @@ class Wall:
 
     @property
     def wavenumber(self) -> float:
-        """Of the flexural wave across the interface, rad/m."""
+        """Wavenumber of the flexural wave across the interface, rad/m."""
         return float(np.abs(self.plate.wavenumber[self.flexural].real))
 
     @property
     def delay(self) -> float:
         """Phase (rad) from the lattice's face to the equivalent fixed line and back, from -pi/2 to 3 pi/2."""
-        r = self.reflection[self.flexural, self.flexural]  # -1 if the plate is held at the line itself
+        r = self.reflection[self.flexural, self.flexural]  # -1 for a support at the line itself
         r *= np.exp(2j * self.wavenumber * self.setback)
         return float(0.5 * np.pi - np.angle(-1j * r))
 
     @property
     def fixed_line(self) -> float:
-        """How far behind the lattice's face the plate seems to be held, w = 0, m."""
+        """Distance from the lattice's face to the equivalent support (w = 0) behind it, m."""
         return 0.5 * self.delay / self.wavenumber
 
     def phase(self, width: float, nodal_lines: int) -> float:
-        """Phase (rad) that the flexural wave gathers on its way across a strip and at one of its walls.
+        """Phase (rad) of the flexural wave after its path across a strip and reflection at one wall.
 
-        A wave that leaves one wall has to come back as it was. Between mirrors that reflect all of it this
-        is a condition on the phase alone, ``k w + delay = (n + 1) pi`` for n nodal lines across the width w.
-        Evanescent waves reach across, too; they are eliminated for fields as even or odd as the mode, and
+        A mode reproduces itself after a round trip. Between mirrors that reflect all energy this is a
+        condition on the phase, ``k w + delay = (n + 1) pi`` for n nodal lines across the width w.
+        Evanescent waves also couple the walls; they are eliminated for fields of the parity of the mode and
         add to the phase. No other wave may propagate.
         """
         round_trip, _ = self._closing(width, nodal_lines)
@@ -110,10 +114,10 @@ class Wall:
         return float(self.wavenumber * width + self.delay - np.angle(round_trip / alone))
 
     def across(self, width: float, nodal_lines: int) -> tuple[Array, Array, float]:
-        """Positions (s,) from the middle of the strip, m, |w| (s,) there on the flat face, and at its edge.
+        """Positions (s,) from the middle of the strip, m, |w| (s,) there on the flat face, and at the edge.
 
-        They end where the plate is plain no more, before the edge if that is no straight line. |w| is the
-        root of the mean square over a period along the strip; its peak is 1.
+        Positions cover the plain plate, which ends before an edge that is not straight. |w| is the root mean
+        square over a period along the strip; its peak is 1.
         """
         sign = (-1) ** nodal_lines
         _, others = self._closing(width, nodal_lines)
@@ -129,9 +133,9 @@ class Wall:
         return position, np.asarray(size / size.max()), float(np.linalg.norm(self.face @ coming) / size.max())
 
     def _closing(self, width: float, nodal_lines: int) -> tuple[complex, Complex]:
-        """Factor of the flexural wave after one way, and the other waves' amplitudes if its own is 1.
+        """Factor of the flexural wave after one crossing, and the other amplitudes for unit flexural wave.
 
-        A mode closes on itself where the factor is 1, or -1 if its number of nodal lines is odd.
+        For a mode the factor is 1, or -1 if its number of nodal lines is odd.
         """
         sign = (-1) ** nodal_lines
         plain = width - 2 * self.setback
@@ -145,11 +149,11 @@ class Wall:
 
 @dataclass(frozen=True)
 class GuidedMode:
-    """A mode of a strip.
+    """Mode of a strip.
 
     omega : rad/s; wavenumber : along the strip, rad/m; width : m; nodal_lines : across
     position : (s,) from the middle, m; amplitude : (s,) of w on the flat face, its peak 1
-    at_edge : amplitude where the lattice begins, as a share of that peak
+    at_edge : amplitude at the edge of the lattice, as a share of that peak
     """
 
     omega: float
@@ -163,7 +167,7 @@ class GuidedMode:
 
 @dataclass(frozen=True)
 class Guide:
-    """A strip of plain plate between two half-infinite lattices that are mirror images of each other.
+    """Strip of plain plate between two half-infinite lattices that are mirror images of each other.
 
     interface : its right edge, at the wavenumber along the strip
     """
@@ -172,38 +176,38 @@ class Guide:
 
     @classmethod
     def of(cls, rows: CondensedRows, wavenumber: float) -> Guide:
-        """Waves of a wavenumber (rad/m) along rows."""
+        """Make a guide for waves of a wavenumber (rad/m) along rows."""
         return cls(Interface.of(rows, wavenumber))
 
     def width(self, omega: float, nodal_lines: int) -> float:
-        """Width (m) of the strip that has a mode at omega (rad/s) with so many nodal lines across.
+        """Width (m) of the strip that has a mode at omega (rad/s) with a number of nodal lines across.
 
         Raises
         ------
         StudyError : other waves propagate across the strip, or no strip guides such a mode
         """
         wall, target = self.wall(omega), (nodal_lines + 1) * np.pi
-        found = None
+        root = None
         if wall is not None and wall.closed:
             guess, reach = (target - wall.delay) / wall.wavenumber, 0.5 * np.pi / wall.wavenumber
-            found = _root(
+            root = _root(
                 lambda width: wall.phase(width, nodal_lines) - target,
                 max(guess - reach, 2 * wall.setback),
                 guess + reach,
             )
-        if found is None:
+        if root is None:
             raise _no_mode(nodal_lines, _kilohertz(omega))
-        return found
+        return root
 
     def mode_at(self, omega: float, nodal_lines: int) -> GuidedMode:
-        """The mode at omega (rad/s) of the strip of just the `width` that it needs."""
+        """Mode at omega (rad/s) of the strip with the `width` for this mode."""
         width, wall = self.width(omega, nodal_lines), self.wall(omega)
-        assert wall is not None, "else there was no width"
+        assert wall is not None, "a width was found only with a wall"
         along = float(self.interface.tangential[0])
-        return _carried(wall, omega, along, width, nodal_lines)
+        return _guided_mode(wall, omega, along, width, nodal_lines)
 
     def mode(self, width: float, nodal_lines: int, between: tuple[float, float]) -> GuidedMode:
-        """Mode with so many nodal lines across, its angular frequency within an interval.
+        """Mode with a number of nodal lines across, and an angular frequency within an interval.
 
         Raises
         ------
@@ -212,7 +216,7 @@ class Guide:
         return _mode(lambda _: self, width, nodal_lines, between)
 
     def wall(self, omega: float) -> Wall | None:
-        """The strip's right edge; None below the cut-off of the flexural wave.
+        """Wall at the right edge of the strip; None below the cut-off of the flexural wave.
 
         Raises
         ------
@@ -223,25 +227,25 @@ class Guide:
             raise StudyError.no_answer(
                 argument="waveguide.mode",
                 given=f"{self.interface.tangential[0]:.4g} rad/m at {_kilohertz(omega)}",
-                allowed=f"one at which only {LEAD} propagates across the strip",
-                cause="waves so long along the strip take in-plane waves, or diffracted ones, with them",
-                next_step="ask for another number of intervals along the strip, or for a lower frequency",
+                allowed=f"a wavenumber at which only {LEAD} propagates across the strip",
+                cause="waves so long along the strip also excite in-plane waves or diffracted waves",
+                next_step="use another number of intervals along the strip, or a lower frequency",
             )
         return wall
 
 
 def along_strip(omega: float, length: float, intervals: int, closed_by: CondensedRows | None = None) -> float:
-    """Wavenumber (rad/m) along a strip of a length (m) with so many intervals between its nodal lines.
+    """Wavenumber (rad/m) along a strip of a length (m) with a number of intervals between nodal lines.
 
-    Both ends are approximate. A free end throws flexural waves back like the end of a long beam, so that
-    each end adds a quarter of an interval: ``k L = (intervals + 1/2) pi``. Behind an end that a
-    lattice closes the plate seems to be held as it is at normal incidence, d behind the interface:
-    ``k (L + 2 d) = (intervals + 2) pi``; conversion into other waves is left out.
+    Both conditions at the ends are approximate. A free end reflects flexural waves like the end of a long
+    beam, so each end adds a quarter of an interval: ``k L = (intervals + 1/2) pi``. An end closed by a
+    lattice acts like a support at the distance d behind the interface, as at normal incidence:
+    ``k (L + 2 d) = (intervals + 2) pi``; conversion into other waves is neglected.
 
     Parameters
     ----------
-    omega : rad/s, at which a lattice at the ends is looked at
-    closed_by : its rows, at right angles to the strip; free ends without any
+    omega : rad/s, for the reflection at a lattice at the ends
+    closed_by : rows of that lattice, at right angles to the strip; None for free ends
     """
     if closed_by is None:
         return (intervals + 0.5) * np.pi / length
@@ -260,26 +264,26 @@ def strip_mode(
     between: tuple[float, float],
     closed_by: CondensedRows | None = None,
 ) -> GuidedMode:
-    """Mode of a strip of finite length with so many intervals between its nodal lines along it.
+    """Mode of a strip of finite length with a number of intervals between nodal lines along it.
 
     Parameters
     ----------
-    rows : on either side of the strip; width, length : of the strip, m
+    rows : on both sides of the strip; width, length : of the strip, m
     intervals, nodal_lines : along and across the strip
-    between : angular frequencies to look in, rad/s
+    between : range of angular frequencies, rad/s
     closed_by : see `along_strip`
 
     Raises
     ------
-    StudyError : see `Guide.mode`; a strip narrower than what straightens the faces beside it
+    StudyError : see `Guide.mode`; a strip narrower than the plain plate between rows and straight edges
     """
     if width <= 2 * rows.setback:
         raise StudyError.out_of_range(
             argument="waveguide.width",
             given=f"{width * 1e3:.4g} mm",
             allowed=f"more than {2 * rows.setback * 1e3:.4g} mm beside these rows",
-            cause="their faces are no straight lines, and less is left of the strip than these take up",
-            next_step="choose a wider strip, or ask `haptonic ribbon`, which takes strips of any width",
+            cause="their faces are not straight lines, and take up the whole width of the strip",
+            next_step="choose a wider strip, or use `haptonic ribbon`, which accepts strips of any width",
         )
 
     def guide_at(omega: float) -> Guide:
@@ -305,11 +309,11 @@ def _mode(
         wall = guide.wall(omega)
         if wall is not None and wall.closed:
             along = float(guide.interface.tangential[0])
-            return _carried(wall, omega, along, width, nodal_lines)
+            return _guided_mode(wall, omega, along, width, nodal_lines)
     raise _no_mode(nodal_lines, f"{_kilohertz(between[0])} to {_kilohertz(between[1])}")
 
 
-def _carried(wall: Wall, omega: float, along: float, width: float, nodal_lines: int) -> GuidedMode:
+def _guided_mode(wall: Wall, omega: float, along: float, width: float, nodal_lines: int) -> GuidedMode:
     position, amplitude, at_edge = wall.across(width, nodal_lines)
     return GuidedMode(
         omega=omega, wavenumber=along, width=width, nodal_lines=nodal_lines, position=position,
@@ -318,7 +322,7 @@ def _carried(wall: Wall, omega: float, along: float, width: float, nodal_lines: 
 
 
 def _root(misfit: Callable[[float], float], low: float, high: float) -> float | None:
-    """Where a growing function passes through zero within an interval, if it does without a jump."""
+    """Zero of a growing function within an interval; None for no zero or a jump."""
     if not misfit(low) < 0 < misfit(high):
         return None
     root = float(scipy.optimize.brentq(misfit, low, high, rtol=1e-12))
@@ -329,9 +333,9 @@ def _no_mode(nodal_lines: int, where: str) -> StudyError:
     return StudyError.no_answer(
         argument="waveguide.mode",
         given=f"{nodal_lines} at {where}",
-        allowed=f"a mode that {LEAD} forms between mirrors that let no wave in",
+        allowed=f"a mode that {LEAD} forms between mirrors that no wave enters",
         cause="the strip is too narrow or too wide for it, or the frequency lies outside the mirrors' gap",
-        next_step="ask for another number of nodal lines, another width, or frequencies within the gap",
+        next_step="use another number of nodal lines, another width, or frequencies within the gap",
     )
 
 

@@ -1,4 +1,4 @@
-"""What a mode of a ribbon is: where its energy is, how it fades into the crystals, its nodal lines."""
+"""Properties of ribbon modes: location of the energy, decay into the crystals, nodal lines."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from haptonic.arrays import Array, Bools
 from haptonic.bloch.ribbon import RibbonModes, RibbonPencil
 from haptonic.cell import Ribbon
 
-FAINTEST = 1e-18  # share of the energy below which a column holds rounding, and no wave
-LEAST_ON_LINE = 3  # places along the ribbon from which its harmonics can be told
+FAINTEST = 1e-18  # share of the energy below which a column contains rounding errors only
+LEAST_ON_LINE = 3  # places along the ribbon needed to determine harmonics
 HARMONICS = np.arange(-3, 4)
-STILL = 0.05  # of the largest amplitude across the guide, below which its sign means nothing
-NEAR_AND_FAR = 5  # rows from which the first one, which fading waves of all kinds reach, may be left out
+STILL = 0.05  # share of the largest amplitude across the guide below which the sign is not used
+NEAR_AND_FAR = 5  # number of rows from which the first, with evanescent waves of all kinds, is left out
 
 
 def within(energy: Array, cells: Bools) -> Array:
@@ -21,16 +21,16 @@ def within(energy: Array, cells: Bools) -> Array:
 
 
 def outermost(ribbon: Ribbon) -> Bools:
-    """(lines, columns) the first and the last column without a guide: free edges hold waves of their own."""
+    """(lines, columns) first and last column, without a guide; free edges have edge waves."""
     ends = np.zeros_like(ribbon.guide)
     ends[:, [0, -1]] = True
     return np.asarray(ends & ~ribbon.guide)
 
 
 def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
-    """(k,) whether modes lie outside the bulk bands (crystals, bands, 2; Hz) at their phase, errors counted.
+    """(k,) True for modes outside the bulk bands (crystals, bands, 2; Hz) at their phase, errors included.
 
-    Above the lowest frequency of the last band that was computed nobody knows what the next ones cover.
+    Frequencies above the lower edge of the last computed band count as inside, as higher bands are unknown.
     """
     least, most = (modes.frequency - modes.error)[:, None], (modes.frequency + modes.error)[:, None]
     free = np.ones(len(modes.frequency), dtype=bool)
@@ -42,17 +42,17 @@ def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
 
 
 def decay(ribbon: Ribbon, energy: Array) -> Array:
-    """(k,) dB per row by which modes of given energy (k, lines, columns) fade across, away from the guide.
+    """(k,) decay of modes with energies (k, lines, columns) away from the guide, dB per row.
 
-    By least squares over the columns on each side, without the outermost, where the free edge throws waves
-    back; the slower side counts. NaN where there are not two rows to compare.
+    Least squares over the columns on each side, without the outermost column, which contains waves reflected
+    at the free edge; the smaller value of the two sides. NaN for fewer than two rows.
     """
     guide = np.flatnonzero(ribbon.guide.any(axis=0))
     if not len(guide):
         return np.full(len(energy), np.nan)
     energy = energy.sum(axis=1)
-    found = np.full((2, len(energy)), np.nan)
-    beside = int(ribbon.kind != "edge")  # of an edge between two crystals its own columns are the first rows
+    slopes = np.full((2, len(energy)), np.nan)
+    beside = int(ribbon.kind != "edge")  # the columns at an edge between two crystals are the first rows
     sides = range(min(guide) - beside, -1, -1), range(max(guide) + beside, energy.shape[1])
     for side, columns in enumerate(sides):
         rows = np.array(columns, dtype=int)[:-1]
@@ -60,19 +60,19 @@ def decay(ribbon: Ribbon, energy: Array) -> Array:
         if len(rows) < 2:
             continue
         share = energy[:, rows] / energy.sum(axis=1, keepdims=True)
-        for number, one in enumerate(share):
-            there = one > FAINTEST
+        for number, of_rows in enumerate(share):
+            there = of_rows > FAINTEST
             if there.sum() > 1:
-                found[side, number] = -np.polyfit(np.flatnonzero(there), 10 * np.log10(one[there]), 1)[0]
-    return np.asarray(np.fmin(*found))
+                slopes[side, number] = -np.polyfit(np.flatnonzero(there), 10 * np.log10(of_rows[there]), 1)[0]
+    return np.asarray(np.fmin(*slopes))
 
 
 def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple[Array, Array]:
     """Wavenumbers (k,) rad/m along the guide, and (k,) nodal lines across a plain one, of the normal motion.
 
-    Along lines of the flat face that lie along the ribbon, sides of tiles, a mode is split into
-    ``exp(i (kappa + 2 pi h) y / period)``; that with the largest amplitude counts. NaN where tiles have no
-    sides along the ribbon, and for several lines: what changes along the ribbon has no wavenumber.
+    A mode is decomposed into ``exp(i (kappa + 2 pi h) y / period)`` along sides of tiles that are parallel to
+    the ribbon, on the flat face; the harmonic with the largest amplitude is used. NaN if tiles have no sides
+    along the ribbon, and for several lines, because a guide that varies along the ribbon has no wavenumber.
     """
     if ribbon.more:
         return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
@@ -83,7 +83,7 @@ def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple
     motion = modes.fields[joint.unknowns[0, places, 2]]
     close = 1e-6 * ribbon.period
     lines = np.round(at[:, 0] / close).astype(np.int64)
-    found: list[Array] = []
+    on_lines: list[Array] = []
     for line in np.unique(lines):
         on = np.flatnonzero(np.abs(lines - line) <= 1)
         y, first = np.unique(np.round(at[on, 1] / close).astype(np.int64), return_index=True)
@@ -91,17 +91,17 @@ def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple
             continue
         y, weight = y * close, np.gradient(y * close)
         waves = np.exp(-1j * np.outer(modes.kappa + 2 * np.pi * HARMONICS, y / ribbon.period)) * weight
-        found.append(waves @ motion[on[first]])
-    if not found:
+        on_lines.append(waves @ motion[on[first]])
+    if not on_lines:
         return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
-    amplitude = np.array(found)  # (lines, harmonics, k)
+    amplitude = np.array(on_lines)  # (lines, harmonics, k)
     strongest = (np.abs(amplitude) ** 2).sum(axis=0).argmax(axis=0)
     wavenumber = np.abs(modes.kappa + 2 * np.pi * HARMONICS[strongest]) / ribbon.period
     across = np.take_along_axis(amplitude, strongest[None, None], axis=1)[:, 0]
     phase = np.take_along_axis(across, np.abs(across).argmax(axis=0)[None], axis=0)
     size = (across * np.exp(-1j * np.angle(phase))).real / np.maximum(np.abs(phase), 1e-300)
     lines_across = np.full(size.shape[1], np.nan)
-    for number, one in enumerate(size.T if ribbon.kind == "guide" else []):
-        signs = np.sign(one[np.abs(one) > STILL])
+    for number, profile in enumerate(size.T if ribbon.kind == "guide" else []):
+        signs = np.sign(profile[np.abs(profile) > STILL])
         lines_across[number] = (np.diff(signs) != 0).sum()
     return wavenumber, lines_across

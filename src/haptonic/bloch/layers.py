@@ -1,8 +1,8 @@
-"""Layers of cells between two half-infinite plain plates: what is reflected, transmitted, converted, lost.
+"""Layers of cells between two half-infinite plain plates: reflection, transmission, conversion and losses.
 
-Plate and lattice have one thickness and one material and are periodic along the faces where they meet.
-There the motion of a face is restricted to tangential harmonics times the polynomials of the trace, and the
-lattice's forces act on these by their work: whatever the truncation, no energy is made or lost.
+Plate and lattice have the same thickness and material and are periodic along their common faces. The motion
+of a face is restricted to tangential harmonics times the polynomials of the trace, and the forces of the
+lattice are projected onto these motions, so energy is conserved for any truncation.
 """
 
 from __future__ import annotations
@@ -29,17 +29,17 @@ def stacked(
     parts: Sequence[FaceStiffness] = (),
     before: FaceStiffness | None = None,
 ) -> Iterator[FaceStiffness]:
-    """One layer, two layers, ... up to ``count``, by Schur complements: nothing grows with their number.
+    """Stack one layer, two layers, ... up to ``count`` by Schur complements of constant size.
 
-    Where a ``layer`` is several of them, ``parts`` are one, two, ... fewer than that. On their left there may
-    be something else ``before`` them.
+    If a ``layer`` consists of several rows, ``parts`` have one, two, ... rows. ``before`` is an optional part
+    on their left.
     """
     blocks, whole = (*parts, layer), before
     for number in range(count):
         block = blocks[number % len(blocks)]
-        found = block if whole is None else whole.followed_by(block)
-        whole = found if block is layer else whole
-        yield found
+        stack = block if whole is None else whole.followed_by(block)
+        whole = stack if block is layer else whole
+        yield stack
 
 
 def scattered(
@@ -75,11 +75,11 @@ def reflected_by(impedance: Complex, incoming: Waves, reflected: Waves) -> Compl
 
 @dataclass(frozen=True)
 class Scattering:
-    """Where the energy goes, as shares of the incident one.
+    """Reflected and transmitted energy as shares of the incident energy.
 
     incident : (i,) families of incident waves
     layers : (N,) numbers of layers
-    reflected, transmitted : (N, i, 4) by the kinds of `OUTGOING`
+    reflected, transmitted : (N, i, 4) for the kinds of `OUTGOING`
     """
 
     incident: tuple[str, ...]
@@ -89,34 +89,34 @@ class Scattering:
 
     @property
     def dissipated(self) -> Array:
-        """(N, i) share that the layers turn into heat."""
+        """(N, i) share of energy dissipated in the layers."""
         return np.asarray(1 - self.reflected.sum(axis=-1) - self.transmitted.sum(axis=-1))
 
     @property
     def insulation(self) -> Array:
-        """(N, i) transmitted energy of all kinds, dB below the incident one."""
+        """(N, i) insertion loss for waves of all kinds, dB."""
         return np.asarray(-10 * np.log10(self.transmitted.sum(axis=-1)))
 
     def of(self, family: str) -> Scattering:
-        """Of one incident wave alone."""
-        own = [self.incident.index(family)]
-        return Scattering((family,), self.layers, self.reflected[:, own], self.transmitted[:, own])
+        """Select one incident wave."""
+        numbers = [self.incident.index(family)]
+        return Scattering((family,), self.layers, self.reflected[:, numbers], self.transmitted[:, numbers])
 
 
 @dataclass(frozen=True)
 class Interface:
-    """A line along which a lattice meets a plain plate, at a fixed tangential wavenumber.
+    """Line between a lattice and a plain plate, at a fixed tangential wavenumber.
 
-    slab : rows of the lattice; parts : the same with 1, 2, ... fewer rows, plain plate in place of the rest
-    ends : plain plate between the line and the slab, and behind it, where the rows' faces are no planes
+    slab : rows of the lattice; parts : slabs with 1, 2, ... rows and plain plate instead of the others
+    ends : plain plate before and behind the slab, if the faces of the rows are not plane
     plate : the plain plate
-    tangential : (h,) wavenumbers of the harmonics, the given one first, rad/m; an odd number of them, not
-        more than the line has places
+    tangential : (h,) wavenumbers of the harmonics, the given one first, rad/m; an odd number, at most the
+        number of places of the line
     period : along the line, m
-    setback : from the line to where the rows' face lies on average, m
-    trace : (n, p) motion of the line that each unknown (harmonic, level, component) of the plate gives
+    setback : distance from the line to the average position of the rows' face, m
+    trace : (n, p) motion of the line for each unknown (harmonic, level, component) of the plate
     on_face : (h, s) harmonics, by least squares, of values at the places of the rows' face
-    mirrored : whether the plate's middle plane is a mirror of lattice and plate
+    mirrored : True if the plate's middle plane is a mirror of lattice and plate
     """
 
     slab: Slab
@@ -132,7 +132,7 @@ class Interface:
 
     @classmethod
     def of(cls, rows: CondensedRows, wavenumber: float) -> Interface:
-        """Along rows, at a tangential wavenumber (rad/m).
+        """Make the interface along rows, at a tangential wavenumber (rad/m).
 
         Raises
         ------
@@ -168,7 +168,7 @@ class Interface:
 
     @classmethod
     def met_by(cls, rows: CondensedRows, omega: float, family: str, angle: float) -> Interface:
-        """The interface as an incident wave meets it at an angle (rad) from the normal, at omega (rad/s).
+        """Make the interface for an incident wave at an angle (rad) from the normal, at omega (rad/s).
 
         Raises
         ------
@@ -179,7 +179,7 @@ class Interface:
                 argument="layers.angle",
                 given=f"{np.degrees(angle):g} deg",
                 allowed="more than -90 and less than 90 deg from the normal",
-                cause="such a wave does not come towards the layers",
+                cause="such a wave does not travel towards the layers",
                 next_step="give a smaller angle",
             )
         k = plain_plate(rows).wavenumber(omega, angle, family)
@@ -192,18 +192,18 @@ class Interface:
         return self.plate.waves(omega, self.tangential, self.period)
 
     def incoming(self, omega: float) -> tuple[str, ...]:
-        """Families of the plate's waves that come with the interface's own wavenumber."""
+        """Families of the plate's waves that propagate with the wavenumber of the interface."""
         right, _ = self.plate_waves(omega)
-        return tuple(one for one in FAMILIES if (right.labelled(one) & (right.harmonic == 0)).any())
+        return tuple(name for name in FAMILIES if (right.labelled(name) & (right.harmonic == 0)).any())
 
     def scattering(
         self, omega: float, layers: int, incident: tuple[str, ...], loss_factor: float = 0.0
     ) -> Scattering:
-        """Energies for 1, 2, ... ``layers`` layers between two plates without losses.
+        """Reflected and transmitted energy for 1, 2, ... ``layers`` layers between two plates without losses.
 
         Parameters
         ----------
-        omega : rad/s; incident : families that come from the left, one at a time
+        omega : rad/s; incident : families that arrive from the left, one at a time
         loss_factor : of the layers
 
         Raises
@@ -216,13 +216,13 @@ class Interface:
                 given=layers,
                 allowed="at least 1",
                 cause="without layers there is nothing to scatter a wave",
-                next_step="ask for one layer or more",
+                next_step="set one layer or more",
             )
         right, left = self.plate_waves(omega)
         chosen = np.array([self._number(right, family, omega) for family in incident])
         incoming = right.waves.chosen(chosen)
-        lattice, *parts = (one.at(omega, loss_factor) for one in (self.slab, *self.parts))
-        ends = [one.at(omega) for one in self.ends]
+        lattice, *parts = (slab.at(omega, loss_factor) for slab in (self.slab, *self.parts))
+        ends = [end.at(omega) for end in self.ends]
         shares = np.array([
             [_shares(r, left), _shares(t, right)]
             for rows in stacked(lattice, layers, parts, ends[0] if ends else None)
@@ -243,21 +243,21 @@ class Interface:
         return HalfSpace(*self.plate_waves(omega), lattice, impedance, motion)
 
     def _number(self, right: PlateWaves, family: str, omega: float) -> int:
-        """Which of the waves is the one of a family with the interface's own wavenumber."""
-        found = np.flatnonzero(right.labelled(family) & (right.harmonic == 0))
-        if not len(found):
+        """Number of the wave of a family with the wavenumber of the interface."""
+        numbers = np.flatnonzero(right.labelled(family) & (right.harmonic == 0))
+        if not len(numbers):
             raise _no_such_wave(family, omega)
-        return int(found[0])
+        return int(numbers[0])
 
 
 @dataclass(frozen=True)
 class HalfSpace:
-    """A half-infinite lattice behind a plain plate, at one frequency and tangential wavenumber.
+    """Half-infinite lattice behind a plain plate, at one frequency and tangential wavenumber.
 
-    incoming, outgoing : the plate's waves to the right and to the left, p of each
+    incoming, outgoing : waves of the plate to the right and to the left, p of each
     lattice : the n waves of the lattice to the right
-    impedance : (p, p) force per displacement on the plate's unknowns
-    motion : (n, p) of the lattice's face that these give
+    impedance : (p, p) force per displacement for the unknowns of the plate
+    motion : (n, p) motion of the lattice's face for these unknowns
     """
 
     incoming: PlateWaves
@@ -267,17 +267,17 @@ class HalfSpace:
     motion: Complex
 
     def reflection(self) -> Complex:
-        """(p, p) amplitudes of outgoing waves for unit incoming ones, fading ones included."""
+        """(p, p) amplitudes of outgoing waves for unit incoming ones, evanescent waves included."""
         return reflected_by(self.impedance, self.incoming.waves, self.outgoing.waves)
 
     def transmission(self, reflection: Complex) -> Complex:
-        """(n, p) amplitudes of the lattice's waves that go with a reflection."""
+        """(n, p) amplitudes of the lattice's waves for a given reflection."""
         motion = self.incoming.waves.displacement + self.outgoing.waves.displacement @ reflection
         return np.asarray(la.solve(self.lattice.displacement, self.motion @ motion))
 
 
 def plain_plate(rows: CondensedRows) -> PlainPlate:
-    """The plate before and behind rows, its axes across and along them."""
+    """Plain plate before and behind rows, with axes across and along them."""
     return PlainPlate.of(rows.rows.cell, rows.levels, rows.rows.turn)
 
 
@@ -292,8 +292,8 @@ def _too_short(wavenumber: float, highest: float) -> StudyError:
         argument="layers.wavenumber",
         given=f"{wavenumber:.4g} rad/m along the layers",
         allowed=f"at most {highest:.4g} rad/m with this mesh",
-        cause="the incident wave is shorter than what the places of a face can follow",
-        next_step="ask for a finer mesh, a lower frequency or a smaller angle",
+        cause="the incident wave is too short for the distance of places on a face",
+        next_step="use a finer mesh, a lower frequency or a smaller angle",
     )
 
 
@@ -302,6 +302,6 @@ def _no_such_wave(family: str, omega: float) -> StudyError:
         argument="layers.incident",
         given=f"{family} at {hz_text(omega / (2 * np.pi))}",
         allowed=f"one of {', '.join(FAMILIES)} that propagates towards the layers",
-        cause="with this tangential wavenumber the wave only fades, or there is no wave of that name",
-        next_step="ask for a smaller angle or a higher frequency",
+        cause="with this tangential wavenumber the wave is evanescent, or no wave has that name",
+        next_step="use a smaller angle or a higher frequency",
     )

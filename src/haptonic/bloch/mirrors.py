@@ -1,4 +1,4 @@
-"""A lattice as a mirror, as labelled arrays: how waves fade in it, and what a few rows of it let through."""
+"""Datasets of a lattice as a mirror: decay of waves in it, and transmission through a few rows."""
 
 from __future__ import annotations
 
@@ -21,25 +21,25 @@ from haptonic.later import xarray as xr
 from haptonic.parallel import each, one_thread
 from haptonic.units import format_quantity
 
-PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, at which the decay is followed
-SHOWN_WAVES = 8  # of each frequency in the complex band structure: those that reach farthest
-MOST_ROWS = 60  # tried for a given insulation
+PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, for the decay
+SHOWN_WAVES = 8  # of each frequency in the complex band structure: the least attenuated ones
+MOST_ROWS = 60  # computed for a given insulation
 GOALS = (20.0, 40.0, 60.0)  # dB
-LEAST_SHARE = 1e-30  # of the energy: below it rounding is all that is left
+LEAST_SHARE = 1e-30  # of the energy; smaller shares are rounding errors
 
 
 @lru_cache(maxsize=2)
 def condensed_rows(cell: UnitCell, resolution: Resolution, along: tuple[int, int] = (0, 1)) -> CondensedRows:
-    """Rows of a cell; kept for the next task of a worker."""
+    """Condense rows of a cell, cached for the next task of a worker."""
     return CondensedRows.of(cell, resolution, along)
 
 
 @dataclass(frozen=True)
 class Incidence:
-    """Waves that come from the left plate.
+    """Incident waves from the left plate.
 
-    angle : from the normal of the rows, rad; layers : rows, all fewer ones are computed as well
-    loss_factor : of the rows; the plates have none
+    angle : from the normal of the rows, rad; layers : largest number of rows
+    loss_factor : of the rows; the plates have no losses
     """
 
     angle: float
@@ -55,40 +55,40 @@ def mirror_dataset(rows: CondensedRows, frequency: Array, incidence: Incidence) 
     -------
     dataset with dimensions ``frequency`` (Hz), ``wave``, ``phase``, ``rows``, ``incident`` and ``outgoing``:
     ``kappa`` complex phases per row of the waves to the right at normal incidence (as real and imaginary
-    part), ``attenuation`` (dB per row) of the one that reaches farthest for each phase along the rows,
-    ``reflected`` and ``transmitted`` energies as shares of the incident one, NaN where the incident wave does
+    part), ``attenuation`` (dB per row) of the least attenuated wave for each phase along the rows,
+    ``reflected`` and ``transmitted`` energies as shares of the incident energy, NaN if the incident wave does
     not propagate
     """
     slabs = [rows.slab(float(phase)) for phase in PHASES]
     normal = Interface.of(rows, 0.0)
 
-    def one(at: float) -> tuple[Complex, Array, Array]:
+    def at_frequency(at: float) -> tuple[Complex, Array, Array]:
         omega = 2 * np.pi * at
         waves = [bloch_waves(slab.at(omega), omega)[0] for slab in slabs]
         shares = np.full((2, incidence.layers, len(FAMILIES), len(OUTGOING)), np.nan)
-        for family, found in scattering_at(rows, at, incidence, normal).items():
-            shares[:, :, FAMILIES.index(family)] = found.reflected[:, 0], found.transmitted[:, 0]
+        for family, scattering in scattering_at(rows, at, incidence, normal).items():
+            shares[:, :, FAMILIES.index(family)] = scattering.reflected[:, 0], scattering.transmitted[:, 0]
         exponents = rows.exponents(waves[0], float(PHASES[0]))[:SHOWN_WAVES]
         return -1j * exponents, np.array([rows.decay(right) for right in waves]), shares
 
-    columns = zip(*each(one, frequency.tolist()), strict=True)
+    columns = zip(*each(at_frequency, frequency.tolist()), strict=True)
     kappa, attenuation, energy = (np.array(column) for column in columns)
     shares = np.moveaxis(energy, 1, 0)
     by_rows = ("frequency", "rows", "incident", "outgoing")
     return xr.Dataset(
         {
-            "kappa_real": (("frequency", "wave"), kappa.real, _words("rad", "phase per row, real part")),
-            "kappa_imag": (("frequency", "wave"), kappa.imag, _words("rad", "the same, imaginary part")),
+            "kappa_real": (("frequency", "wave"), kappa.real, _title("rad", "phase per row, real part")),
+            "kappa_imag": (("frequency", "wave"), kappa.imag, _title("rad", "phase per row, imaginary part")),
             "attenuation": (
                 ("frequency", "phase"), attenuation,
-                _words("dB", "decay per row of the wave that reaches farthest"),
+                _title("dB", "decay per row of the least attenuated wave"),
             ),
             "reflected": (by_rows, shares[0], _of_incident()),
             "transmitted": (by_rows, shares[1], _of_incident()),
         },
         coords={
-            "frequency": ("frequency", frequency, _words("Hz", "frequency")),
-            "phase": ("phase", PHASES, _words("rad", "phase along the rows")),
+            "frequency": ("frequency", frequency, _title("Hz", "frequency")),
+            "phase": ("phase", PHASES, _title("rad", "phase along the rows")),
             "rows": np.arange(1, incidence.layers + 1),
             "incident": list(FAMILIES),
             "outgoing": list(OUTGOING),
@@ -97,26 +97,26 @@ def mirror_dataset(rows: CondensedRows, frequency: Array, incidence: Incidence) 
 
 
 def _of_incident() -> dict[str, str]:
-    return _words("1", "share of the incident energy") | {WORD: "the incident wave does not propagate"}
+    return _title("1", "share of the incident energy") | {WORD: "the incident wave does not propagate"}
 
 
-def _words(unit: str, title: str) -> dict[str, str]:
+def _title(unit: str, title: str) -> dict[str, str]:
     return {"units": unit, "long_name": title}
 
 
 def scattering_at(
     rows: CondensedRows, frequency: float, incidence: Incidence, normal: Interface | None = None
 ) -> dict[str, Scattering]:
-    """What happens to each kind of incident wave at one frequency (Hz), if it propagates at this angle.
+    """Scattering of each kind of incident wave that propagates at this angle, at one frequency (Hz).
 
-    ``normal`` is the interface at normal incidence, if it is there already.
+    ``normal`` is the interface at normal incidence, if it was computed before.
     """
     omega = 2 * np.pi * frequency
     if incidence.angle == 0:
         normal = normal or Interface.of(rows, 0.0)
-        there = normal.incoming(omega)
-        found = normal.scattering(omega, incidence.layers, there, incidence.loss_factor)
-        return {family: found.of(family) for family in there}
+        families = normal.incoming(omega)
+        scattering = normal.scattering(omega, incidence.layers, families, incidence.loss_factor)
+        return {family: scattering.of(family) for family in families}
     each_by = {}
     for family in FAMILIES:
         try:
@@ -129,28 +129,28 @@ def scattering_at(
 
 
 def first_reaching(insulation: Sequence[float] | Array, goal: float) -> int | None:
-    """Number of rows (from 1) from which the insulation stays at a goal, dB; None if it never does."""
+    """Smallest number of rows from which on the insulation reaches a goal, dB; None if it does not."""
     below = np.flatnonzero(np.asarray(insulation) < goal)
     rows = int(below[-1]) + 2 if len(below) else 1
     return rows if rows <= len(insulation) else None
 
 
 def at_carrier(rows: CondensedRows, carrier: float, incidence: Incidence) -> dict[str, Scattering]:
-    """Energies for many rows at the carrier, by family of the incident wave."""
-    found = scattering_at(rows, carrier, replace(incidence, layers=MOST_ROWS))
-    if not found:
+    """Compute the scattering by many rows at the carrier, by family of the incident wave."""
+    by_family = scattering_at(rows, carrier, replace(incidence, layers=MOST_ROWS))
+    if not by_family:
         raise StudyError.no_answer(
             argument="layers.angle",
             given=f"{np.degrees(incidence.angle):g} deg at {format_quantity(carrier, 'Hz')}",
             allowed="an angle at which some plate wave propagates towards the rows",
-            cause="all of them only fade",
+            cause="all waves are evanescent",
             next_step="give a smaller angle",
         )
-    return found
+    return by_family
 
 
 def carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
-    """Energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
+    """Dataset of energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
     shape = len(FAMILIES), MOST_ROWS, len(OUTGOING)
     arrays, silent = {}, {WORD: "the incident wave does not propagate"}
     for name in ("transmitted", "reflected"):
@@ -163,7 +163,7 @@ def carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
 
 
 def passed_by_rows(dataset: xr.Dataset, families: Sequence[str]) -> xr.Dataset:
-    """(incident, rows) what many rows do at the carrier to each kind of wave that propagates there.
+    """(incident, rows) insertion loss and dissipation of many rows at the carrier.
 
     Parameters
     ----------
@@ -173,8 +173,8 @@ def passed_by_rows(dataset: xr.Dataset, families: Sequence[str]) -> xr.Dataset:
 
     Returns
     -------
-    ``insulation`` : all transmitted energy, dB below the incident one; ``same_wave`` : that of the incident
-    kind alone; ``dissipated`` : share of the incident energy that the rows turn into heat
+    ``insulation`` : insertion loss for all transmitted energy, dB; ``same_wave`` : for energy of the incident
+    kind only; ``dissipated`` : share of the incident energy dissipated in the rows
     """
     data = dataset[["carrier_transmitted", "carrier_reflected"]].sel(incident=families).rename(many="rows")
     passed, reflected = data["carrier_transmitted"], data["carrier_reflected"]
@@ -189,5 +189,5 @@ def passed_by_rows(dataset: xr.Dataset, families: Sequence[str]) -> xr.Dataset:
 
 
 def _decibels(share: xr.DataArray) -> xr.DataArray:
-    """Below the incident energy."""
+    """Decibels below the incident energy."""
     return xr.DataArray(-10 * np.log10(share.clip(min=LEAST_SHARE))).assign_attrs(units="dB")

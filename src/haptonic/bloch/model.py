@@ -1,4 +1,4 @@
-"""The Bloch model of one cell: from sizes to frequencies at any wavevector, each with its error."""
+"""Bloch model of a cell: frequencies at any wavevector, each with an error estimate."""
 
 from __future__ import annotations
 
@@ -32,17 +32,18 @@ from haptonic.cell import UnitCell
 from haptonic.parallel import one_thread
 from haptonic.superelement import Tiling, on_each
 
-# Relative error up to which what the interior leaves out is what its first order tells: where 1.4e-2 was told
-# 4.7e-2 was lost, and bands had changed places; up to the share of the accuracy the interior need not grow.
+# Largest relative truncation error for which the first-order estimate is reliable: at an estimate of 1.4e-2
+# the error was 4.7e-2, and bands had changed places. The interior need not grow below the share of the
+# accuracy.
 TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
-FIRST_ORDER = 1.5  # what was lost was at most that many times what first order told, below the trusted one
-MOST_GROWTH = 4  # of the interior in all
-# Times the accuracy: an error with which a mesh is left though its interior is not trusted. Of nine cells
-# that lost 1e-3 to 2e-2 inside, the error of the mesh moved by 6 % at most once they lost a tenth of that.
+FIRST_ORDER = 1.5  # largest ratio of the error to its first-order estimate, below the trusted one
+MOST_GROWTH = 4  # number of enlargements of the interior
+# Times the accuracy: mesh error at which a finer mesh is used before the interior is reliable. In nine cells
+# with truncation errors of 1e-3 to 2e-2, a tenth of these changed the error of the mesh by at most 6 %.
 CLEARLY = 1.1
-ABOVE = 2  # modes above those asked for that may change places with them: a tenth band was 1.3 % off so
-HALVES_DIVISIONS = 6  # at which the bands of each parity are counted
-ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which a model's errors are judged
+ABOVE = 2  # modes above the last band that may change places with it; with none, a tenth band was 1.3 % off
+HALVES_DIVISIONS = 6  # of the zone's sides, for the wavevectors at which bands of each parity are counted
+ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which errors of a model are estimated
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
 
@@ -50,11 +51,11 @@ REST = 1e-4  # share of the highest frequency below which a mode counts as a rig
 class Solution:
     """Modes at one wavevector, lowest first.
 
-    source : the wavevector, and that of the irreducible zone where it was solved
+    source : the wavevector, and its equivalent in the irreducible zone, for which it was solved
     frequency, error : (k,) Hz; the error bounds the distance to the exact frequency of the model
     fields : (t + m, k) unknowns of the tiling at ``source.kappa``, unit mass; `BlochModel.displacement` gives
         the motion at `kappa`
-    modes : (r, k) the same in the small basis; real, unless degenerate ones were turned
+    modes : (r, k) modes in the small basis; real, unless degenerate modes were combined
     """
 
     source: Representative
@@ -69,7 +70,7 @@ class Solution:
         return self.source.image
 
     def turned(self, turn: Fields) -> Solution:
-        """The same with new modes = old modes @ turn, (k, k) unitary among degenerate ones."""
+        """Combine degenerate modes: new modes = old modes @ turn, (k, k) unitary."""
         return replace(self, fields=self.fields @ turn, modes=self.modes @ turn)
 
     def lowest(self, count: int) -> Solution:
@@ -87,10 +88,10 @@ class Solution:
 class BlochModel:
     """Frequencies, modes and group velocities of a cell at any wavevector.
 
-    The small basis serves the irreducible zone; `representative` carries every wavevector there.
+    The small basis covers the irreducible zone; `representative` maps every wavevector there.
 
-    cell, resolution : what it was made from; count : how many bands it was made for
-    fine : the model that answers; coarse : pencil of lower order, for the error estimate
+    cell, resolution : of the model; count : number of bands
+    fine : reduced model; coarse : pencil of lower order, for the error estimate
     """
 
     cell: UnitCell
@@ -107,8 +108,8 @@ class BlochModel:
 
         Parameters
         ----------
-        measured : whether the characters of modes will be asked for
-        many : whether errors will be asked for at many wavevectors: the coarse pencil is reduced then
+        measured : whether characters of modes are needed
+        many : whether errors are needed at many wavevectors; then the coarse pencil is reduced
         """
         resolution = resolution.for_bands(cell, count)
         goal = resolution.projection_goal
@@ -116,13 +117,14 @@ class BlochModel:
 
         def lowered() -> Evaluated:
             lower = Tiling.condensed(cell, resolution.lowered(cell), steps, block, measured=False)
-            # a first basis, unchecked, told 2 % of a plain plate's tenth band where 0.05 % were to be told
+            # a first, unchecked basis gave an estimate of 2 % instead of 0.05 % for the tenth band of a plain
+            # plate
             if many:
                 return ReducedCell.of(lower, count, goal).pencil
             return parted(lattice_pencil(lower))[0]
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
-        # that symmetry classes are given to, the larger one first
+        # for symmetry classes, the larger model first
         with one_thread(), ThreadPoolExecutor(1) as aside:
             coarse = aside.submit(lowered)
             whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
@@ -136,33 +138,34 @@ class BlochModel:
 
     @cached_property
     def halves(self) -> dict[int, BlochModel]:
-        """By parity, the models of what is symmetric (1) and antisymmetric (-1) about the middle plane.
+        """Models of symmetric (1) and antisymmetric (-1) motions about the middle plane, by parity.
 
-        Each has the bands that are among those of the whole at every wavevector; none has one without bands.
+        Each contains the bands that are among those of the whole model at every wavevector. A parity without
+        bands has no model.
         """
         if not isinstance(self.fine.pencil, SplitPencil):
             return {}
         assert isinstance(self.coarse, SplitPencil)
-        found = {}
+        models = {}
         wavevectors, _ = self.cell.zone.triangles(HALVES_DIVISIONS)
         modes = [eigenpairs(self.fine.pencil, kappa, self.count)[1] for kappa in wavevectors]
         for parity, coarse in zip((1, -1), self.coarse.parts, strict=True):
-            count = min(int((self.fine.parity(one) == parity).sum()) for one in modes)
+            count = min(int((self.fine.parity(some) == parity).sum()) for some in modes)
             if count:
                 fine = self.fine.of_parity(parity)
-                found[parity] = replace(self, count=count, fine=fine, coarse=coarse)
-        return found
+                models[parity] = replace(self, count=count, fine=fine, coarse=coarse)
+        return models
 
     def representative(self, kappa: Array) -> Representative:
-        """The wavevector of the irreducible zone that is equivalent to the phases (2,)."""
+        """Find the wavevector of the irreducible zone that is equivalent to the phases (2,)."""
         return Representative.of(self.cell.zone, self.cell.point_group, kappa)
 
     def frequencies(self, kappa: Array) -> Array:
-        """(count,) Hz at the phases (2,), without anything else."""
+        """(count,) frequencies at the phases (2,), Hz, without modes and errors."""
         return hertz(eigenpairs(self.fine.pencil, self.representative(kappa).kappa, self.count)[0])
 
     def solve(self, kappa: Array, spare: int = 0) -> Solution:
-        """Modes and error estimates at the phases (2,); ``spare`` more than the bands asked for."""
+        """Compute modes and error estimates at the phases (2,), and ``spare`` modes above the last band."""
         count, source = self.count + spare, self.representative(kappa)
         kappa = source.kappa
         values, modes = eigenpairs(self.fine.pencil, kappa, count + ABOVE)
@@ -183,12 +186,12 @@ class BlochModel:
         return solution.source.fields(self.fine.tiling, solution.fields)
 
     def _lost(self, values: Array, fields: Complex) -> Array:
-        """(k,) Hz by which the interior fields that were left out would lower each of k modes."""
+        """(k,) decrease of the frequencies of k modes due to the omitted interior fields, Hz."""
         return interior_error(values, on_each(self.fine.tiling.truncation, fields))
 
     @cached_property
     def truncation(self) -> float:
-        """Largest relative error that the interior's short space adds at the corners of the zone."""
+        """Largest relative truncation error of the interior at the corners of the zone."""
         worst = 0.0
         for kappa in self.cell.zone.corner_phases.values():
             values, modes = eigenpairs(self.fine.pencil, kappa, self.count)
@@ -204,32 +207,32 @@ class BlochModel:
         wavevectors, _ = self.cell.zone.triangles(ERROR_DIVISIONS)
         worst = np.zeros(2)
         for kappa in wavevectors:
-            found = self.solve(kappa)
-            lost = self._lost((2 * np.pi * found.frequency) ** 2, found.fields)
-            moving = found.frequency > REST * self.highest
-            errors = np.stack([found.error, found.error - lost])[:, moving] / found.frequency[moving]
+            solution = self.solve(kappa)
+            lost = self._lost((2 * np.pi * solution.frequency) ** 2, solution.fields)
+            moving = solution.frequency > REST * self.highest
+            errors = np.stack([solution.error, solution.error - lost])[:, moving] / solution.frequency[moving]
             worst = np.maximum(worst, errors.max(axis=1, initial=0.0))
         return float(worst[0]), float(worst[1])
 
     @property
     def worst_error(self) -> float:
-        """Largest relative error estimate over a coarse sampling of the irreducible zone, rest left out."""
+        """Largest relative error on a coarse sampling of the irreducible zone, rest modes excluded."""
         return self._worst[0]
 
     @property
     def mesh_error(self) -> float:
-        """The same without what the interior leaves out: more of it would not mend this.
+        """Largest relative error estimate without the truncation error of the interior.
 
-        Lower orders have as short an interior: a band's distance to them hardly holds any of it, once what is
-        left out is trusted.
+        The interior of the lower orders is truncated alike, so the distance of a band to them contains little
+        truncation error once its estimate is reliable.
         """
         return self._worst[1]
 
     @cached_property
     def highest(self) -> float:
-        """Highest frequency of the last band at the zone's corners, Hz: the yardstick for what is at rest.
+        """Highest frequency of the last band at the zone's corners, Hz, the reference for rest modes.
 
-        At Gamma alone the last of three bands is at rest itself.
+        Gamma is not enough: there the last of three bands is a rest mode.
         """
         corners = self.cell.zone.corner_phases.values()
         return max(float(self.frequencies(kappa)[-1]) for kappa in corners)
@@ -237,8 +240,8 @@ class BlochModel:
     def gradient(self, kappa: Array, modes: Fields) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.
 
-        ``modes`` are those that `solve` gives at ``kappa``, of unit mass; degenerate ones must have been
-        turned so that the derivative is diagonal among them. At zero frequency it is not defined: NaN.
+        ``modes`` are those of `solve` at ``kappa``, of unit mass; degenerate modes must be combined so that
+        the derivative is diagonal among them. At zero frequency it is not defined: NaN.
         """
         source = self.representative(kappa)
         kappa = source.kappa
@@ -256,18 +259,18 @@ class BlochModel:
 
 
 def interior_error(values: Array, left_out: Array) -> Array:
-    """(k,) Hz by which what the interior leaves out would lower modes of eigenvalues (k,), to first order.
+    """(k,) first-order decrease of frequencies due to omitted interior fields, for eigenvalues (k,), Hz.
 
-    left_out : (k,) the form of the truncation on each mode
+    left_out : (k,) values of the truncation form on each mode
     """
     return np.asarray(0.5 * FIRST_ORDER * values * np.abs(left_out) * hertz(values))
 
 
 def _ranked(frequency: Array, error: Array) -> Array:
-    """(k,) Hz, errors of bands from those of k modes, lowest first.
+    """(k,) errors of bands from those of k modes, lowest first, Hz.
 
-    A band is the mode of its rank: one that may in truth be lower than it was found pushes those that it
-    passes up a rank, and what stands at theirs may be it.
+    Bands are numbered by frequency. If the error interval of a mode reaches below lower modes, their order is
+    uncertain, and the errors of these bands include this.
     """
     lowest = frequency - error
     return np.asarray(frequency - np.minimum(lowest, np.sort(lowest)))
@@ -276,21 +279,21 @@ def _ranked(frequency: Array, error: Array) -> Array:
 def candidate_models(
     cell: UnitCell, settings: BandSettings, *, gaps_only: bool = False, limits: MeshLimits | None = None
 ) -> Iterator[BlochModel | Lack]:
-    """Models of rising cost, from the first that may be accurate enough; last, why there is no further one.
+    """Yield models of rising cost, from the first that may be accurate enough; last, why no model follows.
 
-    The user takes the first model that is accurate enough, else the best. Once a first mesh has begun, its
-    interior may grow whatever the budget: without that it has no error to answer with.
+    The caller uses the first model of sufficient accuracy, or the best. The interior of the first mesh may
+    grow beyond the budget, because a model needs a reliable error.
 
     Parameters
     ----------
-    settings : the resolution that they may hold is the only one to try, whatever the accuracy
-    gaps_only : whether nothing else will be asked for
+    settings : if they contain a resolution, only this is computed, for any accuracy
+    gaps_only : whether only gaps are needed
     limits : by default the budget of the settings and the free memory
 
     Raises
     ------
     ResourceError : not even the coarsest mesh fits
-    GeometryError : a plate too thin to be computed, or a cell whose interior no mesh follows
+    GeometryError : a plate too thin to be computed, or a cell whose interior no mesh resolves
     """
     count, accuracy, chosen = settings.count, settings.accuracy, settings.resolution
     limits = MeshLimits.of(settings.budget) if limits is None else limits
@@ -316,7 +319,7 @@ def candidate_models(
             growth = min(needed, max(MOST_GROWTH - grown, 1))
         grown += growth
         wanted = mesh.grown(growth)
-        # for gaps only, the error of a mesh costs as much as the next interior
+        # for gaps only, the error of a mesh takes as long as the next interior
         judged = chosen is None and (trusted or not gaps_only)
         too_coarse = judged and model.mesh_error > (1.0 if trusted else CLEARLY) * accuracy
         if enough or too_coarse or grown > MOST_GROWTH:
@@ -339,15 +342,15 @@ def candidate_models(
 
 @dataclass(frozen=True)
 class BestModel:
-    """The model that answers; ``lack`` says why there is none of the accuracy asked for."""
+    """Most accurate model; ``lack`` is the reason if it does not reach the accuracy."""
 
     model: BlochModel
     lack: Lack | None = None
 
     def attributes(self, settings: BandSettings) -> dict[str, Any]:
-        """What a dataset says of the accuracy: asked for, reached, and what stood in its way."""
+        """Attributes of a dataset on its accuracy: requested, reached, and the limit that prevented more."""
         attributes: dict[str, Any] = {"accuracy": settings.accuracy, "budget_s": settings.budget}
-        if settings.resolution is None:  # else the user chose the mesh, whatever it reaches
+        if settings.resolution is None:  # otherwise the user chose the mesh
             attributes["largest_error"] = self.model.worst_error
         if self.lack is not None:
             attributes |= self.lack.attributes(self.model.cell)
@@ -355,22 +358,22 @@ class BestModel:
 
 
 def best_model(cell: UnitCell, settings: BandSettings, *, limits: MeshLimits | None = None) -> BestModel:
-    """The cheapest model whose error estimates stay within an accuracy all over the zone, or else the best.
+    """Compute the cheapest model of a given accuracy over the whole zone, or the most accurate one.
 
     Parameters and errors as in `candidate_models`.
     """
     best: BlochModel | None = None
-    for found in candidate_models(cell, settings, limits=limits):
-        if isinstance(found, Lack):
-            assert best is not None, "no model, and no error that says why"
-            return BestModel(best, found)
-        if best is None or found.worst_error < best.worst_error:
-            best = found
+    for candidate in candidate_models(cell, settings, limits=limits):
+        if isinstance(candidate, Lack):
+            assert best is not None, "the candidates contain neither a model nor an error"
+            return BestModel(best, candidate)
+        if best is None or candidate.worst_error < best.worst_error:
+            best = candidate
         if settings.resolution or best.worst_error <= settings.accuracy:
             return BestModel(best)
-    raise AssertionError("the last word is why there is no further model")
+    raise AssertionError("candidates end with the reason why no model follows")
 
 
 def bloch_model(cell: UnitCell, settings: BandSettings, *, limits: MeshLimits | None = None) -> BlochModel:
-    """The model of `best_model`; its ``worst_error`` is the accuracy that it reaches."""
+    """Return the model of `best_model`; its ``worst_error`` is the accuracy reached."""
     return best_model(cell, settings, limits=limits).model

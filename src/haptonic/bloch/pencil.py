@@ -1,6 +1,6 @@
-"""The Bloch pencil, first waist of the program: everything periodic is computed from it.
+"""Bloch pencil: stiffness and mass of a period, from which all periodic problems are solved.
 
-Conventions of the whole project, stated here once. Space: ``exp(+i k . r)``, so a Bloch field obeys
+Conventions of the whole program. Space: ``exp(+i k . r)``, so a Bloch field obeys
 ``u(r + m a1 + n a2) = exp(i (m kappa_1 + n kappa_2)) u(r)`` with the phases ``kappa_j = k . a_j``.
 Time: ``exp(+i omega t)``.
 """
@@ -21,7 +21,7 @@ from haptonic.superelement import Joint, Tiling, definite
 class Pencil:
     """Laurent polynomials ``sum_mn A_mn exp(i (m kappa_1 + n kappa_2))`` for stiffness and mass.
 
-    Only one of each pair (m, n), (-m, -n) is kept, since ``A_-m,-n = A_m,n^T``; (0, 0) comes first.
+    Only one of each pair (m, n), (-m, -n) is stored, since ``A_-m,-n = A_m,n^T``; (0, 0) comes first.
 
     shifts : (s, 2) integers
     stiffness, mass : (s, n, n) real blocks
@@ -55,7 +55,7 @@ class Pencil:
         return np.asarray(whole if direction is not None else whole + blocks[0])
 
     def projected(self, basis: Array) -> Pencil:
-        """The pencil on a constant real basis (n, r): again a pencil."""
+        """Project the pencil onto a constant real basis (n, r)."""
 
         def project(blocks: Array) -> Array:
             return np.asarray(basis.T @ blocks @ basis)
@@ -65,9 +65,9 @@ class Pencil:
 
 @dataclass(frozen=True)
 class Periodic:
-    """How the unknowns of a tiling follow from the free ones of its lattice: a phase and a number.
+    """Unknowns of a tiling as free unknowns of its lattice times phase factors.
 
-    free : (n,) the free unknowns among all; number : (t + m,) free unknown behind each
+    free : (n,) numbers of the free unknowns among all; number : (t + m,) free unknown of each unknown
     shift : (t + m, d) integer translation from the free unknown to this one
     """
 
@@ -81,7 +81,7 @@ class Periodic:
 
     @classmethod
     def of_joint(cls, joint: Joint, modes: int = 0) -> Periodic:
-        """Of traces, and of so many modes behind them, which are free."""
+        """Find the free unknowns of traces, followed by a number of modes, which are free."""
         master = joint.unknowns[:, joint.master]
         source = np.arange(joint.size + modes)
         shift = np.zeros((len(source), joint.shift.shape[1]), dtype=np.int64)
@@ -91,16 +91,18 @@ class Periodic:
         return cls(free, number, shift)
 
     def in_middle_plane(self, tiling: Tiling) -> sp.csr_array | None:
-        """(n, n) sparse, what the mirror in the plate's middle plane makes of free unknowns, if it is one."""
-        found = tiling.in_middle_plane()
-        if found is None:
+        """(n, n) sparse action of the mirror in the plate's middle plane on free unknowns, or None."""
+        image = tiling.in_middle_plane()
+        if image is None:
             return None
-        source, sign = (one[self.free] for one in found)  # no unknown leaves its place
+        source, sign = (
+            of_unknowns[self.free] for of_unknowns in image
+        )  # the mirror leaves all places unchanged in the plane
         count = len(self.free)
         return sp.csr_array((sign, (np.arange(count), self.number[source])), shape=(count, count))
 
     def translations(self, traces: int) -> Array:
-        """(n, 3) unit motions along x, y and z as free unknowns; the first ``traces`` are a trace."""
+        """(n, 3) unit motions along x, y and z as free unknowns; the first ``traces`` are the trace."""
         return np.asarray(
             (self.free[:, None] < traces) & (self.free[:, None] % 3 == np.arange(3)), dtype=float
         )
@@ -121,7 +123,7 @@ class Periodic:
         groups = {
             tuple(s): np.flatnonzero((self.shift == s).all(axis=1)) for s in np.unique(self.shift, axis=0)
         }
-        # sides within a cell make several unknowns one
+        # sides within a cell identify several unknowns
         several = any(len(np.unique(self.number[rows])) < len(rows) for rows in groups.values())
         for s, rows in groups.items():
             for t, columns in groups.items():
@@ -130,7 +132,7 @@ class Periodic:
                     continue  # the transpose of its opposite
                 block = blocks.setdefault(step, np.zeros((len(self.free),) * 2))
                 there = np.ix_(self.number[rows], self.number[columns])
-                if several:  # np.add.at takes longer
+                if several:  # np.add.at is slower
                     np.add.at(block, there, form[np.ix_(rows, columns)])
                 else:
                     block[there] += form[np.ix_(rows, columns)]
@@ -138,7 +140,7 @@ class Periodic:
 
 
 def bloch_pencil(tiling: Tiling) -> Pencil:
-    """Pencil of a tiling that is repeated without end."""
+    """Make the pencil of an infinitely repeated tiling."""
     periodic = Periodic.of(tiling)
     stiffness, mass = (periodic.pencil_blocks(f) for f in (tiling.stiffness, tiling.mass))
     return Pencil(
@@ -149,7 +151,7 @@ def bloch_pencil(tiling: Tiling) -> Pencil:
 
 
 class Evaluated(Protocol):
-    """Anything that gives Hermitian, or real symmetric, stiffness and mass at a wavevector."""
+    """Pencil with Hermitian, or real symmetric, stiffness and mass at any wavevector."""
 
     @property
     def size(self) -> int: ...
@@ -158,7 +160,7 @@ class Evaluated(Protocol):
 
 
 class Derived(Evaluated, Protocol):
-    """Such a thing with its derivatives."""
+    """Pencil with derivatives with respect to the phases."""
 
     def slope(self, kappa: Array, direction: int, /) -> tuple[Fields, Fields]: ...
 
@@ -167,9 +169,9 @@ class Derived(Evaluated, Protocol):
 class SplitPencil:
     """Pencil of a cell that is its own image in the plate's middle plane.
 
-    Motions symmetric about it and antisymmetric ones do not meet.
+    Symmetric and antisymmetric motions are not coupled.
 
-    parts : the pencils of either, in this order; their unknowns follow each other
+    parts : pencils of symmetric and of antisymmetric motions; their unknowns follow each other
     """
 
     parts: tuple[Derived, Derived]
@@ -187,37 +189,38 @@ class SplitPencil:
         return self._whole([part.slope(kappa, direction) for part in self.parts])
 
     def parity(self, modes: Fields) -> Ints:
-        """(k,) of modes (n, k): +1 symmetric, -1 antisymmetric."""
+        """(k,) parity of modes (n, k): +1 symmetric, -1 antisymmetric."""
         first = self.parts[0].size
         symmetric = np.abs(modes[:first]).max(axis=0) > np.abs(modes[first:]).max(axis=0)
         return np.where(symmetric, 1, -1)
 
     @staticmethod
     def _whole(forms: list[tuple[Fields, Fields]]) -> tuple[Fields, Fields]:
-        K, M = (la.block_diag(*both) for both in zip(*forms, strict=True))
+        K, M = (la.block_diag(*of_parts) for of_parts in zip(*forms, strict=True))
         return K, M
 
 
-# Of the traces' ratio. An eigenvalue x errs by rounding times (x + shift)^2 / shift, so the shift lies in the
-# middle of what is asked for, from rest to a tenth of that ratio: with 1e-12 bands 7 to 20 lost 2e-5 at rest.
+# Share of the traces' ratio. The rounding error of an eigenvalue x is proportional to (x + shift)^2 / shift,
+# so the shift lies amid the range needed, from rest to a tenth of that ratio. With 1e-12, bands 7 to 20 had
+# errors of 2e-5 at rest.
 SHIFT = 1e-8
 
 
 @definite()
 def hertz(values: Array) -> Array:
-    """Frequencies, Hz, from eigenvalues omega^2 that rounding may have left slightly negative."""
+    """Frequencies, Hz, from eigenvalues omega^2, which rounding may make slightly negative."""
     return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
 
 
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
-    """The ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
+    """Compute the ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
 
-    Modes are real where the pencil is, and of one parity where it is split. NumericalError is raised if
+    Modes are real if the pencil is real, and of one parity if it is split. NumericalError is raised if
     rounding leaves a negative stiffness.
 
-    The highest eigenvalue grows as the fourth power of pitch over
-    thickness against the lowest ones, and an eigensolver errs by rounding times the largest that it works
-    with: with ``1 / (omega^2 + shift)`` these are the ones asked for.
+    The ratio of the highest eigenvalue to the lowest ones grows as the fourth power of pitch over thickness.
+    The error of an eigensolver is rounding times its largest eigenvalue; with ``1 / (omega^2 + shift)`` the
+    largest ones are the wanted ones.
     """
     if isinstance(pencil, SplitPencil):
         values, modes = zip(*(eigenpairs(part, kappa, count) for part in pencil.parts), strict=True)

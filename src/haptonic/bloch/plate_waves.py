@@ -1,9 +1,9 @@
 """Waves of a plain infinite plate: polynomials through the thickness, exact in the plane.
 
 This is the semi-analytic finite-element method (Bartoli et al. 2006, J. Sound Vib. 295, 685) with a single
-element through the thickness, on the levels of a superelement's trace, so that plate and lattice meet
-unknown by unknown. The material may be anisotropic. Axis "normal" runs from face to face of a lattice, axis
-"tangential" along the faces.
+element through the thickness, on the levels of a superelement's trace, so that plate and lattice have
+equal unknowns on common faces. The material may be anisotropic. Axis "normal" runs from face to face of a
+lattice, axis "tangential" along the faces.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.later import linalg as la
 from haptonic.materials import elasticity_tensor
 
-FAMILIES = ("A0", "S0", "SH0")  # the waves that go down to zero frequency
+FAMILIES = ("A0", "S0", "SH0")  # waves without a cut-off frequency
 HIGHER, EVANESCENT = "higher", "evanescent"
 
 
 @dataclass(frozen=True)
 class PlateWaves:
-    """Waves of a plate to one side, harmonic after harmonic.
+    """Waves of a plate to one side, by harmonic.
 
     waves : displacement and force have rows (harmonic, level, component)
     wavenumber : (w,) complex, along the normal, rad/m; harmonic : (w,) number of the tangential wavenumber
@@ -42,17 +42,17 @@ class PlateWaves:
         return len(self.label)
 
     def labelled(self, name: str) -> Bools:
-        """(w,) True for the waves with a label."""
+        """(w,) True for waves with a label."""
         return np.array([label == name for label in self.label])
 
     def chosen(self, own: Bools) -> PlateWaves:
-        """Some of the waves."""
+        """Select waves; ``own`` (w,) True for these."""
         label = tuple(np.array(self.label)[own].tolist())
         members = np.flatnonzero(own)
         return PlateWaves(self.waves.chosen(members), self.wavenumber[own], self.harmonic[own], label)
 
     def mirrored(self, normal: Array) -> PlateWaves:
-        """Their images, wave by wave, in a mirror across an axis (2,): waves to the other side."""
+        """Images of the waves in a mirror across an axis (2,): waves to the other side."""
         mirror = np.eye(3)
         mirror[:2, :2] -= 2 * np.outer(normal, normal)
 
@@ -70,13 +70,13 @@ class PlateWaves:
 
 @dataclass(frozen=True)
 class PlainPlate:
-    """Forms on the unknowns (level, component) of a plate, per area of it.
+    """Forms on the unknowns (level, component) of a plate, per area.
 
     With displacement ``U exp(i (k_0 x_normal + k_1 x_tangential))`` the dynamic stiffness is
     ``k_a k_b gradient_ab + i k_a (crossed_a^T - crossed_a) + still - omega^2 mass``.
 
-    axes : (2, 2) of the normal, along which waves are followed, and of the tangential, in the plate's plane
-    gradient : (2, 2, q, q); crossed : (2, q, q) slope through the thickness seen by a gradient
+    axes : (2, 2) normal direction of propagation, and tangential direction, in the plane of the plate
+    gradient : (2, 2, q, q); crossed : (2, q, q) between slopes through the thickness and gradients
     still : (q, q); mass : (q, q)
     """
 
@@ -89,7 +89,7 @@ class PlainPlate:
 
     @classmethod
     def of(cls, cell: UnitCell, levels: int, axes: Array | None = None) -> PlainPlate:
-        """The plate of a cell without its pillar, on as many levels as a trace has; by default along x."""
+        """Make the plate of a cell without its pillar, with the levels of a trace; by default along x."""
         axes = np.eye(2) if axes is None else axes
         points, _, derivative = lobatto(levels - 1)
         at, weight = leggauss(levels)
@@ -104,14 +104,14 @@ class PlainPlate:
         return cls(
             thickness=cell.thickness,
             axes=axes,
-            gradient=np.array([[np.kron(overlap, one) for one in row] for row in stretched]),
-            crossed=np.array([np.kron((value.T * weight) @ slope, one) for one in sheared]),
+            gradient=np.array([[np.kron(overlap, block) for block in row] for row in stretched]),
+            crossed=np.array([np.kron((value.T * weight) @ slope, block) for block in sheared]),
             still=np.asarray(np.kron(bending, tensor[:, 2, :, 2]), dtype=float),
             mass=np.asarray(cell.material.density * np.kron(overlap, np.eye(3)), dtype=float),
         )
 
     def wavenumber(self, omega: float, angle: float, family: str) -> float | None:
-        """Wavenumber (rad/m) of a family that runs at an angle (rad) to the normal; None where it cannot."""
+        """Wavenumber (rad/m) of a family at an angle (rad) to the normal; None if it does not propagate."""
         along = np.array([np.cos(angle), np.sin(angle)])
         k, profiles = self._solutions(omega, along, np.zeros(2))
         real = np.abs(k.imag) * self.thickness < ON_CIRCLE
@@ -124,17 +124,19 @@ class PlainPlate:
         Parameters
         ----------
         tangential : (harmonics,) wavenumbers along the faces, rad/m
-        length : of the part of a face whose forces count, m: a period
+        length : of the part of a face whose forces are summed, one period, m
         """
-        found = [self._harmonic(omega, number, float(k_t), length) for number, k_t in enumerate(tangential)]
-        return _gathered([right for right, _ in found]), _gathered([left for _, left in found])
+        pairs = [self._harmonic(omega, number, float(k_t), length) for number, k_t in enumerate(tangential)]
+        return _gathered([right for right, _ in pairs]), _gathered([left for _, left in pairs])
 
     def _harmonic(
         self, omega: float, number: int, k_t: float, length: float
     ) -> tuple[PlateWaves, PlateWaves]:
         """Waves to the right and to the left with one tangential wavenumber."""
         k, profiles = self._solutions(omega, np.array([1.0, 0.0]), np.array([0.0, k_t]))
-        force = -length * self._stress(k, k_t, profiles)  # of what is left of a plane on what is right
+        force = -length * self._stress(
+            k, k_t, profiles
+        )  # of the part left of a plane on the part right of it
 
         def named(waves: Waves) -> PlateWaves:
             k_n = waves.exponent / (1j * self.thickness)
@@ -166,7 +168,7 @@ class PlainPlate:
         return np.asarray(1j * in_plane + self.crossed[0] @ profiles)
 
     def _labels(self, wavevectors: Complex, profiles: Complex, propagates: Bools) -> tuple[str, ...]:
-        """Families by symmetry about the mid-plane and polarisation, each the slowest of its kind."""
+        """Families by symmetry about the mid-plane and polarisation; each is the slowest of its kind."""
         field = profiles.reshape(-1, 3, profiles.shape[1])
         even = symmetric(field)
         in_plane = np.einsum("ai,liw->law", self.axes, field[:, :2])
@@ -184,8 +186,8 @@ class PlainPlate:
 
 
 def _gathered(harmonics: list[PlateWaves]) -> PlateWaves:
-    """One set from the waves of every harmonic."""
-    sets = [one.waves for one in harmonics]
+    """Join the waves of all harmonics."""
+    sets = [of_harmonic.waves for of_harmonic in harmonics]
     return PlateWaves(
         waves=Waves(
             exponent=np.concatenate([waves.exponent for waves in sets]),
@@ -193,7 +195,7 @@ def _gathered(harmonics: list[PlateWaves]) -> PlateWaves:
             force=la.block_diag(*(waves.force for waves in sets)),
             propagates=np.concatenate([waves.propagates for waves in sets]),
         ),
-        wavenumber=np.concatenate([one.wavenumber for one in harmonics]),
-        harmonic=np.concatenate([one.harmonic for one in harmonics]),
-        label=tuple(label for one in harmonics for label in one.label),
+        wavenumber=np.concatenate([of_harmonic.wavenumber for of_harmonic in harmonics]),
+        harmonic=np.concatenate([of_harmonic.harmonic for of_harmonic in harmonics]),
+        label=tuple(label for of_harmonic in harmonics for label in of_harmonic.label),
     )

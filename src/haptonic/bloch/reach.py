@@ -1,7 +1,7 @@
-"""Which mesh levels are computed for a cell, within a budget of time and the memory that is free.
+"""Selection of the mesh levels for a cell, within a budget of time and the free memory.
 
-One decision serves the computation, its forecast and the text of a refusal: `MeshLimits.lack` says what a
-mesh lacks, `first_level` where the ladder of mesh levels begins.
+Computation, forecast and refusals use the same functions: `MeshLimits.lack` compares a mesh with the limits,
+`first_level` selects the first mesh level.
 """
 
 from __future__ import annotations
@@ -16,43 +16,43 @@ from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.later import psutil
 from haptonic.units import duration
 
-# Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it spoilt the
-# estimates of a plain plate, and at 1/1000 it moved the lowest band by 0.7 %.
+# Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it affected the
+# error estimates of a plain plate, and at 1/1000 it changed the lowest band by 0.7 %.
 LEAST_THICKNESS = 0.004  # of the longer pitch
-EXPECTED = (5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 3e-5, 1e-5, 2e-6)  # error each is tried for first
-MOST_MEMORY = 0.9  # of what is free
+EXPECTED = (5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 3e-5, 1e-5, 2e-6)  # accuracy of each level
+MOST_MEMORY = 0.9  # share of the free memory
 LARGEST_BUDGET = 30 * 86400.0  # s
-LOWER = ((3, 0), (2, 1), (2, 0))  # orders and rings below the ladder, which [mesh] can ask for
+LOWER = ((3, 0), (2, 1), (2, 0))  # orders and rings below the mesh levels, which [mesh] can set
 
 
 def starting_rung(accuracy: float) -> int:
-    """The rung of the ladder that an accuracy (relative) is tried on first."""
-    for rung, expected in enumerate(EXPECTED):
+    """Number of the mesh level that is first computed for an accuracy (relative)."""
+    for level, expected in enumerate(EXPECTED):
         if expected <= accuracy:
-            return rung
+            return level
     return len(LADDER) - 1
 
 
 def first_rung(cell: UnitCell, accuracy: float) -> int:
-    """The rung that an accuracy (relative) is tried on first for a cell.
+    """Number of the mesh level that is first computed for a cell and an accuracy (relative).
 
-    Between pillars that nearly touch on a thin plate the rungs told 1.3 to 1.8 times what they do elsewhere.
-    Of a plain plate order 3 told 3 to 8 %, whatever was asked: its lower order has parabolas for plate waves.
+    For pillars that nearly touch on a thin plate, error estimates are 1.3 to 1.8 times those of other cells.
+    For a plain plate of order 3 they are 3 to 8 %, because its lower order has parabolas for plate waves.
     """
     if not cell.has_features:
         return max(starting_rung(accuracy), 1)
     narrow = any(
-        one.tile.feature is not None and one.tile.is_thin and one.tile.clearance < cell.thickness
-        for one in cell.tiles
+        placed.tile.feature is not None and placed.tile.is_thin and placed.tile.clearance < cell.thickness
+        for placed in cell.tiles
     )
     return min(starting_rung(accuracy) + narrow, len(LADDER) - 1)
 
 
 @dataclass(frozen=True)
 class MeshLimits:
-    """What the meshes of a cell may take.
+    """Limits for the meshes of a cell.
 
-    seconds : of one processor, estimated, of all meshes together; the user's budget
+    seconds : estimated time of one processor for all meshes together, the user's budget
     memory : bytes, of each mesh
     """
 
@@ -61,16 +61,16 @@ class MeshLimits:
 
     @classmethod
     def of(cls, budget: float) -> MeshLimits:
-        """A budget (s) and most of the memory that is free now."""
+        """Limits from a budget (s) and the free memory."""
         return cls(budget, MOST_MEMORY * float(psutil.virtual_memory().available))
 
     @property
     def gigabytes(self) -> str:
-        """The memory in words."""
+        """Memory limit as text."""
         return f"{self.memory / 1e9:.2g} GB of the free memory may be used"
 
     def lack(self, cell: UnitCell, mesh: Resolution, spent: float = 0.0) -> Lack | None:
-        """What a mesh lacks after ``spent`` s for others; None where it fits."""
+        """Limit that a mesh exceeds after ``spent`` s for other meshes; None if it fits."""
         if mesh.memory(cell) > self.memory:
             return Lack("memory", mesh, self, spent)
         return Lack("time", mesh, self, spent) if spent + mesh.seconds(cell) > self.seconds else None
@@ -78,9 +78,9 @@ class MeshLimits:
 
 @dataclass(frozen=True)
 class Lack:
-    """Why a mesh is not computed, or for "range" why no mesh is beyond this one.
+    """Reason why a mesh is not computed; "range" for the finest mesh, which no mesh follows.
 
-    spent : s, estimated, of the meshes before it
+    spent : estimated time of the meshes before it, s
     """
 
     of: Literal["time", "memory", "range"]
@@ -89,12 +89,12 @@ class Lack:
     spent: float = 0.0
 
     def text(self, cell: UnitCell) -> str:
-        """What the mesh needs and what there is."""
+        """Text with the need of the mesh and the limit."""
         name = f"a mesh of order {self.mesh.order} with {self.mesh.foot_rings} rings at the foot"
         if self.of == "memory":
             return f"{name} needs about {self.mesh.memory(cell) / 1e9:.2g} GB, and {self.limits.gigabytes}"
         if self.of == "range":
-            return f"{name} is the finest there is"
+            return f"{name} is the finest mesh"
         after = f" after {duration(self.spent)} for coarser ones" if self.spent else ""
         return (
             f"{name} takes about {duration(self.mesh.seconds(cell))} of processor time{after}, and the "
@@ -102,20 +102,20 @@ class Lack:
         )
 
     def attributes(self, cell: UnitCell) -> dict[str, Any]:
-        """What a dataset says of it: the reason, the words, and the budget (s) that suffices for time."""
-        said = {"stopped_by": self.of, "stopped_why": self.text(cell)}
-        return said | ({"budget_needed_s": self.budget(cell)} if self.of == "time" else {})
+        """Attributes of a dataset: the limit, its text, and for time the sufficient budget (s)."""
+        attributes = {"stopped_by": self.of, "stopped_why": self.text(cell)}
+        return attributes | ({"budget_needed_s": self.budget(cell)} if self.of == "time" else {})
 
     def budget(self, cell: UnitCell) -> float:
-        """Budget in round numbers with which the mesh is started, s."""
+        """Rounded budget that is sufficient for the mesh, s."""
         return _rounded_budget(self.spent + self.mesh.seconds(cell))
 
 
 def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> int:
-    """Number of the mesh level in the ladder that is computed first.
+    """Number of the mesh level that is computed first.
 
-    It is the level on which the accuracy is tried first, or the highest below it that fits. What has a mesh
-    that fits is answered, with its error.
+    It is the first level for the accuracy, or the highest level below it that fits. A cell is computed, with
+    its error, if any level fits.
 
     Raises
     ------
@@ -128,29 +128,29 @@ def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits)
         lack = limits.lack(cell, LADDER[level].for_bands(cell, count))
         if lack is None:
             return level
-    assert lack is not None, "a ladder without a level"
+    assert lack is not None, "no mesh levels"
     raise refusal(cell, count, accuracy, lack)
 
 
 def growth_for(truncation: float, goal: float) -> int:
-    """How often an interior that leaves out too much has to grow; see `Resolution.grown`."""
+    """Number of enlargements of the interior for a truncation goal; see `Resolution.grown`."""
     return max(math.ceil(math.log10(truncation / goal)), 1)
 
 
 def finer_level(
     cell: UnitCell, mesh: Resolution, level: int, excess: float, limits: MeshLimits, spent: float
 ) -> tuple[int, Resolution] | Lack:
-    """The level and mesh that follow a mesh of a level, with at least its interior, or why there is none.
+    """Select the next level and mesh, with at least the present interior, or give the reason for none.
 
-    It is the first level that is expected to reach the accuracy, or the highest below it that fits. Where no
-    edge makes stress singular the error falls like the square of `EXPECTED`: of a plain plate and of plates
-    with holes each order divided it by 4 to 14.
+    It is the first level that is expected to reach the accuracy, or the highest level below it that fits.
+    Without singular edges the error decreases like the square of `EXPECTED`: for a plain plate and plates
+    with holes, each order divided it by 4 to 14.
 
-    excess : error of the mesh as a multiple of the accuracy; spent : s of the meshes before
+    excess : error of the mesh as a multiple of the accuracy; spent : time of the meshes before, s
     """
     tried = mesh.plans(cell)
     rungs = {n: LADDER[n].for_bands(cell, mesh.bands) for n in range(level + 1, len(LADDER))}
-    # without a pillar rings make no difference
+    # without a pillar, rings have no effect
     levels = [n for n, rung in rungs.items() if rung.plans(cell) != tried]
     if all(part.tile.is_smooth for part in cell.tiles):
         excess = math.sqrt(excess)
@@ -169,33 +169,33 @@ def finer_level(
 
 
 def started(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[Resolution]:
-    """The mesh that is computed first, and the next if it fits as well; errors as of `first_level`."""
+    """Meshes computed first: the first level, and the next if it fits; errors as in `first_level`."""
     level = first_level(cell, count, accuracy, limits)
     first, *after = (rung.for_bands(cell, count) for rung in LADDER[level : level + 2])
     return [first, *(mesh for mesh in after if limits.lack(cell, mesh, first.seconds(cell)) is None)]
 
 
 def most_bands(cell: UnitCell, fewer_than: int, limits: MeshLimits) -> int:
-    """Most bands below a refused number whose lowest mesh level fits; 0 if there are none."""
+    """Largest number of bands, below a refused number, whose lowest mesh level fits; 0 if none does."""
     fits = (n for n in range(fewer_than - 1, 0, -1) if not limits.lack(cell, LADDER[0].for_bands(cell, n)))
     return next(fits, 0)
 
 
 def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> HaptonicError:
-    """The error of a cell that is not answered because its coarsest mesh lacks time or memory.
+    """Error for a cell whose coarsest mesh exceeds the time or the memory.
 
-    Each next step was checked by the decision that refused the cell.
+    Its next steps are checked against the same limits.
     """
-    limits, words = lack.limits, lack.text(cell)
+    limits, reason = lack.limits, lack.text(cell)
     fewer = most_bands(cell, count, limits)
     steps = [f"write count = {fewer} in [bands]"] * (fewer > 0)
     if lack.of == "range":
         return GeometryError.inaccurate(
             argument="cell",
-            given=f"a cell of which {count} bands are asked for",
-            allowed="cells whose inner motion some mesh follows",
-            cause=f"range of validity: every mesh leaves too much of the inner motion out, and {words}",
-            next_step="ask for fewer bands with count in [bands]",
+            given=f"{count} bands of a cell",
+            allowed="cells whose inner motion a mesh can resolve",
+            cause=f"range of validity: every mesh omits too much of the inner motion, and {reason}",
+            next_step="set fewer bands with count in [bands]",
         )
     if lack.of == "memory":
         needed = rounded_up(lack.mesh.memory(cell) / MOST_MEMORY / 1e9)
@@ -205,7 +205,7 @@ def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> Haptonic
             argument="memory",
             given=limits.gigabytes,
             allowed=f"a cell whose meshes fit, or at least {needed:g} GB of free memory for {count} bands",
-            cause=f"lack of memory: {words}",
+            cause=f"lack of memory: {reason}",
             next_step=", or ".join(steps),
         )
     budget = lack.budget(cell)
@@ -214,7 +214,7 @@ def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> Haptonic
             argument="cell",
             given=f"a cell whose coarsest mesh takes {duration(budget)}",
             allowed=f"cells and numbers of bands whose meshes take at most {duration(LARGEST_BUDGET)}",
-            cause=f"range of validity: the sizes of the cell are too far apart for any mesh; {words}",
+            cause=f"range of validity: the sizes of the cell are too far apart for any mesh; {reason}",
             next_step=", or ".join([*steps, "choose a thicker plate or a wider gap between the pillars"]),
         )
     text = duration(budget)
@@ -223,27 +223,27 @@ def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> Haptonic
         argument="bands.budget",
         given=duration(limits.seconds),
         allowed=f"at least {text} for this cell and {count} bands",
-        cause=f"lack of time: {words}",
+        cause=f"lack of time: {reason}",
         next_step=", or ".join(steps),
     )
 
 
 def lower_meshes(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[str]:
-    """The finest mesh below the ladder that fits into the memory, as a step that a study can take."""
-    rung = LADDER[starting_rung(accuracy)]
+    """Next step with the finest mesh below all mesh levels that fits into the memory."""
+    first = LADDER[starting_rung(accuracy)]
     for order, rings in LOWER:
-        lower = replace(rung, order=order, foot_rings=rings).for_bands(cell, count)
+        lower = replace(first, order=order, foot_rings=rings).for_bands(cell, count)
         if lower.memory(cell) <= limits.memory:
             return [f"write order = {order} and foot_rings = {rings} in [mesh]"]
     return []
 
 
 def check_memory(cell: UnitCell, chosen: Resolution, limits: MeshLimits) -> None:
-    """Refuse a mesh that somebody chose and this machine cannot hold; how long it takes is up to them."""
+    """Refuse a mesh of the user that exceeds the memory; its time is not limited."""
     if chosen.memory(cell) <= limits.memory:
         return
     lower = (replace(chosen, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
-    fits = next((one.order for one in lower if one.memory(cell) <= limits.memory), None)
+    fits = next((mesh.order for mesh in lower if mesh.memory(cell) <= limits.memory), None)
     steps = [f"write order = {fits} in [mesh]"] if fits else []
     if limits.lack(cell, LADDER[0].for_bands(cell, chosen.bands)) is None:
         steps.append("leave [mesh] out")
@@ -259,7 +259,7 @@ def check_memory(cell: UnitCell, chosen: Resolution, limits: MeshLimits) -> None
 
 
 def check_thickness(cell: UnitCell) -> None:
-    """Refuse a plate that is too thin for its pitch to be computed at all."""
+    """Refuse a plate that is too thin for its pitch."""
     longest = max(math.hypot(*cell.lattice.a1), math.hypot(*cell.lattice.a2))
     if cell.thickness < LEAST_THICKNESS * longest:
         least = f'"{rounded_up(LEAST_THICKNESS * longest * 1e3, 4):g} mm"'
@@ -267,19 +267,19 @@ def check_thickness(cell: UnitCell) -> None:
             argument="cell.thickness",
             given=f"{cell.thickness * 1e3:.4g} mm",
             allowed=f"at least {least.strip(chr(34))}, {LEAST_THICKNESS:g} of the pitch",
-            cause="range of validity: on a plate as thin as this rounding spoils every frequency",
+            cause="range of validity: rounding errors are too large for a plate as thin as this",
             next_step=f"write thickness = {least} or more in [cell], or choose a smaller pitch",
         )
 
 
 def rounded_up(value: float, digits: int = 2) -> float:
-    """The next number of so many digits that is not below ``value``."""
+    """Smallest number with so many digits that is not below ``value``."""
     unit = 10.0 ** (math.floor(math.log10(value)) - digits + 1)
     return float(f"{math.ceil(value / unit) * unit:.{digits}g}")
 
 
 def _rounded_budget(seconds: float) -> float:
-    """The next budget that people would write and that suffices, s: whole minutes, or hours of two digits."""
+    """Smallest sufficient budget in whole minutes, or hours of two digits, s."""
     unit = 60.0 if seconds > 60 else 1.0
     unit = 3600.0 if seconds > 6000 else unit
     return rounded_up(seconds * (1 + 1e-9) / unit) * unit

@@ -1,4 +1,4 @@
-"""A condensed cell in a small basis, in which any wavevector costs next to nothing."""
+"""Condensed cells in a small basis, for fast solutions at any wavevector."""
 
 from __future__ import annotations
 
@@ -15,23 +15,25 @@ from haptonic.later import linalg as la
 from haptonic.superelement import Tiling, definite
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
-# Share of the way from rest to the zone's corners at which a basis is checked as well: there bands of a plain
-# plate change fastest. Checked at the middles of triangles alone, one told 7.5e-6 and lost 6e-3 at 0.14.
+# Share of the path from rest to the zone's corners at which a basis is checked too, because bands of a plain
+# plate change fastest there. Checked at the middles of triangles only, a basis had an estimate of 7.5e-6 and
+# an error of 6e-3 at 0.14.
 NEAR_REST = 0.12
-SPARE_MODES = 3  # modes beyond those asked for that go into the small basis
-LOST_DIRECTION = 1e-10  # smallest share of the snapshots' inertia that still makes a basis vector
-TIGHTER = 0.1  # factor on that share where it was too coarse: little inertia may be much energy
+SPARE_MODES = 3  # modes above the last band that are added to the small basis
+LOST_DIRECTION = 1e-10  # smallest share of the snapshots' inertia for a basis vector
+TIGHTER = 0.1  # factor on that share if the basis is too coarse: little inertia may be much energy
 
 
 @dataclass(frozen=True)
 class ReducedCell:
-    """A condensed cell in a small basis that serves the whole irreducible zone, long waves included.
+    """Condensed cell in a small basis for the whole irreducible zone, long waves included.
 
     tiling : the condensed cell; whole : its pencil
     pencil : on the small basis; basis : (free unknowns, r)
-    projection_error : relative error of a frequency that the basis may add: what was allowed, or more if more
-        was seen at wavevectors that had not gone into it then
-    rounding : (rad/s)^2, by how much rounding moves the eigenvalues of rest modes
+    projection_error : relative error of frequencies due to the basis: the allowed one, or a larger one
+    measured
+        at wavevectors outside the training set
+    rounding : rounding error of the eigenvalues of rest modes, (rad/s)^2
     """
 
     tiling: Tiling
@@ -44,11 +46,11 @@ class ReducedCell:
     @classmethod
     @definite()
     def of(cls, tiling: Tiling, count: int, goal: float) -> ReducedCell:
-        """Enrich a basis until it adds no more than ``goal`` (relative) to ``count`` frequencies."""
+        """Enrich a basis until its relative error of ``count`` frequencies is at most ``goal``."""
         full = lattice_pencil(tiling)
         solved, parts = parted(full)
         mass = full.at(np.zeros(2))[1].real
-        rest = [_orthonormal(one, mass) for one in _apart(full.near_rest(), parts)]
+        rest = [_orthonormal(share, mass) for share in _apart(full.near_rest(), parts)]
         snapshots: list[Array] = []
         error, small, lost = np.inf, None, LOST_DIRECTION
         for wavevectors in _training(tiling.cell.zone):
@@ -56,19 +58,19 @@ class ReducedCell:
                 *(eigenpairs(solved, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
             if parts:
-                modes = tuple(np.hstack(parts) @ found for found in modes)
+                modes = tuple(np.hstack(parts) @ shapes for shapes in modes)
             if small is not None:
-                found = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
+                projected = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
                 error = max(
                     float((np.sqrt(above / exact[:count]) - 1).max())
-                    for above, exact in zip(found, values, strict=True)
+                    for above, exact in zip(projected, values, strict=True)
                 )
                 lost *= TIGHTER if error > goal else 1.0
-            snapshots += [full.snapshots(found) for found in modes]
+            snapshots += [full.snapshots(shapes) for shapes in modes]
             while True:
                 bases = [
-                    _enriched(own, new, mass, lost)
-                    for own, new in zip(rest, _apart(np.hstack(snapshots), parts), strict=True)
+                    _enriched(long_waves, new, mass, lost)
+                    for long_waves, new in zip(rest, _apart(np.hstack(snapshots), parts), strict=True)
                 ]
                 small = split(full, (bases[0], bases[1])) if parts else full.projected(bases[0])
                 try:
@@ -77,12 +79,13 @@ class ReducedCell:
                 except np.linalg.LinAlgError:
                     if lost >= LOST_DIRECTION:
                         raise
-                    # so little inertia is rounding: 1e-13 was on a plate of 1/200 of the pitch, 1e-12 was not
+                    # such small inertia is a rounding error: 1e-13 was on a plate of 1/200 of the pitch,
+                    # 1e-12 was not
                     lost /= TIGHTER
             if error <= goal:
                 break
         assert small is not None
-        # between the wavevectors of the check it may be off by as much as was allowed there
+        # between the checked wavevectors the error may equal the allowed one
         return cls(
             tiling=tiling,
             whole=full,
@@ -93,18 +96,17 @@ class ReducedCell:
         )
 
     def parity(self, modes: Fields) -> Ints:
-        """(k,) of modes (r, k): +1 symmetric about the plate's middle plane, -1 antisymmetric, 0 if it is no
-        mirror of the cell."""
+        """(k,) parity of modes (r, k) about the plate's middle plane: +1, -1, or 0 if it is not a mirror."""
         if isinstance(self.pencil, SplitPencil):
             return self.pencil.parity(modes)
         return np.zeros(modes.shape[1], dtype=np.int64)
 
     def of_parity(self, parity: int) -> ReducedCell:
-        """What has one parity alone."""
+        """Restrict the cell to motions of one parity."""
         assert isinstance(self.pencil, SplitPencil), "a cell without this mirror"
         first = self.pencil.parts[0].size
-        own = slice(None, first) if parity > 0 else slice(first, None)
-        basis = self.basis[:, own]
+        members = slice(None, first) if parity > 0 else slice(first, None)
+        basis = self.basis[:, members]
         return replace(self, pencil=self.whole.projected(basis), basis=basis)
 
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
@@ -126,7 +128,7 @@ def _training(zone: IrreducibleZone) -> Iterator[Array]:
 
 
 def _apart(fields: Array, parts: tuple[Array, Array] | None) -> list[Array]:
-    """The symmetric and the antisymmetric share of fields (n, k), or these themselves."""
+    """Symmetric and antisymmetric share of fields (n, k), or the fields themselves."""
     return [basis @ (basis.T @ fields) for basis in parts] if parts else [fields]
 
 
@@ -138,7 +140,7 @@ def _enriched(rest: Array, new: Array, mass: Array, lost: float) -> Array:
 
 
 def _orthonormal(fields: Array, mass: Array, lost: float = LOST_DIRECTION) -> Array:
-    """(n, r) basis of unit modal mass that spans fields (n, k) of unit mass, but for what is hardly there."""
+    """(n, r) basis of unit modal mass that spans fields (n, k) of unit mass, without dependent directions."""
     values, turn = la.eigh(fields.T @ mass @ fields)
-    kept = values > lost * max(values[-1], 1.0)  # one direction may be all that is left
-    return np.asarray(fields @ (turn[:, kept] / np.sqrt(values[kept])))
+    independent = values > lost * max(values[-1], 1.0)  # a single direction may remain
+    return np.asarray(fields @ (turn[:, independent] / np.sqrt(values[independent])))

@@ -1,4 +1,4 @@
-"""Any wavevector by one of the irreducible zone, and what is computed there turned back.
+"""Representation of any wavevector by an equivalent one of the irreducible zone.
 
 With the operations W of the cell's point group (`haptonic.lattice.PointGroup`), time reversal, k -> -k, and
 the reciprocal lattice every wavevector is
@@ -6,7 +6,7 @@ the reciprocal lattice every wavevector is
     kappa = s W^-T kappa' + 2 pi n,    s = 1 or -1, n integers,
 
 with kappa' in the irreducible zone. Both have the same frequencies. Modes at kappa are images of those at
-kappa', complex conjugates where time is reversed; a translation of the reciprocal lattice changes none.
+kappa', complex conjugate for time reversal; a translation of the reciprocal lattice does not change them.
 """
 
 from __future__ import annotations
@@ -24,27 +24,27 @@ from haptonic.superelement import Tiling
 from haptonic.superelement.image import FieldImage
 
 IDENTITY: Operation = ((1, 0), (0, 1))
-BESIDE = 1e-6  # rad beyond the zone's border that count as on it; the small basis errs by its square there
-LARGEST = 1e6  # rad; of larger phases rounding leaves less than ten digits within a period
+BESIDE = 1e-6  # rad, tolerance at the border of the zone; the error of the small basis grows with its square
+LARGEST = 1e6  # rad; larger phases have less than ten digits within a period
 STEPS = np.array(sorted(product(range(-2, 3), repeat=2), key=lambda step: np.abs(step).sum()))
 
 
 def signed_operations(group: PointGroup) -> list[tuple[Operation, int]]:
-    """What takes frequencies over the zone to themselves: operations, and their products with time reversal.
+    """Operations that leave frequencies over the zone unchanged, with their products with time reversal.
 
-    The identity comes first. Half a turn does to wavevectors what time reversal does.
+    The identity comes first. Half a turn changes wavevectors like time reversal.
     """
-    operations = sorted(group.operations, key=lambda one: one != IDENTITY)
+    operations = sorted(group.operations, key=lambda operation: operation != IDENTITY)
     reversals = () if HALF_TURN in group else (-1,)
     return [(operation, sign) for sign in (1, *reversals) for operation in operations]
 
 
 @dataclass(frozen=True)
 class Representative:
-    """A wavevector of the irreducible zone that stands for an equivalent one.
+    """Wavevector of the irreducible zone that is equivalent to a given one.
 
-    kappa : (2,) phases in the irreducible zone, rad; image : (2,) of the wavevector that it stands for
-    operation : of the point group that leads there from ``kappa``; sign : -1 with time reversal, else 1
+    kappa : (2,) phases in the irreducible zone, rad; image : (2,) phases of the given wavevector
+    operation : of the point group, from ``kappa`` to ``image``; sign : -1 with time reversal, otherwise 1
     """
 
     kappa: Array
@@ -56,11 +56,12 @@ class Representative:
     def of(cls, zone: IrreducibleZone, group: PointGroup, kappa: Array) -> Representative:
         """Find the wavevector of the zone that is equivalent to the phases (2,).
 
-        One in the zone is its own; else the identity is preferred, then few translations.
+        A wavevector in the zone represents itself. Otherwise the identity is preferred, then few
+        translations.
 
         Raises
         ------
-        StudyError : no two finite phases, or such large ones that rounding decides
+        StudyError : not two finite phases, or phases too large for their rounding errors
         """
         image = np.asarray(kappa, dtype=float)
         if image.shape != (2,) or not (np.abs(image) <= LARGEST).all():
@@ -68,9 +69,9 @@ class Representative:
                 argument="kappa",
                 given=shown(image.tolist()),
                 allowed=f"the two phases k.a1 and k.a2 of a wavevector, rad, at most {LARGEST:g}",
-                cause="several wavevectors were given at once, a number is missing, or it is none",
-                next_step="give an array of two numbers, such as numpy.array([numpy.pi, 0.0]), or take "
-                "multiples of 2 pi off them",
+                cause="several wavevectors were given, a number is missing, or a value is not a number",
+                next_step="give an array of two numbers, such as numpy.array([numpy.pi, 0.0]), or subtract "
+                "multiples of 2 pi",
             )
         if zone.depth(image[None])[0] >= -BESIDE:
             return cls(image, image, IDENTITY, 1)
@@ -78,14 +79,14 @@ class Representative:
         signed = signed_operations(group)
         turns = np.array([sign * np.array(operation) for operation, sign in signed])
         # kappa' = s W^T (kappa - 2 pi n)
-        found = np.einsum("wji,nj->wni", turns, near - 2 * np.pi * STEPS)
-        depth = zone.depth(found.reshape(-1, 2))
+        candidates = np.einsum("wji,nj->wni", turns, near - 2 * np.pi * STEPS)
+        depth = zone.depth(candidates.reshape(-1, 2))
         inside = np.flatnonzero(depth >= -BESIDE)
-        # rounded corners leave less than that between a zone and its images
+        # the gap between a zone and its images due to rounded corners is smaller than this
         chosen = int(inside[0]) if len(inside) else int(depth.argmax())
-        assert depth[chosen] > -1e3 * BESIDE, "a zone whose images do not fill the plane"
+        assert depth[chosen] > -1e3 * BESIDE, "the images of the zone do not cover the plane"
         operation, sign = signed[chosen // len(STEPS)]
-        return cls(found.reshape(-1, 2)[chosen], image, operation, sign)
+        return cls(candidates.reshape(-1, 2)[chosen], image, operation, sign)
 
     def gradient(self, slopes: Array) -> Array:
         """(k, 2) derivatives with respect to the phases of the image from those at ``kappa``."""
@@ -102,7 +103,7 @@ class Representative:
 
 
 def images(group: PointGroup, kappa: Array) -> tuple[Array, Ints]:
-    """(copies n, 2) phases of all images of wavevectors (n, 2), and the (copies n,) number of each."""
+    """(copies n, 2) phases of all images of wavevectors (n, 2), and (copies n,) number of each original."""
     matrices = [sign * np.array(operation) for operation, sign in signed_operations(group)]
     turned = [kappa @ np.linalg.inv(matrix) for matrix in matrices]
     return np.concatenate(turned), np.tile(np.arange(len(kappa)), len(turned))

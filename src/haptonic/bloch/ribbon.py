@@ -1,8 +1,8 @@
-"""Waves along a ribbon: all its modes within a range of frequencies, each with its error.
+"""Modes of a ribbon within a range of frequencies, each with an error estimate.
 
-The crystals beside a guide, or on either side of where two of them meet, have bulk bands; at a fixed phase
-along the ribbon these cover intervals of frequency, whatever the phase across. What the ribbon has between
-them is held by the guide, or by the edge, and fades into the crystals.
+The crystals next to a guide, or on both sides of an edge between two crystals, have bulk bands. At a fixed
+phase along the ribbon these cover intervals of frequency for all phases across. Modes between them are
+localised at the guide or the edge and decay into the crystals.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from haptonic.later import sparse as sp
 from haptonic.superelement import Tiling, definite, on_each
 
 ACROSS = 33  # phases across, at which bulk bands are sampled
-WIDER = 0.03  # of a frequency: how far off it may be at the next lower orders, to begin with
-LEAST = 1e-3  # of the lowest frequency: only rigid motions lie below that
+WIDER = 0.03  # share of a frequency, first search range at the next lower orders
+LEAST = 1e-3  # share of the lowest frequency; only rigid motions lie below
 
 
 @dataclass(frozen=True)
 class RibbonPencil:
     """Stiffness and mass of one period of a ribbon in blocks, by columns from left to right.
 
-    blocks : (n,) of the free unknowns, in the order of their columns; periodic : how they stand for all
-    own, off : by block and by step, of phases exp(i step kappa), 0 and 1 and for ``off`` -1 as well:
-        stiffness and mass (2, n, m)
+    periodic : relation of free unknowns to all; order : (n,) free unknowns in the order of their blocks
+    own, off : diagonal blocks and blocks to the next; for each step 0 and 1, and for ``off`` -1, of the phase
+        factor exp(i step kappa), stiffness and mass (2, n, m)
     """
 
     tiling: Tiling
@@ -43,11 +43,11 @@ class RibbonPencil:
 
     @classmethod
     def of(cls, ribbon: Ribbon, tiling: Tiling) -> RibbonPencil:
-        """A free unknown goes to the block of the first column that has it."""
+        """Assign each free unknown to the block of its first column."""
         periodic = Periodic.of(tiling)
         column = np.full(len(periodic.free), len(ribbon.first))
-        for own, number in zip(tiling.own, ribbon.place_of_tile[1], strict=True):
-            np.minimum.at(column, periodic.number[own], number)
+        for unknowns, number in zip(tiling.own, ribbon.place_of_tile[1], strict=True):
+            np.minimum.at(column, periodic.number[unknowns], number)
         block = column // ribbon.reach
         order = np.argsort(block, kind="stable")
         sizes = np.bincount(block)
@@ -55,10 +55,10 @@ class RibbonPencil:
         place[order] = np.concatenate([np.arange(size) for size in sizes])
         diagonal: list[dict[int, Array]] = [{} for _ in sizes]
         beside: list[dict[int, Array]] = [{} for _ in sizes[1:]]
-        for number, own in enumerate(tiling.own):
+        for number, unknowns in enumerate(tiling.own):
             tile = tiling.tiles[number]
-            forms = [tiling.joint.form(number, one, tile.trace_size) for one in (tile.stiffness, tile.mass)]
-            free, shift = periodic.number[own], periodic.shift[own, 0]
+            forms = [tiling.joint.form(number, form, tile.trace_size) for form in (tile.stiffness, tile.mass)]
+            free, shift = periodic.number[unknowns], periodic.shift[unknowns, 0]
             groups = {
                 (int(g), int(s)): np.flatnonzero((block[free] == g) & (shift == s))
                 for g in np.unique(block[free])
@@ -67,10 +67,10 @@ class RibbonPencil:
             for (g, s), rows in groups.items():
                 for (h, t), columns in groups.items():
                     if h < g or (h == g and t < s):
-                        continue  # the adjoint of its opposite
-                    assert h <= g + 1, "tiles that touch farther columns than their own tell"
-                    kept = diagonal[g] if h == g else beside[g]
-                    total = kept.setdefault(t - s, np.zeros((2, sizes[g], sizes[h])))
+                        continue  # adjoint of the opposite block
+                    assert h <= g + 1, "tiles touch columns beyond the next block"
+                    by_step = diagonal[g] if h == g else beside[g]
+                    total = by_step.setdefault(t - s, np.zeros((2, sizes[g], sizes[h])))
                     left, right = (
                         _spread(place[free[rows]], sizes[g]),
                         _spread(place[free[columns]], sizes[h]),
@@ -84,19 +84,19 @@ class RibbonPencil:
 
         def summed(parts: dict[int, Array], which: int) -> Complex:
             factors = {s: np.exp(1j * s * kappa) * (1j * s if slope else 1.0) for s in parts}
-            found: Complex = sum(factors[s] * one[which] for s, one in parts.items())
-            return found
+            total: Complex = sum(factors[s] * block[which] for s, block in parts.items())
+            return total
 
         def hermitian(parts: dict[int, Array], which: int) -> Complex:
             still = 0.0 if slope else parts[0][which]
-            moved = {s: one for s, one in parts.items() if s}
+            moved = {s: block for s, block in parts.items() if s}
             half = summed(moved, which) if moved else np.zeros_like(parts[0][which], dtype=complex)
             return np.asarray(still + half + half.conj().T)
 
         stiffness, mass = (
             BlockChain(
-                tuple(hermitian(one, which) for one in self.own),
-                tuple(summed(one, which) for one in self.off),
+                tuple(hermitian(blocks, which) for blocks in self.own),
+                tuple(summed(blocks, which) for blocks in self.off),
             )
             for which in (0, 1)
         )
@@ -110,7 +110,7 @@ class RibbonPencil:
 
 
 def _spread(places: Ints, size: int) -> sp.csr_array:
-    """(size, n) sparse, which adds up what belongs to one place."""
+    """(size, n) sparse matrix that adds entries of equal places."""
     count = len(places)
     return sp.csr_array((np.ones(count), (places, np.arange(count))), shape=(size, count))
 
@@ -122,7 +122,7 @@ class RibbonModes:
     kappa : rad; frequency, error : (k,) Hz; the error bounds the distance to the exact frequency
     slope : (k,) derivatives of the frequency with respect to the phase, Hz/rad
     fields : (t + m, k) unknowns of the tiling, unit mass
-    energy : (k, lines, columns) share of each cell in the energy
+    energy : (k, lines, columns) energy of each cell
     """
 
     kappa: float
@@ -137,7 +137,7 @@ class RibbonModes:
 class RibbonModel:
     """Modes of a ribbon at any phase along it.
 
-    fine : the model that answers; coarse : of lower orders, for the error estimate
+    fine : pencil; coarse : pencil of lower orders, for the error estimate
     """
 
     ribbon: Ribbon
@@ -148,7 +148,7 @@ class RibbonModel:
     @classmethod
     @definite()
     def of(cls, ribbon: Ribbon, resolution: Resolution) -> RibbonModel:
-        """Condense each different tile once for either, and join them."""
+        """Condense each different tile for both pencils, and join them."""
         steps, block = resolution.steps, resolution.block
         fine, coarse = (
             RibbonPencil.of(ribbon, Tiling.condensed(ribbon, plans, steps, block, measured=False))
@@ -157,12 +157,12 @@ class RibbonModel:
         return cls(ribbon, resolution, fine, coarse)
 
     def frequencies(self, kappa: float, low: float, high: float) -> Array:
-        """(k,) Hz of all modes between two frequencies, without anything else."""
+        """(k,) frequencies of all modes between two frequencies, Hz, without fields and errors."""
         _, values, _ = eigenpairs_within(*self.fine.at(kappa), *_squares(low, high))
         return hertz(values)
 
     def solve(self, kappa: float, low: float, high: float) -> RibbonModes:
-        """All modes between two frequencies (Hz) at a phase (rad) along the ribbon."""
+        """Compute all modes between two frequencies (Hz) at a phase (rad) along the ribbon."""
         below, values, modes = eigenpairs_within(*self.fine.at(kappa), *_squares(low, high))
         frequency, fields = hertz(values), self.fine.expanded(modes, kappa)
         if not len(frequency):
@@ -192,7 +192,7 @@ class RibbonModel:
         )
 
     def _lower(self, kappa: float, low: float, high: float, below: int, count: int) -> Array:
-        """(count,) Hz, modes of the lower orders by their rank among all, the first of them ``below``."""
+        """(count,) frequencies of the lower orders by rank among all modes, from rank ``below`` on, Hz."""
         pencil, below_low, above_high = self.coarse.at(kappa), WIDER, WIDER
         while True:
             ends = _squares(max(1 - below_low, LEAST) * low, (1 + above_high) * high)
@@ -203,18 +203,18 @@ class RibbonModel:
             above_high *= 2 if first + len(values) < below + count else 1
 
     def _summed(self, form: str, fields: Complex) -> Array:
-        """(k, lines, columns) what the tiles' forms are on fields (t + m, k), by cell."""
+        """(k, lines, columns) values of a form of the tiles on fields (t + m, k), by cell."""
         tiling = self.fine.tiling
-        found = np.zeros((*self.ribbon.guide.shape, fields.shape[1]))
+        values = np.zeros((*self.ribbon.guide.shape, fields.shape[1]))
         places = self.ribbon.place_of_tile.T
-        for number, (own, (line, column)) in enumerate(zip(tiling.own, places, strict=True)):
+        for number, (unknowns, (line, column)) in enumerate(zip(tiling.own, places, strict=True)):
             tile = tiling.tiles[number]
-            mine = fields[own]
-            trace = tiling.joint.turned(number, mine[: tile.trace_size], back=True)
-            found[line, column] += on_each(
-                getattr(tile, form), np.concatenate([trace, mine[tile.trace_size :]])
+            of_tile = fields[unknowns]
+            trace = tiling.joint.turned(number, of_tile[: tile.trace_size], back=True)
+            values[line, column] += on_each(
+                getattr(tile, form), np.concatenate([trace, of_tile[tile.trace_size :]])
             )
-        return np.moveaxis(found, -1, 0)
+        return np.moveaxis(values, -1, 0)
 
 
 def _squares(low: float, high: float) -> tuple[float, float]:
@@ -224,10 +224,10 @@ def _squares(low: float, high: float) -> tuple[float, float]:
 def bulk_bands(model: BlochModel, ribbon: Ribbon, kappa: Sequence[float]) -> Array:
     """(kappa, bands, 2) Hz, lowest and highest frequency of each bulk band at phases along a ribbon.
 
-    Of the phases across `ACROSS` are looked at, so that an edge between them may lie a little farther out.
+    `ACROSS` phases across are sampled; an edge between them may lie slightly farther out.
     """
     across = np.linspace(-np.pi, np.pi, ACROSS)
-    found = np.array([
-        [model.frequencies(one) for one in ribbon.phases(along, across)] for along in kappa
+    frequencies = np.array([
+        [model.frequencies(phases) for phases in ribbon.phases(along, across)] for along in kappa
     ])  # fmt: skip
-    return np.stack([found.min(axis=1), found.max(axis=1)], axis=-1)
+    return np.stack([frequencies.min(axis=1), frequencies.max(axis=1)], axis=-1)

@@ -1,4 +1,4 @@
-"""Modes of a ribbon, and the bulk bands of its crystals, as labelled arrays."""
+"""Datasets of ribbon modes and of the bulk bands of the crystals."""
 
 from __future__ import annotations
 
@@ -16,40 +16,40 @@ from haptonic.later import xarray as xr
 def ribbon_dataset(
     model: RibbonModel, found: Sequence[RibbonModes], bulk: Array, rows: int | None
 ) -> xr.Dataset:
-    """Every mode, along ``mode``, with its place between the bulk bands and where its energy is.
+    """Dataset of all modes, along ``mode``, with their relation to bulk bands and their energy distribution.
 
     Parameters
     ----------
-    found : modes at one wavevector after the other; bulk : (crystals, wavevectors, bands, 2) Hz
-    rows : length in cells of a guide with free ends, if there is one
+    found : modes at each wavevector; bulk : (crystals, wavevectors, bands, 2) Hz
+    rows : length in cells of a guide with free ends, or None
     """
     ribbon = model.ribbon
     pieces = []
     for number, modes in enumerate(found):
         share = modes.energy / modes.energy.sum(axis=(1, 2), keepdims=True)
-        inside, there = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
+        share_in_guide, between = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
         wavenumber, across = harmonics(ribbon, model.fine, modes)
         pieces.append({
             "phase": np.full(len(modes.frequency), modes.kappa),
             "frequency": modes.frequency,
             "frequency_error": modes.error,
             "group_velocity": 2 * np.pi * ribbon.period * modes.slope,
-            "guide_share": inside,
+            "guide_share": share_in_guide,
             "cell_share": share,
-            "in_gap": there.astype(np.int8),
-            "guided": (there & (inside > within(modes.energy, outermost(ribbon)))).astype(np.int8),
-            "decay": np.where(there, decay(ribbon, modes.energy), np.nan),
+            "in_gap": between.astype(np.int8),
+            "guided": (between & (share_in_guide > within(modes.energy, outermost(ribbon)))).astype(np.int8),
+            "decay": np.where(between, decay(ribbon, modes.energy), np.nan),
             "wavenumber": wavenumber,
             "nodal_lines": across,
             "intervals": wavenumber * (rows or np.nan) * ribbon.period / np.pi - 0.5,
         })  # fmt: skip
-    joined = {name: np.concatenate([one[name] for one in pieces]) for name in pieces[0]}
+    joined = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
     of_cells = ("mode", "line", "column")
     dataset = xr.Dataset({name: (of_cells[: values.ndim], values) for name, values in joined.items()})
     dataset["phase_share"] = dataset["phase"] / np.pi
-    words = {
+    titles = {
         "phase": ("rad", "phase of the wave from one period of the ribbon to the next"),
-        "phase_share": ("1", "the same over pi"),
+        "phase_share": ("1", "phase from one period to the next, over pi"),
         "frequency": ("Hz", "frequency"),
         "frequency_error": ("Hz", "bound of the frequency's error"),
         "group_velocity": ("m/s", "group velocity along the ribbon"),
@@ -58,14 +58,17 @@ def ribbon_dataset(
             "share of energy in the guide or defect, or in the cells on either side of an edge",
         ),
         "cell_share": ("1", "share of energy in each cell, lines from the bottom up"),
-        "in_gap": ("1", "1 between the bulk bands at this phase"),
-        "guided": ("1", "1 if so, and more energy is in the guide than in the outermost columns"),
+        "in_gap": ("1", "1 for modes between the bulk bands at this phase"),
+        "guided": (
+            "1",
+            "1 for modes between bulk bands with more energy in the guide than in the outermost columns",
+        ),
         "decay": ("dB/row", "decay of the energy away from the guide"),
-        "wavenumber": ("rad/m", "of the strongest harmonic of the normal motion along the guide"),
+        "wavenumber": ("rad/m", "wavenumber of the strongest harmonic of the normal motion along the guide"),
         "nodal_lines": ("1", "nodal lines of the normal motion across the guide"),
         "intervals": ("1", "intervals between nodal lines along a guide of the given length"),
     }
-    for name, (unit, title) in words.items():
+    for name, (unit, title) in titles.items():
         dataset[name].attrs = {"units": unit, "long_name": title}
     return declared(
         dataset,
@@ -77,7 +80,7 @@ def ribbon_dataset(
 
 
 def bulk_dataset(kappa: Array, bulk: Array, names: Sequence[Sequence[str]]) -> xr.Dataset:
-    """Edges of the bulk bands at phases along a ribbon, and the names of its cells, a list for each line."""
+    """Dataset of bulk band edges at phases along a ribbon, and of the names of its cells for each line."""
     edges = ("crystal", "wavevector", "bulk_band")
     dataset = xr.Dataset(
         {
@@ -94,8 +97,8 @@ def bulk_dataset(kappa: Array, bulk: Array, names: Sequence[Sequence[str]]) -> x
 
 
 def field_dataset(model: RibbonModel, chosen: xr.Dataset, found: Sequence[RibbonModes]) -> xr.Dataset:
-    """The field of one mode on the flat face, in the direction of its largest, the ribbon along y."""
-    modes = next(one for one in found if one.kappa == float(chosen["phase"]))
+    """Dataset of a mode's field on the flat face: its largest component, with the ribbon along y."""
+    modes = next(some for some in found if some.kappa == float(chosen["phase"]))
     number = int(np.abs(modes.frequency - float(chosen["frequency"])).argmin())
     tiling, ribbon = model.fine.tiling, model.ribbon
     points = tiling.points

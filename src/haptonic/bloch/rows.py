@@ -1,4 +1,4 @@
-"""Rows of a lattice, condensed: slabs of them at any phase along them, and how waves fade across them."""
+"""Condensed rows of a lattice: slabs at any phase along the rows, and decay of waves across them."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from haptonic.superelement import Superelement, Tiling, condense, condense_solid
 from haptonic.superelement.tiling import directions
 from haptonic.superelement.trace import trace_levels
 
-# Bytes for each pair of unknowns on a face: three complex forms on two and a half times as many, for each
-# number of rows that a slab may have. With 2.5 GB a frequency takes some minutes already.
+# Bytes per pair of unknowns on a face: three complex forms on two and a half times as many unknowns, for each
+# number of rows of a slab. At 2.5 GB each frequency takes some minutes.
 PER_PAIR, MOST_MEMORY = 300, 2.5e9
 
 
 @dataclass(frozen=True, eq=False)
 class CondensedRows:
-    """Rows of a lattice in one direction, and the plain plate that leads from their faces to straight ones.
+    """Rows of a lattice in one direction, and plain plate between their faces and straight ones.
 
-    A slab consists of as many rows as the farthest that touch each other are apart, `Rows.reach`.
+    A slab consists of `Rows.reach` rows, the distance of the farthest rows that touch each other.
 
     rows : one slab of the lattice
-    blocks : slabs with 1, 2, ... rows of the lattice, the rest of them plain plate; the last is the lattice's
-    fillers : on the left of the rows and on the right; none where the faces are straight
+    blocks : slabs with 1, 2, ... rows of the lattice and otherwise plain plate; the last is the lattice
+    fillers : on the left and on the right of the rows; empty if the faces are straight
     """
 
     rows: Rows
@@ -44,44 +44,48 @@ class CondensedRows:
 
         Raises
         ------
-        GeometryError : a direction that is none, or no shortest one
+        GeometryError : a direction of zero length, or not the shortest one
         """
         rows = Rows(cell, along)
         blocks, fillers = _periods(rows)
-        own = list(dict.fromkeys(one.tile for one in cell.tiles))
-        placed = [one for block in blocks for one in block.tiles] + [one for f in fillers for one in f.tiles]
-        plain = [one for one in dict.fromkeys(one.tile for one in placed) if one not in own]
-        plans = meeting(own, [resolution.plan(one, one.area / cell.area) for one in own])
-        plans += tuple(fitted(resolution.plan(one, one.area / cell.area), plans[0]) for one in plain)
+        tiles = list(dict.fromkeys(placed.tile for placed in cell.tiles))
+        every = [placed.tile for block in blocks for placed in block.tiles]
+        every += [placed.tile for filler in fillers for placed in filler.tiles]
+        plain = [tile for tile in dict.fromkeys(every) if tile not in tiles]
+        plans = meeting(tiles, [resolution.plan(tile, tile.area / cell.area) for tile in tiles])
+        plans += tuple(fitted(resolution.plan(tile, tile.area / cell.area), plans[0]) for tile in plain)
 
-        made = {t: _condensed(t, plan, resolution) for t, plan in zip([*own, *plain], plans, strict=True)}
-        return cls.joined(rows, made)
+        condensed = {
+            tile: _condensed(tile, plan, resolution)
+            for tile, plan in zip([*tiles, *plain], plans, strict=True)
+        }
+        return cls.joined(rows, condensed)
 
     @classmethod
     def joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
-        """Of condensed tiles, by what they were made of."""
+        """Join condensed tiles, given by tile."""
 
-        def joined(one: Rows | Filler) -> Tiling:
-            return Tiling.of(one, one.tiles, [made[placed.tile] for placed in one.tiles])
+        def join(period: Rows | Filler) -> Tiling:
+            return Tiling.of(period, period.tiles, [made[placed.tile] for placed in period.tiles])
 
         blocks, fillers = _periods(rows)
         return cls(
-            rows, tuple((one, joined(one)) for one in blocks), tuple((one, joined(one)) for one in fillers)
+            rows, tuple((block, join(block)) for block in blocks), tuple((end, join(end)) for end in fillers)
         )
 
     @property
     def levels(self) -> int:
-        """Of the trace through the thickness."""
+        """Number of levels of the trace through the thickness."""
         return self.blocks[0][1].joint.levels
 
     @property
     def plan(self) -> MeshPlan:
-        """Of the mesh of the first tile."""
+        """Mesh plan of the first tile."""
         return self.blocks[0][1].tiles[0].mesh.topology.plan
 
     @cached_property
     def face(self) -> Array:
-        """(n, 2) places of the left face of a slab, by their place along it, m."""
+        """(n, 2) places of the left face of a slab, sorted along it, m."""
         joint = self.blocks[-1][1].joint
         places = joint.position[np.unique(joint.master)]
         _, same = steps_between(places, places - self._wide, self.rows.vectors)
@@ -89,7 +93,7 @@ class CondensedRows:
 
     @cached_property
     def line(self) -> Array:
-        """(n, 2) places of the straight line on the left of the rows, by their place along it, m."""
+        """(n, 2) places of the straight line on the left of the rows, sorted along it, m."""
         if not self.fillers:
             return self.face
         filler, tiling = self.fillers[0]
@@ -99,33 +103,33 @@ class CondensedRows:
 
     @property
     def setback(self) -> float:
-        """From that line to where the left face of the rows lies on average, m; 0 of a straight one."""
+        """Distance from that line to the average left face of the rows, m; 0 for a straight face."""
         return self.rows.middle - self.fillers[0][0].line if self.fillers else 0.0
 
     @property
     def harmonics(self) -> int:
-        """How many tangential wavenumbers the places of the line can follow where they are farthest apart."""
+        """Number of tangential wavenumbers that the places of the line resolve at their largest distance."""
         wide = np.ptp(self.rows.sides[..., 1], axis=1)
         return int(len(self.face) / len(wide) * self.rows.period / wide.max() + 1e-6)
 
     @property
     def _wide(self) -> Array:
-        """(2,) from face to face of a slab, m."""
+        """(2,) vector from face to face of a slab, m."""
         return np.asarray(self.rows.reach * self.rows.step)
 
     def _ordered(self, places: Array) -> Array:
-        """Moved into one period, and sorted along it."""
+        """Move places into one period, and sort them along it."""
         along = places @ self.rows.turn[1] / self.rows.period
         whole = np.floor(along - along.min() + MEET)
         places, along = places - whole[:, None] * self.rows.vectors, along - whole
         return np.asarray(places[np.argsort(along)])
 
     def slabs(self, phase: float) -> tuple[Slab, ...]:
-        """Of the blocks, at a phase (rad) along the rows."""
+        """Slabs of all blocks at a phase (rad) along the rows."""
         return tuple(self._slab(number, phase) for number in range(len(self.blocks)))
 
     def slab(self, phase: float) -> Slab:
-        """Of the lattice alone."""
+        """Slab of the lattice at a phase (rad) along the rows."""
         return self._slab(-1, phase)
 
     def _slab(self, number: int, phase: float) -> Slab:
@@ -133,7 +137,7 @@ class CondensedRows:
         return Slab.of(tiling, phase, self.face, self.face + self._wide, rows.lossy)
 
     def ends(self, phase: float) -> tuple[Slab, ...]:
-        """Of the plain plate on the left of the rows and on the right, if there is any."""
+        """Slabs of plain plate on the left and on the right of the rows; empty for straight faces."""
         if not self.fillers:
             return ()
         (left, first), (right, last) = self.fillers
@@ -144,14 +148,14 @@ class CondensedRows:
         )
 
     def decay(self, waves: Waves) -> float:
-        """Of the wave to the right that reaches farthest in slabs, dB per row; 0 if it propagates."""
+        """Decay of the least attenuated wave to the right, dB per row; 0 if it propagates."""
         return decibels(waves) / self.rows.reach
 
     def exponents(self, waves: Waves, phase: float) -> Complex:
         """(w,) complex exponents from row to row of waves across slabs at a phase along the rows.
 
-        Those of a slab leave several possibilities open; the motion of places that are a row apart on one
-        face says which it is.
+        The exponents of a slab allow several values; the motion of places of one face at a distance of one
+        row determines the correct value.
         """
         reach, rows = self.rows.reach, self.rows
         if reach == 1:
@@ -163,23 +167,25 @@ class CondensedRows:
         seen = (motion[:, origin].conj() * motion[:, there] * turn).sum(axis=(0, 1, 2))
         possible = (waves.exponent[:, None] + 2j * np.pi * np.arange(reach)) / reach
         away = np.abs(np.exp(1j * possible.imag) - np.exp(1j * np.angle(seen))[:, None])
-        found = np.take_along_axis(possible, away.argmin(axis=1)[:, None], axis=1)[:, 0]
-        return np.asarray(found.real + 1j * np.angle(np.exp(1j * found.imag)))
+        exponents = np.take_along_axis(possible, away.argmin(axis=1)[:, None], axis=1)[:, 0]
+        return np.asarray(exponents.real + 1j * np.angle(np.exp(1j * exponents.imag)))
 
 
 @lru_cache(maxsize=4)
 def _condensed(tile: TileShape, plan: MeshPlan, resolution: Resolution) -> Superelement:
-    """A tile; kept for rows along another direction, which stand on the same ones."""
-    way = condense if tile.solid is None else condense_solid
-    return way(tile, plan, resolution.steps, block=directions(tile, resolution.block), measured=False)
+    """Condense a tile, cached for rows along another direction with the same tiles."""
+    condense_tile = condense if tile.solid is None else condense_solid
+    return condense_tile(
+        tile, plan, resolution.steps, block=directions(tile, resolution.block), measured=False
+    )
 
 
 def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
-    """Unknowns on a face, with whose cube the time at each frequency grows, and memory, bytes.
+    """Number of unknowns on a face (time per frequency grows with its cube), and memory, bytes.
 
     Raises
     ------
-    ResourceError : slabs that need more memory than `MOST_MEMORY`
+    ResourceError : slabs need more memory than `MOST_MEMORY`
     """
     plan = resolution.plans(rows.cell)[0]
     size = 3 * trace_levels(plan) * plan.side * len(rows.sides)
@@ -191,7 +197,7 @@ def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
             allowed=f"rows for which {MOST_MEMORY / 1e9:g} GB are enough",
             cause=f"about {memory / 1e9:.2g} GB would be needed: such a row repeats only after "
             f"{rows.period * 1e3:.3g} mm, and touches the {rows.reach} rows beside it",
-            next_step="choose smaller whole numbers, such as [0, 1], or ask for less accuracy",
+            next_step="choose smaller whole numbers, such as [0, 1], or a lower accuracy",
         )
     return size, memory
 
@@ -203,14 +209,14 @@ def _periods(rows: Rows) -> tuple[tuple[Rows, ...], tuple[Filler, ...]]:
 
 
 def attenuation(rows: CondensedRows, omega: Array, phases: Array, loss_factor: float = 0.0) -> Array:
-    """(frequencies, phases) decay of the farthest-reaching wave, dB per row; 0 where a wave propagates.
+    """(frequencies, phases) decay of the least attenuated wave, dB per row; 0 where a wave propagates.
 
     omega : (frequencies,) rad/s; phases : (phases,) along the rows, rad
     """
-    found = np.empty((len(omega), len(phases)))
+    decays = np.empty((len(omega), len(phases)))
     for column, phase in enumerate(phases):
         slab = rows.slab(float(phase))
         for number, at in enumerate(omega):
             right, _ = bloch_waves(slab.at(float(at), loss_factor), float(at))
-            found[number, column] = rows.decay(right)
-    return found
+            decays[number, column] = rows.decay(right)
+    return decays

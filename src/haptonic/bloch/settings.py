@@ -1,4 +1,4 @@
-"""What is asked of a lattice: its bands, rows of it as a mirror, a waveguide between two such mirrors."""
+"""Settings of lattice analyses: bands, rows as a mirror, and a waveguide between two such mirrors."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ from haptonic.fields import (
 from haptonic.units import format_quantity
 
 CARRIER = Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(10e3, FASTEST))
-LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: ends of a spectrum where none are given
+LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: default ends of a spectrum
 OF_INCIDENCE = Quantity("rad", above=-0.5 * math.pi, below=0.5 * math.pi, typical=(-1.5, 1.5))
-COARSEST = 0.1  # accuracy: bands that are less exact tell nothing of gaps
+COARSEST = 0.1  # accuracy: less exact bands give no information on gaps
 BUDGET = Quantity("s", at_least=1.0, at_most=LARGEST_BUDGET, typical=(10.0, 86400.0))
 
 
 @described("mesh")
 class MeshSettings:
-    """For experts: what ``bands.accuracy`` would choose."""
+    """Mesh settings for experts; by default ``bands.accuracy`` selects the mesh."""
 
     order: Annotated[int, Field(ge=LEAST_ORDER, le=10, strict=True)] | None = setting(
         None, "Polynomial order of the elements.", title="Element order"
@@ -49,7 +49,7 @@ class MeshSettings:
 
 @described("bands")
 class BandSettings:
-    """How many bands, where, and how exactly."""
+    """Number of bands, wavevectors and accuracy."""
 
     aliases: ClassVar[Aliases] = {
         **meant("count", "n", "number", "bands", "modes", "nbands", "num_bands", "n_bands"),
@@ -79,22 +79,22 @@ class BandSettings:
 
     @property
     def resolution(self) -> Resolution | None:
-        """What the mesh settings say, the rest of it as the accuracy has it; None where they say nothing."""
+        """Resolution from the mesh settings, completed for the accuracy; None without mesh settings."""
         order, rings = self.mesh.order, self.mesh.foot_rings
         if order is None and rings is None:
             return None
-        rung = LADDER[starting_rung(self.accuracy)]
+        level = LADDER[starting_rung(self.accuracy)]
         return Resolution(
-            rung.order if order is None else order,
-            rung.foot_rings if rings is None else rings,
-            rung.steps,
-            rung.block,
+            level.order if order is None else order,
+            level.foot_rings if rings is None else rings,
+            level.steps,
+            level.block,
         )
 
 
 @described("layers", kw_only=True)
 class LayersSettings(DirectionSettings):
-    """What is asked of a mirror of several rows of cells between two plates."""
+    """Settings of a mirror of several rows of cells between two plates."""
 
     count: Annotated[int, Field(ge=1, le=20, strict=True)] = setting(
         6, "The most that are computed; all fewer ones are as well.", title="Rows"
@@ -119,11 +119,11 @@ class LayersSettings(DirectionSettings):
         ascending(self.lowest, self.highest, "spectrum")
 
     def frequencies(self, carrier: float) -> NDArray[np.float64]:
-        """(points,) of the spectrum around a carrier, Hz.
+        """(points,) frequencies of the spectrum around a carrier, Hz.
 
         Raises
         ------
-        StudyError : one end beyond the other, which follows from the carrier
+        StudyError : the given end lies beyond the default of the other end
         """
         low, high = self.lowest or LOWEST * carrier, self.highest or HIGHEST * carrier
         if low >= high:
@@ -139,7 +139,7 @@ class LayersSettings(DirectionSettings):
 
 @described("waveguide", kw_only=True)
 class WaveguideSettings(DirectionSettings):
-    """A strip of plain plate between two mirrors."""
+    """Settings of a strip of plain plate between two mirrors."""
 
     mode: str = setting(
         "0x17",
@@ -158,6 +158,6 @@ class WaveguideSettings(DirectionSettings):
 
     @property
     def nodal_lines(self) -> tuple[int, int]:
-        """Nodal lines across, and intervals along."""
+        """Number of nodal lines across, and of intervals along."""
         across, along = self.mode.split("x")
         return int(across), int(along)

@@ -1,4 +1,4 @@
-"""Waveguides of a length in cells between two mirrors, and their numbers as a labelled dataset."""
+"""Waveguides between two mirrors with a length in cells, and their dataset."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from haptonic.cell import Rows
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
 
-INSET = 1e-3  # of the gap's width, kept away from its edges
+INSET = 1e-3  # share of the gap's width excluded at its edges
 
 
 @dataclass(frozen=True)
 class Strip:
-    """A waveguide that was computed.
+    """Computed waveguide.
 
     rows : its length in cells; length : m; mode : across and along it
-    fixed_line : how far inside the lattice the plate seems to be held, m
+    fixed_line : distance of the equivalent support behind the edge of the lattice, m
     decay : of the mode in the lattice, dB per row
     """
 
@@ -37,32 +37,32 @@ class Strip:
 
     @property
     def frequency(self) -> float:
-        """Hz."""
+        """Frequency of the mode, Hz."""
         return self.mode.omega / (2 * np.pi)
 
     @property
     def spacing(self) -> float:
-        """Between nodal lines along the strip, m."""
+        """Distance of nodal lines along the strip, m."""
         return float(np.pi / self.mode.wavenumber)
 
 
 def closing(rows: Rows) -> tuple[int, int]:
-    """The direction of the rows that close a strip beside others.
+    """Direction of the rows that close the ends of a strip between given rows.
 
     Raises
     ------
-    StudyError : there are none
+    StudyError : the lattice has no rows at a right angle
     """
-    found = rows.crossing
-    if found is None:
+    crossing = rows.crossing
+    if crossing is None:
         raise StudyError.unsupported(
             argument="waveguide.ends",
             given="mirror",
             allowed="a lattice that has rows at right angles to the strip, or free ends",
-            cause=f"no few translations lead at a right angle to {list(rows.along)}",
+            cause=f"no short translation is at a right angle to {list(rows.along)}",
             next_step='write ends = "free", or another direction along',
         )
-    return found
+    return crossing
 
 
 def strip_of(
@@ -73,44 +73,48 @@ def strip_of(
     rows: int,
     closed_by: CondensedRows | None,
 ) -> Strip:
-    """The waveguide so many cells long whose mode is at the carrier (Hz), or that of the width asked for.
+    """Compute the waveguide of a length in cells with its mode at the carrier (Hz), or with a given width.
 
     Parameters
     ----------
-    gap : that holds the carrier; closed_by : rows at the ends, which are free without them
+    gap : that contains the carrier; closed_by : rows at the ends, None for free ends
     """
     omega, length = 2 * np.pi * carrier, rows * lattice.rows.period
     (across, along), width = waveguide.nodal_lines, waveguide.width
     if width is None:
         wavenumber = along_strip(omega, length, along, closed_by)
-        found = Guide.of(lattice, wavenumber).mode_at(omega, across)
+        guided_mode = Guide.of(lattice, wavenumber).mode_at(omega, across)
     else:
         inside = INSET * (gap.upper - gap.lower)
         between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
-        found = strip_mode(
+        guided_mode = strip_mode(
             lattice, width=width, length=length, intervals=along, nodal_lines=across, between=between,
             closed_by=closed_by,
         )  # fmt: skip
-    interface = Interface.of(lattice, found.wavenumber)
-    wall = Wall.of(interface, found.omega)
+    interface = Interface.of(lattice, guided_mode.wavenumber)
+    wall = Wall.of(interface, guided_mode.omega)
     assert wall is not None
-    into_lattice, _ = bloch_waves(interface.slab.at(found.omega), found.omega)
+    into_lattice, _ = bloch_waves(interface.slab.at(guided_mode.omega), guided_mode.omega)
     return Strip(
-        rows=rows, length=length, mode=found, fixed_line=wall.fixed_line, decay=lattice.decay(into_lattice)
+        rows=rows,
+        length=length,
+        mode=guided_mode,
+        fixed_line=wall.fixed_line,
+        decay=lattice.decay(into_lattice),
     )
 
 
 def strips_dataset(strips: Sequence[Strip]) -> xr.Dataset:
-    """A number of each waveguide, and the amplitude across it."""
+    """Dataset of the sizes, frequencies and decays of waveguides."""
     numbers = {
-        "width": ("m", [one.mode.width for one in strips]),
-        "rows": ("1", [one.rows for one in strips]),
-        "length": ("m", [one.length for one in strips]),
-        "frequency": ("Hz", [one.frequency for one in strips]),
-        "nodal_spacing": ("m", [one.spacing for one in strips]),
-        "amplitude_at_edge": ("1", [one.mode.at_edge for one in strips]),
-        "fixed_line": ("m", [one.fixed_line for one in strips]),
-        "decay": ("dB/row", [one.decay for one in strips]),
+        "width": ("m", [strip.mode.width for strip in strips]),
+        "rows": ("1", [strip.rows for strip in strips]),
+        "length": ("m", [strip.length for strip in strips]),
+        "frequency": ("Hz", [strip.frequency for strip in strips]),
+        "nodal_spacing": ("m", [strip.spacing for strip in strips]),
+        "amplitude_at_edge": ("1", [strip.mode.at_edge for strip in strips]),
+        "fixed_line": ("m", [strip.fixed_line for strip in strips]),
+        "decay": ("dB/row", [strip.decay for strip in strips]),
     }
     return xr.Dataset(
         {name: ("waveguide", values, {"units": unit}) for name, (unit, values) in numbers.items()}

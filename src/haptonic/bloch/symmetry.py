@@ -1,4 +1,4 @@
-"""Even or odd: what the mirrors of a wavevector's little group say about its modes."""
+"""Parities of modes under the mirrors of a wavevector's little group."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ SAME = 1e-4  # modes closer than this share of their frequency are treated as on
 
 
 def mirrors_at(group: PointGroup, kappa: Array) -> dict[str, Operation]:
-    """The reflections by name that leave a wavevector as it is and tell modes apart there."""
+    """Reflections, by name, that leave a wavevector unchanged and distinguish its modes."""
     return group.little_group(kappa).distinct_mirrors
 
 
 def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
-    """Groups of neighbours that are degenerate within a relative tolerance; all those at rest are one."""
+    """Groups of neighbours that are degenerate within a relative tolerance; all rest modes are one group."""
     apart = np.diff(frequency) > np.maximum(tolerance * frequency[1:], 3 * tolerance * frequency[-1])
     ends = [0, *(int(g) + 1 for g in np.flatnonzero(apart)), len(frequency)]
     return [slice(a, b) for a, b in pairwise(ends)]
@@ -43,7 +43,7 @@ def sorted_by_parity(trace: Complex, image: Complex, groups: Sequence[Ints]) -> 
     Parameters
     ----------
     trace : (t, k) traces of the modes on one cell, phases included
-    image : the same in a reflection of the wavevector's little group
+    image : images of these traces in a reflection of the wavevector's little group
     groups : numbers of the modes of each degenerate group
 
     Returns
@@ -55,12 +55,12 @@ def sorted_by_parity(trace: Complex, image: Complex, groups: Sequence[Ints]) -> 
     turn = np.zeros((count, count), dtype=complex)
     parity = np.empty(count)
     for group in groups:
-        own = trace[:, group]
-        overlap, norm = own.conj().T @ image[:, group], own.conj().T @ own
+        of_group = trace[:, group]
+        overlap, norm = of_group.conj().T @ image[:, group], of_group.conj().T @ of_group
         values, vectors = la.eigh(0.5 * (overlap + overlap.conj().T), norm)
         order = np.argsort(-values)
         vectors = vectors[:, order]
-        # eigh normalises in the trace; bring the modes back to orthonormal combinations
+        # eigh normalises traces; make the combinations of modes orthonormal
         turn[np.ix_(group, group)] = np.linalg.qr(vectors)[0]
         parity[group] = values[order]
     return turn, parity
@@ -70,30 +70,30 @@ MULLIKEN = {"x+ y+ d+": "A1", "x- y- d-": "A2", "x+ y+ d-": "B1", "x- y- d+": "B
 
 
 def corner_labels(trace: Complex, images: dict[str, Complex], groups: Sequence[Ints]) -> list[str]:
-    """How modes at a corner of the zone behave under all mirrors of its little group.
+    """Labels of modes at a corner of the zone by their behaviour under the mirrors of its little group.
 
-    A single mode is even (+) or odd (-) under each of them, such as ``x+ y-``; where all mirrors of the
-    square are there its irreducible representation is named too. A pair that the mirrors mix is ``E``.
+    A single mode is even (+) or odd (-) under each mirror, such as ``x+ y-``; with all mirrors of the square
+    the irreducible representation is named too. A pair that the mirrors mix is ``E``.
 
     Parameters
     ----------
-    trace : (t, k) traces of the modes; groups : numbers of those of each degenerate group
-    images : the same in the mirrors, by name, see `haptonic.lattice.PointGroup.mirrors`
+    trace : (t, k) traces of the modes; groups : numbers of the modes of each degenerate group
+    images : images of the traces in the mirrors, by name, see `haptonic.lattice.PointGroup.mirrors`
     """
     labels = [""] * trace.shape[1]
     for group in groups:
-        own = trace[:, group]
-        norm = own.conj().T @ own
-        # the character of a reflection: its trace on the group, whatever basis the solver chose
+        of_group = trace[:, group]
+        norm = of_group.conj().T @ of_group
+        # character of a reflection: its trace on the group, independent of the basis
         characters = {
-            name: float(np.trace(la.solve(norm, own.conj().T @ image[:, group])).real)
+            name: float(np.trace(la.solve(norm, of_group.conj().T @ image[:, group])).real)
             for name, image in images.items()
         }
-        if own.shape[1] == 1:
+        if of_group.shape[1] == 1:
             text = " ".join(f"{name}{'+' if value > 0 else '-'}" for name, value in characters.items())
             symbol = MULLIKEN.get(text)
             label = f"{symbol} ({text})" if symbol else text
-        elif own.shape[1] == 2 and characters and all(abs(value) < 0.5 for value in characters.values()):
+        elif of_group.shape[1] == 2 and characters and all(abs(value) < 0.5 for value in characters.values()):
             label = "E"
         else:
             label = "several"

@@ -1,4 +1,4 @@
-"""Bands along the edge of the zone, followed by what they are and not by their rank."""
+"""Bands along the edge of the zone, followed through crossings by their mode shapes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from haptonic.bloch.symmetry import (
 from haptonic.brillouin import Path
 from haptonic.superelement import JointImage
 
-ALIKE = 0.2  # squared overlap from which two modes at neighbouring wavevectors may be one branch
+ALIKE = 0.2  # squared overlap above which two modes at neighbouring wavevectors may be on one branch
 
 
 @dataclass(frozen=True)
@@ -34,10 +34,10 @@ class Diagram:
 
     frequency, error : (n, k) Hz
     velocity : (n, k, 2) group velocity, m/s; NaN for rigid-body motions, where it is not defined
-    parity : (n, k) +1 even, -1 odd under the mirror of the segment, 0 where it has none
-    middle : (n, k) +1 symmetric, -1 antisymmetric about the plate's middle plane, 0 where that is no mirror
+    parity : (n, k) +1 even, -1 odd under the mirror of the segment, 0 without a mirror
+    middle : (n, k) +1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if that is not a mirror
     corner_symmetry : for each corner of the path the labels of its modes, see `corner_labels`
-    branch : (n, k) number of the curve that the mode belongs to
+    branch : (n, k) number of the mode's curve
     vertical, pillar_strain, pillar_kinetic, name : (n, k), see `Character`
     """
 
@@ -58,11 +58,11 @@ class Diagram:
 def diagram(model: BlochModel, path: Path) -> Diagram:
     """Solve along a path and follow the branches.
 
-    On every segment a mirror leaves the wavevector alone, and so does that in the plate's middle plane, where
-    it is one; modes of opposite parity cross freely, so only modes of equal parity are joined, and among
-    these the ones whose fields overlap most.
+    On every segment a mirror leaves the wavevector unchanged; the middle plane of the plate may be another
+    one. Modes of opposite parity cross freely, so only modes of equal parity are joined, those with the
+    largest overlap of their fields.
     """
-    # a degenerate pair must not be cut in two by the last band asked for
+    # spare modes, so that the last band does not divide a degenerate pair
     solutions = [model.solve(kappa, spare=SPARE_MODES) for kappa in path.kappa]
     tiling = model.fine.tiling
     count, bands = len(solutions), model.count
@@ -76,18 +76,18 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
         between = 0.5 * (path.kappa[start] + path.kappa[stop])
         operations = list(mirrors_at(model.cell.point_group, between).values())
         mirror = tiling.joint.image(operations[0]) if operations else None
-        if before is not None:  # at a corner the same modes are sorted anew, by the next mirror
+        if before is not None:  # at a corner the modes are sorted again, by the next mirror
             before = (before[0], (np.zeros(bands, dtype=np.int64), before[1][1]), before[2])
         for i in range(start, stop + 1):
             solution, signs = _turned(solutions[i], model, mirror)
-            both = signs, model.fine.parity(solution.modes)
+            parities = signs, model.fine.parity(solution.modes)
             if before is None:
-                own = np.arange(used, used + bands)
+                branches = np.arange(used, used + bands)
                 used += bands
             else:
-                own, used = _joined(before, (solution.fields, both), tiling.mass, used)
-            before = (solution.fields, both, own)
-            (parity[i], middle[i]), branch[i] = both, own
+                branches, used = _joined(before, (solution.fields, parities), tiling.mass, used)
+            before = (solution.fields, parities, branches)
+            (parity[i], middle[i]), branch[i] = parities, branches
             velocity[i] = group_velocity(model, solution)
             if i < stop or stop == path.corners[-1]:
                 followed.append(solution.fields)
@@ -123,7 +123,7 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
 
 
 def _turned(solution: Solution, model: BlochModel, mirror: JointImage | None) -> tuple[Solution, Ints]:
-    """The bands asked for, degenerate modes turned to definite parity, and the parities."""
+    """Combine degenerate modes to definite parity; return the bands and their parities."""
     if mirror is None:
         return solution.lowest(model.count), np.zeros(model.count, dtype=np.int64)
     trace = solution.fields[: model.fine.tiling.trace_size]
@@ -133,7 +133,7 @@ def _turned(solution: Solution, model: BlochModel, mirror: JointImage | None) ->
 
 
 def _groups(solution: Solution, model: BlochModel) -> list[Ints]:
-    """Numbers of degenerate modes, those of either parity in the plate's middle plane apart."""
+    """Numbers of degenerate modes, separated by parity about the plate's middle plane."""
     return split_groups(clusters(solution.frequency), model.fine.parity(solution.modes))
 
 
@@ -157,7 +157,7 @@ def _joined(
     mass: Array,
     used: int,
 ) -> tuple[Ints, int]:
-    """Branch numbers of the modes now, from those before; new numbers where nothing fits."""
+    """Branch numbers of the modes from those at the previous wavevector; new numbers without a match."""
     old_fields, old_signs, old_branch = before
     fields, signs = now
     weighed = mass @ fields.real + 1j * (mass @ fields.imag)

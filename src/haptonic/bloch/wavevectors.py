@@ -1,4 +1,4 @@
-"""Wavevectors as somebody names them: a corner, a place between two, or two phases."""
+"""Wavevectors from text: a corner, a position between two corners, or two phases."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ GAMMA = {"G": "Γ", "GAMMA": "Γ", "Γ": "Γ"}
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)"
 _PHASES = re.compile(rf"\s*({_NUMBER})(?:\s*,\s*|\s+)({_NUMBER})\s*")
 _BETWEEN = re.compile(rf"\s*(?:(?P<share>{_NUMBER})\s+(?:of\s+)?)?(?P<start>\S+?)-(?P<stop>\S+)\s*")
-LARGEST = 2.0  # phases over pi: all of the zone, twice
+LARGEST = 2.0  # of phases over pi: twice the zone
 
 
 def wavevector_at(zone: IrreducibleZone, text: str, argument: str = "modes_at") -> tuple[Array, str]:
@@ -22,13 +22,13 @@ def wavevector_at(zone: IrreducibleZone, text: str, argument: str = "modes_at") 
 
     Parameters
     ----------
-    text : a corner, ``M``; a share of the way between two, ``0.3 X-M``; the middle, ``X-M``; or both phases
+    text : a corner, ``M``; a share of the path between two, ``0.3 X-M``; the middle, ``X-M``; or both phases
         over pi, ``0.5, 0.25``
-    argument : what an error calls it
+    argument : name in errors
 
     Raises
     ------
-    StudyError : none of these
+    StudyError : text of another form
     """
     corners = zone.corner_phases
 
@@ -36,14 +36,14 @@ def wavevector_at(zone: IrreducibleZone, text: str, argument: str = "modes_at") 
         name = GAMMA.get(name.upper(), name.upper().replace("'", "\N{PRIME}"))
         return name if name in corners else None
 
-    if found := _PHASES.fullmatch(text):
-        one, other = float(found[1]), float(found[2])
-        if max(abs(one), abs(other)) <= LARGEST:
-            return np.pi * np.array([one, other]), f"k·a = ({one:g} π, {other:g} π)"
+    if match := _PHASES.fullmatch(text):
+        first, second = float(match[1]), float(match[2])
+        if max(abs(first), abs(second)) <= LARGEST:
+            return np.pi * np.array([first, second]), f"k·a = ({first:g} π, {second:g} π)"
     elif (name := corner(text.strip())) is not None:
         return corners[name].copy(), name
-    elif found := _BETWEEN.fullmatch(text):
-        start, stop, share = corner(found["start"]), corner(found["stop"]), float(found["share"] or 0.5)
+    elif match := _BETWEEN.fullmatch(text):
+        start, stop, share = corner(match["start"]), corner(match["stop"]), float(match["share"] or 0.5)
         if start and stop and 0 <= share <= 1:
             kappa = (1 - share) * corners[start] + share * corners[stop]
             return kappa, f"{'middle' if share == 0.5 else f'{share:g}'} of {start}-{stop}"
@@ -53,6 +53,6 @@ def wavevector_at(zone: IrreducibleZone, text: str, argument: str = "modes_at") 
         given=shown(text),
         allowed=f'a corner ({", ".join(labels)}), a share between two ("0.3 {labels[0]}-{labels[1]}") or the '
         f'phases k.a1 and k.a2 over pi, at most {LARGEST:g} ("0.5, 0.25")',
-        cause="it names no wavevector of this lattice",
+        cause="the text is not a wavevector of this lattice",
         next_step=f"write {labels[-1]}, or leave it out for the middle of {labels[1]}-{labels[2]}",
     )

@@ -1,4 +1,4 @@
-"""The whole zone at once: density of states and iso-frequency contours."""
+"""Bands over the whole zone: density of states and iso-frequency contours."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from haptonic.lattice import PointGroup
 class ZoneSurface:
     """Bands as surfaces over the irreducible zone.
 
-    zone, group : where they are known, and what takes it to the rest of the zone
+    zone, group : irreducible zone, and point group that maps it to the rest of the zone
     kappa : (n, 2) phases, rad; triangles : (m, 3); frequency : (n, k) Hz
     """
 
@@ -31,14 +31,14 @@ class ZoneSurface:
         """(bins,) states per cell and Hz between the given frequencies (bins + 1,).
 
         Linear interpolation on triangles, integrated exactly (Lehmann and Taut 1972,
-        doi 10.1002/pssb.2220540211, in two dimensions): every band holds one state per cell.
+        doi 10.1002/pssb.2220540211, in two dimensions): every band has one state per cell.
         """
         corners = self.kappa[self.triangles]
         across = corners[:, 1:] - corners[:, :1]
         area = np.abs(across[:, 0, 0] * across[:, 1, 1] - across[:, 0, 1] * across[:, 1, 0])
         share = area / area.sum()
         a, b, c = np.moveaxis(np.sort(self.frequency[self.triangles], axis=1), 1, 0)[..., None]
-        floor = 1e-9 * self.frequency.max()  # a flat triangle still is a (steep) ramp
+        floor = 1e-9 * self.frequency.max()  # a flat triangle is treated as a steep ramp
         b, c = np.maximum(b, a + floor), np.maximum(c, a + 2 * floor)
         b = np.minimum(b, c - floor)
         f = edges
@@ -49,7 +49,7 @@ class ZoneSurface:
         return np.asarray(np.diff(counted) / np.diff(edges))
 
     def unfolded(self, band: int) -> tuple[Array, Ints, Array]:
-        """The band over the whole first zone, by the point group: wavevectors (rad/m), triangles, Hz."""
+        """Band over the whole first zone by the point group: wavevectors (rad/m), triangles, Hz."""
         wavevectors, number = images(self.group, self.kappa)
         starts = range(0, len(wavevectors), len(self.kappa))
         triangles = np.concatenate([self.triangles + start for start in starts])
