@@ -410,13 +410,8 @@ class TestExport:
     @pytest.mark.parametrize(
         ("changes", "said"),
         [
-<<<<<<< HEAD
-            ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell holds it"),
-            ((('carrier = "60 kHz"', ""),), "see carrier: the study does not give the frequency"),
-=======
             ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell contains it"),
-            ((('carrier = "60 kHz"', ""),), "see carrier: the study does not say which frequency"),
->>>>>>> w-words3
+            ((('carrier = "60 kHz"', ""),), "see carrier: the study does not give the frequency"),
         ],
         ids=["no gap", "no carrier"],
     )
