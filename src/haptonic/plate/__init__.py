@@ -1,4 +1,4 @@
-"""The finite plate: tiles of lattice and plain plate, supports, drives, and how it all vibrates."""
+"""The finite plate: tiles of lattice and plain plate, supports, drives, and its vibration."""
 
 from haptonic.plate.holding import Support
 from haptonic.plate.layout import Layout

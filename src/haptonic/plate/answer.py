@@ -1,4 +1,4 @@
-"""The response of a plate at given points and lines, and nothing else of it."""
+"""Response of a plate at given points and frequency lines."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def responded(
     title: str = "",
     inputs: Mapping[str, Any] | None = None,
 ) -> FrequencyResponse:
-    """Velocity of points of the flat face for a unit of the first drive.
+    """Compute the velocity of points of the flat face per unit of the first drive.
 
     Parameters
     ----------
@@ -39,7 +39,9 @@ def responded(
     """
     reference, _ = reference_of(plate)
     model = PlateModel.of(plate, float(frequency[-1]), fineness)
-    band = Band.of(model, 0.0, float(frequency[-1]))  # one that begins higher may have to begin anew
+    band = Band.of(
+        model, 0.0, float(frequency[-1])
+    )  # from 0, because a band that begins higher may need a new basis
     _, vibration = band.answer(unit_drives(plate), frequency, tolerance)
     seen = real_times(model.displaced(points, vibration.vectors), vibration.amplitudes)
     return FrequencyResponse.of(

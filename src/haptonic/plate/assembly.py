@@ -1,12 +1,12 @@
-"""All tiles of a plate together: one matrix on the skeleton, modes of the tiles eliminated at every shift.
+"""Assembly of a plate's tiles: one matrix on the skeleton, with the tiles' modes eliminated at each shift.
 
-A tile has a trace b, which lies on the skeleton, and modes m of eigenvalues lambda that no other tile
-touches. At a shift s it adds to the matrix of the skeleton
+A tile has a trace b on the skeleton and modes m of eigenvalues lambda, which are not coupled to other
+tiles. At a shift s it adds to the matrix of the skeleton
 
     D(s) = K_bb - s M_bb - s^2 M_bm (Lambda - s)^-1 M_mb,
 
-and below s lie as many eigenvalues of the plate as the sum of all D(s) has negative ones, plus the modes of
-tiles with lambda < s (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263).
+to it. The number of eigenvalues of the plate below s is that of the negative eigenvalues of the sum of all
+D(s), plus that of the tiles' modes with lambda < s (Wittrick and Williams 1971, doi 10.1093/qjmam/24.3.263).
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from haptonic.plate.skeleton import Skeleton
 from haptonic.plate.tile import Eliminated, Tile, applied
 from haptonic.solvers import Pattern, Solver, chosen
 
-AT_ONCE = 64  # vectors that a product takes on at once
+AT_ONCE = 64  # number of vectors per product
 
 
 @dataclass(frozen=True, eq=False)
 class TileGroup:
-    """All blocks that are the same tile.
+    """All blocks with the same tile.
 
     blocks : (k,) their numbers
-    unknowns : (k, n) where the tile's unknowns lie in a vector of the assembly; those held have the number
-        of the vector's last entry, which is always 0
+    unknowns : (k, n) positions of the tile's unknowns in a vector of the assembly; unknowns at rest have the
+        number of an additional last entry, which is 0
     """
 
     tile: Tile
@@ -46,12 +46,12 @@ class TileGroup:
 
 @dataclass(frozen=True, eq=False)
 class Assembly:
-    """Vectors hold the free unknowns of the skeleton, then the modes of all tiles.
+    """Assembled tiles. Vectors contain the free unknowns of the skeleton, then the modes of all tiles.
 
-    skeleton : what carries the unknowns between tiles
-    number : (skeleton.size,) place of each of its unknowns in a vector; held ones, and those that are
-        condensed into a tile, have number ``size``
-    free : how many of them are left
+    skeleton : unknowns between tiles
+    number : (skeleton.size,) position of each of its unknowns in a vector; unknowns at rest, or condensed
+        into a tile, have number ``size``
+    free : number of the others
     groups : the tiles; size : of a vector
     foundations : stiffness of the supports (free, free), sparse, N/m
     """
@@ -78,7 +78,7 @@ class Assembly:
         Parameters
         ----------
         which : the tile of each block; held : unknowns at rest; foundations : on all unknowns of the skeleton
-        opened : for each block, what of its trace is condensed into its tile
+        opened : for each block, unknowns of its trace that are condensed into its tile
         """
         is_free = np.ones(skeleton.size, dtype=bool)
         is_free[held] = False
@@ -110,13 +110,13 @@ class Assembly:
 
     @property
     def is_free(self) -> NDArray[np.bool_]:
-        """(skeleton.size,) unknowns that are not held."""
+        """(skeleton.size,) True for unknowns that are neither at rest nor condensed."""
         return np.asarray(self.number < self.size)
 
     # -- products ---------------------------------------------------------------------------------
 
     def shares(self, vectors: NDArray[Any]) -> Iterator[tuple[TileGroup, NDArray[Any]]]:
-        """(n, blocks, k) the part of vectors (size, k) on the tiles of each group."""
+        """(n, blocks, k) parts of vectors (size, k) on the tiles of each group."""
         padded = np.concatenate([vectors, np.zeros((1, vectors.shape[1]), vectors.dtype)])
         for group in self.groups:
             yield group, padded[group.unknowns.T]
@@ -128,10 +128,10 @@ class Assembly:
 
     @cached_property
     def _gather(self) -> sp.csr_array:
-        """What adds the contributions of all groups, one below the other."""
+        """Matrix that sums the contributions of all groups, one below the other."""
         to = np.concatenate([group.unknowns.T.ravel() for group in self.groups])
-        kept = np.flatnonzero(to < self.size)
-        entries = (np.ones(len(kept)), (to[kept], kept))
+        inside = np.flatnonzero(to < self.size)
+        entries = (np.ones(len(inside)), (to[inside], inside))
         return sp.csr_array(entries, shape=(self.size, len(to)))
 
     def mass_times(self, vectors: Array, out: Array | None = None) -> Array:
@@ -147,14 +147,14 @@ class Assembly:
 
         def product(part: Array) -> Array:
             pieces = [group.tile.stiffness_times(share) for group, share in self.shares(part)]
-            found = self.gathered(pieces)
-            found[: self.free] += self.foundations @ part[: self.free]
-            return found
+            forces = self.gathered(pieces)
+            forces[: self.free] += self.foundations @ part[: self.free]
+            return forces
 
         return self._times(vectors, out, product)
 
     def _times(self, vectors: Array, out: Array | None, product: Callable[[Array], Array]) -> Array:
-        """A product of some columns at once, side by side in threads."""
+        """Apply a product to groups of columns in parallel threads."""
         out = np.empty_like(vectors) if out is None else out
 
         def some(start: int) -> None:
@@ -169,11 +169,12 @@ class Assembly:
 
     @cached_property
     def _places(self) -> tuple[Pattern, list[tuple[Ints, Ints]], tuple[Ints, Array]]:
-        """Pattern of the upper triangle; for each block, in the order of the groups, which entries of its
-        matrix (trace, trace) count and where they go; where the foundations' upper triangle goes, and its
-        entries.
+        """Pattern of the upper triangle, and positions of the blocks' and the foundations' entries in it.
+
+        For each block, in the order of the groups: entries of its matrix (trace, trace) that are used, and
+        their positions. For the foundations' upper triangle: positions and entries.
         """
-        blocks = []  # their unknowns that are not held, ascending, and where these lie in the trace
+        blocks = []  # their free unknowns, ascending, and the positions of these in the trace
         for group in self.groups:
             for trace in group.unknowns[:, : group.tile.trace_size]:
                 order = np.argsort(trace)[: int((trace < self.size).sum())]
@@ -191,28 +192,28 @@ class Assembly:
         places = []
         for unknowns, order, trace in blocks:
             first, second = np.triu_indices(len(unknowns))
-            own = number[unknowns][:, unknowns].toarray()
-            places.append((order[first] * trace + order[second], own[first, second]))
+            entry_numbers = number[unknowns][:, unknowns].toarray()
+            places.append((order[first] * trace + order[second], entry_numbers[first, second]))
         entries = number[np.unique(foundation.row)].tocoo()
         keys = np.unique(foundation.row)[entries.row] * self.free + entries.col  # ascending
         on_them = foundation.row.astype(np.int64) * self.free + foundation.col
         of_foundations = entries.data[np.searchsorted(keys, on_them)]
         order = elimination_order(self.free, [unknowns for unknowns, _, _ in blocks])
-        pattern = Pattern(*(one.astype(np.int32) for one in (number.indptr, number.indices, order)))
+        pattern = Pattern(*(array.astype(np.int32) for array in (number.indptr, number.indices, order)))
         return pattern, places, (of_foundations, foundation.data)
 
     def prepare(self) -> None:
-        """Do the index work before threads ask for it at once."""
+        """Do the index work before several threads need it."""
         assert self._gather is not None
         assert self._places
 
     @property
     def pattern(self) -> Pattern:
-        """Of the upper triangle on the free unknowns of the skeleton."""
+        """Pattern of the upper triangle on the free unknowns of the skeleton."""
         return self._places[0]
 
     def numbers(self, parts: Sequence[Array]) -> Array:
-        """Numbers on the pattern from one symmetric matrix (trace, trace) for each group, and foundations."""
+        """Values on the pattern from a symmetric matrix (trace, trace) for each group, and foundations."""
         pattern, places, (of_foundations, foundations) = self._places
         data = np.zeros(len(pattern.indices))
         data[of_foundations] = foundations
@@ -221,16 +222,16 @@ class Assembly:
             flat = part.ravel()
             for _ in group.blocks:
                 entries, where = next(block)
-                data[where] += flat[entries]  # those of one block never coincide
+                data[where] += flat[entries]  # entries of one block never coincide
         return data
 
     @cached_property
     def _idle(self) -> list[Solver]:
-        """Solvers that have analysed the pattern, and that nobody uses."""
+        """Unused solvers that have analysed the pattern."""
         return []
 
     def shifted(self, shift: float) -> Shifted:
-        """K - shift M, factorised; who has done with it should release it."""
+        """Factorise K - shift M; the caller releases the result after use."""
         solver = self._idle.pop() if self._idle else chosen()(self.pattern)
         return Shifted.of(self, shift, solver)
 
@@ -239,7 +240,7 @@ class Assembly:
 class Shifted:
     """K - shift M of an assembly, factorised on the skeleton with the modes eliminated.
 
-    below : eigenvalues below the shift
+    below : number of eigenvalues below the shift
     """
 
     assembly: Assembly
@@ -251,27 +252,27 @@ class Shifted:
     @classmethod
     def of(cls, assembly: Assembly, shift: float, solver: Solver) -> Shifted:
         eliminated = tuple(group.tile.dynamic(shift) for group in assembly.groups)
-        numbers = assembly.numbers([one.on_trace for one in eliminated])
+        numbers = assembly.numbers([modes.on_trace for modes in eliminated])
         below = solver.factorise(numbers, definite=shift <= 0)
         below += sum(len(g.blocks) * int((g.tile.values < shift).sum()) for g in assembly.groups)
         return cls(assembly=assembly, shift=shift, solver=solver, eliminated=eliminated, below=below)
 
     def release(self) -> None:
-        """Leave the solver to the next shift."""
+        """Return the solver for the next shift."""
         self.assembly._idle.append(self.solver)
 
     def solve(self, right: Array) -> Array:
         """(size, k) solutions of (K - shift M) x = right, (size, k)."""
         assembly = self.assembly
         pieces, inner = [], []
-        for (group, share), one in zip(assembly.shares(right), self.eliminated, strict=True):
-            own = share[group.tile.trace_size :]
-            inner.append(one.inverse[:, None, None] * own)
-            pieces.append(np.concatenate([applied(one.follow.T, own), np.zeros_like(own)]))
+        for (group, share), modes in zip(assembly.shares(right), self.eliminated, strict=True):
+            of_modes = share[group.tile.trace_size :]
+            inner.append(modes.inverse[:, None, None] * of_modes)
+            pieces.append(np.concatenate([applied(modes.follow.T, of_modes), np.zeros_like(of_modes)]))
         reduced = right[: assembly.free] + assembly.gathered(pieces)[: assembly.free]
         out = np.zeros((assembly.size + 1, right.shape[1]))
         out[: assembly.free] = self.solver.solve(reduced)
-        for group, one, own in zip(assembly.groups, self.eliminated, inner, strict=True):
+        for group, modes, of_modes in zip(assembly.groups, self.eliminated, inner, strict=True):
             trace = group.tile.trace_size
-            out[group.unknowns.T[trace:]] = own + applied(one.follow, out[group.unknowns.T[:trace]])
+            out[group.unknowns.T[trace:]] = of_modes + applied(modes.follow, out[group.unknowns.T[:trace]])
         return out[:-1]

@@ -1,4 +1,4 @@
-"""All that is found of a plate over a band: its response, maps, energies, modes, and how it all moves."""
+"""Results of a plate over a band: response, maps, energies, modes, and the motion of the body."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from haptonic.response import FrequencyResponse, plain
 
 
 def need_loss(plate: Plate) -> None:
-    """Raise StudyError for a plate whose resonances nothing bounds."""
+    """Raise StudyError for a plate without losses, whose resonances are unbounded."""
     if not plate.loss_factor:
         raise StudyError.missing(
             argument="plate.loss_factor",
@@ -42,29 +42,31 @@ def band_response(
     fineness: Fineness | None = None,
     progress: Progress = silent,
 ) -> dict[str, xr.Dataset]:
-    """The ``response`` at the lines asked for and at those of the ``maps``, what is known at all ``lines``,
-    the ``modes`` near the carrier, and the ``body``, as it moves at the carrier.
+    """Compute datasets of a plate over a band.
+
+    They are the ``response`` at the requested lines, the ``maps``, energies and errors at all ``lines``, the
+    ``modes`` near the carrier, and the ``body`` with its motion at the carrier.
 
     Parameters
     ----------
     carrier : Hz, near which modes are listed
-    gap : edges, Hz, for the maps below, in and above it; without one the only map is at the carrier
-    inputs : plain values of what was asked; fineness : of the mesh, if not the usual one
-    progress : called with the shifts done and planned, then with the lines that are answered one by one
+    gap : edges, Hz, for maps below, in and above it; without a gap the only map is at the carrier
+    inputs : plain values of the settings; fineness : of the mesh, if not the default
+    progress : called with the shifts done and planned, then with the lines solved one by one
 
     Raises
     ------
     StudyError : nothing drives the plate
-    ResourceError : the basis would need more memory than there is
-    HaptonicError : lines that cannot be made as exact as asked for
+    ResourceError : the basis needs more memory than is free
+    HaptonicError : lines that do not reach the tolerance
     """
     low, high = settings.lowest, settings.highest
     model = PlateModel.of(plate, high, fineness)
 
     band = Band.of(model, low, high, progress)
-    found = modes_between(band, max(low, (1 - NEAR) * carrier), min(high, (1 + NEAR) * carrier))
+    modes = modes_between(band, max(low, (1 - NEAR) * carrier), min(high, (1 + NEAR) * carrier))
     reference, _ = reference_of(plate)
-    aside = [carrier] if gap is None else [BELOW * gap[0], ABOVE * gap[1], *found.frequency]
+    aside = [carrier] if gap is None else [BELOW * gap[0], ABOVE * gap[1], *modes.frequency]
     extra = [f for f in aside if low <= f <= high]
     every = np.union1d(settings.frequencies, extra)
     band, vibration = band.answer(unit_drives(plate), every, settings.tolerance, progress)
@@ -84,12 +86,12 @@ def band_response(
         )  # fmt: skip
 
     lines = lines_dataset(plate, vibration, band)
-    shapes = model.displaced(points, found.vectors)
+    shapes = model.displaced(points, modes.vectors)
     at_resonance = int(marked[np.abs(every[marked] - resonance_of(every[marked], carrier, gap)).argmin()])
     return {
         "response": response(main, "finite plate"),
         "maps": response(marked, "finite plate, the frequencies of its maps"),
         "lines": lines,
-        "modes": modes_dataset(plate, band, found, shapes, points, regions),
+        "modes": modes_dataset(plate, band, modes, shapes, points, regions),
         "body": body_dataset(band, vibration, at_resonance),
     }

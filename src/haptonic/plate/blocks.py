@@ -1,4 +1,4 @@
-"""How a plate is cut into blocks: one below everything that is attached, else rectangles of like tiles."""
+"""Division of a plate into blocks: one below each attached part, otherwise rectangles of equal tiles."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from haptonic.errors import GeometryError
 from haptonic.plate.layout import Block, Layout, Tile
 from haptonic.plate.parts import Actuator, Force, Plate
 
-ON_LINE = 1e-6  # of a tile's size, by which the edge of a patch may miss the line that it lies on
-JOINED = (4, 4)  # rows and columns of like tiles that are joined at most
+ON_LINE = 1e-6  # of a tile's size, tolerance of the edge of a patch on a line
+JOINED = (4, 4)  # largest numbers of rows and columns of joined tiles
 
 Attached = Actuator | Force
 
 
 def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
-    """Blocks that cover the plate, with what is attached to each."""
+    """Blocks that cover the plate, with the parts attached to each."""
     layout = plate.layout
     special: list[tuple[Block, tuple[Attached, ...]]] = []
     wanted: list[tuple[Block, Attached]] = [(_covering(layout, one), one) for one in plate.actuators]
@@ -39,8 +39,8 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
             raise GeometryError.unsupported(
                 argument="plate",
                 given=" and ".join(f'"{member.name}"' for member in members) + " on one block of tiles",
-                allowed="a block of nothing but plain tiles below what shares a tile with something else",
-                cause="the smallest rectangle of tiles below them holds a lattice, or leaves the plate",
+                allowed="a block of plain tiles only below parts that share a tile",
+                cause="the smallest rectangle of tiles below them contains a lattice, or leaves the plate",
                 next_step="move them apart, so that they share no tile",
             )
     taken = {tile for block, _ in special for tile in block.tiles}
@@ -48,12 +48,12 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
 
 
 def _extent(attached: Attached) -> tuple[float, float]:
-    """Of what is attached, along x and y, m."""
+    """Size of an attached part along x and y, m."""
     return (0.0, 0.0) if attached.size is None else (attached.size[0], attached.size[1])
 
 
 def _covering(layout: Layout, attached: Attached) -> Block:
-    """The smallest block of tiles below something."""
+    """Smallest block of tiles below an attached part."""
     ranges = []
     for lines, centre, size in zip(
         (layout.y, layout.x), attached.centre[::-1], _extent(attached)[::-1], strict=True
@@ -66,12 +66,12 @@ def _covering(layout: Layout, attached: Attached) -> Block:
 
 
 def _is_plain(layout: Layout, block: Block) -> bool:
-    """Whether a block holds nothing but plain plate."""
+    """True if a block contains plain plate only."""
     return all(layout.is_plain(tile) for tile in block.tiles)
 
 
 def _rectangles(layout: Layout, taken: set[Tile]) -> list[Block]:
-    """Rectangles of like bricks, or tiles, that cover what is not taken, from the lower left."""
+    """Rectangles of equal bricks, or tiles, that cover the rest of the plate, from the lower left."""
     left = dict.fromkeys(block for block in layout.blocks if not taken.intersection(block.tiles))
     found = []
     while left:
@@ -94,6 +94,6 @@ def _rectangles(layout: Layout, taken: set[Tile]) -> list[Block]:
 
 
 def kind_of(layout: Layout, block: Block) -> Hashable:
-    """What bricks or tiles that may be joined have in common: name, what they hold, sizes."""
+    """Key of bricks or tiles that may be joined: name, brick and sizes."""
     corner = block.tiles[0]
     return layout.at(corner), layout.bricks.get(corner), layout.steps(block)

@@ -1,5 +1,6 @@
-"""A rectangle of plain plate with the patches that are glued to it, not reduced: stiffness by part, mass,
-drive. Also a patch on its own, and a brick of a lattice.
+"""Unreduced bodies: stiffness by part, mass and drive of plain plate with glued patches.
+
+Also of a patch alone, and of a brick of a lattice.
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ from haptonic.plate.surface import flat_faces
 
 Window = tuple[tuple[float, float], tuple[float, float]]
 
-SAME = 1e-9  # lines closer than this share of the longest element differ by rounding only
-BATCH = 64  # elements whose matrices are held at a time
+SAME = 1e-9  # of the longest element: lines closer than this are equal
+BATCH = 64  # number of elements assembled at a time
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class BodyOrders:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """Piece of a plate with what is glued to it, not reduced. Unknown 3 i + k is component k at node i.
+    """Unreduced piece of a plate with glued patches. Unknown 3 i + k is component k at node i.
 
     Its parts are the plate and, of each actuator, bond, ceramic and electric field (`haptonic.plate.keys`).
     With the voltages V, forces f on a body at rest and the charges Q on the free electrodes obey
@@ -55,7 +56,7 @@ class Body:
     drive : by actuator (3 n,) force per volt, N/V
     capacitance : by actuator, of the clamped patch, F
     faces : (k, n1, n2) node numbers of the quadrilaterals on the flat face z = 0, by orders
-    rim : nodes on the four lateral sides of the plate, ascending; of a patch alone, on its own sides
+    rim : nodes on the four lateral sides of the plate, or of a patch alone, ascending
     elements : by part, of a brick by orders, (k, n1, n2, n3) node numbers
     """
 
@@ -80,8 +81,8 @@ def body(
 ) -> Body:
     """Mesh a rectangle of plate with its patches and assemble it.
 
-    The lines between tiles and the edges of all patches cut the whole rectangle into boxes, and these are
-    divided evenly until none is longer than ``longest``.
+    The lines between tiles and the edges of all patches divide the rectangle into boxes. These are divided
+    evenly until no element is longer than ``longest``.
 
     Parameters
     ----------
@@ -115,7 +116,7 @@ def body(
 
 
 def body_of_brick(brick: TileShape, plan: MeshPlan, x: tuple[float, float], y: tuple[float, float]) -> Body:
-    """A rectangle about a pillar between two lines along x and two along y, m."""
+    """Mesh and assemble a rectangle about a pillar between two lines along x and two along y, m."""
     mesh = mesh_cell(brick, plan)
     points = mesh.points.copy()
     rim = np.zeros(len(points), dtype=bool)
@@ -123,7 +124,7 @@ def body_of_brick(brick: TileShape, plan: MeshPlan, x: tuple[float, float], y: t
         low, high = points[:, axis].min(), points[:, axis].max()
         first, last = (np.abs(points[:, axis] - border) < SAME * (high - low) for border in (low, high))
         points[:, axis] += start - low
-        points[first, axis], points[last, axis] = start, end  # on the lines but for rounding
+        points[first, axis], points[last, axis] = start, end  # exactly on the lines
         rim |= first | last
     mass, total = np.zeros(len(mesh.points)), sp.csr_array((3 * len(mesh.points),) * 2)
     families = {PartKey("plate", k): family.nodes for k, family in enumerate(mesh.topology.families)}
@@ -143,7 +144,7 @@ def body_of_brick(brick: TileShape, plan: MeshPlan, x: tuple[float, float], y: t
 
 
 def free_patch(actuator: Actuator, orders: BodyOrders, longest: float) -> Body:
-    """The ceramic of an actuator without plate and glue: its lower face at z = 0, no part of the plate."""
+    """Assemble the ceramic of an actuator without plate and glue, with its lower face at z = 0."""
     x, y = (_breaks(ends, (), longest) for ends in _window(actuator))
     layer = _ceramic(actuator, _Grid.of(x, y, orders.along), 0.0, orders.ceramic, 0)
     return _assembled([layer], {actuator.name: layer})
@@ -152,9 +153,9 @@ def free_patch(actuator: Actuator, orders: BodyOrders, longest: float) -> Body:
 def loss_factors(plate: Plate) -> dict[PartKey, complex]:
     """Complex factor for each part's stiffness at a motion exp(i omega t), by the parts of `Body`.
 
-    Elastic parts take 1 + i eta. A loss tangent makes the permittivity eps^S (1 - i tan delta): the field's
-    stiffness, which has it in the denominator, takes 1 / (1 - i tan delta), the capacitance
-    1 - i tan delta; in the drive it cancels, so the drive stays real.
+    The factor of elastic parts is 1 + i eta. With a loss tangent the permittivity is
+    eps^S (1 - i tan delta). The field's stiffness is inverse to it, with the factor 1 / (1 - i tan delta),
+    the capacitance is proportional to it; in the drive it cancels, so the drive is real.
     """
     factors = {PLATE: 1 + 1j * plate.loss_factor}
     for actuator in plate.actuators:
@@ -178,15 +179,17 @@ def _overlap(one: Window, other: Window, longest: float) -> bool:
 
 
 def _breaks(lines: Sequence[float], edges: Sequence[float], longest: float) -> Array:
-    """Borders of elements, ascending; an edge that is a line but for rounding is that line."""
-    found = [float(line) for line in lines]
+    """Borders of elements, ascending; an edge that equals a line up to rounding is replaced by it."""
+    borders = [float(line) for line in lines]
     for edge in edges:
-        assert found[0] - SAME * longest < edge < lines[-1] + SAME * longest, "a patch leaves the block"
-        if min(abs(edge - line) for line in found) > SAME * longest:
-            found.append(edge)
-    found.sort()
-    pieces = [np.linspace(a, b, max(1, ceil((b - a) / longest - SAME)) + 1)[:-1] for a, b in pairwise(found)]
-    return np.append(np.concatenate(pieces), found[-1])
+        assert borders[0] - SAME * longest < edge < lines[-1] + SAME * longest, "a patch leaves the block"
+        if min(abs(edge - line) for line in borders) > SAME * longest:
+            borders.append(edge)
+    borders.sort()
+    pieces = [
+        np.linspace(a, b, max(1, ceil((b - a) / longest - SAME)) + 1)[:-1] for a, b in pairwise(borders)
+    ]
+    return np.append(np.concatenate(pieces), borders[-1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,7 +202,7 @@ class _Grid:
 
     @classmethod
     def of(cls, x: Array, y: Array, order: int) -> _Grid:
-        """From the borders of the elements."""
+        """Make the grid from the borders of the elements."""
         inside = 0.5 * (1 + lobatto(order)[0][:-1])
         columns, rows = (
             np.append((ends[:-1, None] + inside * np.diff(ends)[:, None]).ravel(), ends[-1])
@@ -221,9 +224,9 @@ class _Grid:
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """One part: a box of elements over a grid.
+    """One part of a body: a box of elements over a grid.
 
-    number : (columns, rows, levels) node numbers; points : (fresh, 3) nodes that it does not share, m
+    number : (columns, rows, levels) node numbers; points : (fresh, 3) nodes that are not shared, m
     elements : (k, n1, n2, n3) node numbers
     """
 
@@ -244,7 +247,7 @@ def _laid(
     start: int,
     below: Ints | None = None,
 ) -> _Layer:
-    """A layer from z = ``bottom`` up; its own nodes are numbered from ``start``, those ``below`` shared."""
+    """Make a layer above z = ``bottom``; new nodes are numbered from ``start``, ``below`` are shared."""
     levels = bottom + thickness * 0.5 * (1 + lobatto(order)[0])
     fresh = levels if below is None else levels[1:]
     points = np.stack(np.meshgrid(grid.x, grid.y, fresh, indexing="ij"), axis=-1)
@@ -266,7 +269,7 @@ def _ceramic(
 
 
 def _assembled(layers: Sequence[_Layer], ceramics: Mapping[str, _Layer]) -> Body:
-    """The body of layers in the order of their nodes' numbers; the first one's lower face is the flat one."""
+    """Assemble layers in the order of their nodes' numbers; the first one has the flat face."""
     points = np.concatenate([layer.points for layer in layers])
     size = 3 * len(points)
     mass = np.zeros(len(points))
@@ -277,10 +280,10 @@ def _assembled(layers: Sequence[_Layer], ceramics: Mapping[str, _Layer]) -> Body
         assert isinstance(layer.material, PiezoelectricMaterial)
         glued, free = layer.number[..., 0], layer.number[..., -1]
         field = electric_part(points, layer.elements, layer.material, glued, free)
-        own = (3 * field.nodes[:, None] + np.arange(3)).ravel()
-        stiffness[electric(name)] = _spread(field.stiffness, own, size)
+        unknowns = (3 * field.nodes[:, None] + np.arange(3)).ravel()
+        stiffness[electric(name)] = _spread(field.stiffness, unknowns, size)
         drive[name] = np.zeros(size)
-        drive[name][own] = field.drive
+        drive[name][unknowns] = field.drive
         capacitance[name] = field.capacitance
     lowest = layers[0]
     inner = lowest.number[1:-1, 1:-1]

@@ -1,8 +1,8 @@
-"""A bond of any thickness between two, without another mesh.
+"""Bonds of any thickness within a range, without another mesh.
 
-Elements of a bond are boxes: with its thickness t their stiffness is ``A / t + B + C t``, from products of
-two derivatives across, of one, and of none; three thicknesses give it at any. Their mass is proportional
-to t. What lies above is shifted only, and its stiffness does not depend on where it is.
+Elements of a bond are boxes. For a thickness t their stiffness is ``A / t + B + C t``, from products of two,
+one and no derivatives across, so three thicknesses determine it for all. Their mass is proportional to t. The
+stiffness of the parts above does not depend on their height.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from haptonic.plate.keys import bond
 
 @dataclass(frozen=True, eq=False)
 class Bond3:
-    """The bond of one actuator on the unknowns of a tile.
+    """Bond of an actuator on the unknowns of a tile.
 
     thickness : (3,) m; stiffness : (3, n, n) of the bond at these, N/m
-    nominal : that of the tile, m; slope : (n, n) of the tile's mass with the thickness, kg/m
+    nominal : thickness in the tile, m; slope : (n, n) of the tile's mass with the thickness, kg/m
     """
 
     thickness: Array
@@ -38,14 +38,14 @@ class Bond3:
 
 @dataclass(frozen=True, eq=False)
 class Bonded:
-    """A body with the bond of one actuator in three thicknesses. thickness : (3,) m; nominal : of its tile"""
+    """Body with the bond of an actuator in three thicknesses. thickness : (3,) m; nominal : of its tile"""
 
     thickness: Array
     bodies: tuple[Body, ...]
     nominal: float
 
     def projected(self, actuator: str, basis: Array) -> Bond3:
-        """On fields (size, n) of the bodies."""
+        """Project the bond onto fields (size, n) of the bodies."""
         part = bond(actuator)
         forms = np.stack([basis.T @ (body.stiffness[part] @ basis) for body in self.bodies])
         first, *_, last = self.bodies

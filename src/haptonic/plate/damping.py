@@ -1,8 +1,8 @@
-"""Response of a basis with any damping: a uniform loss, on it what differs on a few directions.
+"""Response of a basis with any damping: a uniform loss, and deviations from it in few directions.
 
 With Ritz values lambda and the loss of the plate f = 1 + i eta, the reduced dynamic stiffness is
-``diag(f lambda - omega^2) + sum_j U_j Z_j(omega) U_j^T``. The second part has a low rank, so that every
-frequency costs little (Woodbury 1950, Inverting modified matrices, Princeton memorandum 42).
+``diag(f lambda - omega^2) + sum_j U_j Z_j(omega) U_j^T``. The second part has a low rank, so each
+frequency takes little time (Woodbury 1950, Inverting modified matrices, Princeton memorandum 42).
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from haptonic.parallel import each
 from haptonic.plate.krylov import Basis
 
 AT_ONCE = 32  # lines
-NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue that is rounding
-NEGLIGIBLE = 2e-4  # share of the dynamic stiffness that a direction may add without being kept
+NO_STIFFNESS = 1e-13  # share of a form's largest eigenvalue below which eigenvalues are rounding errors
+NEGLIGIBLE = 2e-4  # share of the dynamic stiffness below which a direction is neglected
 
 
 @dataclass(frozen=True, eq=False)
 class Extra:
-    """What adds ``impedance(omega) A A^T`` to the dynamic stiffness of a plate in which all losses are alike.
+    """Addition ``impedance(omega) A A^T`` to the dynamic stiffness of a plate with uniform loss.
 
-    rows : (m,) unknowns that it touches; axes : (m, k) A
+    rows : (m,) its unknowns; axes : (m, k) A
     impedance : complex factor at angular frequencies (n,), rad/s
     """
 
@@ -38,14 +38,14 @@ class Extra:
 
     @classmethod
     def of_form(cls, rows: Ints, form: Array, weight: complex) -> Extra:
-        """From a positive semidefinite form (m, m) with a constant weight."""
+        """Make it from a positive semidefinite form (m, m) with a constant weight."""
         sizes, axes = la.eigh(form)
-        kept = sizes > NO_STIFFNESS * sizes[-1]
-        axes = axes[:, kept] * np.sqrt(sizes[kept])
+        significant = sizes > NO_STIFFNESS * sizes[-1]
+        axes = axes[:, significant] * np.sqrt(sizes[significant])
         return cls(rows, axes, lambda omega: np.full(len(omega), weight))
 
     def on(self, basis: Basis, omega: float) -> ReducedExtra:
-        """On a basis; ``omega`` is a typical frequency, rad/s."""
+        """Reduce it to a basis; ``omega`` is a typical frequency, rad/s."""
         scale = np.sqrt(np.abs(basis.values) + omega**2)[:, None]
         seen = basis.turn.T @ (basis.raw[self.rows].T @ self.axes)
         left, sizes, _ = la.svd(seen / scale, full_matrices=False)
@@ -57,10 +57,10 @@ class Extra:
 
 @dataclass(frozen=True, eq=False)
 class ReducedExtra:
-    """What adds ``impedance(omega) U U^T`` on a basis.
+    """Addition ``impedance(omega) U U^T`` to the dynamic stiffness on a basis.
 
-    extra : from which; whole : (r, m) the U of its axes
-    kept : (r, p) main directions of these that count
+    extra : unreduced; whole : (r, m) U of all its axes
+    kept : (r, p) main directions
     alone : (r, 1) diagonal of the rest
     """
 
@@ -70,13 +70,13 @@ class ReducedExtra:
     alone: Array
 
     def dropped(self, fields: Complex) -> Complex:
-        """(r, n) U U^T times fields without what ``kept`` and ``alone`` give."""
+        """(r, n) U U^T times fields, minus the contributions of ``kept`` and ``alone``."""
         everything = real_times(self.whole, real_times(self.whole.T, fields))
         return everything - real_times(self.kept, real_times(self.kept.T, fields)) - self.alone * fields
 
 
 def real_times(matrix: Array, columns: NDArray[Any]) -> Complex:
-    """A real matrix times complex columns, without making it complex."""
+    """Multiply a real matrix by complex columns without a complex copy of the matrix."""
     out = np.empty((len(matrix), columns.shape[1]), dtype=complex)
     out.real, out.imag = matrix @ columns.real, matrix @ columns.imag
     return out
@@ -85,12 +85,12 @@ def real_times(matrix: Array, columns: NDArray[Any]) -> Complex:
 def amplitudes(
     values: Array, loss: complex, extras: Sequence[ReducedExtra], loads: NDArray[Any], omega: Array
 ) -> tuple[Complex, Complex]:
-    """Amplitudes of Ritz vectors, and small forces on them with which they would be exact.
+    """Compute amplitudes of Ritz vectors, and the small residual forces on them.
 
     ``(loss Lambda - omega^2 + sum_e Z_e (alone_e + U_e U_e^T)) a = loads`` by the identity of Woodbury: the
-    diagonal is inverted, and of every extra a few main directions U_e are added.
+    diagonal is inverted, and a few main directions U_e of every extra are added.
 
-    What the main directions of extras leave out is made up for by one step of iterative refinement.
+    One step of iterative refinement corrects for the neglected directions.
 
     Parameters
     ----------
@@ -101,16 +101,16 @@ def amplitudes(
     -------
     amplitudes (r, n) and forces (r, n)
     """
-    impedances = [one.extra.impedance(omega) for one in extras]
+    impedances = [extra.extra.impedance(omega) for extra in extras]
     stiffness = np.asarray(loss * values[:, None] - omega**2, np.complex128)
-    for one, impedance in zip(extras, impedances, strict=True):
-        stiffness = stiffness + one.alone * impedance
+    for extra, impedance in zip(extras, impedances, strict=True):
+        stiffness = stiffness + extra.alone * impedance
     alone = 1.0 / stiffness
     if not extras:
         return np.asarray(alone * loads[:, None]), np.zeros_like(alone)
-    U = np.hstack([one.kept for one in extras])
-    sizes = [one.kept.shape[1] for one in extras]
-    with np.errstate(divide="ignore", invalid="ignore"):  # what adds nothing has no direction either
+    U = np.hstack([extra.kept for extra in extras])
+    sizes = [extra.kept.shape[1] for extra in extras]
+    with np.errstate(divide="ignore", invalid="ignore"):  # an extra of zero impedance has no directions
         flexibility = np.repeat(1.0 / np.stack(impedances, axis=1), sizes, axis=1)
     first, second = np.triu_indices(U.shape[1])
     pair = np.empty((U.shape[1],) * 2, dtype=np.int64)
@@ -131,9 +131,9 @@ def amplitudes(
             motion = real_times(U.T, plain).T[..., None]
             return np.asarray(plain - own * real_times(U, np.linalg.solve(compliance, motion)[..., 0].T))
 
-        def left_out(found: Complex) -> Complex:
+        def left_out(field: Complex) -> Complex:
             parts = zip(extras, impedances, strict=True)
-            return np.asarray(sum(impedance[lines] * one.dropped(found) for one, impedance in parts))
+            return np.asarray(sum(impedance[lines] * extra.dropped(field) for extra, impedance in parts))
 
         found = moved(np.broadcast_to(loads[:, None], own.shape).astype(complex))
         correction = moved(left_out(found))

@@ -1,4 +1,4 @@
-"""What was computed of a plate as datasets: lines, modes, and the whole body at one line."""
+"""Datasets of a plate: frequency lines, modes, and the whole body at one line."""
 
 from __future__ import annotations
 
@@ -18,25 +18,27 @@ from haptonic.plate.sampling import reference_of
 
 
 def _by_part(plate: Plate, stored: Mapping[PartKey, Array], model: PlateModel) -> tuple[list[str], Array]:
-    """Parts of a plate, and (n, parts) what is stored in each: "region WG1", "lattice bulk", and each
-    "actuator A1" with its bond."""
+    """Names of the parts of a plate, and (n, parts) energy stored in each.
+
+    Names are such as "region WG1", "lattice bulk", and "actuator A1" with its bond.
+    """
     layout, blocks = plate.layout, model.assembly.skeleton.blocks
     names = [layout.at(block.tiles[0]) for block in blocks]
     shares = {}
     for name in dict.fromkeys(name for name in names if name is not None):
         there = [number for number, other in enumerate(names) if other == name]
         shares[part_name(plate, name)] = stored[PLATE][:, there].sum(axis=1)
-    for one in plate.actuators:
-        own = [values.sum(axis=1) for part, values in stored.items()
-               if (part.kind, part.owner) == ("actuator", one.name)]  # fmt: skip
-        shares[f"actuator {one.name}"] = sum(own, np.zeros(len(stored[PLATE])))
+    for actuator in plate.actuators:
+        of_parts = [values.sum(axis=1) for part, values in stored.items()
+               if (part.kind, part.owner) == ("actuator", actuator.name)]  # fmt: skip
+        shares[f"actuator {actuator.name}"] = sum(of_parts, np.zeros(len(stored[PLATE])))
     return list(shares), np.stack(list(shares.values()), axis=-1)
 
 
 def part_name(plate: Plate, tile: str) -> str:
-    """Of a region or a lattice on the dimension ``part``; its first word says which of them it is.
+    """Name of a region or a lattice on the dimension ``part``, with its kind as the first word.
 
-    The study's own lattice has no name but that word.
+    The lattice of the study's cell has this word as its name.
     """
     if tile not in plate.layout.cells:
         return f"region {tile}"
@@ -44,10 +46,10 @@ def part_name(plate: Plate, tile: str) -> str:
 
 
 def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
-    """Energies, powers, impedances and errors against frequency."""
+    """Dataset of energies, powers, impedances and errors against frequency."""
     model = band.reduced.model
     parts, stored = _by_part(plate, vibration.stored, model)
-    actuators = [one.name for one in plate.actuators]
+    actuators = [actuator.name for actuator in plate.actuators]
     _, unit = reference_of(plate)
     impedance = np.stack(
         [
@@ -90,7 +92,7 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
 def modes_dataset(
     plate: Plate, band: Band, found: PlateModes, shapes: Array, points: Array, regions: list[str]
 ) -> xr.Dataset:
-    """Modes near the carrier."""
+    """Dataset of the modes near the carrier."""
     parts, stored = _by_part(plate, found.stored, band.reduced.model)
     losses = list(found.lost)
     called = mode_names(plate, band.reduced.model, found, shapes, points, regions)
@@ -115,7 +117,7 @@ def modes_dataset(
 def mode_names(
     plate: Plate, model: PlateModel, found: PlateModes, shapes: Array, points: Array, regions: list[str]
 ) -> list[str]:
-    """Nodal lines of each mode in the region of plain plate that holds most of its energy; "" if it has none.
+    """Nodal lines of each mode in the region of plain plate with most of its energy; "" without a region.
 
     shapes : (points, modes) normal displacement; regions : of the points
     """
@@ -132,7 +134,7 @@ def mode_names(
 
 
 def _on_grid(points: Array, values: Array, mask: NDArray[np.bool_]) -> Array:
-    """(along, across) values of some points on their grid, the longer direction first; NaN where none is."""
+    """(along, across) values of some points on their grid, longer direction first; NaN without a point."""
     x, column = np.unique(np.round(points[mask, 0], 9), return_inverse=True)
     y, row = np.unique(np.round(points[mask, 1], 9), return_inverse=True)
     grid = np.full((len(y), len(x)), np.nan)
@@ -141,7 +143,7 @@ def _on_grid(points: Array, values: Array, mask: NDArray[np.bool_]) -> Array:
 
 
 def body_dataset(band: Band, vibration: Vibration, line: int) -> xr.Dataset:
-    """Displacement of the whole plate at one line, on the corners of the elements."""
+    """Dataset of the displacement of the whole plate at one line, on the corners of the elements."""
     assembly = band.reduced.model.assembly
     amplitudes = vibration.amplitudes[:, line]
     vectors = vibration.vectors
@@ -150,13 +152,13 @@ def body_dataset(band: Band, vibration: Vibration, line: int) -> xr.Dataset:
     points, cells, moved, count = [], [], [], 0
     for group, shares in assembly.shares(field):
         inside = group.tile.inside
-        used, own = np.unique(inside.subcells, return_inverse=True)
+        used, corners = np.unique(inside.subcells, return_inverse=True)
         lifted = inside.lifted(shares.reshape(len(shares), -1))[used].reshape(len(used), 3, -1, 2)
         for number, block in enumerate(group.blocks):
             rows, columns = assembly.skeleton.blocks[block].rows, assembly.skeleton.blocks[block].columns
             corner = [layout.x[columns[0]], layout.y[rows[0]], 0.0]
             points.append(inside.points[used] + corner)
-            cells.append(own.reshape(-1, 8) + count)
+            cells.append(corners.reshape(-1, 8) + count)
             moved.append(lifted[:, :, number])
             count += len(used)
     displacement = np.concatenate(moved)

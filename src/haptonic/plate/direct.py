@@ -1,12 +1,13 @@
-"""The answer of a plate at one frequency without any basis: complex, all losses included.
+"""Solution of a plate at one frequency without a basis: complex, with all losses.
 
 The complex equations
 
     [ (1 + i eta) K - omega^2 M + sum_j Z_j(omega) A_j A_j^T ] u = f
 
 are solved by GMRES (Saad and Schultz 1986, doi 10.1137/0907058), preconditioned with the real matrix
-``K - s M`` of the plate without loss, which is factorised at an s close to omega^2. Losses are small or touch
-few directions, so that the product lies near the identity but for some resonances: a dozen steps do.
+``K - s M`` of the plate without loss, which is factorised at an s close to omega^2. Losses are small or
+affect few directions, so the product is close to the identity but for some resonances, and a dozen steps
+are enough.
 """
 
 from __future__ import annotations
@@ -19,16 +20,16 @@ from haptonic.plate.damping import real_times
 from haptonic.plate.keys import PLATE
 from haptonic.plate.model import PlateModel
 
-BESIDE = 1e-3  # share of the square of the frequency by which the plate without loss is answered beside it
+BESIDE = 1e-3  # relative distance of the shift s from the square of the frequency
 RESIDUAL = 1e-12  # relative
-STEPS = 300  # at most; whoever asks checks the answer
+STEPS = 300  # at most; the caller checks the solution
 
 
 def direct_answer(model: PlateModel, loads: Complex, omega: float) -> Complex:
-    """(size, k) displacement under loads (size, k) at an angular frequency, rad/s."""
+    """Compute the displacement (size, k) under loads (size, k) at an angular frequency, rad/s."""
     assembly, line = model.assembly, np.array([omega])
     shifted = assembly.shifted((1 + BESIDE) * omega**2)
-    extras = [(one.rows, one.axes, one.impedance(line)[0]) for one in model.extras]
+    extras = [(extra.rows, extra.axes, extra.impedance(line)[0]) for extra in model.extras]
 
     def stiff(field: Complex) -> Complex:
         halves = _halves(field)
@@ -44,12 +45,12 @@ def direct_answer(model: PlateModel, loads: Complex, omega: float) -> Complex:
     nearby = sparse_linalg.LinearOperator(
         shape, lambda right: _whole(shifted.solve(_halves(right.ravel()))), dtype=complex
     )
-    found = [
+    solutions = [
         sparse_linalg.gmres(matrix, load, M=nearby, rtol=RESIDUAL, restart=STEPS, maxiter=1)[0]
         for load in loads.T
     ]
     shifted.release()
-    return np.stack(found, axis=1)
+    return np.stack(solutions, axis=1)
 
 
 def _halves(field: Complex) -> Array:
@@ -58,5 +59,5 @@ def _halves(field: Complex) -> Array:
 
 
 def _whole(halves: Array) -> Complex:
-    """(n,) from real and imaginary part."""
+    """(n,) complex field from real and imaginary part."""
     return np.asarray(halves[:, 0] + 1j * halves[:, 1])

@@ -1,7 +1,7 @@
-"""In which order the unknowns between blocks are eliminated, so that a factorisation fills in little.
+"""Elimination order of the unknowns between blocks for a factorisation with little fill.
 
-All unknowns that lie on the same blocks, as those of one interface do, are eliminated together. There are
-few such groups, so the exact fill of each can be known at every step.
+All unknowns on the same blocks, such as those of one interface, are eliminated together. There are few such
+groups, so the exact fill of each is computed at every step.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ def elimination_order(size: int, blocks: Sequence[Ints]) -> Ints:
     """(size,) unknowns in the order of their elimination: greedy minimum fill (Tinney and Walker 1967,
     doi 10.1109/PROC.1967.6011).
 
-    blocks : the unknowns of each, all of which are coupled with one another
+    blocks : unknowns of each block, which are all coupled with each other
     """
     groups = _alike(size, blocks)
     weights = [len(unknowns) for _, unknowns in groups]
@@ -35,26 +35,27 @@ def elimination_order(size: int, blocks: Sequence[Ints]) -> Ints:
         order.append(first)
         for other in near[first]:
             near[other] = (near[other] | near[first]) - {first, other}
-        for other in near[first]:  # the fill of those beyond can only have become less
+        for other in near[first]:  # the fill of groups beyond can only decrease
             fills[other] = _fill(near, weights, other)
     return np.array([k for group in order for k in groups[group][1]], dtype=np.int64)
 
 
 def _alike(size: int, blocks: Sequence[Ints]) -> list[tuple[tuple[int, ...], list[int]]]:
-    """Groups of unknowns that lie on the same blocks: these, and the unknowns."""
+    """Groups of unknowns on the same blocks: numbers of the blocks, and the unknowns."""
     rows = np.concatenate(blocks)
     columns = np.repeat(np.arange(len(blocks)), [len(block) for block in blocks])
     on = sp.csr_array((np.ones(len(rows)), (rows, columns)), shape=(size, len(blocks)))
     on.sort_indices()
     groups: dict[tuple[int, ...], list[int]] = {}
-    for unknown, own in enumerate(np.split(on.indices, on.indptr[1:-1])):
-        groups.setdefault(tuple(own.tolist()), []).append(unknown)
+    for unknown, on_blocks in enumerate(np.split(on.indices, on.indptr[1:-1])):
+        groups.setdefault(tuple(on_blocks.tolist()), []).append(unknown)
     return list(groups.items())
 
 
 def _fill(near: list[set[int]], weights: list[int], group: int) -> int:
-    """Entries that appear when a group is eliminated: its neighbours become neighbours of one another."""
+    """Number of new entries if a group is eliminated, as its neighbours become neighbours."""
     return sum(
-        weights[one] * sum(weights[other] for other in near[group] - near[one] if other > one)
-        for one in near[group]
+        weights[neighbour]
+        * sum(weights[other] for other in near[group] - near[neighbour] if other > neighbour)
+        for neighbour in near[group]
     )

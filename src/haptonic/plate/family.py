@@ -1,12 +1,12 @@
-"""A plate on a small basis for a whole range of its numbers: each answer costs milliseconds.
+"""Plates on a small basis for a range of parameters, with solutions in milliseconds.
 
-The dynamic stiffness is a sum of forms that do not change, each with a weight that follows from numbers p,
+The dynamic stiffness is a sum of constant forms with weights that depend on parameters p,
 
     A(omega, p) = sum_j w_j(p) K_j - omega^2 sum_j v_j(p) M_j:
 
-Young's modulus, loss factors, springs, and three forms for each bond. A basis V that holds the plate's
-answers for some sets of numbers nearly holds those in between (reduced basis method; Rozza, Huynh and Patera
-2008, doi 10.1007/s11831-008-9019-9), and V^T A V is made from the small matrices V^T K_j V alone.
+Young's modulus, loss factors, springs, and three forms for each bond. A basis V that contains the
+solutions for some sets of parameters nearly contains those in between (reduced basis method; Rozza, Huynh and
+Patera 2008, doi 10.1007/s11831-008-9019-9), and V^T A V follows from the small matrices V^T K_j V.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ from haptonic.plate.sweep import Band
 from haptonic.plate.tile import applied
 from haptonic.plate.updated import bond_thickness, stiffness_ratio, support_ratio, updated
 
-MISSED = 1e-4  # share of the energy norm of an answer that a basis may miss
+MISSED = 1e-4  # largest share of the energy norm of a solution outside the basis
 
 
 @dataclass(frozen=True, eq=False)
 class Poles:
-    """The modes of a damped plate on a basis; those beyond the band stand for all that is stiff.
+    """Modes of a damped plate on a basis; modes above the band represent the static stiffness.
 
     square : (r,) complex squares of angular frequencies, (rad/s)^2
     force : (r,) of the drives; shapes : (points, r) normal displacement
@@ -44,15 +44,15 @@ class Poles:
     shapes: Complex
 
     def displacement(self, omega: Array) -> Complex:
-        """(lines, points) answers to the drives at angular frequencies, rad/s, m."""
+        """(lines, points) displacement under the drives at angular frequencies, rad/s, m."""
         return np.asarray((self.force / (self.square - omega[:, None] ** 2)) @ self.shapes.T)
 
 
 @dataclass(frozen=True, eq=False)
 class Anchor:
-    """Answers for one set of numbers, exact but for the tolerance asked for.
+    """Solutions for one set of parameters, within the requested tolerance.
 
-    parts : (size, k) what they consist of, in the unknowns of the family's model
+    parts : (size, k) main fields of these, in the unknowns of the family's model
     displacement : (lines, points) normal, m
     """
 
@@ -62,9 +62,9 @@ class Anchor:
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """Forms on a basis.
+    """Forms of a plate on a basis.
 
-    plate : whose numbers they have
+    plate : with the parameters of the forms
     forms : stiffness by part and support, (r, r), but that of the bonds; bonds : by actuator; mass : (r, r)
     loads : (r,) of the drives; seen : (points, r) normal displacement
     """
@@ -80,7 +80,7 @@ class Family:
     def spanned(
         cls, model: PlateModel, anchors: Sequence[Anchor], drives: Mapping[str, complex], points: Array
     ) -> Family:
-        """The family of a model on the span of its answers for some sets of numbers.
+        """Make the family of a model on the span of its solutions for some sets of parameters.
 
         Parameters
         ----------
@@ -117,12 +117,12 @@ class Family:
         )  # fmt: skip
 
     def poles(self, plate: Plate) -> Poles:
-        """The modes of the plate with other numbers; see `haptonic.plate.updated`."""
+        """Compute the modes of the plate with other parameters; see `haptonic.plate.updated`."""
         thickness, factors = bond_thickness(plate), loss_factors(plate)
         factors[PLATE] *= stiffness_ratio(self.plate, plate)
-        for number, held in enumerate(plate.supports):
+        for number, spring in enumerate(plate.supports):
             ratio = support_ratio(self.plate, plate, number)
-            factors[support(number)] = ratio * (1 + 1j * held.loss_factor)
+            factors[support(number)] = ratio * (1 + 1j * spring.loss_factor)
         stiffness = np.asarray(sum(factors[part] * form for part, form in self.forms.items()))
         mass = self.mass.copy()
         for name, glue in self.bonds.items():
@@ -145,7 +145,7 @@ def anchored(
     tolerance: float,
     points: Array,
 ) -> Anchor:
-    """The answers of a plate with other numbers on the tiles of a model.
+    """Compute the solutions of a plate with other parameters on the tiles of a model.
 
     Parameters
     ----------
@@ -157,23 +157,25 @@ def anchored(
     HaptonicError : lines that stay above the tolerance
     """
     other = updated(model, plate)
-    band = Band.of(other.model, 0.0, float(frequencies[-1]))  # one that begins higher may have to begin anew
+    band = Band.of(
+        other.model, 0.0, float(frequencies[-1])
+    )  # from 0, because a band that begins higher may need a new basis
     _, vibration = band.answer(drives, frequencies, tolerance)
-    found = vibration.amplitudes
-    seen = real_times(other.model.displaced(points, vibration.vectors), found).T
-    fields = other.back(vibration.vectors @ np.hstack([found.real, found.imag]))
+    amplitudes = vibration.amplitudes
+    seen = real_times(other.model.displaced(points, vibration.vectors), amplitudes).T
+    fields = other.back(vibration.vectors @ np.hstack([amplitudes.real, amplitudes.imag]))
     size = np.sqrt(np.diag(_products(model, fields)))
     return Anchor(_main_parts(model, fields / size), seen)
 
 
 def _products(model: PlateModel, fields: Array) -> Array:
-    """(k, k) of fields (size, k) in the energy norm."""
+    """(k, k) products of fields (size, k) in the energy norm."""
     assembly, omega = model.assembly, 2 * np.pi * model.highest
     heavy = assembly.stiffness_times(fields) + omega**2 * assembly.mass_times(fields)
     return np.asarray(fields.T @ heavy)
 
 
 def _main_parts(model: PlateModel, fields: Array) -> Array:
-    """(size, r) as few fields as nearly span given ones, the largest first (orthogonal decomposition)."""
+    """(size, r) smallest set of fields that nearly spans given ones, the largest first."""
     weights, turn = la.eigh(_products(model, fields))
     return np.asarray(fields @ turn[:, weights > MISSED**2][:, ::-1])

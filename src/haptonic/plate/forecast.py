@@ -1,4 +1,4 @@
-"""What a plate's response costs, before anything is computed: what will be counted, and what each takes.
+"""Estimates of the time and memory of a plate's response before the computation.
 
 The times were measured part by part on five plates of 48 to 340 tiles with one to four patches, `plate` and
 `simulate scan` of each.
@@ -32,38 +32,38 @@ from haptonic.plate.sweep import (
     pillars_modes,
 )
 
-INSIDE = 17  # modes kept of a tile, beside the unknowns on the lines between blocks; 15 to 21 seen
-PARTED = 0.8  # further shifts for each `MODES` modes; 0 to 1.1 seen
-# times `MODES` below a band, with which it is answered anew from rest: seen with 4.3, not with 1.5
+INSIDE = 17  # modes of a tile, without the unknowns on the lines between blocks; 15 to 21 measured
+PARTED = 0.8  # further shifts for each `MODES` modes; 0 to 1.1 measured
+# times `MODES` below a band, above which a new basis from rest is needed: measured at 4.3, not at 1.5
 MISSED = 2.5
-INDEPENDENT = 0.7  # of the vectors that shifts give; 0.6 to 1 seen
-DIRECTIONS = 40  # of what a patch loses, or a support that is elastic; 30 to 94 and 33 to 66 seen
+INDEPENDENT = 0.7  # share of the shifts' vectors; 0.6 to 1 measured
+DIRECTIONS = 40  # of the losses of a patch, or an elastic support; 30 to 94 and 33 to 66 measured
 
-FIXED, FIXED_MEMORY = 4.0, 1.2e9  # s and bytes, of files and of what is there anyway
-SINGLE, SINGLE_FIXED = 0.01, 8.0  # s of a tile while one frequency is answered, and of the rest
+FIXED, FIXED_MEMORY = 4.0, 1.2e9  # s and bytes, of files and of the program itself
+SINGLE, SINGLE_FIXED = 0.01, 8.0  # s of a tile for a single frequency, and of the rest
 PER_KIND = 1.3  # s, of each tile that a kind of brick covers, and of plain plate
-GLUED, STEEPER = 0.46, 1.6  # s of a tile below a patch, and how that grows with the tiles of one block
-FINER = 4.0  # power of the tiles' order over the usual one, with which both grow; 3.7 seen at order 6
+GLUED, STEEPER = 0.46, 1.6  # s of a tile below a patch, and power of the number of tiles in its block
+FINER = 4.0  # power of the tiles' order over the usual one, for both; 3.7 measured at order 6
 SOLVED = 6e-5  # s, of a shift for each unknown
 ORTHOGONAL, TURNED = 1e-10, 1e-9  # s, of vectors squared for each unknown, and of vectors cubed
 PAIRED = 5e-10  # s, of a vector at a line for each pair of directions
-CHECKED, PER_LINE = 3e-10, 3e-7  # s, of an unknown at a line for each vector, and alone
+CHECKED, PER_LINE = 3e-10, 3e-7  # s, of an unknown at a line for each vector, and without vectors
 SEEN = 5e-10  # s, of a point at a line for each vector
 
 
 @dataclass(frozen=True)
 class Counted:
-    """What a response between two frequencies is made of.
+    """Numbers that determine the cost of a response between two frequencies.
 
-    tiles : of the plate's map, a brick being one
-    kinds : tiles of bricks that differ, and one of plain plate
-    glued : tiles of each block that carries something
+    tiles : of the plate's map; a brick counts as one
+    kinds : tiles of different bricks, and one of plain plate
+    glued : number of tiles of each block with attached parts
     order : of the tiles' meshes over the usual one
     unknowns, directions : about, of the equations and of losses other than the plate's
-    shifts : of each basis, about; a second one from rest on where many modes lie below the band, none for a
+    shifts : of each basis, about; a second basis from rest if many modes lie below the band, none for a
         single frequency
     forces : at each shift
-    lines, points : that are answered
+    lines, points : of the response
     """
 
     tiles: int
@@ -79,11 +79,11 @@ class Counted:
 
     @classmethod
     def of(cls, plate: Plate, asked: ResponseSettings, fineness: Fineness | None = None) -> Counted:
-        """Of a plate; the pillars' modes are those of cantilevers, those of the plate between them
+        """Count for a plate; modes of pillars are those of cantilevers, those of the plate between them
 
             N = A k^2 / (4 pi),   k^2 = omega sqrt(rho h / D),   D = E h^3 / (12 (1 - nu^2))
 
-        by Weyl's law, which the pillars' mass makes a little too few.
+        by Weyl's law, which is slightly too low because of the pillars' mass.
 
         Raises
         ------
@@ -93,7 +93,9 @@ class Counted:
         tiles = len(layout.blocks)
         kinds = {kind_of(layout, block): block for block in map(layout.block, layout.bricks)}
         area = sum(layout.area(name) for name in set(layout.there.values()))
-        elastic = [one for one in plate.supports if one.where == "corners" or one.hold == "spring"]
+        elastic = [
+            support for support in plate.supports if support.where == "corners" or support.hold == "spring"
+        ]
         losses = len(plate.actuators) + len(elastic)
         drives = len(plate.actuators) + len(plate.forces)
 
@@ -119,27 +121,27 @@ class Counted:
 
     @property
     def vectors(self) -> tuple[float, ...]:
-        """Of each basis, about."""
+        """Number of vectors of each basis, about."""
         return tuple(INDEPENDENT * self.forces * LENGTH * shifts for shifts in self.shifts)
 
     @property
     def seconds(self) -> float:
         """Processor time, s."""
-        made = PER_KIND * self.kinds + sum(GLUED * math.pow(one, STEEPER) for one in self.glued)
-        made *= math.pow(self.order, FINER)
+        tile_seconds = PER_KIND * self.kinds + sum(GLUED * math.pow(count, STEEPER) for count in self.glued)
+        tile_seconds *= math.pow(self.order, FINER)
         if not self.shifts:
-            return SINGLE_FIXED + made + SINGLE * self.tiles
+            return SINGLE_FIXED + tile_seconds + SINGLE * self.tiles
         bases = sum(map(self._of_basis, self.shifts, self.vectors))
-        return FIXED + made + bases + SEEN * self.points * self.lines * self.vectors[-1]
+        return FIXED + tile_seconds + bases + SEEN * self.points * self.lines * self.vectors[-1]
 
     def _of_basis(self, shifts: float, vectors: float) -> float:
-        """Of a basis and its answers, s."""
+        """Processor time of a basis and its solutions, s."""
         per_unknown = SOLVED * shifts + ORTHOGONAL * vectors**2 + (CHECKED * vectors + PER_LINE) * self.lines
         return self.unknowns * per_unknown + TURNED * vectors**3 + PAIRED * self._pairs * vectors * self.lines
 
     @property
     def memory(self) -> float:
-        """At the peak, bytes."""
+        """Peak memory, bytes."""
         if not self.shifts:
             return FIXED_MEMORY + FACTORS * self.tiles
         return FIXED_MEMORY + 8.0 * self.vectors[-1] * (COPIES * self.unknowns + 3 * self._pairs)
@@ -150,9 +152,9 @@ class Counted:
 
 
 def _between(layout: Layout, blocks: Mapping[Block, Sequence[Attached]], orders: TraceOrders) -> int:
-    """Unknowns on the lines between blocks, without those that are condensed into a block.
+    """Number of unknowns on the lines between blocks, without those condensed into a block.
 
-    Bricks in rows that are offset have more edges, and join to fewer and smaller blocks.
+    Bricks in offset rows have more edges, and form fewer and smaller blocks.
     """
     skeleton = Skeleton.of(layout, list(blocks), orders)
     if skeleton.size < OPEN_FROM:
@@ -162,7 +164,7 @@ def _between(layout: Layout, blocks: Mapping[Block, Sequence[Attached]], orders:
 
 
 def _modes(plate: Plate, area: float, high: float) -> float:
-    """Of pillars and of bending plate (m^2), below a frequency, Hz."""
+    """Number of modes of pillars and of bending plate (area in m^2) below a frequency, Hz."""
     layout, solid = plate.layout, plate.layout.material
     if not isinstance(solid, IsotropicMaterial):
         return 0.0

@@ -1,4 +1,4 @@
-"""What holds a plate: its edges and its corners, each free, clamped, simply supported or on springs."""
+"""Supports of a plate at edges and corners: free, clamped, simply supported or on springs."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ Loss = Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.5)
 
 @dataclass(frozen=True)
 class Support:
-    """What holds the plate at its outer side faces.
+    """Support of the plate at its outer side faces.
 
-    where : the faces that look to one side, or what of them lies next to the corners of the map
+    where : faces on one side, or their parts next to the corners of the map
     hold : "clamped" no motion; "simple" no motion along the face (hard simple support), normal motion free;
         "spring" an elastic foundation
-    length : of the held part of each face from the corner on, m; only for "corners"
+    length : of the supported part of each face from the corner on, m; only for "corners"
     stiffness : of the foundation, per area of side face and alike in all directions, N/m^3; only for "spring"
     loss_factor : of the foundation
     """
@@ -43,7 +43,7 @@ class Support:
 
 @described("plate.edges", kw_only=True)
 class Edges:
-    """What holds the outer side faces of the plate, by the direction in which they look."""
+    """Supports of the outer side faces of the plate, by their direction."""
 
     left: EdgeHold = setting("free", "What holds the faces that look left.", title="Left edge")
     right: EdgeHold = setting("free", "What holds the faces that look right.", title="Right edge")
@@ -74,20 +74,20 @@ class Edges:
 
     @property
     def supports(self) -> tuple[Support, ...]:
-        """What holds each side that is not free."""
-        made = []
+        """Support of each side that is not free."""
+        supports = []
         for side in SIDES:
             hold: EdgeHold = getattr(self, side)
             if hold == "spring":
-                made.append(Support(side, hold, stiffness=self.spring, loss_factor=self.loss_factor))
+                supports.append(Support(side, hold, stiffness=self.spring, loss_factor=self.loss_factor))
             elif hold != "free":
-                made.append(Support(side, hold))
-        return tuple(made)
+                supports.append(Support(side, hold))
+        return tuple(supports)
 
 
 @described("plate.clamp", kw_only=True)
 class Clamp:
-    """What holds the plate at the four corners of the rectangle around it."""
+    """Support of the plate at the four corners of the rectangle around it."""
 
     corners: Annotated[float, size(100e-9, 100e-3)] = needed(
         "Length held on each side face, from the corner on.", title="Held length"
@@ -104,7 +104,7 @@ class Clamp:
 
     @property
     def support(self) -> Support:
-        """The same as a support of the corners."""
+        """Support of the corners with these settings."""
         if self.spring is None:
             return Support("corners", "clamped", length=self.corners)
         return Support(

@@ -1,4 +1,4 @@
-"""Many tiles of one kind, side by side, are a tile again: with fewer unknowns than they have one by one."""
+"""Joining of many equal tiles to one tile with fewer unknowns."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ def joined_tile(
     highest: float,
     span: tuple[int, int] = (1, 1),
 ) -> Tile:
-    """A rectangle of the same tiles as one tile for frequencies up to ``highest`` (Hz).
+    """Join a rectangle of equal tiles to one tile for frequencies up to ``highest`` (Hz).
 
     Parameters
     ----------
-    tile : each of them; size : width and height of it, m
-    shape : how many lie above, and beside each other
-    span : rows and columns that each of them has itself
+    tile : repeated tile; size : its width and height, m
+    shape : number of rows and columns of tiles
+    span : rows and columns of each tile itself
     """
     high, wide = span
     rows, columns = shape
@@ -48,39 +48,39 @@ def joined_tile(
     ]
     count = first_mode + modes * len(traces)
     stiffness, mass = np.zeros((2, count, count))
-    for own in unknowns:
-        stiffness[np.ix_(own, own)] += tile.elastic
-        mass[np.ix_(own, own)] += tile.mass
+    for numbers in unknowns:
+        stiffness[np.ix_(numbers, numbers)] += tile.elastic
+        mass[np.ix_(numbers, numbers)] += tile.mass
     inner = np.setdiff1d(np.arange(count), outer)
     basis = _reduced(stiffness, mass, outer, inner, highest)
-    inside = Joined(tile, size, shape, np.stack([basis[own] for own in unknowns]))
+    inside = Joined(tile, size, shape, np.stack([basis[numbers] for numbers in unknowns]))
     return _on_basis(stiffness, mass, basis, inside, len(outer))
 
 
 def opened_tile(tile: Tile, open_trace: Ints, highest: float) -> Tile:
-    """A tile of plain plate or lattice whose trace keeps only what others touch, up to ``highest`` (Hz).
+    """Condense free unknowns of a tile's trace into the tile, for frequencies up to ``highest`` (Hz).
 
-    open_trace : unknowns of the trace beyond which there is nothing, and that nothing holds
+    open_trace : unknowns of the trace at free edges of the plate, without supports
     """
     assert list(tile.stiffness) == [PLATE]
-    kept = np.setdiff1d(np.arange(tile.trace_size), open_trace)
+    closed = np.setdiff1d(np.arange(tile.trace_size), open_trace)
     inner = np.concatenate([open_trace, np.arange(tile.trace_size, tile.size)])
-    basis = _reduced(tile.elastic, tile.mass, kept, inner, highest)
-    return _on_basis(tile.elastic, tile.mass, basis, Turned(tile.inside, basis), len(kept))
+    basis = _reduced(tile.elastic, tile.mass, closed, inner, highest)
+    return _on_basis(tile.elastic, tile.mass, basis, Turned(tile.inside, basis), len(closed))
 
 
 def _on_basis(stiffness: Array, mass: Array, basis: Array, inside: Inside, trace: int) -> Tile:
-    """The tile of plain plate or lattice that is spanned by a basis, traces first."""
+    """Make the tile of plain plate or lattice on a basis, traces first."""
     return Tile.plain(basis.T @ stiffness @ basis, basis.T @ mass @ basis, trace, inside)
 
 
 def _reduced(stiffness: Array, mass: Array, outer: Ints, inner: Ints, highest: float) -> Array:
-    """(count, trace + modes) basis: static answers to the rim, and the interior's few modes."""
+    """(count, trace + modes) basis: static responses to the rim, and few modes of the interior."""
     inside = np.ix_(inner, inner)
-    held = la.cho_factor(stiffness[inside])
+    factor = la.cho_factor(stiffness[inside])
     static = np.zeros((len(stiffness), len(outer)))
     static[outer, np.arange(len(outer))] = 1.0
-    static[inner] = -la.cho_solve(held, stiffness[np.ix_(inner, outer)])
+    static[inner] = -la.cho_solve(factor, stiffness[np.ix_(inner, outer)])
     values, modes = la.eigh(stiffness[inside], mass[inside])
     every = np.zeros((len(stiffness), len(inner)))
     every[inner] = modes
@@ -93,7 +93,7 @@ def _reduced(stiffness: Array, mass: Array, outer: Ints, inner: Ints, highest: f
 
 @dataclass(frozen=True, eq=False)
 class Joined:
-    """Inside many tiles of one kind. basis : (tiles, n of each, unknowns), row by row from the lower left"""
+    """Inside of many equal tiles. basis : (tiles, n of each, unknowns), row by row from the lower left"""
 
     tile: Tile
     size: tuple[float, float]
@@ -108,7 +108,7 @@ class Joined:
 
     @property
     def points(self) -> Array:
-        """(nodes, 3) of all tiles' meshes, m."""
+        """(nodes, 3) points of all tiles' meshes, m."""
         own, corners = self.tile.inside.points, self._corners
         shift = np.column_stack([corners, np.zeros(len(corners))])
         return np.asarray((shift[:, None] + own).reshape(-1, 3))
@@ -124,7 +124,7 @@ class Joined:
         return np.concatenate([self.tile.inside.lifted(own @ unknowns) for own in self.basis])
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
         rows, columns = self.shape
         column = np.clip((where[:, 0] / self.size[0]).astype(np.int64), 0, columns - 1)
         row = np.clip((where[:, 1] / self.size[1]).astype(np.int64), 0, rows - 1)

@@ -1,4 +1,4 @@
-"""What the parts of a plate are called inside: values, so that a name may hold any character."""
+"""Keys of the parts of a plate; they are values, so names may contain any character."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ Role = Literal["", "bond", "ceramic", "field", "dielectric"]
 
 @dataclass(frozen=True)
 class PartKey:
-    """What stores or loses energy.
+    """Key of a part that stores or loses energy.
 
-    owner : name of the actuator, or number of the support; role : what of an actuator it is
+    owner : name of the actuator, or number of the support; role : part of an actuator
     """
 
     kind: Kind
@@ -21,7 +21,7 @@ class PartKey:
     role: Role = ""
 
     def __str__(self) -> str:
-        """For people and files. No two keys share it: only those of actuators end in their role."""
+        """Text for people and files, unique for each key: only keys of actuators end in their role."""
         return f"{self.owner} {self.role}" if self.role else f"{self.kind} {self.owner}".rstrip()
 
 
@@ -31,25 +31,25 @@ FINGER = PartKey("finger")
 
 
 def bond(actuator: str) -> PartKey:
-    """The glue below it."""
+    """Key of the glue below an actuator."""
     return PartKey("actuator", actuator, "bond")
 
 
 def ceramic(actuator: str) -> PartKey:
-    """Its stiffness at a constant electric field, c^E."""
+    """Key of an actuator's stiffness at a constant electric field, c^E."""
     return PartKey("actuator", actuator, "ceramic")
 
 
 def electric(actuator: str) -> PartKey:
-    """What the electric field in it adds while its electrodes are at given voltage."""
+    """Key of the stiffness due to the electric field at given voltage of the electrodes."""
     return PartKey("actuator", actuator, "field")
 
 
 def dielectric(actuator: str) -> PartKey:
-    """Its capacitance while nothing moves."""
+    """Key of an actuator's capacitance at rest."""
     return PartKey("actuator", actuator, "dielectric")
 
 
 def support(number: int) -> PartKey:
-    """The springs of one support."""
+    """Key of the springs of a support."""
     return PartKey("support", number)

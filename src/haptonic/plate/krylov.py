@@ -1,8 +1,8 @@
-"""A real basis that answers loads over a band of frequencies, for any damping: rational Krylov vectors.
+"""Real bases of rational Krylov vectors for loads over a band of frequencies and any damping.
 
 At several real shifts s the block Krylov space of (K - s M)^-1 M on loads and on random forces is spanned
-(Ruhe 1984, doi 10.1016/0024-3795(84)90221-0). The random forces find the modes that the loads hardly excite:
-any damping may couple them. Inertia counts at the shifts tell whether a mode of the band is missing.
+(Ruhe 1984, doi 10.1016/0024-3795(84)90221-0). The random forces excite modes that the loads hardly excite,
+because damping may couple them. Inertia counts at the shifts show whether a mode of the band is missing.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from haptonic.later import linalg as la
 from haptonic.parallel import each
 from haptonic.plate.assembly import AT_ONCE, Assembly, Shifted
 
-TOGETHER = 4  # chains that are made orthogonal to the others at once
-REPEATED = 1e-13  # share of a direction's squared length that must not lie in the others
-CLEAR = 0.1  # such a share from which on one pass of Gram and Schmidt is enough: more losses would add up
+TOGETHER = 4  # number of chains made orthogonal to the others at once
+REPEATED = 1e-13  # share of a direction's squared length outside the others below which it is dropped
+CLEAR = 0.1  # such a share above which one pass of Gram and Schmidt is enough
 
 
 class _Orthonormal:
-    """Vectors that are orthonormal in mass, to which blocks are added one after the other."""
+    """Growing set of vectors that are orthonormal in mass."""
 
     def __init__(self, assembly: Assembly, capacity: int) -> None:
         self.assembly = assembly
@@ -40,7 +40,7 @@ class _Orthonormal:
         return self._vectors[:, : self.count]
 
     def add(self, new: Array) -> Array:
-        """Add what is new in each of vectors (size, k); returns the mass times what was added."""
+        """Add the new directions of vectors (size, k); return the mass times the added vectors."""
         for _ in range(2):  # one pass of Gram and Schmidt is not enough
             self._project(new)
         heavy = self.assembly.mass_times(new)
@@ -49,13 +49,13 @@ class _Orthonormal:
         return self._append(new @ turn, heavy @ turn)
 
     def add_known(self, new: Array) -> None:
-        """Add what is new in vectors (size, k) of length 1 in mass, which are overwritten."""
+        """Add the new directions of vectors (size, k) of length 1 in mass; the vectors are overwritten."""
         self._project(new)
         heavy = self.assembly.mass_times(new)
         weights, turn = _turned(new, heavy, np.ones(new.shape[1]))
         clear = weights > CLEAR
         self._append(new @ turn[:, clear], heavy @ turn[:, clear])
-        new = new @ turn[:, ~clear]  # nearly known, but as long as the rest now: worth another pass
+        new = new @ turn[:, ~clear]  # nearly dependent; now normalised, so another pass is accurate
         self._project(new)
         heavy = self.assembly.mass_times(new)
         _, turn = _turned(new, heavy, np.ones(new.shape[1]))
@@ -63,8 +63,8 @@ class _Orthonormal:
 
     def _project(self, new: Array) -> None:
         if self.count:
-            known = slice(0, self.count)
-            new -= self._vectors[:, known] @ (self._heavy[:, known].T @ new)
+            present = slice(0, self.count)
+            new -= self._vectors[:, present] @ (self._heavy[:, present].T @ new)
 
     def _append(self, new: Array, heavy: Array) -> Array:
         added = slice(self.count, self.count + new.shape[1])
@@ -74,17 +74,17 @@ class _Orthonormal:
 
 
 def _turned(new: Array, heavy: Array, lengths: Array) -> tuple[Array, Array]:
-    """What makes vectors orthonormal among themselves, without those that nothing but rounding is in.
+    """Combinations that make vectors orthonormal, without directions of rounding errors.
 
-    new, heavy : (size, k) vectors and the mass times them; lengths : (k,) which count as 1
+    new, heavy : (size, k) vectors and the mass times them; lengths : (k,) lengths scaled to 1
 
     Returns
     -------
-    (r,) squared lengths of the directions that are kept, ascending, and (k, r) these at length 1
+    (r,) squared lengths of the independent directions, ascending, and (k, r) these at length 1
     """
     weights, turn = la.eigh(new.T @ heavy / lengths / lengths[:, None])
-    kept = weights > REPEATED
-    return weights[kept], turn[:, kept] / np.sqrt(weights[kept]) / lengths[:, None]
+    independent = weights > REPEATED
+    return weights[independent], turn[:, independent] / np.sqrt(weights[independent]) / lengths[:, None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +97,7 @@ class Chain:
 
 
 def chain(shifted: Shifted, loads: Array, length: int) -> Chain:
-    """At most ``length`` blocks of mass-orthonormal Krylov vectors of loads (size, b)."""
+    """Compute at most ``length`` blocks of mass-orthonormal Krylov vectors of loads (size, b)."""
     span = _Orthonormal(shifted.assembly, length * loads.shape[1])
     heavy = loads
     for _ in range(length):
@@ -112,17 +112,17 @@ def chains(
     length: int,
     told: Callable[[], None] = lambda: None,
 ) -> list[Chain]:
-    """Chains at several shifts, side by side in threads. ``loads`` gives those of a shift."""
+    """Compute chains at several shifts in parallel threads; ``loads(shifted)`` returns the loads."""
 
-    def one(shift: float) -> Chain:
+    def chain_at(shift: float) -> Chain:
         shifted = assembly.shifted(shift)
-        found = chain(shifted, loads(shifted), length)
+        vectors = chain(shifted, loads(shifted), length)
         shifted.release()
         told()
-        return found
+        return vectors
 
     assembly.prepare()
-    return each(one, shifts)
+    return each(chain_at, shifts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +141,7 @@ class Basis:
 
     @classmethod
     def spanned(cls, assembly: Assembly, pieces: list[Array], below: Mapping[float, int]) -> Basis:
-        """Rayleigh and Ritz on the span of pieces (size, k); their list is emptied, to leave their memory."""
+        """Compute Ritz vectors on the span of pieces (size, k); the list is emptied to free its memory."""
         span = _Orthonormal(assembly, sum(piece.shape[1] for piece in pieces))
         while pieces:
             span.add_known(np.hstack(pieces[:TOGETHER]))
@@ -160,7 +160,7 @@ class Basis:
 
     @classmethod
     def of(cls, assembly: Assembly, chains: list[Chain], known: Basis | None = None) -> Basis:
-        """The span of chains, whose list is emptied, and of a basis that is there already."""
+        """Make the basis of chains, whose list is emptied, and of an existing basis."""
         below = {chain.shift: chain.below for chain in chains}
         pieces = [chain.vectors for chain in chains]
         chains.clear()
@@ -170,7 +170,7 @@ class Basis:
 
     @classmethod
     def empty(cls, size: int) -> Basis:
-        """No vector at all, of ``size`` unknowns."""
+        """Make a basis without vectors for ``size`` unknowns."""
         return cls(np.zeros((size, 0)), np.zeros((0, 0)), np.zeros(0), {})
 
     @property
@@ -183,7 +183,7 @@ class Basis:
 
     @cached_property
     def _counted(self) -> list[tuple[float, float, bool]]:
-        """Intervals between neighbouring shifts, and whether as many Ritz values lie there as modes."""
+        """Intervals between neighbouring shifts, and True if they contain as many Ritz values as modes."""
         ends = sorted(self.below.items())
         if ends and (self.values < ends[0][0]).sum() == ends[0][1]:
             ends = [(0.0, 0), *ends]
@@ -194,15 +194,15 @@ class Basis:
 
     @property
     def incomplete(self) -> list[tuple[float, float]]:
-        """Intervals between shifts, (rad/s)^2, in which modes are missing, or Ritz values are no modes."""
+        """Intervals between shifts, (rad/s)^2, with different numbers of Ritz values and modes."""
         return [(low, high) for low, high, whole in self._counted if not whole]
 
     @cached_property
     def complete(self) -> tuple[float, float]:
-        """The widest interval, (rad/s)^2, in which as many Ritz values lie as there are modes."""
+        """Widest interval, (rad/s)^2, that contains as many Ritz values as modes."""
         start = self._counted[0][0] if self._counted else 0.0
         best = run = (start, start)
         for low, high, whole in self._counted:
             run = (run[0] if run[1] == low else low, high) if whole else (high, high)
-            best = max(best, run, key=lambda one: one[1] - one[0])
+            best = max(best, run, key=lambda interval: interval[1] - interval[0])
         return best

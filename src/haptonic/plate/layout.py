@@ -1,6 +1,4 @@
-"""Which tile lies where: a rectangular grid of lines, each field of it a cell of a lattice, plain plate or
-nothing.
-"""
+"""Layout of a plate: a rectangular grid whose fields are cells of a lattice, plain plate or empty."""
 
 from __future__ import annotations
 
@@ -34,23 +32,23 @@ CLOSE = 1e-9  # of the smallest tile: lengths that differ by less are equal
 
 @dataclass(frozen=True)
 class Block:
-    """A rectangle of tiles that is one body: rows and columns from the first up to, not with, the last."""
+    """Rectangle of tiles treated as one body: rows and columns, each as (first, last + 1)."""
 
     rows: tuple[int, int]
     columns: tuple[int, int]
 
     @property
     def edges(self) -> int:
-        """How many edges of tiles lie on its rim."""
+        """Number of edges of tiles on its rim."""
         return 2 * sum(self.shape)
 
     def meets(self, other: Block) -> bool:
-        """Whether the two share a tile."""
+        """True if the blocks share a tile."""
         pairs = ((self.rows, other.rows), (self.columns, other.columns))
         return all(a[0] < b[1] and b[0] < a[1] for a, b in pairs)
 
     def joined(self, other: Block) -> Block:
-        """The smallest block that holds both."""
+        """Smallest block that contains both."""
         (r0, r1), (c0, c1) = self.rows, self.columns
         (s0, s1), (d0, d1) = other.rows, other.columns
         return Block((min(r0, s0), max(r1, s1)), (min(c0, d0), max(c1, d1)))
@@ -62,11 +60,11 @@ class Block:
 
     @property
     def shape(self) -> tuple[int, int]:
-        """How many rows and columns of tiles it has."""
+        """Numbers of rows and columns of tiles."""
         return self.rows[1] - self.rows[0], self.columns[1] - self.columns[0]
 
     def moved(self, up: int, right: int) -> Block:
-        """One of the same shape, so many blocks farther."""
+        """Block of the same shape, moved by a number of blocks."""
         (high, wide), (row, column) = self.shape, (self.rows[0], self.columns[0])
         row, column = row + up * high, column + right * wide
         return Block((row, row + high), (column, column + wide))
@@ -74,9 +72,9 @@ class Block:
 
 @dataclass(frozen=True)
 class Laid:
-    """A brick of a lattice on the plate.
+    """Brick of a lattice on the plate.
 
-    shape : rows and columns of tiles that it covers; number : which one of its lattice's `Brickwork`
+    shape : rows and columns of tiles that it covers; number : in the `Brickwork` of its lattice
     """
 
     shape: tuple[int, int]
@@ -85,10 +83,10 @@ class Laid:
 
 @dataclass(frozen=True)
 class Layout:
-    """A plate as a map of tiles. Rows count upwards (along y), columns to the right (along x).
+    """Plate as a map of tiles. Rows count upwards (along y), columns to the right (along x).
 
     tiles : [row][column] the tile's name: of a lattice in ``cells``, or of a region of plain plate; None
-        where there is no plate
+        outside the plate
     x, y : (columns + 1), (rows + 1) positions of the lines between tiles, ascending from 0, m
     cells : unit cells of the lattices by name; all have the plate's thickness and material
     thickness : of the plate without pillars, m; its flat face lies at z = 0
@@ -122,11 +120,11 @@ class Layout:
         thickness: float,
         material: Material,
     ) -> Layout:
-        """A plate from a coarser map, whose columns and rows have these sizes, m.
+        """Make a plate from a coarser map with columns and rows of given sizes, m.
 
         A letter of a lattice is one rectangle of its `Brickwork`. Each row is offset against the one below,
-        or each column against the one on its left, as the lattice is, the first one of the plate by nothing.
-        A brick that would lie on another letter's plate is left out; there is plain plate in its place.
+        or each column against the one on its left, as in the lattice; the first one has no offset. A brick
+        that would cover the plate of another letter is replaced by plain plate.
 
         Raises
         ------
@@ -153,7 +151,7 @@ class Layout:
             ]
             for lines, cuts in ((every, wide), (letters, high))
         )
-        # lines are found by their share's number of smallest parts: fractions are slow as keys
+        # keys of lines are integer numbers of smallest parts, because fractions are slow as keys
         parts = math.lcm(*(share.denominator for own in (*across, *up) for share in own))
         x, columns = _lines(widths, across, parts)
         y, rows = _lines(heights, up, parts)
@@ -183,7 +181,7 @@ class Layout:
             for _ in own
         ]
         simple = {len(work.bricks) == 1 and not any(work.offset) for work in works.values()} <= {True}
-        made = cls(
+        layout = cls(
             tiles=tuple(tiles),
             x=x,
             y=y,
@@ -192,13 +190,13 @@ class Layout:
             material=material,
             offset=None if simple else bricks,
         )
-        for steps in {made.steps(made.block(at)) for at, one in bricks.items() if one.shape != (1, 1)}:
+        for steps in {layout.steps(layout.block(at)) for at, laid in bricks.items() if laid.shape != (1, 1)}:
             equal_pieces(steps)
-        return made
+        return layout
 
     @cached_property
     def there(self) -> Mapping[Tile, str]:
-        """Every tile (row, column) that is there and its name, row by row from the lower left."""
+        """Name of every tile (row, column) of the plate, row by row from the lower left."""
         every = (((i, j), name) for i, row in enumerate(self.tiles) for j, name in enumerate(row))
         return {tile: name for tile, name in every if name is not None}
 
@@ -215,15 +213,15 @@ class Layout:
         return {name: Brickwork.of(cell) for name, cell in self.cells.items()}
 
     def brick(self, name: str, number: int) -> TileShape:
-        """The rectangle about its pillar of one of a lattice's bricks."""
+        """Tile about the pillar of a brick, given by lattice and number."""
         return self._works[name].bricks[number].tile
 
     def brick_at(self, corner: Tile) -> Brick:
-        """What lies on the lower left one of the tiles that it covers."""
+        """Brick by the lower left one of the tiles that it covers."""
         return self._works[str(self.at(corner))].bricks[self.bricks[corner].number]
 
     def axis(self, corner: Tile) -> tuple[float, float]:
-        """Place (x, y) of the axis of a brick's pillar, m."""
+        """Position (x, y) of the axis of a brick's pillar, m."""
         left, below = self.brick_at(corner).tile.corners[0]
         return self.x[corner[1]] - float(left), self.y[corner[0]] - float(below)
 
@@ -233,7 +231,7 @@ class Layout:
         return self.x[left : right + 1], self.y[low : top + 1]
 
     def steps(self, block: Block) -> Steps:
-        """Widths of the columns and heights of the rows of a block, m, without what rounding adds."""
+        """Widths of the columns and heights of the rows of a block, m, without rounding errors."""
         across, up = (
             tuple(self.thickness * round((end - start) / self.thickness, 9) for start, end in pairwise(lines))
             for lines in self.lines(block)
@@ -260,12 +258,12 @@ class Layout:
         return tuple(dict.fromkeys(self.block(tile) for tile in self.there))
 
     def is_plain(self, tile: Tile) -> bool:
-        """Whether a tile is there, and holds nothing of a lattice's bricks."""
+        """True for a tile of the plate outside all bricks of lattices."""
         return self.at(tile) is not None and tile not in self._brick_under
 
     @property
     def left_out(self) -> int:
-        """How many bricks are missing at the borders of lattices, where they would lie on other plate."""
+        """Number of bricks omitted at the borders of lattices, where they would cover other plate."""
         whole = (
             len(work.bricks) * self.area(name) / (work.width * work.height)
             for name, work in self._works.items()
@@ -290,7 +288,7 @@ class Layout:
         return [tile for tile, own in self.there.items() if own == name]
 
     def at(self, tile: Tile) -> str | None:
-        """The name of a tile (row, column); None where there is no plate, as outside the map."""
+        """Name of a tile (row, column); None outside the plate."""
         i, j = tile
         return self.tiles[i][j] if 0 <= i < self.rows and 0 <= j < self.columns else None
 
@@ -305,13 +303,15 @@ class Layout:
         return self.x[j], self.y[i], self.x[j + 1], self.y[i + 1]
 
     def area(self, name: str) -> float:
-        """Of all tiles of that name, m^2."""
+        """Area of all tiles of that name, m^2."""
         boxes = (self.bounds(tile) for tile in self.of(name))
         return sum((right - left) * (top - bottom) for left, bottom, right, top in boxes)
 
     def under(self, box: Rectangle) -> list[Tile]:
-        """(row, column) of all that a rectangle (left, bottom, right, top; m) lies on, or a point touches;
-        also of tiles that are not there: -1 and the number of rows or columns stand for all beyond."""
+        """Tiles (row, column) below a rectangle (left, bottom, right, top; m), or touched by a point.
+
+        They include tiles outside the plate: -1, or the number of rows or columns, for all beyond the map.
+        """
         left, bottom, right, top = box
         columns, rows = _met(self.x, left, right), _met(self.y, bottom, top)
         return [(i, j) for i in rows for j in columns]
@@ -323,23 +323,23 @@ class Layout:
 
     @cached_property
     def standing(self) -> tuple[tuple[float, float, Pillar], ...]:
-        """Every pillar of the plate with the place (x, y) of its axis, m; row by row from the lower left."""
-        return tuple((x, y, one) for x, y, one in self.features if isinstance(one, Pillar))
+        """Every pillar with the position (x, y) of its axis, m; row by row from the lower left."""
+        return tuple((x, y, part) for x, y, part in self.features if isinstance(part, Pillar))
 
     @cached_property
     def features(self) -> tuple[tuple[float, float, Feature], ...]:
-        """The same of every pillar and every stack of discs."""
+        """Every pillar and every stack of discs with the position (x, y) of its axis, m."""
         tiles = {corner: self.brick_at(corner).tile for corner in self.bricks}
         return tuple((*self.axis(at), tile.feature) for at, tile in tiles.items() if tile.feature is not None)
 
     @property
     def pillars(self) -> int:
-        """How many pillars stand on the plate."""
+        """Number of pillars on the plate."""
         return len(self.standing)
 
     @property
     def parts(self) -> str:
-        """How many pillars, stacks of discs and cells of a file there are, in words."""
+        """Numbers of pillars, stacks of discs and cells of a file, as text."""
         stacks, solids = len(self.features) - self.pillars, len(self.bricks) - len(self.features)
         texts = [f"{self.pillars} pillars"] if self.pillars or not (stacks or solids) else []
         texts += [f"{stacks} stacks of discs"] if stacks else []
@@ -373,9 +373,9 @@ def _met(lines: tuple[float, ...], low: float, high: float) -> range:
 
 
 def pieces(there: Sequence[Sequence[bool]]) -> list[set[Tile]]:
-    """Tiles [row][column] that hang together by their sides, as sets of (row, column), the largest first."""
+    """Tiles [row][column] connected by their sides, as sets of (row, column), the largest first."""
     left = {(i, j) for i, row in enumerate(there) for j, is_there in enumerate(row) if is_there}
-    found = []
+    connected = []
     while left:
         piece, front = set(), [min(left)]
         while front:
@@ -384,5 +384,5 @@ def pieces(there: Sequence[Sequence[bool]]) -> list[set[Tile]]:
                 left.remove((i, j))
                 piece.add((i, j))
                 front += [(i + down, j + along) for down, along in STEPS.values()]
-        found.append(piece)
-    return sorted(found, key=len, reverse=True)
+        connected.append(piece)
+    return sorted(connected, key=len, reverse=True)

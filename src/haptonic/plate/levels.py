@@ -1,4 +1,4 @@
-"""What a response tells of the regions of its plate: contrasts, amplitudes below a finger, loud lines."""
+"""Evaluation of a response by region: contrasts, amplitudes below a finger, lines of the maps."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from haptonic.response import FrequencyResponse, contrast, disc_average
 from haptonic.response.checks import REST, THE_REST
 
 FINGER = 10e-3  # m, width of the disc over which a finger averages
-BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, where the maps below and above it are taken
+BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, for the maps below and above it
 
 
 def contrasts(response: FrequencyResponse, driven: str | None) -> dict[str, xr.DataArray]:
-    """How much more a region vibrates than others and than all the rest, dB."""
+    """Contrast of a region against others and against all the rest, dB."""
     return {pair: contrast(response, *names) for pair, names in compared(response, driven).items()}
 
 
 def compared(response: FrequencyResponse, driven: str | None) -> dict[str, tuple[str, str]]:
-    """What a driven region is compared with, and how it is called: names of both as `contrast` takes them."""
+    """Pairs of regions compared with a driven region, by title; names as for `contrast`."""
     if driven is None or driven not in response.regions:
         return {}
     others = {name: name for name in response.regions if name != driven}
@@ -55,11 +55,11 @@ def marked_lines(
     if gap is None:
         return np.array([int(np.abs(every - carrier).argmin())])
     there = points_of(regions, driven_region(plate))
-    found = []
+    marked = []
     if every[0] <= BELOW * gap[0]:
-        found.append(int(np.abs(every - BELOW * gap[0]).argmin()))
+        marked.append(int(np.abs(every - BELOW * gap[0]).argmin()))
     if ((every > gap[0]) & (every < gap[1])).any():
-        found.append(loudest_within(every, velocity, there, gap, carrier))
+        marked.append(loudest_within(every, velocity, there, gap, carrier))
     if every[-1] >= ABOVE * gap[1]:
-        found.append(int(np.abs(every - ABOVE * gap[1]).argmin()))
-    return np.array(found or [int(np.abs(every - carrier).argmin())])
+        marked.append(int(np.abs(every - ABOVE * gap[1]).argmin()))
+    return np.array(marked or [int(np.abs(every - carrier).argmin())])

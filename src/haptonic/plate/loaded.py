@@ -1,4 +1,4 @@
-"""The vibration below a finger, wherever it lies, per unit of the drive, by way of the store."""
+"""Vibration below a finger at any place, per unit of the drive."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from haptonic.plate.sampling import (
 from haptonic.plate.touch import Sites, below_finger, whole_finger_on
 from haptonic.progress import Progress, silent
 
-FREE = "free"  # the vibration that no finger damps
+FREE = "free"  # the vibration without a finger
 LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
 
 
 def highest(middle: float) -> float:
-    """Up to where a basis is needed for what is felt near a frequency, Hz."""
+    """Highest frequency of a basis for the vibration near a frequency, Hz."""
     return (1 + NEAR) * middle
 
 
@@ -46,29 +46,29 @@ def loaded(
     fineness: Fineness | None = None,
     progress: Progress = silent,
 ) -> xr.Dataset:
-    """Amplitudes below a finger per unit of the first drive.
+    """Compute the amplitudes below a finger per unit of the first drive.
 
     Parameters
     ----------
     diameter : of the disc that the finger covers, m
     damping : N s/m of the whole disc, evenly spread: the lowest plausible, the value, the highest plausible
-    at : Hz; by default the resonance of the driven region that is loudest near the carrier, in the gap if
-        there is one
+    at : Hz; by default the strongest resonance of the driven region near the carrier, within the gap if
+        ``gap`` is given
     gap : edges of the gap around the carrier, Hz
     grid : distance of the places, m; tolerance : relative error of the vibration without a finger
 
     Returns
     -------
     ``amplitude`` (load, point), m per unit: root mean square over the disc around each point, peak in time;
-    ``quality`` (load, point) of the mode that answers most, with a finger there; ``load`` is "free" or the
-    "low", "value" or "high" damping; attributes ``frequency_hz``, ``reference``, ``solver_error``
-    and, for the mode, ``mode_hz``
+    ``quality`` (load, point) of the mode with the largest amplitude, with a finger there; ``load`` is "free"
+    or the "low", "value" or "high" damping; attributes ``frequency_hz``, ``reference``, ``solver_error`` and,
+    for the mode, ``mode_hz``
 
     Raises
     ------
     StudyError : nothing drives the plate
-    ResourceError : the basis would need more memory than there is
-    HaptonicError : the vibration cannot be had as exactly as asked for
+    ResourceError : the basis needs more memory than is free
+    HaptonicError : the vibration does not reach the tolerance
     """
     plate = replace(plate, finger=None)
     middle = carrier if at is None else at
@@ -87,7 +87,7 @@ def loaded(
     line = loudest_within(frequencies, surface * vibration.omega, there, (0.0, np.inf), middle)
     omega = float(vibration.omega[line])
     places = Sites(points, diameter)
-    impedances = [0.0, *(1j * omega * one for one in damping)]
+    impedances = [0.0, *(1j * omega * of_disc for of_disc in damping)]
     amplitude = below_finger(band.reduced, places, surface[:, line], omega, impedances)
     mode, quality = _loaded_quality(model, modes, drives, omega, places, damping)
     reference, _ = reference_of(plate)
@@ -121,7 +121,7 @@ def _loaded_quality(
     places: Sites,
     damping: Sequence[float],
 ) -> tuple[float, Array]:
-    """The mode that answers most at omega, Hz, and (load, point) its quality factor with a finger there.
+    """Mode with the largest amplitude at omega, Hz, and (load, point) its quality factor with a finger.
 
     Its loss is that of the plate alone and, to first order, that of the finger: damping times the mean square
     of the mode shape, of modal mass 1, below it, over omega.
@@ -138,7 +138,7 @@ def _loaded_quality(
 
 
 def whole_finger_by_region(found: xr.Dataset, layout: Layout, diameter: float) -> dict[str, Bools]:
-    """Of every region of plain plate, (point,) the places at which the whole finger lies on it.
+    """For each region of plain plate, (point,) True for places at which the whole finger lies on it.
 
     found : from `loaded`; diameter : of the finger's disc, m
     """

@@ -1,4 +1,4 @@
-"""A plate ready to be computed: blocks, tiles, supports and drives on one assembly."""
+"""Model of a plate: blocks, tiles, supports and drives on one assembly."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ FINGER_POINTS = 37  # of equal area on the disc below a finger
 
 @dataclass(frozen=True, eq=False)
 class PlateModel:
-    """Vectors are those of the assembly.
+    """Model of a plate. Vectors are those of the assembly.
 
-    plate : what it was made from; fineness : how
-    highest : frequency up to which tiles were reduced, Hz
+    plate, fineness : of the model
+    highest : frequency up to which tiles are reduced, Hz
     assembly : stiffness and mass without losses
     foundations : of the supports, on the free unknowns of the skeleton
     drives : by name of actuators and forces, (size,) force per volt or newton
@@ -56,8 +56,8 @@ class PlateModel:
     ) -> PlateModel:
         """Reduce the tiles of a plate for frequencies up to ``highest`` (Hz) and put them together.
 
-        ``bonds`` gives, by actuator, the least and the largest thickness (m) that the tile below it has to
-        serve; see `haptonic.plate.updated`.
+        ``bonds`` contains, by actuator, the smallest and the largest thickness (m) of its bond that the tile
+        allows; see `haptonic.plate.updated`.
 
         Raises
         ------
@@ -67,7 +67,7 @@ class PlateModel:
         """
         layout, usual = plate.layout, Fineness()
         fineness = fineness or usual
-        if fineness.along >= usual.along:  # a coarser one, chosen by hand, is taken as it is
+        if fineness.along >= usual.along:  # a coarser one, chosen by the user, is not checked
             check_resolved(layout, fineness.trace, highest)
         blocks = blocks_of(plate)
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
@@ -110,7 +110,7 @@ class PlateModel:
         return self.capacitance[actuator] * (1 - 1j * loss)
 
     def observed(self, where: Array) -> sp.csr_array:
-        """(k, size) what gives the normal displacement of points (k, 2) of the flat face, m."""
+        """(k, size) normal displacement of points (k, 2) of the flat face, m, per unknown."""
         rows, columns, values = [np.zeros(0, int)], [np.zeros(0, int)], [np.zeros(0)]
         for points, unknowns, weights in self._seen_on_blocks(where):
             rows.append(np.repeat(points, len(unknowns)))
@@ -128,7 +128,7 @@ class PlateModel:
         return seen
 
     def _seen_on_blocks(self, where: Array) -> Iterator[tuple[Ints, Ints, Array]]:
-        """Points (m,) on each block, its unknowns (n,), and the (m, n) weights of these in what is seen."""
+        """Points (m,) on each block, its unknowns (n,), and their weights (m, n) in the displacement."""
         assembly, layout = self.assembly, self.plate.layout
         x, y = np.array(layout.x), np.array(layout.y)
         column = np.clip(np.searchsorted(x, where[:, 0], side="right") - 1, 0, layout.columns - 1)
@@ -143,17 +143,17 @@ class PlateModel:
         assert (block_at >= 0).all(), "points beside the plate"
         local = np.clip(where - corners[block_at], 0.0, sizes[block_at])
         for group in assembly.groups:
-            own = [np.flatnonzero(block_at == block) for block in group.blocks]
-            together = np.concatenate(own)
+            of_blocks = [np.flatnonzero(block_at == block) for block in group.blocks]
+            together = np.concatenate(of_blocks)
             if not len(together):
                 continue
             weights = group.tile.inside.normal_at(local[together])
-            ends = np.cumsum([len(points) for points in own])[:-1]
-            yield from zip(own, group.unknowns, np.split(weights, ends), strict=True)
+            ends = np.cumsum([len(points) for points in of_blocks])[:-1]
+            yield from zip(of_blocks, group.unknowns, np.split(weights, ends), strict=True)
 
     @cached_property
     def pad(self) -> sp.csr_array:
-        """(points, size) what gives the normal displacement of points of equal area below the finger."""
+        """(points, size) normal displacement of points of equal area below the finger, per unknown."""
         finger = self.plate.finger
         if finger is None:
             return sp.csr_array((0, self.assembly.size))
@@ -161,27 +161,27 @@ class PlateModel:
 
     @cached_property
     def extras(self) -> tuple[Extra, ...]:
-        """All whose loss is not the plate's, and the finger."""
+        """Parts with losses other than the plate's, and the finger."""
         assembly, factors = self.assembly, self.factors
         plain = factors[PLATE]
-        found = []
+        extras = []
         for group in assembly.groups:
             for part, whole in group.tile.stiffness.items():
                 if part != PLATE:
                     for unknowns in group.unknowns:
                         free = unknowns < assembly.size
                         rows, form = unknowns[free], whole[np.ix_(free, free)]
-                        found.append(Extra.of_form(rows, form, factors[part] - plain))
+                        extras.append(Extra.of_form(rows, form, factors[part] - plain))
         for foundation in self.foundations:
             rows = np.flatnonzero(np.diff(foundation.stiffness.indptr))
             form = foundation.stiffness[rows][:, rows].toarray()
-            found.append(Extra.of_form(rows, form, 1 + 1j * foundation.loss_factor - plain))
+            extras.append(Extra.of_form(rows, form, 1 + 1j * foundation.loss_factor - plain))
         if (finger := self.plate.finger) is not None:
             rows = np.unique(self.pad.indices)
             share = 1 / self.pad.shape[0]
             axes = self.pad[:, rows].toarray().T
-            found.append(Extra(rows, axes, lambda omega: share * impedance(finger, omega)))
-        return tuple(found)
+            extras.append(Extra(rows, axes, lambda omega: share * impedance(finger, omega)))
+        return tuple(extras)
 
 
 def drives_on(assembly: Assembly) -> dict[str, Array]:

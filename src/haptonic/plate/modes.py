@@ -1,4 +1,4 @@
-"""Modes of a plate near a frequency: where they live, what damps them, how long they take to build up."""
+"""Modes of a plate near a frequency: distribution of energy, losses and rise times."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class PlateModes:
 
 
 def modes_between(band: Band, low: float, high: float) -> PlateModes:
-    """The modes of a band between two frequencies, Hz."""
+    """Compute the modes of a band between two frequencies, Hz."""
     model, basis = band.reduced.model, band.reduced.basis
     assembly, factors = model.assembly, model.factors
     square = (2 * np.pi * np.array([low, high])) ** 2
@@ -79,7 +79,7 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
 def _residual_error(band: Band, residual: Array, values: Array) -> Array:
     """(k,) relative errors of frequencies: half the residual in the norm of the inverse of K + lambda M.
 
-    For ``(K - lambda M) v = r`` some eigenvalue lies within ``|r| |v|`` of lambda in these norms, relative to
+    For ``(K - lambda M) v = r`` an eigenvalue lies within ``|r| |v|`` of lambda in these norms, relative to
     2 lambda (Parlett 1998, The Symmetric Eigenvalue Problem, section 15.9).
     """
     if not len(values):

@@ -6,7 +6,7 @@ import numpy as np
 
 from haptonic.arrays import Array
 
-SEPARABLE = 0.7  # share of a shape's square that one product of two curves has to hold
+SEPARABLE = 0.7  # least share of a product of two curves in the square of a shape
 QUIET = 0.2  # of a curve's peak, below which a change of sign is not counted
 
 
@@ -19,7 +19,7 @@ def nodal_name(shape: Array) -> str:
 
     Returns
     -------
-    empty if the shape is no product of a curve along and a curve across
+    empty if the shape is not a product of a curve along and a curve across
     """
     left, sizes, right = np.linalg.svd(np.nan_to_num(shape), full_matrices=False)
     if not sizes[0] or sizes[0] ** 2 < SEPARABLE * (sizes**2).sum():
@@ -29,7 +29,7 @@ def nodal_name(shape: Array) -> str:
 
 
 def has_one_lobe(name: str) -> bool:
-    """Whether a mode of this name, see `nodal_name`, has one lobe across its region."""
+    """True if a mode of this name, see `nodal_name`, has one lobe across its region."""
     return name.startswith("0x")
 
 

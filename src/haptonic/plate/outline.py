@@ -1,4 +1,4 @@
-"""Closed lines around tiles of a plate, and what supports hold of its side faces."""
+"""Closed lines around tiles of a plate, and supported parts of its side faces."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from haptonic.plate.holding import Support
 from haptonic.plate.layout import STEPS, Layout, Side, Tile
 
 LOOKS: dict[tuple[int, int], Side] = {(1, 0): "bottom", (0, 1): "right", (-1, 0): "top", (0, -1): "left"}
-"""Where a side looks, by the direction in which a line along it runs with the plate to its left."""
+"""Side of a face by the direction of a line along it with the plate to the left."""
 
 
 def outline(layout: Layout, names: Collection[str]) -> tuple[Array, ...]:
@@ -20,7 +20,7 @@ def outline(layout: Layout, names: Collection[str]) -> tuple[Array, ...]:
 
     Returns
     -------
-    the (n, 2) corners of each, m; a place where two tiles touch at a corner only is one of them twice
+    the (n, 2) corners of each, m; a place where two tiles touch at a corner only occurs twice
     """
     around = [STEPS["bottom"], STEPS["right"], STEPS["top"], STEPS["left"]]
     after: dict[Tile, list[Tile]] = {}  # where sides of tiles lead from a crossing (row, column) of lines
@@ -47,28 +47,27 @@ def outline(layout: Layout, names: Collection[str]) -> tuple[Array, ...]:
 
 
 def _bends(loop: list[Tile]) -> list[Tile]:
-    """Where a closed loop of steps changes its direction."""
+    """Points at which a closed loop of steps changes its direction."""
     before, beyond = loop[-1:] + loop[:-1], loop[1:] + loop[:1]
     places = zip(before, loop, beyond, strict=True)
     return [b for a, b, c in places if (b[0] - a[0], b[1] - a[1]) != (c[0] - b[0], c[1] - b[1])]
 
 
 def held(layout: Layout, support: Support) -> list[tuple[Side, Array]]:
-    """The parts of the plate's outline that a support holds.
+    """Parts of the plate's outline with a support.
 
-    Of a corner of the map these are parts of the two sides of the map, if the plate reaches the corner along
-    that side.
+    For a corner of the map they are parts of its two sides, if the plate reaches the corner along that side.
 
     Returns
     -------
-    where each looks, and its (2, 2) ends, m, with the plate to its left
+    side of each part, and its (2, 2) ends, m, with the plate to the left
     """
     sides = list(_sides(layout))
     if support.where != "corners":
         return [(side, ends) for side, ends in sides if side == support.where]
     assert support.length is not None
     reached = {(side, place) for side, ends in sides for place in map(tuple, ends.tolist())}
-    found = []
+    parts = []
     for (side, ends), last in product(sides, product((0, -1), repeat=2)):
         axis = 0 if side in ("bottom", "top") else 1
         corner = layout.x[last[0]], layout.y[last[1]]
@@ -78,12 +77,12 @@ def held(layout: Layout, support: Support) -> list[tuple[Side, Array]]:
         part = ends.copy()
         part[:, axis] = np.clip(ends[:, axis], low, high)
         if part[0, axis] != part[1, axis]:
-            found.append((side, part))
-    return found
+            parts.append((side, part))
+    return parts
 
 
 def _sides(layout: Layout) -> Iterator[tuple[Side, Array]]:
-    """The straight sides of the whole plate, and where they look."""
+    """Straight sides of the whole plate, with their directions."""
     for loop in outline(layout, set(layout.there.values())):
         for ends in np.stack([loop, np.roll(loop, -1, axis=0)], axis=1):
             across, up = np.sign(ends[1] - ends[0]).astype(int).tolist()

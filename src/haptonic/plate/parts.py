@@ -1,6 +1,6 @@
-"""What is fixed to a plate: actuators, forces, a finger; and the plate with all of it.
+"""Parts on a plate: actuators, forces, a finger; and the plate with all of them.
 
-Positions count from the corner of a region in a study, from that of the plate where no region is given.
+Positions in a study are relative to the corner of the given region, or without a region to that of the plate.
 """
 
 from __future__ import annotations
@@ -56,9 +56,9 @@ class Bond:
 
 @described("plate.actuator")
 class Actuator:
-    """A piezoelectric patch on the face that carries the pillars, poled along z, an electrode on either face.
+    """Piezoelectric patch on the face with the pillars, poled along z, with an electrode on each face.
 
-    The voltage counts between its free and its glued electrode.
+    The voltage is that of its free electrode relative to the glued one.
     """
 
     aliases: ClassVar[Aliases] = {
@@ -103,13 +103,13 @@ class Actuator:
 
     @property
     def amplitude(self) -> complex:
-        """Of the voltage, V."""
+        """Complex amplitude of the voltage, V."""
         return _phasor(self.voltage, self.phase)
 
 
 @described("plate.force")
 class Force:
-    """A force normal to the flat face, at a point or spread evenly over a rectangle."""
+    """Force normal to the flat face, at a point or spread evenly over a rectangle."""
 
     aliases: ClassVar[Aliases] = {
         **absent("carrier", "frequency", "f", **ONE_CARRIER),
@@ -130,17 +130,16 @@ class Force:
 
     @property
     def amplitude(self) -> complex:
-        """Of the force, N."""
+        """Complex amplitude of the force, N."""
         return _phasor(self.force, self.phase)
 
 
 @described("plate.finger")
 class Finger:
-    """A finger on the flat face: a mass on a spring and a damper, spread over a disc.
+    """Finger on the flat face: a mass on a spring and a damper, spread over a disc.
 
-    It meets normal motion only. The pad is a foundation of springs and dampers whose other ends carry a mass
-    each, so that every point of the disc feels the same impedance per area; the numbers are totals over the
-    disc.
+    It acts on normal motion only. The pad is a foundation of springs and dampers with a mass at the other end
+    of each, so the impedance per area is uniform over the disc; the values are totals over the disc.
     """
 
     centre: tuple[Position, Position] = needed(CENTRE)
@@ -180,7 +179,7 @@ def _phasor(amplitude: float, phase: float) -> complex:
 
 @dataclass(frozen=True)
 class Plate:
-    """Everything that a computation of a plate needs to know.
+    """Plate with supports, drives, finger and losses.
 
     loss_factor : of plate and pillars
     """
@@ -194,19 +193,19 @@ class Plate:
 
     @property
     def rigid_modes(self) -> int:
-        """How many rigid-body motions the supports leave free: 6 of a plate that nothing holds."""
+        """Number of rigid-body motions that the supports allow: 6 for a plate without supports."""
         if any(support.hold != "simple" for support in self.supports):
-            return 0  # a piece of a face that cannot turn
-        held = [row for support in self.supports for row in self._simply_held(support)]
-        return 6 - int(np.linalg.matrix_rank(np.array(held))) if held else 6
+            return 0  # a supported piece of a face cannot rotate
+        conditions = [row for support in self.supports for row in self._simply_held(support)]
+        return 6 - int(np.linalg.matrix_rank(np.array(conditions))) if conditions else 6
 
     @property
     def rigid(self) -> bool:
-        """Whether some rigid-body motion is free, so that the statics of the plate have no solution."""
+        """True if a rigid-body motion is possible, so the static problem has no solution."""
         return self.rigid_modes > 0
 
     def _simply_held(self, support: Support) -> list[list[float]]:
-        """Rows whose product with a rigid motion (3 shifts, 3 turns by the plate's width) has to vanish."""
+        """Rows whose product with a rigid motion (3 shifts, 3 turns by the plate's width) must be 0."""
         layout, rows = self.layout, []
         normal = 0 if support.where in ("left", "right") else 1
         size = layout.x[-1]

@@ -1,4 +1,4 @@
-"""Piezoelectric hexahedra with a quasi-static potential: what the electric field inside a patch adds.
+"""Piezoelectric hexahedra with a quasi-static potential: effect of the electric field inside a patch.
 
 Same points and quadrature as the elastic elements. In Voigt order 11, 22, 33, 23, 13, 12 with engineering
 shear, ``T = c^E S - e^T E``, ``D = e S + eps^S E``, ``E = -grad phi`` [ieee176]. Where c^E alone makes the
@@ -29,7 +29,7 @@ from haptonic.materials import PiezoelectricMaterial
 
 @dataclass(frozen=True)
 class ElectricMatrices:
-    """Of elements of the same orders; an element's unknowns are its nodes in raveled order.
+    """Electric matrices of elements of equal orders; an element's unknowns are its nodes in raveled order.
 
     coupling : (elements, nodes, nodes, 3) A, of potentials (first) and displacements (last two axes), N/V
     permittivity : (elements, nodes, nodes) P of potentials, F
@@ -46,7 +46,7 @@ def electric_matrices(points: Array, nodes: Ints, material: PiezoelectricMateria
     ----------
     points : (n, 3) positions of a mesh's nodes, m
     nodes : (elements, n1, n2, n3) node numbers
-    material : what the elements are made of, poled along z
+    material : of the elements, poled along z
     """
     sizes = nodes.shape[1:]
     rules = [lobatto(n - 1) for n in sizes]
@@ -74,7 +74,7 @@ def electric_matrices(points: Array, nodes: Ints, material: PiezoelectricMateria
 
 @dataclass(frozen=True, eq=False)
 class ElectricPart:
-    """What is left of the electric field once the potentials inside are eliminated.
+    """Effect of the electric field after elimination of the potentials inside.
 
     nodes : (m,) numbers of the patch's nodes, ascending
     stiffness : (3 m, 3 m) added to that of c^E, both electrodes at given voltage, N/m

@@ -1,4 +1,4 @@
-"""The tiles that a plate needs: which blocks are alike, and how the tile of each kind is made."""
+"""Tiles of a plate: groups of equal blocks, and the construction of the tile of each group."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from haptonic.plate.skeleton import TraceOrders
 from haptonic.plate.surface import surface_weights
 from haptonic.plate.tile import Tile
 
-FORCE_POINTS = 12  # along either side of a force's rectangle
+FORCE_POINTS = 12  # along each side of a force's rectangle
 
 
 @dataclass(frozen=True)
 class Fineness:
-    """Polynomial orders of everything.
+    """Polynomial orders of tiles and traces.
 
-    along, through, shear : of what tiles share, as in `haptonic.plate.skeleton.TraceOrders`
+    along, through, shear : of the traces between tiles, as in `haptonic.plate.skeleton.TraceOrders`
     cell, rings : of a lattice's cells, as in `haptonic.cell.MeshPlan.suited`
     drawn : in place of ``cell`` of those of a STEP file, whose elements are refined towards all edges
     plain : of tiles of plain plate and of blocks with something glued to them
@@ -52,7 +52,7 @@ class Fineness:
 
     @property
     def trace(self) -> TraceOrders:
-        """What tiles share: no profile beyond the orders of their meshes."""
+        """Orders of the traces between tiles, within the orders of the meshes."""
         shear = self.shear if min(self.cell, self.plain) > self.through else 0
         return TraceOrders(self.along, self.through, shear)
 
@@ -74,12 +74,12 @@ def _spread(force: Force, bounds: tuple[float, float, float, float]) -> tuple[Ar
 
 @dataclass(frozen=True)
 class Recipe:
-    """How a block's tile is made; the same for blocks that are alike.
+    """Parameters of a block's tile; equal for equal blocks.
 
     brick : name and number of a lattice's brick, or None for plain plate
     steps : widths and heights of the tiles that a brick covers, or of one tile
     shape : rows and columns of bricks or tiles that are joined
-    attached : what a block of its own carries, else nothing; block : only then
+    attached : parts on a separate block, or empty; block : only with attached parts
     open_trace : unknowns of the trace that are condensed into the tile, see `haptonic.plate.joined`
     """
 
@@ -95,12 +95,12 @@ class Recipe:
 
     @property
     def closed(self) -> Recipe:
-        """With the whole trace."""
+        """Recipe of the tile with its whole trace."""
         return self.of_shape(self.shape)
 
     @property
     def size(self) -> tuple[float, float]:
-        """Of one brick or tile, m."""
+        """Size of one brick or tile, m."""
         return sum(self.steps[0]), sum(self.steps[1])
 
     @property
@@ -110,7 +110,7 @@ class Recipe:
 
     @property
     def is_single(self) -> bool:
-        """Whether nothing is joined."""
+        """True for a single brick or tile."""
         return self.shape == (1, 1)
 
 
@@ -138,20 +138,20 @@ def tiles_of(
     fineness: Fineness,
     bonds: Mapping[str, tuple[float, float]],
 ) -> list[Tile]:
-    """The tiles of recipes: single ones first, rows of them, then rectangles; like steps side by side."""
-    made: dict[Recipe, Tile] = {}
+    """Make the tiles of recipes: single tiles first, then rows, then rectangles, each step in threads."""
+    tiles: dict[Recipe, Tile] = {}
 
     def make(recipe: Recipe) -> Tile:
         rows, columns = recipe.shape
         if recipe.open_trace:
-            return opened_tile(made[recipe.closed], np.array(recipe.open_trace), highest)
+            return opened_tile(tiles[recipe.closed], np.array(recipe.open_trace), highest)
         if recipe.is_single:
             return _single_tile(plate, recipe, highest, fineness)
         (width, height), (high, wide) = recipe.size, recipe.span
         if rows == 1:
-            one = made[recipe.of_shape((1, 1))]
+            one = tiles[recipe.of_shape((1, 1))]
             return joined_tile(one, recipe.size, recipe.shape, fineness.trace, highest, recipe.span)
-        row, size = made[recipe.of_shape((1, columns))], (width * columns, height)
+        row, size = tiles[recipe.of_shape((1, columns))], (width * columns, height)
         return joined_tile(row, size, (rows, 1), fineness.trace, highest, (high, wide * columns))
 
     plain = [recipe for recipe in recipes if not recipe.attached]
@@ -167,10 +167,10 @@ def tiles_of(
             for recipe in recipes if recipe.attached
         }  # fmt: skip
         for step in steps:
-            missing = [recipe for recipe in dict.fromkeys(step) if recipe not in made]
-            made |= dict(zip(missing, pool.map(make, missing), strict=True))
-        made |= {recipe: future.result() for recipe, future in attached.items()}
-    return [made[recipe] for recipe in recipes]
+            missing = [recipe for recipe in dict.fromkeys(step) if recipe not in tiles]
+            tiles |= dict(zip(missing, pool.map(make, missing), strict=True))
+        tiles |= {recipe: future.result() for recipe, future in attached.items()}
+    return [tiles[recipe] for recipe in recipes]
 
 
 def _single_tile(plate: Plate, recipe: Recipe, highest: float, fineness: Fineness) -> Tile:
@@ -184,7 +184,7 @@ def _single_tile(plate: Plate, recipe: Recipe, highest: float, fineness: Finenes
 
 
 def _plan(brick: TileShape, recipe: Recipe, fineness: Fineness) -> MeshPlan:
-    """Of a brick's mesh, whose elements end where the tiles beside it do, and hold what they share."""
+    """Mesh plan of a brick with elements that end at the borders of adjacent tiles."""
     plan = MeshPlan.suited(brick, fineness.of_cell(brick.solid), fineness.rings)
     return plan.divided(equal_pieces(recipe.steps), fineness.along)
 
@@ -199,7 +199,7 @@ def _attached_tile(
     layout, block, attached = plate.layout, recipe.block, recipe.attached
     assert block is not None
     x, y = layout.lines(block)
-    actuators = [one for one in attached if isinstance(one, Actuator)]
+    actuators = [part for part in attached if isinstance(part, Actuator)]
     if recipe.brick is None:
         piece = _plain_body(layout, x, y, actuators, fineness)
     else:
@@ -227,7 +227,7 @@ def _attached_tile(
 
 
 def _thicker(actuator: Actuator, bond: float) -> Actuator:
-    """With a bond of another thickness, m."""
+    """Copy of an actuator with a bond of another thickness, m."""
     assert actuator.bond is not None
     return replace(actuator, bond=replace(actuator.bond, thickness=bond))
 
@@ -235,8 +235,8 @@ def _thicker(actuator: Actuator, bond: float) -> Actuator:
 def _plain_body(
     layout: Layout, x: Sequence[float], y: Sequence[float], actuators: list[Actuator], fineness: Fineness
 ) -> Body:
-    # in the plane as fine as a tile without anything on it: a force must not soften or stiffen the plate;
-    # the edges of a patch divide a tile into smaller elements, which need less
+    # in the plane as fine as a tile without attached parts, so that a force does not change the stiffness;
+    # the edges of a patch divide a tile into smaller elements, which need a lower order
     finer = 1 if actuators else 2
     orders = BodyOrders(max(fineness.plain, fineness.along - 1) + finer, fineness.plain, 2, 3)
     longest = 1.01 * max(np.diff(x).max(), np.diff(y).max())

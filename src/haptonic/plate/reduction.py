@@ -1,4 +1,4 @@
-"""From meshes to tiles: cells of a lattice, plain plate, and blocks with something glued to them."""
+"""Reduction of meshes to tiles: cells of a lattice, plain plate, and blocks with attached parts."""
 
 from __future__ import annotations
 
@@ -22,29 +22,31 @@ from haptonic.solvers import Pattern, chosen
 from haptonic.superelement import condense, condense_solid
 from haptonic.superelement.tiling import CLASSES
 
-EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all kept
-SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, where the others must serve
+EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all used
+SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, sampled for the other modes
 MISSED = (
     1e-2  # share of the energy norm of a tile's answer that its few modes may miss; errors are its square
 )
-SNAPSHOTS = (0.5, 1.0)  # beside 0, of the square of the highest frequency, for blocks
-MISSED_BY_BLOCK = 3e-4  # of a block's strongest answer, root of energy, below which a direction is left out
-# Of the Krylov space of the interior, see `haptonic.superelement.interior`. At fine orders blocks of 20 left
-# 1.2e-4 of a thick plate's frequency, 30 leave 6e-5; the prototype's plate takes 1 to 5 % longer by it.
+SNAPSHOTS = (0.5, 1.0)  # besides 0, of the square of the highest frequency, for blocks
+MISSED_BY_BLOCK = 3e-4  # of a block's strongest response, root of energy, below which a direction is omitted
+# Of the Krylov space of the interior, see `haptonic.superelement.interior`. At fine orders, the error of a
+# thick plate's frequency was 1.2e-4 with blocks of 20 and 6e-5 with 30, which take 1 to 5 % longer on the
+# prototype.
 STEPS, BLOCK = 3, 30
 
 
 def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: float) -> Array:
-    """The few modes that answer a smooth trace and given loads up to a highest frequency.
+    """Compute few modes for the response to a smooth trace and given loads up to a highest frequency.
 
-    Modes of the band itself are kept. The others, of eigenvalues lambda, answer a motion u of the trace and
-    loads f at ``s = omega^2`` with ``q = (s C^T u + f) / (lambda - s)``, C being their mass coupling to the
-    trace. Of these answers the main directions are kept (proper orthogonal decomposition): eigenvectors of
+    Modes of the band itself are used as they are. The response of the others, of eigenvalues lambda, to a
+    motion u of the trace and loads f is, at ``s = omega^2`` with ``q = (s C^T u + f) / (lambda - s)``, C
+    being their mass coupling to the trace. Its main directions are used (proper orthogonal decomposition),
+    the eigenvectors of
 
         G = sum over s of  g_s g_s^T * (s^2 C^T W^-1 C + f f^T),    g_s = sqrt(lambda) / (lambda - s),
 
-    where * is entry by entry. The factor sqrt(lambda) measures answers by their strain energy, and
-    ``W = K + omega_max^2 M`` of the trace lets every motion of unit energy count alike.
+    where * is entry by entry. The factor sqrt(lambda) measures responses by their strain energy, and
+    ``W = K + omega_max^2 M`` of the trace weights motions of equal energy equally.
 
     Parameters
     ----------
@@ -53,7 +55,7 @@ def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: 
 
     Returns
     -------
-    (modes, kept), orthonormal in mass and orthogonal in stiffness
+    (modes, few), orthonormal in mass and orthogonal in stiffness
     """
     values = np.diag(stiffness)[trace:]
     top = (2 * np.pi * highest) ** 2
@@ -62,7 +64,7 @@ def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: 
     unit_energy = la.cholesky(stiffness[:trace, :trace] + top * mass[:trace, :trace])
     coupling = la.solve_triangular(unit_energy, mass[:trace, trace:], trans=1).T
     force = loads / np.linalg.norm(loads / weights[:, None], axis=0)
-    # a frequency only scales the rows of the coupling and of the forces, so the products are made once
+    # a frequency only scales rows of the coupling and of the forces, so the products are computed once
     of_trace, of_loads = coupling @ coupling.T, force @ force.T
     gram = of_loads / np.outer(weights, weights)
     for share in SAMPLED:
@@ -77,9 +79,9 @@ def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: 
 
 
 def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrders, highest: float) -> Tile:
-    """A brick of a lattice, or plain plate, as a tile for frequencies up to ``highest`` (Hz).
+    """Reduce a brick of a lattice, or plain plate, to a tile for frequencies up to ``highest`` (Hz).
 
-    steps : between the lines that it lies on, m; elements of the plan end at each of them
+    steps : between the lines of the layout across it, m; elements of the plan end at each of them
     """
     if shape.solid is None:
         whole = condense(shape, plan, STEPS, block=BLOCK, measured=False)
@@ -108,7 +110,7 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
 
 
 def _onto_rim(plan: MeshPlan, steps: Steps, levels: int, orders: TraceOrders) -> Array:
-    """Trace of a condensed cell (level, place, component) from that of a tile."""
+    """Matrix from the trace of a tile to that of a condensed cell (level, place, component)."""
     share = 0.5 * (1 + lobatto(plan.order)[0][:-1])
     side = ((np.arange(plan.blocks)[:, None] + share) / plan.blocks).ravel()
     # positions in edges: where sides of the mesh, anticlockwise from the lower left, lie between the lines
@@ -134,13 +136,13 @@ def block_tile(
     highest: float,
     bonded: Mapping[str, Bonded] = MappingProxyType({}),
 ) -> Tile:
-    """A body, plain plate or a cell with what is on it, as a tile for frequencies up to ``highest`` (Hz).
+    """Reduce a body, plain plate or a cell with attached parts, to a tile up to ``highest`` (Hz).
 
     Parameters
     ----------
     body : unreduced; x, y : lines between the tiles in it, m; thickness : of the plate, m
     loads : further drives by name, (3 nodes,) force per unit of drive
-    bonded : by actuator, the same with other bonds, which the tile has to serve as well
+    bonded : by actuator, bodies with other bonds, for which the tile is valid as well
     """
     drives = {**body.drive, **loads}
     onto = _rim_of_body(body, x, y, thickness, orders)
@@ -163,13 +165,13 @@ def block_tile(
         own, more, _ = _snapshots(*split, force, other.mass[inside], highest, ())
         seen = np.hstack([seen, more, own - static])
         pushed = np.hstack([pushed, interior @ more, interior @ (own - static)])
-        # a small difference need not be known well
+        # a small difference needs less accuracy
         least += [np.zeros(more.shape[1]), np.sqrt(np.diag(on_trace))]
     fields, values = _main_directions(seen, pushed, mass, np.concatenate(least))
     basis = np.zeros((size, trace + len(values)))
     basis[held, :trace], basis[inside, :trace], basis[inside, trace:] = onto, static, fields
     parts = {part: _projected(form, basis) for part, form in body.stiffness.items() if part != PLATE}
-    # of all together it is known without a product: the fields are orthogonal to the static answers
+    # the sum of all parts needs no product, because the fields are orthogonal to the static responses
     parts[PLATE] = la.block_diag(on_trace, np.diag(values)) - sum(parts.values())
     corner = np.array([x[0], y[0], 0.0])
     return Tile(
@@ -190,7 +192,7 @@ def block_tile(
 
 
 def _split(body: Body, onto: Array, split: tuple[Ints, Ints]) -> tuple[sp.csr_array, Array]:
-    """Stiffness (inside, inside), and of it against a trace (inside, trace).
+    """Stiffness (inside, inside), and (inside, trace) between the interior and the trace.
 
     onto : (held, trace) displacement of the rim; split : unknowns of the rim, and all others
     """
@@ -207,14 +209,14 @@ def _snapshots(
     highest: float,
     shares: Sequence[float],
 ) -> tuple[Array, Array, Array]:
-    """Static answers to a trace, and other fields that a tile should know.
+    """Static responses to a trace, and other fields for the basis of a tile.
 
     interior, coupling : see `_split`; force : (inside, k) of the drives; mass : (inside,)
     shares : of the square of the highest frequency, beside 0
 
     Returns
     -------
-    static answers (inside, trace), other fields (inside, k), and the stiffness times these
+    static responses (inside, trace), other fields (inside, k), and the stiffness times these
     """
     pattern, numbers = _upper(interior)
     solver = chosen()(pattern)
@@ -259,7 +261,8 @@ def _main_directions(fields: Array, pushed: Array, mass: Array, least: Array) ->
     """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
 
     With the norm ``|x|^2 = x^T K x`` they are the main eigenvectors of ``x_a^T K x_b / (|x_a| |x_b|)``. So
-    all given fields (size, k) count alike, but those smaller than ``least`` (k,). ``pushed`` is K times them.
+    all fields (size, k) have equal weight, but for those smaller than ``least`` (k,). ``pushed`` is K times
+    them.
 
     Returns
     -------
@@ -268,17 +271,19 @@ def _main_directions(fields: Array, pushed: Array, mass: Array, least: Array) ->
     gram = fields.T @ pushed
     size = np.maximum(np.sqrt(np.diag(gram)), least)
     weights, turn = la.eigh(gram / size / size[:, None])
-    kept = weights > MISSED_BY_BLOCK**2 * weights[-1]
-    fields = fields @ (turn[:, kept] / np.sqrt(weights[kept]) / size[:, None])  # unit energy each
+    significant = weights > MISSED_BY_BLOCK**2 * weights[-1]
+    fields = fields @ (
+        turn[:, significant] / np.sqrt(weights[significant]) / size[:, None]
+    )  # unit energy each
     weights, turn = la.eigh(fields.T @ (mass[:, None] * fields))
     return np.asarray(fields @ (turn[:, ::-1] / np.sqrt(weights[::-1]))), 1 / weights[::-1]
 
 
 def _projected(part: sp.csr_array, basis: Array) -> Array:
-    """(n, n) stiffness of a part that touches few rows of a basis (size, n)."""
+    """(n, n) stiffness of a part with few nonzero rows of a basis (size, n)."""
     rows = np.flatnonzero(np.diff(part.indptr))
-    own = basis[rows]
-    return np.asarray(own.T @ (part[rows][:, rows] @ own))
+    of_rows = basis[rows]
+    return np.asarray(of_rows.T @ (part[rows][:, rows] @ of_rows))
 
 
 def _upper(matrix: sp.csr_array) -> tuple[Pattern, Array]:

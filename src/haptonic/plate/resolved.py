@@ -1,4 +1,4 @@
-"""Up to which frequency the tiles of a plate resolve its bending waves, the shortest that run in it."""
+"""Highest frequency at which the tiles of a plate resolve bending waves, its shortest waves."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from haptonic.plate.layout import Layout
 from haptonic.plate.skeleton import TraceOrders
 from haptonic.units import format_quantity
 
-# Where a bending wave of plain tiles is 1 % high in frequency, measured for orders 2 to 7 along their edges:
-# rad of the wave along an edge, for each order, and what is to be taken off
+# Phase of a bending wave along an edge, rad, at which its frequency is 1 % too high: slope per order and
+# offset, measured for orders 2 to 7 along the edges
 PER_ORDER, AT_FIRST = 2.7, 4.5
 PER_ORDER_THROUGH = 2.25  # rad of it in the thickness for each order through that: 0.4 % high
 SHEAR = np.pi**2 / 12  # Mindlin's factor for the shear stiffness of a plate

@@ -1,4 +1,4 @@
-"""What is asked of a plate, and what its response refers to."""
+"""Sampling points of a plate, and the reference of its response."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from haptonic.plate.parts import Actuator, Force
 from haptonic.response import Reference
 from haptonic.units import format_quantity
 
-NEAR = 0.06  # share of the carrier around it within which modes are listed and a resonance is looked for
+NEAR = 0.06  # share of the carrier; range for the list of modes and the search for a resonance
 
 MOST_POINTS = 4_000_000  # of a grid
 BYTES = (
@@ -29,20 +29,20 @@ def drives_of(plate: Plate) -> list[Actuator | Force]:
 
 
 def driven_regions(plate: Plate) -> tuple[str, ...]:
-    """Regions of plain plate that carry an actuator or a force with an amplitude, actuators first."""
+    """Regions of plain plate with an actuator or a force of nonzero amplitude, actuators first."""
     layout, drives = plate.layout, drives_of(plate)
     moving = [drive for drive in drives if drive.amplitude] or drives
-    names = [layout.at(layout.under((*one.centre, *one.centre))[0]) for one in moving]
+    names = [layout.at(layout.under((*drive.centre, *drive.centre))[0]) for drive in moving]
     return tuple(dict.fromkeys(name for name in names if name is not None and name not in layout.cells))
 
 
 def driven_region(plate: Plate) -> str | None:
-    """The first of them: that of the actuator, or else force, to which a response refers."""
+    """First driven region: that of the drive to which a response refers."""
     return next(iter(driven_regions(plate)), None)
 
 
 def reference_of(plate: Plate) -> tuple[Reference, float]:
-    """What the response is divided by: the first drive's name and unit, and its amplitude."""
+    """Reference of the response: name and unit of the first drive, and its amplitude."""
     moving = [drive for drive in drives_of(plate) if drive.amplitude]
     if not moving:
         raise StudyError.missing(
@@ -63,7 +63,7 @@ def unit_drives(plate: Plate) -> dict[str, complex]:
 
 
 def check_grid(plate: Plate, spacing: float, lines: int, at: str = "plate.response.grid") -> None:
-    """Raise ResourceError if a grid of squares, m, has more points than can be held at some lines.
+    """Raise ResourceError if a grid of squares, m, has more points than fit into the memory.
 
     Raises
     ------
@@ -113,18 +113,18 @@ def region_names(layout: Layout, points: Array) -> list[str | None]:
 def tile_names(layout: Layout, points: Array) -> list[str | None]:
     """Name of the tile below each point (n, 2); None beside the plate.
 
-    A point on a line between tiles belongs to the one on the right or above, whatever rounding did to it.
+    A point on a line between tiles belongs to the one on the right or above, within a tolerance for rounding.
     """
     slack = ON_LINE * min(*np.diff(layout.x), *np.diff(layout.y))
-    found = []
+    indices = []
     for lines, place in ((layout.y, points[:, 1]), (layout.x, points[:, 0])):
         number = np.searchsorted(lines[1:-1], place + slack, side="right")
-        found.append(np.where((place < lines[0] - slack) | (place > lines[-1] + slack), -1, number))
-    return [layout.at((int(i), int(j))) for i, j in zip(*found, strict=True)]
+        indices.append(np.where((place < lines[0] - slack) | (place > lines[-1] + slack), -1, number))
+    return [layout.at((int(i), int(j))) for i, j in zip(*indices, strict=True)]
 
 
 def points_of(regions: Sequence[str], name: str | None) -> Bools:
-    """(points,) which of them lie in a region; all, if none does."""
+    """(points,) True for points in a region; all True if no point lies in it."""
     there = np.array([region == name for region in regions])
     return there if there.any() else np.ones(len(there), dtype=bool)
 
@@ -132,9 +132,9 @@ def points_of(regions: Sequence[str], name: str | None) -> Bools:
 def loudest_within(
     frequency: Array, velocity: AnyComplex, there: Bools, gap: Sequence[float], carrier: float
 ) -> int:
-    """The line in a gap and near the carrier at which some points vibrate most.
+    """Number of the line in a gap and near the carrier with the largest vibration of given points.
 
-    velocity : (points, lines); there : (points,) which of them count
+    velocity : (points, lines); there : (points,) True for these points
     """
     inside = np.flatnonzero((frequency > gap[0]) & (frequency < gap[1]))
     loudness = (np.abs(velocity[there][:, inside]) ** 2).mean(axis=0)
@@ -143,7 +143,7 @@ def loudest_within(
 
 
 def resonance_of(marked: Array, carrier: float, gap: Sequence[float] | None) -> float:
-    """The frequency of the map in the gap, or else of the one nearest to the carrier, Hz."""
+    """Frequency of the map in the gap, or without one of the map nearest to the carrier, Hz."""
     low, high = gap or (0.0, np.inf)
     inside = marked[(marked > low) & (marked < high)]
     return float(min(inside if len(inside) else marked, key=lambda f: abs(f - carrier)))

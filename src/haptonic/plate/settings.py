@@ -1,4 +1,4 @@
-"""What is asked of a plate's vibration."""
+"""Settings of a plate's vibration."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ResponseFrequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=FASTES
 
 @described("plate.response", kw_only=True)
 class ResponseSettings:
-    """What is asked of the plate's vibration."""
+    """Settings of the plate's vibration."""
 
     lowest: ResponseFrequency = setting(100.0, "Limit of the response.", title="Lowest frequency")
     highest: ResponseFrequency = setting(100e3, "Limit of the response.", title="Highest frequency")
@@ -38,5 +38,5 @@ class ResponseSettings:
         return np.linspace(self.lowest, self.highest, self.points)
 
     def single(self, frequency: float) -> ResponseSettings:
-        """The same at one frequency, Hz, alone."""
+        """Restrict the settings to one frequency, Hz."""
         return unchecked(self, lowest=frequency, highest=frequency, points=1)

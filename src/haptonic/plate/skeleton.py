@@ -1,4 +1,4 @@
-"""The lines between tiles carry all unknowns through which tiles meet: polynomials along each edge and
+"""Unknowns on the lines between tiles, which couple the tiles: polynomials along each edge and
 through the thickness, given by their values on Gauss-Lobatto-Legendre points.
 """
 
@@ -21,7 +21,7 @@ class TraceOrders:
     """Polynomial orders of the unknowns between tiles: along an edge of a tile, and through the thickness.
 
     shear : along an edge, of a further profile of the motion in the plane, one order higher through the
-        thickness: what transverse shear does there. It varies less along the edge. 0 if there is none
+        thickness, for transverse shear. It varies less along the edge. 0 for none
     """
 
     along: int
@@ -42,7 +42,7 @@ class TraceOrders:
         return np.asarray(places[:, None] * self.per_node + np.arange(self.per_node)).ravel()
 
     def profile(self, height: Array) -> Array:
-        """The further profile at shares of the thickness: 0 on all levels, of the next order between."""
+        """Further profile at shares of the thickness: 0 on all levels, of the next order between them."""
         place, slope = 2 * height - 1, legder(np.eye(self.through + 1)[-1])
         return np.asarray((1 - place**2) * legval(place, slope))
 
@@ -55,12 +55,12 @@ class TraceOrders:
 
 @dataclass(frozen=True)
 class OuterEdge:
-    """An edge of a tile beyond which there is no plate.
+    """Edge of a tile at the border of the plate.
 
     nodes : (order + 1,) from its start, left or low, to its end
     unknowns : of the skeleton, ordered (place, level, component), then those of the further profile
         (place, component)
-    start, end : m; side : where it looks
+    start, end : m; side : its direction
     """
 
     nodes: Ints
@@ -79,12 +79,12 @@ class OuterEdge:
 class Skeleton:
     """Numbers of the places on the lines between blocks, as seen from above.
 
-    layout, orders : what it was made from; blocks : they cover every tile once
+    layout, orders : of the skeleton; blocks : that cover every tile once
     rims : for each block the places on its rim, anticlockwise from its lower left corner
     traces : for each block its unknowns, ordered (place, level, component), then those of the further
         profile (place, component)
     points : (places, 2), m
-    size : number of unknowns, none of them held yet
+    size : number of unknowns, supports not considered
     """
 
     layout: Layout
@@ -111,13 +111,13 @@ class Skeleton:
         )
 
     def unknowns(self, places: Ints) -> Ints:
-        """Numbers of the unknowns at some places, ordered (place, level, component), no further profile's."""
+        """Numbers of unknowns at places, ordered (place, level, component), without the further profile."""
         return self.orders.unknowns(places)
 
     def alone(self, needed: Ints, kept: Sequence[Block]) -> list[Ints]:
-        """For each block, unknowns of its trace that no other block has and that are not ``needed``.
+        """For each block, unknowns of its trace that belong to no other block and are not ``needed``.
 
-        ``kept`` blocks have none.
+        The list of ``kept`` blocks is empty.
         """
         shared = np.bincount(np.concatenate(self.traces), minlength=self.size) > 1
         shared[needed] = True
@@ -131,7 +131,7 @@ class Skeleton:
         """All edges with plate on one side only."""
         layout, orders = self.layout, self.orders
         along, shear = orders.along, orders.shear
-        found = []
+        edges = []
         for block, rim, trace in zip(self.blocks, self.rims, self.traces, strict=True):
             further = trace[len(rim) * orders.per_node :].reshape(-1, 2)
             for k, (i, j, side) in enumerate(_around(block)):
@@ -145,8 +145,8 @@ class Skeleton:
                 (x0, y0), (x1, y1) = self.points[nodes[0]], self.points[nodes[-1]]
                 unknowns = np.concatenate([self.unknowns(nodes), profile.ravel()])
                 ends = (float(x0), float(y0)), (float(x1), float(y1))
-                found.append(OuterEdge(nodes, unknowns, *ends, side))
-        return tuple(found)
+                edges.append(OuterEdge(nodes, unknowns, *ends, side))
+        return tuple(edges)
 
 
 def _is_plate(layout: Layout, i: int, j: int) -> bool:
@@ -174,8 +174,9 @@ def numbered(x: Array, y: Array, blocks: Sequence[Block], order: int) -> tuple[t
 
 
 def traced(x: Array, y: Array, blocks: Sequence[Block], orders: TraceOrders) -> tuple[tuple[Ints, ...], int]:
-    """For each block between lines the numbers of its trace's unknowns, ordered as in `Skeleton`, and how
-    many there are.
+    """For each block between lines, numbers of its trace's unknowns, ordered as in `Skeleton`.
+
+    Also the number of all unknowns.
     """
     rims, points = numbered(x, y, blocks, orders.along)
     size = len(points) * orders.per_node
@@ -184,12 +185,12 @@ def traced(x: Array, y: Array, blocks: Sequence[Block], orders: TraceOrders) -> 
         return tuple(traces), size
     rims, points = numbered(x, y, blocks, orders.shear)
     further = [(size + 2 * rim[:, None] + np.arange(2)).ravel() for rim in rims]
-    both = tuple(np.concatenate(pair) for pair in zip(traces, further, strict=True))
-    return both, size + 2 * len(points)
+    joined = tuple(np.concatenate(pair) for pair in zip(traces, further, strict=True))
+    return joined, size + 2 * len(points)
 
 
 class _GridNumbers:
-    """Numbers of all places that lines can carry."""
+    """Numbers of all places on lines."""
 
     def __init__(self, x: Array, y: Array, order: int) -> None:
         rows, columns, inner = len(y) - 1, len(x) - 1, order - 1
@@ -254,14 +255,14 @@ def _fields(orders: TraceOrders, height: Array, main: Array, further: Array) -> 
 
 
 def _along_edge(order: int, share: Array) -> Array:
-    """(n, order + 1) values of the polynomials of an order along an edge; of order 0 there are none."""
+    """(n, order + 1) values of the polynomials of an order along an edge; none for order 0."""
     if not order:
         return np.zeros((len(share), 0))
     return interpolation(lobatto(order)[0], 2 * share - 1)
 
 
 def _around_rim(edges: int, order: int, where: Array) -> Array:
-    """(n, edges * order) values of what is a polynomial of an order on each edge of a rim."""
+    """(n, edges * order) values of the functions that are polynomials on each edge of a rim."""
     edge = np.minimum(np.floor(where).astype(np.int64), edges - 1)
     along = _along_edge(order, where - edge)
     weights = np.zeros((len(where), edges * order))

@@ -1,4 +1,4 @@
-"""What holds a plate: unknowns at rest, and elastic foundations on its outer side faces."""
+"""Supports of a plate: unknowns at rest, and elastic foundations on its outer side faces."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from haptonic.plate.layout import Layout
 from haptonic.plate.outline import held
 from haptonic.plate.skeleton import OuterEdge, Skeleton, TraceOrders, edge_fields
 
-WHOLE = 1e-9  # of an edge's length, that a support may miss of the whole edge
-CLAMPED = 100.0  # stiffness of a clamp on a part of an edge, in those of a layer as thick as the plate
+WHOLE = 1e-9  # of an edge's length, tolerance of a support on the whole edge
+CLAMPED = 100.0  # stiffness of a clamp on a part of an edge, relative to a layer as thick as the plate
 
 
 @dataclass(frozen=True, eq=False)
 class Foundation:
-    """Springs. stiffness : sparse, N/m; loss_factor : of theirs; number : of the support that they are"""
+    """Springs of a support. stiffness : sparse, N/m; loss_factor : of the springs; number : of the support"""
 
     stiffness: sp.csr_array
     loss_factor: float
     number: int
 
     def on(self, kept: NDArray[np.bool_]) -> Foundation:
-        """The foundation on some of the unknowns only."""
+        """Restrict the foundation to some of the unknowns."""
         inside = np.flatnonzero(kept)
         return Foundation(sp.csr_array(self.stiffness[inside][:, inside]), self.loss_factor, self.number)
 
@@ -37,8 +37,8 @@ class Foundation:
 def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, list[Foundation]]:
     """Unknowns of the skeleton at rest, and foundations on all of its unknowns.
 
-    What holds an edge of a tile from end to end holds its unknowns. A clamp on a part of an edge, whose end
-    the polynomials along the edge cannot follow, is a foundation of springs much stiffer than the plate.
+    A support of a whole edge of a tile sets its unknowns to rest. A clamp on a part of an edge is replaced by
+    springs much stiffer than the plate, because the polynomials along the edge cannot resolve its end.
     """
     at_rest: list[Ints] = []
     foundations = []
@@ -58,11 +58,11 @@ def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, li
 
 def total_stiffness(foundations: Iterable[Foundation], size: int) -> sp.csr_array:
     """(size, size) sparse stiffness of all foundations together, N/m."""
-    return sp.csr_array(sum((one.stiffness for one in foundations), start=sp.csr_array((size, size))))
+    return sp.csr_array(sum((springs.stiffness for springs in foundations), start=sp.csr_array((size, size))))
 
 
 def foundation_stiffness(layout: Layout, support: Support) -> float:
-    """Of the springs of a support, N/m^3."""
+    """Stiffness of the springs of a support, N/m^3."""
     if support.stiffness is not None:
         return support.stiffness
     return CLAMPED * float(layout.material.stiffness[0, 0]) / layout.thickness
@@ -76,8 +76,8 @@ def _at_rest(skeleton: Skeleton, edge: OuterEdge, support: Support) -> Ints:
 
 
 def _spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[float, float]]]:
-    """Edges of tiles that a support holds, and from where to where, as shares of their length."""
-    found = []
+    """Edges of tiles with a support, and the supported range as shares of their length."""
+    spans = []
     for side, ends in held(skeleton.layout, support):
         axis = 0 if side in ("bottom", "top") else 1
         for edge in skeleton.outer_edges:
@@ -87,14 +87,14 @@ def _spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[
             near = np.round(share)
             share = np.clip(np.where(np.abs(share - near) < WHOLE, near, share), 0.0, 1.0)
             if share[1] - share[0] > WHOLE:
-                found.append((edge, (float(share[0]), float(share[1]))))
-    return found
+                spans.append((edge, (float(share[0]), float(share[1]))))
+    return spans
 
 
 def _foundation(
     skeleton: Skeleton, spans: Sequence[tuple[OuterEdge, tuple[float, float]]], stiffness: float
 ) -> sp.csr_array:
-    """Springs on parts of edges, over the whole thickness and alike in all directions."""
+    """Springs on parts of edges, over the whole thickness and equal in all directions."""
     rows, columns, values = [], [], []
     for edge, (low, high) in spans:
         area = edge.length * skeleton.layout.thickness
@@ -114,6 +114,6 @@ def _products(orders: TraceOrders, low: float, high: float) -> Array:
     up, up_weights = leggauss(orders.through + 2)
     share = low + (high - low) * 0.5 * (1 + points)
     at = np.meshgrid(share, 0.5 * (1 + up), indexing="ij")
-    fields = edge_fields(orders, *(one.ravel() for one in at))
+    fields = edge_fields(orders, *(shares.ravel() for shares in at))
     area = np.repeat(0.25 * (high - low) * np.outer(weights, up_weights).ravel(), 3)
     return np.asarray(fields.T @ (area[:, None] * fields))

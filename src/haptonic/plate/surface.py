@@ -13,13 +13,13 @@ from haptonic.errors import GeometryError
 from haptonic.later import sparse as sp
 
 FLAT = 1e-9  # of the tile's extent, within which a node lies at z = 0
-# In local coordinates, which run from -1 to 1, by which a point may miss its element: sizes of tiles count to
-# a billionth of the thickness, positions to 1e-12 m, and an element may be a hundredth of a tile wide.
+# Tolerance in local coordinates from -1 to 1 of a point in an element: sizes of tiles are exact to a
+# billionth of the thickness, positions to 1e-12 m, and an element may be a hundredth of a tile wide.
 OUTSIDE = 1e-6
 BULGE = 0.2  # of an element's size, by which its curved sides may leave the box around its nodes
-STEPS = 40  # of Newton's method at most; a dozen are many
+STEPS = 40  # of Newton's method at most; a dozen are usually enough
 LONGEST = 0.5  # of a step, in local coordinates
-FARTHEST = 1.02  # local coordinate at which a search is held back: farther out, maps may fold over
+FARTHEST = 1.02  # largest local coordinate of a search: farther out, maps may fold
 
 
 def flat_faces(mesh: HexMesh) -> list[Ints]:
@@ -32,10 +32,10 @@ def flat_faces(mesh: HexMesh) -> list[Ints]:
 
 
 def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.csr_array:
-    """Matrix that takes nodal values to values at points of the flat face.
+    """Matrix from nodal values to values at points of the flat face.
 
-    Every point is found in one of the curved quadrilaterals by Newton's method on their isoparametric maps;
-    on the border between two of them either gives the same value.
+    The curved quadrilateral of each point is found by Newton's method on the isoparametric maps; on a common
+    border of two, both have the same value.
 
     Parameters
     ----------
@@ -66,11 +66,11 @@ def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.cs
     chosen = inside[first]  # one pair for each point
     rows, columns, weights = [], [], []
     for number, face in enumerate(faces):
-        mine = np.flatnonzero(group[chosen] == number)
-        pair = chosen[mine]
+        of_face = np.flatnonzero(group[chosen] == number)
+        pair = chosen[of_face]
         (one, _), (other, _) = _shape_functions(face.shape[1:], local[pair])
         weight = (one[:, :, None] * other[:, None, :]).reshape(len(pair), face[0].size)
-        rows.append(np.repeat(mine, weight.shape[1]))
+        rows.append(np.repeat(of_face, weight.shape[1]))
         columns.append(face[element[pair]].ravel())
         weights.append(weight.ravel())
     entries = np.concatenate(weights), (np.concatenate(rows), np.concatenate(columns))
@@ -114,7 +114,7 @@ def _local_coordinates(corners: Array, element: Ints, target: Array) -> Array:
         ]
         rest = target[todo] - along[0]
         error = np.abs(rest).max(axis=1) / size[todo]
-        better = error < missed[todo]  # rounding has the last word: stop where the error falls no more
+        better = error < missed[todo]  # stop at rounding, where the error does not decrease
         missed[todo] = np.minimum(missed[todo], error)
         step = _solved(along[1], along[2], rest)
         longest = np.abs(step).max(axis=1, keepdims=True)
@@ -127,8 +127,10 @@ def _local_coordinates(corners: Array, element: Ints, target: Array) -> Array:
 
 
 def _held_back(local: Array, step: Array, slopes: tuple[Array, Array], rest: Array) -> Array:
-    """(m, 2) steps that end within `FARTHEST`: where one coordinate is held back, the other one goes to the
-    nearest point of what is left. In a thin curved ring it would take dozens of steps otherwise."""
+    """(m, 2) steps that end within `FARTHEST`; if one coordinate is limited, the other is optimised.
+
+    Without this, the search takes dozens of steps in a thin curved ring.
+    """
     room = np.clip(local + step, -FARTHEST, FARTHEST) - local
     held = np.abs(local + step) > FARTHEST
     for own, other in ((0, 1), (1, 0)):
@@ -142,12 +144,12 @@ def _held_back(local: Array, step: Array, slopes: tuple[Array, Array], rest: Arr
 
 def _shape_functions(orders: tuple[int, ...], local: Array) -> list[tuple[Array, Array]]:
     """Values and slopes (pairs, n) of the Lagrange polynomials along either axis at local coordinates."""
-    found = []
+    functions = []
     for n, place in zip(orders, local.T, strict=True):
         nodes, _, derivative = lobatto(n - 1)
         values = interpolation(nodes, place)
-        found.append((values, values @ derivative))
-    return found
+        functions.append((values, values @ derivative))
+    return functions
 
 
 def _solved(first: Array, second: Array, right: Array) -> Array:
@@ -171,6 +173,6 @@ def _refuse_missed(found: Ints, where: Array) -> None:
             argument="points of the flat face",
             given=f"{len(missed)} of {len(where)} beside it, the first at x = {x:.6g} mm, y = {y:.6g} mm",
             allowed="points on the tile, its border included",
-            cause="positions count from another corner, or are given in mm",
+            cause="positions are relative to another corner, or in mm",
             next_step="give positions in m, in the frame of the tile",
         )

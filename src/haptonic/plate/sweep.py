@@ -1,4 +1,4 @@
-"""From a model to its answer over a band: where shifts lie, and what is done until every line is good."""
+"""Response of a plate model over a band: choice of shifts, and refinement for a tolerance."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from haptonic.plate.vibration import ReducedPlate, Vibration
 from haptonic.progress import Progress, silent
 from haptonic.units import hz_text
 
-# Between neighbouring shifts, at most: Hz for plates as large as a hand, a share of the highest frequency for
-# smaller ones, whose frequencies are as much higher as the plates are smaller.
+# Largest distance of neighbouring shifts: in Hz for plates as large as a hand, as a share of the highest
+# frequency for smaller ones, because frequencies are inverse to the size.
 SPACING, SPACING_SHARE = 8e3, 0.075
 MODES = 85  # between neighbouring shifts, about, at most
 CROWDED = 2.7  # times as many, from which on they are parted again: modes crowd where a band begins
@@ -43,7 +43,7 @@ MOST_DIRECT = 24  # lines that are answered directly rather than by a larger bas
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """A reduced plate that answers all of its drives between two frequencies, Hz."""
+    """Reduced plate for all of its drives between two frequencies, Hz."""
 
     low: float
     high: float
@@ -59,7 +59,7 @@ class Band:
     ) -> Band:
         """Span a basis for a band; ``progress`` is called with the shifts done and all that are planned.
 
-        A band of a single frequency has none: its line is answered directly.
+        A band of a single frequency has no basis; its line is solved directly.
 
         Raises
         ------
@@ -76,12 +76,12 @@ class Band:
             done.append(None)
             progress(len(done), planned[0])
 
-        found = chains(model.assembly, _forces(model), first.tolist(), LENGTH, tell)
+        spanned = chains(model.assembly, _forces(model), first.tolist(), LENGTH, tell)
         for crowd in [1.0, *[CROWDED] * ROUNDS]:
-            between = _between(found, crowd * MODES)
+            between = _between(spanned, crowd * MODES)
             planned[0] += len(between)
-            found += chains(model.assembly, _forces(model), between, LENGTH, tell)
-        band = cls._joined(model, low, high, found)
+            spanned += chains(model.assembly, _forces(model), between, LENGTH, tell)
+        band = cls._joined(model, low, high, spanned)
         for _ in range(ROUNDS if _from_zero(first[0], first[-1]) else 0):
             if not (gaps := band.reduced.basis.incomplete):
                 break
@@ -96,21 +96,21 @@ class Band:
         return cls(low, high, ReducedPlate.of(model, basis, np.pi * (low + high)))
 
     def refined(self, frequencies: Array) -> Band:
-        """With further shifts at frequencies, Hz."""
+        """Add shifts at frequencies, Hz."""
         model = self.reduced.model
         shifts = ((2 * np.pi * frequencies) ** 2).tolist()
         more = chains(model.assembly, _forces(model), shifts, LENGTH)
         return self._joined(model, self.low, self.high, more, self.reduced.basis)
 
     def touched(self, finger: Finger | None) -> Band:
-        """With a finger elsewhere, another one or none, on the same basis: it costs no factorisation."""
+        """Change or remove the finger on the same basis, without a factorisation."""
         model = self.reduced.model
         moved = replace(model, plate=replace(model.plate, finger=finger))
         reduced = ReducedPlate.of(moved, self.reduced.basis, np.pi * (self.low + self.high))
         return replace(self, reduced=reduced)
 
     def from_zero(self) -> Band:
-        """With all modes below the band as well."""
+        """Include all modes below the band."""
         return Band.of(self.reduced.model, 0.0, self.high)
 
     def answer(
@@ -120,7 +120,7 @@ class Band:
         tolerance: float,
         progress: Progress = silent,
     ) -> tuple[Band, Vibration]:
-        """Answer to drives at frequencies, Hz, each line with an error of at most ``tolerance``.
+        """Compute the response to drives at frequencies, Hz, with an error of at most ``tolerance``.
 
         If many lines of the reduced plate are not good enough, the basis gets further shifts, or all modes
         below the band if it lacks them. Those that are left are answered directly; ``progress`` is called
@@ -158,7 +158,7 @@ class Band:
     def _on_basis(
         self, drives: Mapping[str, complex], omega: Array, tolerance: float
     ) -> tuple[Band, Vibration]:
-        """The answer of the reduced plate, its basis enlarged while many lines are above the tolerance."""
+        """Response of the reduced plate; the basis is enlarged while many lines exceed the tolerance."""
         band, vibration = self, self.reduced.answer(drives, omega)
         for _ in range(ROUNDS):
             if (vibration.error > tolerance).sum() <= MOST_DIRECT:
@@ -171,7 +171,7 @@ class Band:
 
     def _larger(self, worst: Array) -> Band | None:
         """With further shifts at frequencies, Hz, or all modes below the band; None if these do not fit."""
-        # without the modes below it a basis has Ritz values that are no modes
+        # without the modes below the band, a basis has Ritz values that are not modes
         basis = self.reduced.basis
         if basis.complete[0] == 0.0 or _from_zero(min(basis.below), max(basis.below)):
             return self.refined(worst)
@@ -181,19 +181,19 @@ class Band:
             return None
 
     def _directly(self, drives: Mapping[str, complex], omega: Array, progress: Progress) -> Vibration:
-        """The direct answer at some angular frequencies, rad/s."""
+        """Direct solution at some angular frequencies, rad/s."""
         model = self.reduced.model
         load = model.load(drives)[:, None]
         fields = np.empty((model.assembly.size, len(omega)), dtype=complex)
-        for k, one in enumerate(omega.tolist()):
-            fields[:, [k]] = direct_answer(model, load, one)
+        for k, frequency in enumerate(omega.tolist()):
+            fields[:, [k]] = direct_answer(model, load, frequency)
             progress(k + 1, len(omega))
-        both = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
-        return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), both)
+        parts = np.hstack([np.eye(len(omega)), 1j * np.eye(len(omega))]).T
+        return self.reduced.checked(drives, omega, np.hstack([fields.real, fields.imag]), parts)
 
 
 def evenly(low: float, high: float) -> Array:
-    """The first shifts of a basis for a band, (n,) frequencies, Hz."""
+    """First shifts of a basis for a band, (n,) frequencies, Hz."""
     top = high * (1 + BEYOND)
     bottom = max(low * (1 - BEYOND), NEAR_ZERO * top)
     spacing = max(SPACING, SPACING_SHARE * top)
@@ -212,7 +212,7 @@ def _between(found: list[Chain], most: float) -> list[float]:
 
 
 def _from_zero(low: float, high: float) -> bool:
-    """Whether shifts, (rad/s)^2, begin as low as they ever do."""
+    """True if shifts, (rad/s)^2, begin at the lowest possible one."""
     return low <= (2 * NEAR_ZERO) ** 2 * high
 
 
@@ -329,9 +329,9 @@ def _forces(model: PlateModel) -> Callable[[Shifted], Array]:
 
 
 def _worst(frequencies: Array, errors: Array) -> Array:
-    """Frequencies of the largest errors, none of them next to another."""
-    found: list[int] = []
+    """Frequencies of the largest errors, without neighbouring lines."""
+    lines: list[int] = []
     for k in np.argsort(-errors):
-        if errors[k] > 0 and len(found) < WORST and all(abs(int(k) - other) > 1 for other in found):
-            found.append(int(k))
-    return np.asarray(frequencies[found])
+        if errors[k] > 0 and len(lines) < WORST and all(abs(int(k) - other) > 1 for other in lines):
+            lines.append(int(k))
+    return np.asarray(frequencies[lines])

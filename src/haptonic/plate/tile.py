@@ -1,4 +1,4 @@
-"""A block of the plate reduced to its rim and a few modes: one tile for all blocks that are alike."""
+"""Tiles: blocks of the plate reduced to their rims and a few modes, one tile for all equal blocks."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from haptonic.plate.bonds import Bond3
 from haptonic.plate.keys import PLATE, PartKey
 from haptonic.plate.surface import surface_weights
 
-SAME_PLACE = 12  # decimals to which positions, m, are told apart
+SAME_PLACE = 12  # decimals of distinct positions, m
 
 
 def applied(matrix: Fields, share: Fields) -> Fields:
-    """(m, blocks, k) a matrix (m, n) times the parts (n, blocks, k) of vectors on like blocks."""
+    """(m, blocks, k) product of a matrix (m, n) and parts (n, blocks, k) of vectors on equal blocks."""
     blocks, columns = share.shape[1:]
     flat = matrix @ share.reshape(len(share), blocks * columns)
     return np.asarray(flat.reshape(len(matrix), blocks, columns))
 
 
 def _with_modes(matrix: Array, diagonal: Array, share: Fields) -> Fields:
-    """As `applied`, if the last unknowns, modes, have nothing but a diagonal (m,) among themselves."""
+    """Apply a matrix as `applied`, with only a diagonal (m,) between the last unknowns, the modes."""
     trace = len(matrix) - len(diagonal)
     own, inner = share[:trace], share[trace:]
     coupling, apart = matrix[trace:, :trace], diagonal[:, None, None] * inner
@@ -37,10 +37,10 @@ def _with_modes(matrix: Array, diagonal: Array, share: Fields) -> Fields:
 
 @dataclass(frozen=True, eq=False)
 class Eliminated:
-    """The modes of a tile, taken out of its equations.
+    """Equations of a tile with its modes eliminated.
 
-    on_trace : (trace, trace) dynamic stiffness that is left; follow : (modes, trace) the modes behind a trace
-    inverse : (modes,) of their own dynamic stiffness, which is diagonal
+    on_trace : (trace, trace) dynamic stiffness; follow : (modes, trace) amplitudes of the modes for a trace
+    inverse : (modes,) inverse of the modes' dynamic stiffness, which is diagonal
     """
 
     on_trace: Array
@@ -49,7 +49,7 @@ class Eliminated:
 
 
 class Inside(Protocol):
-    """From the unknowns of a tile to displacement inside it; positions are from its lower left corner, m."""
+    """Displacement inside a tile from its unknowns; positions relative to its lower left corner, m."""
 
     @property
     def points(self) -> Array:
@@ -66,13 +66,13 @@ class Inside(Protocol):
         ...
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Tile:
-    """Unknowns: the trace (place on the rim, level, component), then amplitudes of modes that have none.
+    """Reduced tile. Unknowns: trace (place on the rim, level, component), then amplitudes of modes.
 
     Among the modes stiffness and mass are diagonal; products use only the diagonal.
 
@@ -80,7 +80,7 @@ class Tile:
     values : (m,) squares of the modes' angular frequencies with the rim at rest; modal masses are 1
     drive : by name (n,) force per unit of drive
     capacitance : by actuator, F
-    inside : what the unknowns mean on a mesh
+    inside : displacement on a mesh from the unknowns
     bonds : by actuator, bonds whose thickness may change
     """
 
@@ -94,7 +94,7 @@ class Tile:
 
     @classmethod
     def plain(cls, stiffness: Array, mass: Array, trace: int, inside: Inside) -> Tile:
-        """With nothing glued on; ``trace`` unknowns whose static answers have no share in the modes."""
+        """Make a tile without attached parts; ``trace`` unknowns with static responses apart from modes."""
         values = np.diag(stiffness)[trace:].copy()
         return cls(
             stiffness={PLATE: la.block_diag(stiffness[:trace, :trace], np.diag(values))},
@@ -133,7 +133,7 @@ class Tile:
         return applied(self.stiffness[part], share)
 
     def dynamic(self, shift: float) -> Eliminated:
-        """K - shift M with the modes eliminated."""
+        """Eliminate the modes from K - shift M."""
         matrix = self.elastic - shift * self.mass
         trace, inverse = self.trace_size, 1 / (self.values - shift)
         coupling = matrix[trace:, :trace]
@@ -143,7 +143,7 @@ class Tile:
 
 @dataclass(frozen=True, eq=False)
 class OnMesh:
-    """A tile with a mesh of its own. size : unknowns; faces : of the mesh, on the flat face"""
+    """Inside of a tile with a mesh. size : number of unknowns; faces : of the mesh, on the flat face"""
 
     size: int
     points: Array
@@ -162,9 +162,9 @@ class OnMesh:
         return nodes, self.lift(np.eye(self.size))[nodes, 2]
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
         nodes, values = self._flat
-        # points of a grid lie alike on many tiles
+        # points of a grid have equal positions on many tiles
         places, back = np.unique(np.round(where, SAME_PLACE), axis=0, return_inverse=True)
         weights = surface_weights(self.points, self.faces, places)[:, nodes]
         return np.asarray((weights @ values)[back])
@@ -172,7 +172,7 @@ class OnMesh:
 
 @dataclass(frozen=True, eq=False)
 class Turned:
-    """Inside a tile whose unknowns are others. whole : (old, n) old unknowns from new ones"""
+    """Inside of a tile with other unknowns. whole : (old, n) old unknowns from new ones"""
 
     inside: Inside
     whole: Array
@@ -192,5 +192,5 @@ class Turned:
         return np.asarray(self.inside.lifted(self.whole @ unknowns))
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) what gives the normal displacement of points (k, 2) of the flat face."""
+        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
         return np.asarray(self.inside.normal_at(where) @ self.whole)

@@ -1,10 +1,10 @@
-"""What is left of a vibration below a finger, wherever on the flat face it lies.
+"""Vibration below a finger at any place of the flat face.
 
-A finger damps what it touches. On a reduced plate with dynamic stiffness A, a finger of dynamic stiffness Z,
+On a reduced plate with dynamic stiffness A, a finger of dynamic stiffness Z,
 spread evenly over the n points of a disc that it covers, turns the displacement u of these points into
-``(1 + Z/n C)^-1 u`` with their compliance ``C = S A^-1 S^T``, S being what gives their displacement; it is
-the formula of `haptonic.plate.damping` again. C among the points of one disc is all that is needed, so that
-every place of the face is answered without a factorisation.
+``(1 + Z/n C)^-1 u`` with their compliance ``C = S A^-1 S^T``, S being the matrix of their displacement, as
+in `haptonic.plate.damping`. Only C among the points of one disc is needed, so no place of the face needs a
+factorisation.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from haptonic.plate.layout import Layout
 from haptonic.plate.vibration import ReducedPlate
 from haptonic.response.measures import discs
 
-TOGETHER = 32  # places that are answered at once
+TOGETHER = 32  # number of places solved at once
 
 
 @dataclass(frozen=True, eq=False)
 class Sites:
-    """Points of the flat face, and the discs of a finger around each of them.
+    """Points of the flat face, and discs of a finger around them.
 
     points : (k, 2) m, as evenly spread as a grid; diameter : of the disc, m
     """
@@ -81,7 +81,7 @@ def below_finger(
     """
     discs = places.discs
     most = max(len(disc) for disc in discs)
-    # short discs, at the plate's rim, are filled up with a point that never moves
+    # short discs, at the plate's rim, are padded with a point at rest
     still = len(places.points)
     index = np.array([disc + [still] * (most - len(disc)) for disc in discs])
     count = np.array([len(disc) for disc in discs])
@@ -90,7 +90,7 @@ def below_finger(
     compliance = _Compliance(reduced, seen, omega)
     moved = np.append(displacement, 0.0)
     stiffness = np.asarray(impedances)
-    found = np.empty((len(stiffness), len(index)))
+    amplitudes = np.empty((len(stiffness), len(index)))
     unit = np.eye(most)
 
     def some(start: int) -> None:
@@ -99,10 +99,10 @@ def below_finger(
         for row, stiff in enumerate(stiffness):
             share = (stiff / count[picked])[:, None, None]
             left = np.linalg.solve(unit + share * among, moved[index[picked]][..., None])[..., 0]
-            found[row, picked] = np.sqrt((np.abs(left) ** 2).sum(axis=1) / count[picked])
+            amplitudes[row, picked] = np.sqrt((np.abs(left) ** 2).sum(axis=1) / count[picked])
 
     each(some, range(0, len(index), TOGETHER))
-    return found
+    return amplitudes
 
 
 class _Compliance:

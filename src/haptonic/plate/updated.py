@@ -1,4 +1,4 @@
-"""The same plate with other numbers: material, losses, springs, bonds; no tile is made anew."""
+"""Update of a plate model to other parameters (material, losses, springs, bonds) without new tiles."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from haptonic.plate.tile import Tile, Turned
 
 @dataclass(frozen=True, eq=False)
 class UpdatedModel:
-    """A model with other numbers.
+    """Model with updated parameters.
 
-    turns : for each group of the assembly, modes of its tile in terms of those that it had
+    turns : for each group of the assembly, new modes of its tile in terms of the old ones
     """
 
     model: PlateModel
     turns: tuple[Array, ...]
 
     def back(self, vectors: Fields) -> Fields:
-        """Vectors (size, k) of this model in the unknowns of the one that it was made from."""
-        found = vectors.copy()
+        """Transform vectors (size, k) of this model to the unknowns of the original model."""
+        original = vectors.copy()
         for group, turn in zip(self.model.assembly.groups, self.turns, strict=True):
             modes = group.unknowns[:, group.tile.trace_size :]
-            found[modes] = np.einsum("ij,bjk->bik", turn, vectors[modes])
-        return found
+            original[modes] = np.einsum("ij,bjk->bik", turn, vectors[modes])
+        return original
 
 
 def updated(model: PlateModel, plate: Plate) -> UpdatedModel:
-    """The model of a plate that differs in numbers only.
+    """Update a model to a plate that differs in parameters only.
 
     Parameters
     ----------
@@ -56,23 +56,25 @@ def updated(model: PlateModel, plate: Plate) -> UpdatedModel:
     )  # fmt: skip
     total = total_stiffness(foundations, model.assembly.free)
     assembly = replace(model.assembly, groups=tuple(groups), foundations=total)
-    made = replace(model, plate=plate, assembly=assembly, foundations=foundations, drives=drives_on(assembly))
-    return UpdatedModel(made, tuple(turns))
+    new_model = replace(
+        model, plate=plate, assembly=assembly, foundations=foundations, drives=drives_on(assembly)
+    )
+    return UpdatedModel(new_model, tuple(turns))
 
 
 def stiffness_ratio(old: Plate, new: Plate) -> float:
-    """Of the material of plate and pillars."""
+    """Ratio of the stiffness of the material of plate and pillars."""
     return float(new.layout.material.stiffness[0, 0] / old.layout.material.stiffness[0, 0])
 
 
 def support_ratio(old: Plate, new: Plate, number: int) -> float:
-    """Of the stiffness of the springs of a support."""
+    """Ratio of the stiffness of the springs of a support."""
     first, second = (foundation_stiffness(plate.layout, plate.supports[number]) for plate in (old, new))
     return second / first
 
 
 def bond_thickness(plate: Plate) -> dict[str, float]:
-    """By actuator, m."""
+    """Thickness of the bond by actuator, m."""
     return {one.name: one.bond.thickness for one in plate.actuators if one.bond is not None}
 
 
@@ -91,7 +93,7 @@ def _updated(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Til
     for name, glue in tile.bonds.items():
         forms = whole.T @ glue.stiffness @ whole
         bonds[name] = Bond3(glue.thickness, forms, thickness[name], whole.T @ glue.slope @ whole)
-    made = replace(
+    new_tile = replace(
         tile,
         stiffness={part: whole.T @ form @ whole for part, form in stiffness.items()},
         mass=whole.T @ mass @ whole,
@@ -100,4 +102,4 @@ def _updated(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Til
         inside=Turned(tile.inside, whole),
         bonds=bonds,
     )
-    return made, turn
+    return new_tile, turn

@@ -1,4 +1,4 @@
-"""How a plate answers its drives over a band of frequencies, with a check of every line."""
+"""Response of a plate to its drives over a band of frequencies, with an error bound for every line."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, PartKey, dielectric
 from haptonic.plate.krylov import Basis
 from haptonic.plate.model import PlateModel, impedance as finger_impedance
 
-ROUNDING = 1e-9  # relative error that no residual shows, because it is computed in floating point too
+ROUNDING = 1e-9  # relative error due to rounding, which residuals in floating point do not show
 TINY = np.finfo(float).tiny
-CHUNK = 48  # lines that are checked at once
+CHUNK = 48  # number of lines checked at once
 LOWEST_SIGMA = 1e-4  # of the largest Ritz frequency: below it K + sigma M of a free plate is singular
 
 
 @dataclass(frozen=True, eq=False)
 class Vibration:
-    """Answer to drives of given complex amplitudes; energies and powers are time averages.
+    """Response to drives of given complex amplitudes; energies and powers are time averages.
 
     omega : (n,) rad/s
     drives : complex amplitudes by name, V or N
@@ -52,7 +52,7 @@ class Vibration:
         return np.asarray(self.omega / (2 * np.pi))
 
     def with_lines(self, lines: Ints, other: Vibration) -> Vibration:
-        """With some lines taken from another answer to the same drives on the same model."""
+        """Replace some lines by those of another response to the same drives on the same model."""
 
         def mixed(own: Any, others: Any) -> Any:
             new = own.copy()
@@ -83,13 +83,13 @@ class Vibration:
 
 @dataclass(frozen=True, eq=False)
 class ReducedPlate:
-    """A model on a basis: any damping and any amplitudes of the drives cost no factorisation any more.
+    """Model on a basis: responses for any damping and any drives need no factorisation.
 
     With u = V a, V^T M V = 1 and V^T K V = Lambda, the plate's equation is
-    ``((1 + i eta) Lambda + sum_e Z_e(omega) V^T E_e V - omega^2) a = V^T f``, e running over what damps
-    otherwise than the plate, of impedance Z_e.
+    ``((1 + i eta) Lambda + sum_e Z_e(omega) V^T E_e V - omega^2) a = V^T f``, e running over parts
+    with other damping than the plate, of impedance Z_e.
 
-    extras : what damps otherwise than the plate
+    extras : these parts
     """
 
     model: PlateModel
@@ -98,11 +98,11 @@ class ReducedPlate:
 
     @classmethod
     def of(cls, model: PlateModel, basis: Basis, omega: float) -> ReducedPlate:
-        """``omega`` is a typical one, rad/s."""
+        """Reduce a model to a basis; ``omega`` is a typical angular frequency, rad/s."""
         return cls(model, basis, tuple(extra.on(basis, omega) for extra in model.extras))
 
     def answer(self, drives: Mapping[str, complex], omega: Array) -> Vibration:
-        """Answer to drives of given complex amplitudes (V or N) at angular frequencies (n,), rad/s."""
+        """Response to drives of complex amplitudes (V or N) at angular frequencies (n,), rad/s."""
         model, basis = self.model, self.basis
         load = model.load(drives)
         loads = basis.turn.T @ (basis.raw.T @ load)
@@ -124,7 +124,7 @@ class ReducedPlate:
         found: Complex,
         missed: Array | float = 0.0,
     ) -> Vibration:
-        """What vectors (size, r) with amplitudes (r, n) are worth as an answer to drives.
+        """Compute errors and energies of vectors (size, r) with amplitudes (r, n) as a response to drives.
 
         ``missed`` (n,) is four times the energy of an error within the basis.
         """
@@ -165,7 +165,8 @@ def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float
 
         e* N e <= amplification^2  r* N^-1 r.
 
-    A basis that holds all modes between the two ends of ``complete`` leaves a residual only for those beyond.
+    A basis that contains all modes between the two ends of ``complete`` leaves a residual only for those
+    beyond.
     """
     square = omega**2
     low, high = complete
@@ -173,18 +174,18 @@ def amplification(loss: float, omega: Array, sigma: float, complete: tuple[float
     # beyond the ends the ratio falls with the distance; it tends to 1 / |1 + i loss|
     above = (high + sigma) / np.where(inside, np.hypot(high - square, loss * high), 1.0)
     below = (low + sigma) / np.where(inside, np.hypot(low - square, loss * low), 1.0) if low else 0.0
-    known = np.maximum(np.maximum(above, below), 1.0)
+    outside = np.maximum(np.maximum(above, below), 1.0)
     # |lambda (1 + i loss) - omega^2|^2 = a lambda^2 + 2 b lambda + c: where the ratio's derivative vanishes
     a, b, c = 1 + loss**2, -square, square**2
     best = (c - b * sigma) / (a * sigma - b)
     with np.errstate(divide="ignore"):
         any_mode = (best + sigma) / np.sqrt(np.maximum(a * best**2 + 2 * b * best + c, 0.0))
-    return np.where(inside, known, any_mode)
+    return np.where(inside, outside, any_mode)
 
 
 @dataclass(frozen=True, eq=False)
 class _Checked:
-    """What an answer to some lines holds and how wrong it is.
+    """Energies, losses and errors of the response at some lines.
 
     stored : by part (n, blocks) J; moving : (n, blocks) J; supports, finger : (n,) W lost in them
     energy, missed : (n,) four times the energy of the whole, and of its error at most
@@ -199,14 +200,14 @@ class _Checked:
 
     @classmethod
     def joined(cls, pieces: Sequence[_Checked]) -> _Checked:
-        """Of all lines, one piece after the other."""
+        """Join the pieces of all lines in their order."""
         stored = {part: np.concatenate([one.stored[part] for one in pieces]) for part in pieces[0].stored}
         names = [one.name for one in fields(cls)[1:]]
         return cls(stored, *(np.concatenate([getattr(one, name) for one in pieces]) for name in names))
 
 
 class _Checker:
-    """Puts reduced answers back into the unreduced equations."""
+    """Check of reduced responses in the unreduced equations."""
 
     def __init__(self, reduced: ReducedPlate, load: Complex, vectors: Array, omega: Array) -> None:
         self.reduced, self.vectors = reduced, vectors
@@ -217,7 +218,7 @@ class _Checker:
         self._idle: list[Shifted] = []
 
     def lines(self, omega: Array, found: Complex) -> _Checked:
-        """Some lines."""
+        """Check some lines."""
         reduced, model = self.reduced, self.reduced.model
         assembly, factors, count = model.assembly, model.factors, len(omega)
         square = np.tile(omega**2, 2)
@@ -273,10 +274,10 @@ class _Checker:
         )
 
     def _sigma(self, omega: Array) -> float:
-        """(rad/s)^2 of the norm for some lines: any gives a bound, but each costs a factorisation.
+        """Shift of the norm for some lines, (rad/s)^2: any gives a bound, but each needs a factorisation.
 
-        Where only modes beyond the band are missing, one serves all lines: the square of the highest loses
-        the others less than half. Elsewhere it has to be near omega^2.
+        If only modes above the band are missing, one shift is used for all lines: with the square of the
+        highest frequency, the loss at other lines is below one half. Otherwise it must be near omega^2.
         """
         low, _ = self.reduced.basis.complete
         lowest = LOWEST_SIGMA * np.sqrt(self.reduced.basis.values.max(initial=0.0))
@@ -285,7 +286,7 @@ class _Checker:
         return float(4.0 ** np.ceil(np.log(max(omega.max(), lowest) ** 2) / np.log(4.0)))
 
     def release(self) -> None:
-        """Leave the solvers to others."""
+        """Release the solvers."""
         while self._idle:
             self._idle.pop().release()
 
@@ -297,9 +298,9 @@ class _Checker:
             if norm is not None:
                 norm.release()
             norm = assembly.shifted(-sigma)
-        found = norm.solve(residual)
+        solution = norm.solve(residual)
         self._idle.append(norm)
-        return found
+        return solution
 
 
 def _energy(share: Array, force: Array) -> Array:
