@@ -36,10 +36,11 @@ DEVELOPERS = {
 SOURCE = ROOT / "src" / "haptonic"
 # packages whose docstrings, comments and messages are checked; "" for the modules at the top level
 CLEANED = (
-    "", "analyses", "cell", "channels", "cli", "design", "fields", "foreign", "friction", "materials",
-    "pages", "response", "results", "study", "templates", "updating", "verification", "vibrometry",
-    "workshop",
+    "", "analyses", "bloch", "cell", "channels", "cli", "design", "fields", "foreign", "friction",
+    "materials", "pages", "plate", "response", "results", "study", "superelement", "templates", "updating",
+    "verification", "vibrometry", "workshop",
 )  # fmt: skip
+NAMED_LATER = ("bloch/", "plate/")  # packages in which some variables still have vague names
 SOURCES = {
     str(path.relative_to(SOURCE)): path
     for package in CLEANED
@@ -159,7 +160,10 @@ def test_docstrings_comments_and_messages_have_no_banned_opening_or_word(name):
     assert dialect_of_source(SOURCES[name]) == {}
 
 
-@pytest.mark.parametrize("name", [name for name, path in SOURCES.items() if path.suffix == ".py"])
+@pytest.mark.parametrize(
+    "name",
+    [name for name, path in SOURCES.items() if path.suffix == ".py" and not name.startswith(NAMED_LATER)],
+)
 def test_variables_are_named_after_their_content(name):
     assert vague_names(ast.parse(SOURCES[name].read_text("utf-8"))) == set()
 

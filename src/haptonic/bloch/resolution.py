@@ -47,7 +47,7 @@ SOLID_UNKNOWNS, SOLID_SECONDS, SOLID_COST, SOLID_BYTES, SOLID_GROWTH = 1.0, 6.5e
 # 56 to 59 bytes and 1.0 to 1.1 us at orders 3 and 4.
 MESH_SECONDS, MESH_BYTES = 1.1e-6, 75.0
 PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
-# Of the memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
+# Memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
 # and the square of a pencil's size; bytes of the program at rest. See benchmarks/answered_in_budget.py.
 PER_KEPT, PER_PAIR, PER_FACTOR, PER_PENCIL, RESIDENT = 1.3, 52.0, 52.0, 92.0, 4e8
 BY_THIRDS = 1.5  # times the pairs: parts of a tile with the third of a turn have separate indices
