@@ -29,9 +29,9 @@ MISSED = (
 )
 SNAPSHOTS = (0.5, 1.0)  # besides 0, of the square of the highest frequency, for blocks
 MISSED_BY_BLOCK = 3e-4  # of a block's strongest response, root of energy, below which a direction is omitted
-# Blocks of the Krylov space of the interior, see `haptonic.superelement.interior`. At fine orders, the error of a
-# thick plate's frequency was 1.2e-4 with blocks of 20 and 6e-5 with 30, which take 1 to 5 % longer on the
-# prototype.
+# Blocks of the Krylov space of the interior, see `haptonic.superelement.interior`. At fine orders, the error
+# of a frequency of a thick plate was 1.2e-4 with blocks of 20 and 6e-5 with 30, which take 1 to 5 % longer
+# on the prototype.
 STEPS, BLOCK = 3, 30
 
 
