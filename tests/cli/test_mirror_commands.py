@@ -46,7 +46,7 @@ def test_layers_writes_its_files_and_tables(inside, fine, tmp_path):
     ran = inside("layers", fine(), "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == LAYER_FILES
-    for words in ("transmitted energy at 60 kHz", "incident A0", "rows needed", "dB per row at the carrier"):
+    for words in ("insertion loss at 60 kHz", "incident A0", "rows needed", "dB per row at the carrier"):
         assert words in ran.out
     data = xr.load_dataset(out / "layers.nc", engine="h5netcdf")
     assert data["frequency"].values == pytest.approx([36e3, 60e3, 84e3])  # 0.6 and 1.4 of the carrier

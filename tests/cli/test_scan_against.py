@@ -65,7 +65,7 @@ def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     assert ran.code == 0, ran.err
     assert {file.name for file in out.iterdir()} >= MAPS | VERDICT
     for words in ("Registered", "Gap in the scan", "numbers fitted", "pairs of",
-                  "Simulated measurement against a simulation"):  # fmt: skip
+                  "Simulated measurement compared with a simulation"):  # fmt: skip
         assert words in " ".join(ran.out.split())
     data = json.loads((out / "verdict.json").read_text("utf-8"))
     (loss,) = data["fit"]["parameters"]

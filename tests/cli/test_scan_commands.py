@@ -490,7 +490,7 @@ class TestOwnNames:
         out = tmp_path / "out"
         ran = inside("scan", path, *self.ASKED, *self.UNITS, "--tables", "--out", out)
         assert ran.code == 0, ran.err
-        assert "24 points (none flagged), 71 lines from 40 to 75 kHz, measured." in ran.out
+        assert "24 points (none flagged), 71 frequencies from 40 to 75 kHz, measured." in ran.out
         assert "52.000" in ran.out
         assert "warning" not in ran.err
         response = read(out / "response.nc")
