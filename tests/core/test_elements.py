@@ -83,11 +83,11 @@ def test_element_matrices_are_symmetric(data):
 @given(st.data())
 def test_mass_and_its_moments_are_those_of_the_body(data):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, MeshPlan.suited(cell, 4, data.draw(st.integers(0, 1))))
+    mesh = mesh_cell(cell, MeshPlan.suited(cell, 3, data.draw(st.integers(0, 1))))
     mass = np.zeros(len(mesh.points))
     for family in mesh.topology.families:
-        own = element_matrices(mesh.points, family.nodes, cell.material).mass
-        np.add.at(mass, family.nodes.ravel(), own.ravel())
+        for nodes in np.array_split(family.nodes, len(family.nodes)):  # all at once take gigabytes
+            np.add.at(mass, nodes.ravel(), element_matrices(mesh.points, nodes, cell.material).mass.ravel())
     assert mass.min() > 0
     rho, (e, h, r) = cell.material.density, (cell.thickness, cell.pillar.height, cell.pillar.radius)
     plate, cylinder = rho * cell.lattice.area * e, rho * np.pi * r**2 * h

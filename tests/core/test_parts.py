@@ -36,11 +36,10 @@ CELLS = {
     [
         "hexagon",
         "plain",
-        "triangle",
         "square",
         *(
             pytest.param(name, marks=pytest.mark.nightly)
-            for name in ("both faces", "step", "square, both faces")
+            for name in ("triangle", "both faces", "step", "square, both faces")
         ),
     ],
 )
