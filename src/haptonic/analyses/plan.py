@@ -30,7 +30,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
 
 
 def _cost(analysis: Analysis, study: Description) -> Cost:
-    """Of an analysis, or the error with which it refuses the study's cell."""
+    """Estimated cost of an analysis, or the error with which it refuses the study's cell."""
     assert analysis.cost is not None
     options = analysis.options()
     refusal = analysis.supports(study.cell, options)

@@ -20,12 +20,11 @@ from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.sweeps import Sweep, Sweeps
+from haptonic.results.sweeps import VALUES, Sweep, Sweeps
 from haptonic.study.schema import Description
 from haptonic.study.sweeps import SweepSettings
 
 RESONANCES = 3  # number of resonances of the pillar alone
-VALUES = ("value", "second_value")  # variables of the first and the second expression
 
 
 def check(study: Description, options: NoOptions) -> None:

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES, characters
@@ -151,6 +152,12 @@ def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
             )
         )
     return tuple(gaps)
+
+
+def certain_gaps(dataset: xr.Dataset) -> NDArray[np.bool_]:
+    """True for each gap of a dataset that is wider than the errors of its edges; False without a gap."""
+    width = dataset["gap_upper"].values - dataset["gap_lower"].values
+    return np.asarray(width > dataset["gap_lower_error"].values + dataset["gap_upper_error"].values)
 
 
 def lattice_of(dataset: xr.Dataset) -> Lattice:

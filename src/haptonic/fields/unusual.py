@@ -23,7 +23,7 @@ PASSED_BY = ("dataclasses",)  # `dataclasses.replace` makes a value for its call
 def unusual_values(model: Any, prefix: str = "", without: Container[int] = frozenset()) -> dict[str, str]:
     """Remarks on unusual numbers of a described value, by path in a study.
 
-    Numbers are compared with each other only if each is usual by itself.
+    Numbers are compared with each other only if each of them is within its typical range.
 
     Parameters
     ----------

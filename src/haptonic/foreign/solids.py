@@ -282,7 +282,7 @@ def _grid(corners: NDArray[Any], shares: NDArray[Any]) -> NDArray[Any]:
 
 
 def _is_whole_below(period: DrawnPeriod | MeshPeriod) -> bool:
-    """Whether the face at z = 0 fills the tile, and nothing lies below it."""
+    """Return True if the face at z = 0 fills the tile and nothing lies below it."""
     import ngsolve as ng
 
     mesh = period.elements_of(1, 0)

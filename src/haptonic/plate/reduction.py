@@ -20,7 +20,6 @@ from haptonic.plate.surface import flat_faces
 from haptonic.plate.tile import OnMesh, Tile
 from haptonic.solvers import Pattern, chosen
 from haptonic.superelement import condense, condense_solid
-from haptonic.superelement.tiling import CLASSES
 
 EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all used
 SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, sampled for the other modes
@@ -83,10 +82,8 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
 
     steps : between the lines of the layout across it, m; elements of the plan end at each of them
     """
-    if shape.solid is None:
-        whole = condense(shape, plan, STEPS, block=BLOCK, measured=False)
-    else:
-        whole = condense_solid(shape, plan, STEPS, block=CLASSES * BLOCK, measured=False)
+    condense_tile = condense if shape.solid is None else condense_solid
+    whole = condense_tile(shape, plan, STEPS, block=BLOCK, measured=False)
     mesh = whole.mesh
     onto = _onto_rim(plan, steps, whole.levels, orders)
     trace = onto.shape[1]

@@ -1,4 +1,4 @@
-"""What may be chosen of any picture: the look (paper, column, slide), legends, colours of curves."""
+"""Options of all pictures: the look (paper, column, slide), legends, colours of curves."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ _CHOICE: ContextVar[Choice] = ContextVar("choice", default=Choice())  # noqa: B0
 
 
 def choice() -> Choice:
-    """What holds for the picture that is being drawn."""
+    """Options of the picture that is being drawn."""
     return _CHOICE.get()
 
 

@@ -137,7 +137,7 @@ class Seen:
 
     @property
     def largest(self) -> float:
-        """In SI units."""
+        """Largest amplitude, SI."""
         return float(np.nanmax(np.abs(self.shape)))
 
 
@@ -151,7 +151,7 @@ def _stage(response: FrequencyResponse, layout: Layout | None, ax: Axes | None) 
 
 
 def _seen(line: FrequencyResponse, drive: float | None) -> Seen:
-    """What is seen at the one frequency of a response: displacement, where velocity is given.
+    """Vibration at the single frequency of a response, as displacement if velocity is given.
 
     Points that lie on no regular grid, as when a stage was turned, are drawn finer than they lie: every place
     shows its nearest point, and nothing where that is too far.

@@ -15,7 +15,7 @@ from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.looks import colours
 from haptonic.plots.marks import above, mark
-from haptonic.plots.stage import Stage, below, stage
+from haptonic.plots.stage import below, stage
 from haptonic.units import hz_text
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
@@ -92,11 +92,12 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
         cause = "there is no such wave, or it does not propagate at these frequencies"
         raise HaptonicError.unknown("incident", incident, there, cause)
     there = [incident] if incident else there[: None if ax is None else 1]
-    if ax is None:
+    given = None if ax is None else stage(ax, 0.0)
+    if given is None:
         figure = style.blank(3.0 + 4.2 * len(there))
         panels = figure.subplots(len(there), 2, sharex="col", squeeze=False, width_ratios=(4, 1))
     else:
-        panels = np.array([[stage(ax, 0.0).axes, None]], dtype=object)
+        panels = np.array([[given.axes, None]], dtype=object)
     rows, frequency = dataset["rows"].values, dataset["frequency"].values / 1e3
     shades = colours([to_hex(one) for one in style.perceptual()(np.linspace(0.72, 0.05, len(rows)))])
     carrier = float(dataset.attrs["carrier_hz"]) / 1e3
@@ -120,9 +121,9 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
             beside.tick_params(labelleft=False)
             beside.axhline(0, color=style.PALE_INK, lw=0.6, zorder=1)
     panels[-1][0].set_xlabel("frequency (kHz)")
-    if ax is not None:
-        Stage(ax, own=False).legend()
-        return Stage(ax, own=False).figure
+    if given is not None:
+        given.legend()
+        return given.figure
     panels[-1][1].set_xlabel("rows")
     above(
         panels[0][1], [(0.5 * (rows[0] + rows[-1]), f"at {hz_text(1e3 * carrier, form='g')}", style.CARRIER)]

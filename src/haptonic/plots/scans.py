@@ -114,10 +114,10 @@ def decay_map(
     origin: str,
     ax: Axes | None = None,
 ) -> Figure:
-    """How waves decay from row to row of a lattice, and the edges that follow from it.
+    """Decay of waves from row to row of a lattice, and the edges of the gap that follow from it.
 
     Means over frequency of the wave that reaches farthest, and the middle half of all phases along the rows.
-    Where noise hides them there are none.
+    Values hidden by noise are left out.
     """
     on = stage(ax, 8.6)
     axes = on.axes

@@ -134,7 +134,7 @@ def impedance_spectrum(frequency: Array, impedance: AnyComplex, gap: Gap, *, ori
 
 
 def _height(curves: int) -> float:
-    """Of a figure with so many curves and their legend, cm."""
+    """Height of a figure with a number of curves and their legend, cm."""
     return 7.6 + 0.5 * (-(-curves // 2))
 
 

@@ -109,9 +109,8 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
         with styled():
             figure = make(*args, **kwargs)
             weigh(figure, choice().look.type / PAGE.type)
-            for (
-                axes
-            ) in figure.axes:  # else the number of ticks would follow the settings at the time of writing
+            # otherwise the number of ticks would follow the settings at the time of writing
+            for axes in figure.axes:
                 axes.tick_params(labelsize=mpl.rcParams["xtick.labelsize"])
             suit_units(figure)
             arrange(figure)  # ticks and their labels are made late: make them in this style

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from haptonic.arrays import Array
+from haptonic.bloch.bands import certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage
@@ -34,13 +34,14 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     values = [np.unique(place) for place in places]
     column, row = (np.searchsorted(value, place) for value, place in zip(values, places, strict=True))
     lower, upper = dataset["gap_lower"].values, dataset["gap_upper"].values
-    certain = upper - lower > dataset["gap_lower_error"].values + dataset["gap_upper_error"].values
+    certain = certain_gaps(dataset)
     width = np.zeros((len(values[1]), len(values[0])))
     width[row, column] = np.where(certain, upper - lower, 0.0).max(axis=1, initial=0.0) / 1e3
     image = axes.pcolormesh(
-        *(_borders(value) for value in values), np.ma.masked_equal(width, 0.0), cmap=style.perceptual(),
-        vmin=0.0, rasterized=True, gid="width",
+        *values, np.ma.masked_equal(width, 0.0), cmap=style.perceptual(), vmin=0.0, shading="nearest",
+        rasterized=True, gid="width",
     )  # fmt: skip
+    axes.autoscale(enable=False)  # marks of designs outside the map do not widen it
     on.figure.colorbar(image, ax=axes, label="width of the widest complete gap (kHz)")
     axes.set_facecolor(style.BEYOND)
     handles: list[Artist] = []
@@ -66,9 +67,6 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
         [own[0]], [own[1]], ls="", marker="*", ms=9, mfc=style.CARRIER, mec="white", mew=0.7,
         label="this study", gid="own",
     )  # fmt: skip
-    first, second = (_borders(value) for value in values)
-    axes.set_xlim(first[0], first[-1])
-    axes.set_ylim(second[0], second[-1])
     names = [
         f"{readable(dataset.attrs[expression])} ({unit})"
         for (_, expression, _), (unit, _) in zip(AXES, units, strict=True)
@@ -77,9 +75,3 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     axes.set_ylabel(names[1], parse_math=False)
     on.legend(handles, ncols=2)
     return on.figure
-
-
-def _borders(value: Array) -> Array:
-    """Half-way between values, and as far beyond the first and the last."""
-    inner = 0.5 * (value[1:] + value[:-1])
-    return np.concatenate([[2 * value[0] - inner[0]], inner, [2 * value[-1] - inner[-1]]])

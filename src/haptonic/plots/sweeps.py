@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array
+from haptonic.bloch.bands import certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.looks import colours
@@ -68,15 +69,14 @@ def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array) -> list[Artist]:
     """Shade each gap along the designs that have it, and its edges as points; what the legend needs."""
     lower, upper = dataset["gap_lower"].values / 1e3, dataset["gap_upper"].values / 1e3
     errors = dataset["gap_lower_error"].values / 1e3, dataset["gap_upper_error"].values / 1e3
-    certain = upper - lower > errors[0] + errors[1]
+    certain = certain_gaps(dataset)
     below = dataset["gap_below"].values
     for band in np.unique(below[np.isfinite(lower)]):
         here = (below == band) & np.isfinite(lower)
-        ends = [
-            np.where(here, edge, np.nan).max(axis=1, initial=-np.inf, where=here) for edge in (lower, upper)
-        ]
         known = here.any(axis=1)
-        low, high = (np.where(known, end, np.nan) for end in ends)
+        low, high = (
+            np.where(known, edge.max(axis=1, initial=-np.inf, where=here), np.nan) for edge in (lower, upper)
+        )
         axes.fill_between(value, low, high, where=known, facecolor=style.GAP, lw=0, zorder=2, gid="gap")
     color = colours([style.GAP_EDGE])[0]
     handles: list[Artist] = []

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.bloch.bands import certain_gaps
 from haptonic.later import xarray as xr
 
 FEWEST = 4  # designs that a fit with a spread needs
@@ -78,8 +79,7 @@ def trend_of(sweep: xr.Dataset) -> Trend | None:
     if "second_value" in sweep or own is None or not value.min() <= own <= value.max() or (value <= 0).any():
         return None
     lower, upper, below = (sweep[name].values for name in ("gap_lower", "gap_upper", "gap_below"))
-    doubt = sweep["gap_lower_error"].values + sweep["gap_upper_error"].values
-    width = np.where(upper - lower > doubt, upper - lower, np.nan)
+    width = np.where(certain_gaps(sweep), upper - lower, np.nan)
     start = int(np.abs(value - own).argmin())
     if not np.isfinite(width[start]).any():
         return None

@@ -18,6 +18,8 @@ from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import format_quantity, hz_text
 
+VALUES = ("value", "second_value")  # variables of the first and the second expression
+
 
 @dataclass(frozen=True)
 class Sweep:
@@ -29,7 +31,7 @@ class Sweep:
     @property
     def axes(self) -> dict[str, tuple[str, str]]:
         """Expression and SI unit, empty for a bare number, of each variable that the sweep changes."""
-        names = [name for name in ("value", "second_value") if name in self.dataset]
+        names = [name for name in VALUES if name in self.dataset]
         units = [str(self.dataset[name].attrs["units"]) for name in names]
         return {
             name: (str(self.dataset[name].attrs["long_name"]), "" if unit == "1" else unit)
@@ -135,7 +137,7 @@ class Sweeps(Result):
         joined = xr.concat(data, "sweep", combine_attrs="drop_conflicts", join="outer")
         joined = joined.drop_vars(list(joined.indexes))
         missing = "this sweep has no further design, or varies one expression"
-        declared(joined, **dict.fromkeys({"value", "second_value"} & set(joined), missing))
+        declared(joined, **dict.fromkeys(set(VALUES) & set(joined), missing))
         return joined.assign_coords(expression=("sweep", names))
 
     def summary(self) -> list[str]:

@@ -28,6 +28,7 @@ from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.symmetry import fold
 from haptonic.superelement.trace import FoldedTrace
 
+CLASSES = 4  # of most tiles meshed in blocks; a tile without classes gets as many directions in all
 NO_SECTIONS = np.zeros((3, 0))  # height, mass and inertia of pillar sections; a file's solids have none
 
 
@@ -213,10 +214,13 @@ def solid_body(tile: TileShape, plan: MeshPlan) -> SolidBody:
 def condense_solid(
     tile: TileShape, plan: MeshPlan, steps: int, *, block: int, measured: bool
 ) -> Superelement:
-    """Condense the solids of a CAD file onto their lateral faces; parameters as for `condense`."""
+    """Condense the solids of a CAD file onto their lateral faces; parameters as for `condense`.
+
+    They have no classes; their single Krylov space has ``CLASSES`` times ``block`` directions.
+    """
     body = SolidBody.of(tile, plan)
     solver, _ = body.factorised()
-    reduced_body = reduced(solver, body.bounded, steps, block)
+    reduced_body = reduced(solver, body.bounded, steps, CLASSES * block)
     of_trace = body.whole(reduced_body.static, np.eye(body.on_sides.shape[1]))
     of_modes = body.whole(reduced_body.modes, np.zeros((body.on_sides.shape[1], reduced_body.modes.shape[1])))
     lifting = SurfaceLifting(body.trace, body.shown @ of_trace, body.shown @ of_modes)

@@ -28,8 +28,6 @@ from haptonic.superelement.solid import SolidBody, condense_solid, solid_body
 from haptonic.superelement.substructured import condense_by_parts
 from haptonic.superelement.symmetry import THROUGH, folds_of
 
-CLASSES = 4  # of most tiles; a tile without classes gets as many directions in all
-
 
 @dataclass(frozen=True, eq=False)
 class Tiling:
@@ -233,9 +231,7 @@ def _for_each_tile(
 
 def directions(tile: TileShape, block: int) -> int:
     """Size of the blocks of a tile's Krylov space; tiles of one and of two classes get as many in all."""
-    if tile.solid is not None:
-        return CLASSES * block
-    return block if folds_of(tile) else 2 * block
+    return block if tile.solid is not None or folds_of(tile) else 2 * block
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from haptonic.bloch.bands import certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.plots.sweeps import SUBSCRIPTED
 from haptonic.plots.text import minus, readable, scaled_unit
@@ -64,7 +65,7 @@ def _picture(sweep: Sweep, called: str, where: str) -> Picture:
         low, high = data[variable].values.min() * factor, data[variable].values.max() * factor
         ending = f" {unit}" if factor != 1.0 else ""
         spans.append(f"{readable(expression)} from {low:g} to {high:g}{ending}")
-    count = int(_certain(data).any(axis=1).sum())
+    count = int(certain_gaps(data).any(axis=1).sum())
     return Picture(
         sweep.drawn(),
         f"Simulated complete gaps against {readable(sweep.expressions)}.{where}",
@@ -73,14 +74,9 @@ def _picture(sweep: Sweep, called: str, where: str) -> Picture:
     )
 
 
-def _certain(sweep: xr.Dataset) -> np.ndarray:
-    doubt = sweep["gap_lower_error"] + sweep["gap_upper_error"]
-    return np.asarray((sweep["gap_upper"] - sweep["gap_lower"]).values > doubt.values)
-
-
 def _findings(sweep: Sweep) -> list[str]:
     name, data = readable(sweep.expressions), sweep.dataset
-    certain = _certain(data)
+    certain = certain_gaps(data)
     if not certain.any():
         return [f"No design along {name} has a certain complete gap."]
     lower, upper = data["gap_lower"].values, data["gap_upper"].values
