@@ -59,6 +59,14 @@ def test_marks_are_at_their_designs(dataset):
     assert places == {"carrier": [[16.0, 0.6]], "failed": [[14.0, 0.6]], "own": [[14.5, 0.5]]}
 
 
+def test_the_map_ends_half_a_step_beyond_the_outer_designs(dataset):
+    """Also if the study's own design lies outside."""
+    dataset = dataset.assign_attrs(own_value=30e-3)
+    axes = plots.sweep_grid(dataset).axes[0]
+    assert axes.get_xlim() == pytest.approx((12.5, 17.0))
+    assert axes.get_ylim() == pytest.approx((0.3, 0.7))
+
+
 def test_axes_have_names_and_units(dataset):
     axes, bar = plots.sweep_grid(dataset).axes
     assert axes.get_xlabel() == "pillar height (mm)"

@@ -41,7 +41,9 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
         *values, np.ma.masked_equal(width, 0.0), cmap=style.perceptual(), vmin=0.0, shading="nearest",
         rasterized=True, gid="width",
     )  # fmt: skip
-    axes.autoscale(enable=False)  # marks of designs outside the map do not widen it
+    # marks outside the map do not widen it
+    axes.set_xlim(axes.get_xlim())
+    axes.set_ylim(axes.get_ylim())
     on.figure.colorbar(image, ax=axes, label="width of the widest complete gap (kHz)")
     axes.set_facecolor(style.BEYOND)
     handles: list[Artist] = []
