@@ -279,6 +279,14 @@ def test_without_a_singular_edge_the_next_level_is_expected_to_reach_more(excess
     assert levels == [2, 3]
 
 
+def test_a_plain_plate_skips_levels_with_more_rings_only():
+    """Levels 2 and 3 have the same mesh of a plain plate: rings surround the feet of pillars."""
+    plain, limits = UnitCell(Lattice.square(10e-3), 2e-3, material("steel")), MeshLimits(math.inf, math.inf)
+    mesh = LADDER[2].for_bands(plain, 4)
+    assert mesh.plans(plain) == LADDER[3].for_bands(plain, 4).plans(plain)
+    assert reach.finer_level(plain, mesh, 2, 1.1, limits, 0.0)[0] == 4
+
+
 def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
     cell, mesh = cell_of(0.2, 0.6, 0.8), LADDER[1]
     seconds = [rung.seconds(cell) for rung in LADDER]
