@@ -319,11 +319,13 @@ def main(
             f"{row.unsure:.2f}, {row.reference_seconds:.0f} s",
             flush=True,
         )
-    rows = [row for row in read(path) if row.seed == seed]
+    # runs of several seeds make one record of the cells with tiles of all kinds
+    rows = [row for row in read(path) if row.seed == seed or (not count and row.kind in TILES)]
+    seeds = sorted({row.seed for row in rows})
     classes = [of_class([row for row in rows if row.kind == kind], kind) for kind in CLASSES]
     classes = [one for one in classes if one["designs"]]
     reasons = [
-        f"{row.number} ({row.kind}, {row.count} bands at {row.accuracy:g}), {row.seconds:.0f} s: "
+        f"{row.seed}-{row.number} ({row.kind}, {row.count} bands at {row.accuracy:g}), {row.seconds:.0f} s: "
         + row.outcome
         for row in rows
         if not row.frequencies and not at_once(row)
@@ -331,9 +333,9 @@ def main(
     write(
         "estimates_hold" if count else "estimates_hold_tiles",
         {
-            "seed": seed,
+            "seed": ", ".join(str(number) for number in seeds),
             "limit_s": limit,
-            "drawn": count + stout + tiles,
+            "drawn": (count + stout + tiles) * len(seeds),
             "not_run": sorted(not_run),
             "refused_at_once": sum(at_once(row) for row in rows),
             "rows": [*classes, of_class(rows, "all")],
