@@ -16,8 +16,8 @@ from scipy.stats import binom
 
 from haptonic.analyses.needs import fineness
 from haptonic.plate import Band, PlateModel
-from haptonic.plate.damping import real_times
-from haptonic.plate.sampling import grid_points, unit_drives
+from haptonic.plate.layout.sampling import grid_points, unit_drives
+from haptonic.plate.vibration.damping import real_times
 from haptonic.study import loads
 from haptonic.updating.fit import Fit, SmallModel, fitted
 from haptonic.updating.match import MeasuredResponse

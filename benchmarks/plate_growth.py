@@ -15,7 +15,7 @@ from record import STUDY, apart, peak_memory, write
 import haptonic
 from haptonic.errors import ResourceError
 from haptonic.plate import Band, Layout, Plate, PlateModel
-from haptonic.plate.sampling import unit_drives
+from haptonic.plate.layout.sampling import unit_drives
 
 ROWS = (10, 15, 20, 30, 60, 220)
 POINTS = 101

@@ -10,9 +10,9 @@ from record import STUDY, peak_memory, write
 
 import haptonic
 from haptonic.plate import Band, PlateModel
-from haptonic.plate.damping import real_times
-from haptonic.plate.direct import direct_answer
-from haptonic.plate.sampling import grid_points, unit_drives
+from haptonic.plate.layout.sampling import grid_points, unit_drives
+from haptonic.plate.vibration.damping import real_times
+from haptonic.plate.vibration.direct import direct_answer
 
 STEPS = ("tiles", "basis", "lines and their check", "grid")
 CHECKED = (5e3, 20e3, 48e3, 57e3, 75e3, 98e3)  # Hz, lines that are compared with the direct answer

@@ -11,8 +11,8 @@ from record import STUDY, write
 
 import haptonic
 from haptonic.plate import Layout, Plate
-from haptonic.plate.answer import responded
-from haptonic.plate.sampling import grid_points
+from haptonic.plate.layout.sampling import grid_points
+from haptonic.plate.vibration.responses import responded
 from haptonic.response import contrast, rms
 
 ROWS = (0, 1, 2, 3, 4)

@@ -5,7 +5,7 @@ import numpy as np
 from haptonic.cell import Brickwork, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout.grid import Layout
 
 ALUMINIUM = IsotropicMaterial(youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, name="aluminium")
 PITCH, THICKNESS = 7e-3, 1.5e-3

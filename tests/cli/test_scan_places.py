@@ -15,7 +15,7 @@ from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import bloch_model
 from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
-from haptonic.plate.parts import Force, Plate
+from haptonic.plate.layout.parts import Force, Plate
 from haptonic.response import FrequencyResponse
 from haptonic.store import Store
 from haptonic.study import loads

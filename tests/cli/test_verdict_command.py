@@ -10,8 +10,8 @@ import xarray as xr
 
 from five_parts import assert_five_parts
 from haptonic.analyses.needs import fineness
-from haptonic.plate.answer import responded
-from haptonic.plate.sampling import grid_points
+from haptonic.plate.layout.sampling import grid_points
+from haptonic.plate.vibration.responses import responded
 from haptonic.response import FrequencyResponse, read, write
 from haptonic.study import load
 from haptonic.updating.parameters import changed

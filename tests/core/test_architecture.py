@@ -85,6 +85,7 @@ ALLOWED: dict[str, set[str]] = {
     "cli": CORE | {"analyses", "results", "store", "study", "verification", "__init__"},
 }
 TOP = {"__init__", "__main__"}
+ROOMS = {"plate": ("layout", "body", "vibration")}  # folders of a part; each may import those before it
 INSIDE_FUNCTIONS = {
     "solvers": {"pypardiso", "sksparse"},
     "foreign": {
@@ -162,6 +163,28 @@ def test_imports_follow_the_table(module):
         if part in TOP or other == part or other in EVERYWHERE:
             continue
         assert other in ALLOWED[part], f"{module} must not import {name}"
+
+
+def room_of(module: str) -> tuple[str, int] | None:
+    """Part of a module and place of its folder among the rooms of that part; -1 for none of them."""
+    _, part, room, *_ = [*module.split("."), "", ""]
+    if part not in ROOMS:
+        return None
+    return part, ROOMS[part].index(room) if room in ROOMS[part] else -1
+
+
+@pytest.mark.parametrize("module", [module for module in TREES if room_of(module)])
+def test_rooms_import_one_way(module):
+    room = room_of(module)
+    assert room is not None
+    part, place = room
+    if module == f"haptonic.{part}":
+        return  # the public face of all rooms
+    assert place >= 0, f"{module} is in no room of {part}"
+    for name in own_imports_of(module):
+        other = room_of(name)
+        if other is not None and other[0] == part:
+            assert 0 <= other[1] <= place, f"{module} must not import {name}"
 
 
 def cycle_in(graph: dict[str, set[str]]) -> list[str]:

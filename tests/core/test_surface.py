@@ -10,8 +10,8 @@ from haptonic.cell import MeshPlan, Pillar, Step, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
-from haptonic.plate import surface
-from haptonic.plate.surface import flat_faces, surface_weights
+from haptonic.plate.body import surface
+from haptonic.plate.body.surface import flat_faces, surface_weights
 
 SQUARE = Lattice.square(7e-3)
 CELLS = {

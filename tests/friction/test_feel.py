@@ -23,10 +23,10 @@ from haptonic.friction.lubrication import (
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate, Reduction
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.plate.layout import Layout
-from haptonic.plate.loaded import whole_finger_by_region
-from haptonic.plate.parts import Force, Plate
-from haptonic.plate.sampling import driven_regions
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.parts import Force, Plate
+from haptonic.plate.layout.sampling import driven_regions
+from haptonic.plate.vibration.touch import whole_finger_by_region
 from haptonic.results.feel.requirements import FAR, requirements
 from haptonic.results.feel.value import Feel
 

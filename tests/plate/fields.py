@@ -4,7 +4,7 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
-from haptonic.plate.parts import Actuator
+from haptonic.plate.layout.parts import Actuator
 
 
 def patch(material, size=(11.5e-3, 8e-3, 0.7e-3), centre=(0.0, 0.0), bond=None, name="A"):

@@ -15,9 +15,9 @@ from core.brute import assembled
 from haptonic.cell import MeshPlan, UnitCell, mesh_cell
 from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.lattice import Lattice
-from haptonic.plate.body import BodyOrders, body
-from haptonic.plate.keys import PLATE, bond, ceramic, electric
-from haptonic.plate.surface import flat_faces, surface_weights
+from haptonic.plate.body.surface import flat_faces, surface_weights
+from haptonic.plate.body.unreduced import BodyOrders, body
+from haptonic.plate.layout.keys import PLATE, bond, ceramic, electric
 from haptonic.solvers import Pattern, chosen
 
 

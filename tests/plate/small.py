@@ -6,10 +6,10 @@ from bricks import ALUMINIUM, PITCH, THICKNESS
 from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Actuator, Bond, Finger, Force, Plate
-from haptonic.plate.recipes import Fineness
+from haptonic.plate.body.recipes import Fineness
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.parts import Actuator, Bond, Finger, Force, Plate
+from haptonic.plate.layout.supports import Support
 
 CELL = UnitCell(Lattice.square(PITCH), THICKNESS, ALUMINIUM, Pillar(3.5e-3, 14.7e-3))
 COARSE = Fineness(along=3, through=2, cell=2, rings=0, plain=3)

@@ -14,21 +14,21 @@ from whole import answered, dynamic, energy, finger_impedance, forms, foundation
 from bricks import CELLS, laid
 from five_parts import refusing
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
-from haptonic.plate import krylov, sweep
-from haptonic.plate.assembly import Assembly
-from haptonic.plate.blocks import blocks_of
-from haptonic.plate.direct import direct_answer
-from haptonic.plate.forecast import Counted
-from haptonic.plate.holding import Support
-from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
-from haptonic.plate.krylov import Basis, chains
-from haptonic.plate.layout import Block
-from haptonic.plate.model import PlateModel, impedance, sunflower
-from haptonic.plate.modes import modes_between
-from haptonic.plate.parts import Finger, Force, Plate
-from haptonic.plate.settings import ResponseSettings
-from haptonic.plate.sweep import MOST_DIRECT, Band, _forces
-from haptonic.plate.vibration import ReducedPlate, amplification
+from haptonic.plate.body.assembly import Assembly
+from haptonic.plate.body.model import PlateModel, impedance, sunflower
+from haptonic.plate.layout.blocks import blocks_of
+from haptonic.plate.layout.grid import Block
+from haptonic.plate.layout.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
+from haptonic.plate.layout.parts import Finger, Force, Plate
+from haptonic.plate.layout.supports import Support
+from haptonic.plate.vibration import krylov, sweep
+from haptonic.plate.vibration.direct import direct_answer
+from haptonic.plate.vibration.forecast import Counted
+from haptonic.plate.vibration.krylov import Basis, chains
+from haptonic.plate.vibration.modes import modes_between
+from haptonic.plate.vibration.reduced import ReducedPlate, amplification
+from haptonic.plate.vibration.settings import ResponseSettings
+from haptonic.plate.vibration.sweep import MOST_DIRECT, Band, _forces
 
 HZ = 2 * np.pi
 BOTH = {"A": 40.0, "F": 0.3 - 0.2j}

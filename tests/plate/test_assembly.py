@@ -11,13 +11,13 @@ from small import ALUMINIUM, COARSE, PITCH, THICKNESS, busy_plate, drawn, plain_
 from whole import answered, forms, foundations, lossless
 
 from haptonic.cell.quadrature import lobatto
-from haptonic.plate import model as model_module
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Block
-from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Force, Plate
-from haptonic.plate.skeleton import Skeleton, TraceOrders
-from haptonic.plate.supports import CLAMPED, supported
+from haptonic.plate.body import model as model_module
+from haptonic.plate.body.foundations import CLAMPED, supported
+from haptonic.plate.body.model import PlateModel
+from haptonic.plate.body.skeleton import Skeleton, TraceOrders
+from haptonic.plate.layout.grid import Block
+from haptonic.plate.layout.parts import Force, Plate
+from haptonic.plate.layout.supports import Support
 
 HZ = 2 * np.pi
 

@@ -12,10 +12,10 @@ from hypothesis import given, settings, strategies as st
 from scipy.sparse.linalg import LinearOperator, eigsh
 
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.plate.body import BodyOrders, body, free_patch, loss_factors
-from haptonic.plate.keys import PLATE, bond, ceramic, electric
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Bond, Plate
+from haptonic.plate.body.unreduced import BodyOrders, body, free_patch, loss_factors
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.keys import PLATE, bond, ceramic, electric
+from haptonic.plate.layout.parts import Bond, Plate
 from motions import rigid_motions, unit_strains
 
 ALUMINIUM, CERAMIC, GLUE = material("aluminium-paper"), material("pzt-4"), material("silver-epoxy")

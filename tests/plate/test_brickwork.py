@@ -15,9 +15,9 @@ from five_parts import assert_told
 from haptonic.cell import Brickwork, Pillar, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
-from haptonic.plate.holding import Support
-from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Force, Plate
+from haptonic.plate.body.model import PlateModel
+from haptonic.plate.layout.parts import Force, Plate
+from haptonic.plate.layout.supports import Support
 
 LONG = [
     pytest.param(one, marks=pytest.mark.nightly) for one in ("askew", "thirds", "kagome", "lieb", "honeycomb")

@@ -13,7 +13,7 @@ from hypothesis import given, settings, strategies as st
 
 from haptonic.bloch.resolution import Resolution
 from haptonic.errors import HaptonicWarning, ResourceError
-from haptonic.plate.reduction import BLOCK, STEPS
+from haptonic.plate.body.reduction import BLOCK, STEPS
 from haptonic.store import Store
 from haptonic.study import loads
 from pace import within

@@ -13,10 +13,10 @@ from bricks import ALUMINIUM, PITCH, THICKNESS
 from haptonic.cell import Disc, MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.plate.body import body_of_brick
-from haptonic.plate.holding import Support
-from haptonic.plate.model import Fineness, PlateModel
-from haptonic.plate.parts import Plate
+from haptonic.plate.body.model import Fineness, PlateModel
+from haptonic.plate.body.unreduced import body_of_brick
+from haptonic.plate.layout.parts import Plate
+from haptonic.plate.layout.supports import Support
 
 MM, HZ = 1e-3, 2 * np.pi
 SAME = Fineness(along=4, through=2, cell=2, rings=0, plain=3)

@@ -3,9 +3,9 @@
 import numpy as np
 from hypothesis import given, strategies as st
 
-from haptonic.plate.elimination import elimination_order
-from haptonic.plate.layout import Block
-from haptonic.plate.skeleton import TraceOrders, traced
+from haptonic.plate.body.elimination import elimination_order
+from haptonic.plate.body.skeleton import TraceOrders, traced
+from haptonic.plate.layout.grid import Block
 
 
 def entries(size, blocks, order):

@@ -13,9 +13,9 @@ from hypothesis import given, settings, strategies as st
 from small import COARSE, LOSS, drawn, glued
 from whole import answered, lossless
 
-from haptonic.plate.holding import Support
-from haptonic.plate.model import Fineness, PlateModel
-from haptonic.plate.parts import Force, Plate
+from haptonic.plate.body.model import Fineness, PlateModel
+from haptonic.plate.layout.parts import Force, Plate
+from haptonic.plate.layout.supports import Support
 
 HZ = 2 * np.pi
 WAVEGUIDE = Plate(  # 4 x 3 cells, two tiles of plain plate in the middle

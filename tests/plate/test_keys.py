@@ -28,7 +28,7 @@ from haptonic.errors import HaptonicWarning
 from haptonic.friction.lubrication.settings import Pad
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.progress import silent
 from haptonic.store import Store, content_key
 

@@ -11,9 +11,9 @@ from scipy.optimize import brentq
 from scipy.sparse.linalg import eigsh
 
 from haptonic.materials import PiezoelectricMaterial, material
-from haptonic.plate.body import BodyOrders, free_patch
-from haptonic.plate.keys import ceramic, electric
-from haptonic.plate.piezo import electric_matrices, electric_part
+from haptonic.plate.body.piezo import electric_matrices, electric_part
+from haptonic.plate.body.unreduced import BodyOrders, free_patch
+from haptonic.plate.layout.keys import ceramic, electric
 from motions import rigid_motions, unit_strains
 
 REFERENCE = json.loads((Path(__file__).parents[1] / "data/piezo.json").read_text("utf-8"))

@@ -17,10 +17,10 @@ from haptonic import plots
 from haptonic.analyses.plate import compute_plate
 from haptonic.cli.console import Voice
 from haptonic.plate import Plate
-from haptonic.plate.holding import Support
-from haptonic.plate.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
-from haptonic.plate.parts import Force
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.layout.keys import FINGER, PLATE, SUPPORTS, bond, ceramic, dielectric, electric
+from haptonic.plate.layout.parts import Force
+from haptonic.plate.layout.supports import Support
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.response import read, write
 from haptonic.results.common import write_netcdf
 from haptonic.results.plate.value import impedance_names

@@ -6,9 +6,9 @@ import scipy.linalg as la
 from small import PITCH, drawn
 from whole import lossless
 
-from haptonic.plate.holding import Support
-from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Plate
+from haptonic.plate.body.model import PlateModel
+from haptonic.plate.layout.parts import Plate
+from haptonic.plate.layout.supports import Support
 
 pytest.importorskip("ngsolve")
 

@@ -12,14 +12,14 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Block
-from haptonic.plate.model import PlateModel
-from haptonic.plate.parts import Plate
-from haptonic.plate.recipes import Fineness
-from haptonic.plate.reduction import cell_tile
-from haptonic.plate.resolved import _bending, highest_resolved
-from haptonic.plate.skeleton import numbered
+from haptonic.plate.body.model import PlateModel
+from haptonic.plate.body.recipes import Fineness
+from haptonic.plate.body.reduction import cell_tile
+from haptonic.plate.body.resolved import _bending, highest_resolved
+from haptonic.plate.body.skeleton import numbered
+from haptonic.plate.layout.grid import Block
+from haptonic.plate.layout.parts import Plate
+from haptonic.plate.layout.supports import Support
 
 HZ = 2 * np.pi
 EDGE = 8e-3

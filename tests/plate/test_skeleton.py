@@ -6,9 +6,9 @@ from hypothesis import given, settings, strategies as st
 from numpy.polynomial.legendre import leggauss
 from small import drawn
 
-from haptonic.plate.layout import Block
-from haptonic.plate.skeleton import Skeleton, TraceOrders, edge_fields, rim_fields
-from haptonic.plate.supports import _products
+from haptonic.plate.body.foundations import _products
+from haptonic.plate.body.skeleton import Skeleton, TraceOrders, edge_fields, rim_fields
+from haptonic.plate.layout.grid import Block
 
 UNEVEN_X, UNEVEN_Y = np.array([0, 5e-3, 12e-3, 21e-3]), np.array([0, 4e-3, 11e-3, 14e-3])
 MAPS = {

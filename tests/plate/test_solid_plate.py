@@ -16,10 +16,10 @@ from haptonic.cell import Brickwork, Disc, Solid, SolidPart, UnitCell
 from haptonic.errors import GeometryError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Layout
-from haptonic.plate.model import Fineness, PlateModel
-from haptonic.plate.parts import Force, Plate
+from haptonic.plate.body.model import Fineness, PlateModel
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.parts import Force, Plate
+from haptonic.plate.layout.supports import Support
 from haptonic.study import load
 
 pytest.importorskip("ngsolve")

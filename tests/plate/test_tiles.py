@@ -12,12 +12,12 @@ from whole import placed
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.quadrature import lobatto
 from haptonic.lattice import Lattice
-from haptonic.plate import joined, reduction
-from haptonic.plate.body import BodyOrders, body
-from haptonic.plate.joined import joined_tile, opened_tile
-from haptonic.plate.layout import Block
-from haptonic.plate.reduction import block_tile, cell_tile
-from haptonic.plate.skeleton import TraceOrders, numbered
+from haptonic.plate.body import joined, reduction
+from haptonic.plate.body.joined import joined_tile, opened_tile
+from haptonic.plate.body.reduction import block_tile, cell_tile
+from haptonic.plate.body.skeleton import TraceOrders, numbered
+from haptonic.plate.body.unreduced import BodyOrders, body
+from haptonic.plate.layout.grid import Block
 from haptonic.superelement import FoldedMesh, dynamic_stiffness
 from haptonic.superelement.trace import trace_levels
 

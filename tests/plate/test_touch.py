@@ -9,15 +9,14 @@ from hypothesis import example, given, settings, strategies as st
 from small import COARSE, LOSS, busy_plate, drawn
 from whole import dynamic
 
-from haptonic.plate import sweep
-from haptonic.plate.holding import Support
-from haptonic.plate.keys import PLATE
-from haptonic.plate.loaded import _loaded_quality
-from haptonic.plate.model import PlateModel
-from haptonic.plate.modes import modes_between
-from haptonic.plate.parts import Finger, Force, Plate
-from haptonic.plate.sweep import Band
-from haptonic.plate.touch import Sites, _Compliance, below_finger
+from haptonic.plate.body.model import PlateModel
+from haptonic.plate.layout.keys import PLATE
+from haptonic.plate.layout.parts import Finger, Force, Plate
+from haptonic.plate.layout.supports import Support
+from haptonic.plate.vibration import sweep
+from haptonic.plate.vibration.modes import modes_between
+from haptonic.plate.vibration.sweep import Band
+from haptonic.plate.vibration.touch import Sites, _Compliance, _loaded_quality, below_finger
 from haptonic.response import FrequencyResponse, disc_average
 
 HZ = 2 * np.pi

@@ -9,11 +9,11 @@ from small import COARSE, LOSS, glued, plain_plate
 from whole import answered
 
 from haptonic.plate import Band, Force, Plate, PlateModel, Support
-from haptonic.plate.body import BodyOrders, body
-from haptonic.plate.bonds import Bonded
-from haptonic.plate.family import Family, anchored
-from haptonic.plate.keys import PLATE, bond as bond_of, ceramic, electric
-from haptonic.plate.updated import updated
+from haptonic.plate.body.bonds import Bonded
+from haptonic.plate.body.unreduced import BodyOrders, body
+from haptonic.plate.body.updated import updated
+from haptonic.plate.layout.keys import PLATE, bond as bond_of, ceramic, electric
+from haptonic.plate.vibration.family import Family, anchored
 
 HIGHEST = 40e3
 POINTS = np.array([(3e-3, 4e-3), (10e-3, 12e-3), (19e-3, 5e-3)])

@@ -9,9 +9,9 @@ import pytest
 from small import COARSE, LOSS, drawn, glued
 
 from haptonic.plate import Band, PlateModel, modes_between
-from haptonic.plate.datasets import mode_names
-from haptonic.plate.parts import Force, Plate
-from haptonic.plate.sampling import grid_points
+from haptonic.plate.layout.parts import Force, Plate
+from haptonic.plate.layout.sampling import grid_points
+from haptonic.plate.vibration.datasets import mode_names
 
 BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 TWO_GUIDES = Plate(

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from haptonic.plate.keys import PLATE, bond, ceramic, electric
-from haptonic.plate.model import PlateModel
+from haptonic.plate.body.model import PlateModel
+from haptonic.plate.layout.keys import PLATE, bond, ceramic, electric
 
 
 def placed(size, form, unknowns, total):

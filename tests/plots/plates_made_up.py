@@ -9,9 +9,9 @@ import numpy as np
 from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Actuator, Finger, Force, Plate
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.parts import Actuator, Finger, Force, Plate
+from haptonic.plate.layout.supports import Support
 from haptonic.response import FrequencyResponse
 
 GAP = (52.5e3, 60.2e3)

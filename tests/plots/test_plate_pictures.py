@@ -16,9 +16,9 @@ from plates_made_up import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, pr
 from seeing import artists, assert_readable, shown_texts
 
 from haptonic import plots
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Plate
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.parts import Plate
+from haptonic.plate.layout.supports import Support
 from haptonic.plots import spectra
 from haptonic.plots.moving import FRAMES
 from haptonic.response import FrequencyResponse

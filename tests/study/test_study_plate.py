@@ -13,9 +13,9 @@ from five_parts import refused_study as refused, refusing
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.fields import remade
 from haptonic.fields.entries import Entries
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Layout, pieces
-from haptonic.plate.parts import Plate
+from haptonic.plate.layout.grid import Layout, pieces
+from haptonic.plate.layout.parts import Plate
+from haptonic.plate.layout.supports import Support
 from haptonic.study import Study, load, loads
 from quick import PROTOTYPE_PILLAR as PILLAR, PROTOTYPE_PLATE as CELL
 

@@ -8,8 +8,8 @@ from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate import Fineness, Force, Layout, Plate, Support
-from haptonic.plate.answer import responded
-from haptonic.plate.sampling import grid_points
+from haptonic.plate.layout.sampling import grid_points
+from haptonic.plate.vibration.responses import responded
 from haptonic.updating.fit import SmallModel
 from haptonic.updating.match import MeasuredResponse, Unknown
 from haptonic.updating.parameters import changed

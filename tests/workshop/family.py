@@ -8,9 +8,9 @@ import numpy as np
 from haptonic.cell import Pillar, Step, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.plate.holding import Support
-from haptonic.plate.layout import Layout
-from haptonic.plate.parts import Actuator, Bond, Plate
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.parts import Actuator, Bond, Plate
+from haptonic.plate.layout.supports import Support
 
 MM = 1e-3
 METAL = IsotropicMaterial(70e9, 0.33, 2700.0, 0.001, name="metal")

@@ -12,7 +12,7 @@ from five_parts import refusing
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
-from haptonic.plate.layout import Layout, pieces
+from haptonic.plate.layout.grid import Layout, pieces
 from haptonic.workshop import Part, surface, volume_of_step, write_dxf, write_step
 from haptonic.workshop.part import MOST_PILLARS
 

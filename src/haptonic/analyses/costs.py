@@ -10,9 +10,9 @@ from pathlib import Path
 
 from haptonic.analyses.needs import fineness, meshes_of, tile_resolution
 from haptonic.errors import HaptonicError
-from haptonic.plate.forecast import Counted
-from haptonic.plate.parts import Plate
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.layout.parts import Plate
+from haptonic.plate.vibration.forecast import Counted
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.results.cost import Cost
 from haptonic.study.schema import Description
 

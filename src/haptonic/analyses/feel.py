@@ -18,10 +18,10 @@ from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
-from haptonic.plate.loaded import LOADS, highest, loaded, whole_finger_by_region
-from haptonic.plate.parts import Actuator
-from haptonic.plate.sampling import check_grid, driven_regions, drives_of, reference_of
-from haptonic.plate.sweep import check_cost
+from haptonic.plate.layout.parts import Actuator
+from haptonic.plate.layout.sampling import check_grid, driven_regions, drives_of, reference_of
+from haptonic.plate.vibration.sweep import check_cost
+from haptonic.plate.vibration.touch import LOADS, highest, loaded, whole_finger_by_region
 from haptonic.progress import Progress
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
@@ -96,7 +96,7 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
 def compute_loaded(
     store: Store, inputs: Mapping[str, Any], progress: Progress, *, plate: Plate, **asked: Any
 ) -> xr.Dataset:
-    """Vibration below a finger, computed or from the store; see `haptonic.plate.loaded.loaded`.
+    """Vibration below a finger, computed or from the store; see `haptonic.plate.vibration.touch`.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ from haptonic.friction.recordings.draft import drafted
 from haptonic.friction.signals import Rules
 from haptonic.friction.statistics.summary import summary
 from haptonic.paths import source
-from haptonic.plate.sampling import driven_region
+from haptonic.plate.layout.sampling import driven_region
 from haptonic.progress import Progress, silent
 from haptonic.results.cost import Cost
 from haptonic.results.friction import FrictionResult

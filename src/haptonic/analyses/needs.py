@@ -14,8 +14,8 @@ from haptonic.bloch.rows import rows_need
 from haptonic.cell import Rows, UnitCell
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.plate import Fineness, Plate
-from haptonic.plate.reduction import BLOCK, STEPS
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.body.reduction import BLOCK, STEPS
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.results.common import accuracy_remarks
 from haptonic.study.schema import Description
 

@@ -14,10 +14,10 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.bloch import Gap
 from haptonic.plate import Fineness, Plate
-from haptonic.plate.band_response import band_response, need_loss
-from haptonic.plate.sampling import check_grid, reference_of
-from haptonic.plate.settings import ResponseSettings
-from haptonic.plate.sweep import check_cost
+from haptonic.plate.layout.sampling import check_grid, reference_of
+from haptonic.plate.vibration.responses import band_response, need_loss
+from haptonic.plate.vibration.settings import ResponseSettings
+from haptonic.plate.vibration.sweep import check_cost
 from haptonic.progress import Progress, silent
 from haptonic.response import from_plain
 from haptonic.results.common import stamped

@@ -19,8 +19,8 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.errors import ResponseError, ScanError
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
-from haptonic.plate.levels import marked_lines
-from haptonic.plate.sampling import driven_region, tile_names
+from haptonic.plate.layout.sampling import driven_region, tile_names
+from haptonic.plate.vibration.levels import marked_lines
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.results.scan import ScanResult

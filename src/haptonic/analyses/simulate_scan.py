@@ -23,7 +23,7 @@ from haptonic.bloch import Gap
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.fields import unchecked
 from haptonic.plate import Plate
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse
 from haptonic.results.cost import Cost

@@ -17,8 +17,8 @@ from haptonic.analyses.support import whole_lower_face
 from haptonic.arrays import Ints
 from haptonic.errors import ResponseError, ScanError
 from haptonic.plate import Plate
-from haptonic.plate.answer import responded
-from haptonic.plate.sampling import reference_of, region_names, unit_drives
+from haptonic.plate.layout.sampling import reference_of, region_names, unit_drives
+from haptonic.plate.vibration.responses import responded
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.cost import Cost
 from haptonic.results.verdict import AFTER, BEFORE, MEASURED, Verdict

@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from haptonic.later import xarray as xr
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout.grid import Layout
 from haptonic.plots import style
 from haptonic.plots.looks import colours
 from haptonic.plots.mapped import LOW, ends, outlined

@@ -18,7 +18,7 @@ from matplotlib.ticker import MaxNLocator
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout.grid import Layout
 from haptonic.plots import style
 from haptonic.plots.marks import LINE, Gap
 from haptonic.plots.moving import moving

@@ -15,10 +15,10 @@ from matplotlib.patches import Circle, Patch, Polygon, Rectangle
 from matplotlib.patheffects import withStroke
 
 from haptonic.arrays import Array
-from haptonic.plate.holding import WORDS, Hold
-from haptonic.plate.layout import Layout
-from haptonic.plate.outline import held, outline
-from haptonic.plate.parts import Plate
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.outline import held, outline
+from haptonic.plate.layout.parts import Plate
+from haptonic.plate.layout.supports import WORDS, Hold
 from haptonic.plots import style
 from haptonic.plots.stage import stage
 

@@ -13,7 +13,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.arrays import Array
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout.grid import Layout
 from haptonic.plots import style
 from haptonic.plots.looks import choice
 from haptonic.plots.plates import region_borders

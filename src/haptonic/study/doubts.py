@@ -8,7 +8,7 @@ from typing import Any
 
 from haptonic.cell import UnitCell
 from haptonic.fields import unusual_beside
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.units import format_quantity
 

@@ -6,7 +6,7 @@ import typing
 import haptonic.analyses.chirp
 import haptonic.analyses.export
 import haptonic.analyses.reproduce
-import haptonic.plate.settings
+import haptonic.plate.vibration.settings
 import haptonic.progress
 import haptonic.results.bands
 import haptonic.results.comparison
@@ -172,7 +172,7 @@ class Methods:
         self,
         *,
         at: str | float | None = ...,
-        settings: haptonic.plate.settings.ResponseSettings | None = ...,
+        settings: haptonic.plate.vibration.settings.ResponseSettings | None = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from haptonic.errors import nearest, shown
 from haptonic.fields import problem
-from haptonic.plate.layout import pieces
+from haptonic.plate.layout.grid import pieces
 
 NOTHING = "."  # letter of an absent tile
 MOST_TILES = 100_000

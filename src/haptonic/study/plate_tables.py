@@ -26,9 +26,9 @@ from haptonic.fields import (
 )
 from haptonic.fields.keys import pattern_of
 from haptonic.materials import Material
-from haptonic.plate.holding import Clamp, Edges, Loss
-from haptonic.plate.parts import Actuator, Finger, Force
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.layout.parts import Actuator, Finger, Force
+from haptonic.plate.layout.supports import Clamp, Edges, Loss
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
 from haptonic.vibrometry.of_settings import CLAMPS

@@ -10,9 +10,9 @@ from typing import TypeVar
 from haptonic.cell import Brickwork, UnitCell
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import unchecked
-from haptonic.plate.holding import Clamp
-from haptonic.plate.layout import CLOSE, Layout, Rectangle
-from haptonic.plate.parts import Actuator, Finger, Force, Plate
+from haptonic.plate.layout.grid import CLOSE, Layout, Rectangle
+from haptonic.plate.layout.parts import Actuator, Finger, Force, Plate
+from haptonic.plate.layout.supports import Clamp
 from haptonic.study.plate_tables import CHANGEABLE, LATTICE, LatticeSettings, PlateSettings
 from haptonic.units import format_quantity
 

@@ -42,7 +42,7 @@ from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
 from haptonic.materials import IsotropicMaterial, built_in_name
-from haptonic.plate.parts import Plate
+from haptonic.plate.layout.parts import Plate
 from haptonic.study.doubts import doubts_of
 from haptonic.study.experiment_tables import ProtocolSettings
 from haptonic.study.plate_tables import PlateSettings

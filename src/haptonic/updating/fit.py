@@ -1,6 +1,6 @@
 """Fit of unknown numbers of a plate to its measured response, by least squares on a small model.
 
-The small model, a `haptonic.plate.family.Family`, is extended by the plate's response at the end of each fit,
+The small model, a `Family`, is extended by the plate's response at the end of each fit,
 until it is accurate there.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.errors import ScanError
 from haptonic.plate import Fineness, Plate, PlateModel
-from haptonic.plate.family import Anchor, Family, anchored
+from haptonic.plate.vibration.family import Anchor, Family, anchored
 from haptonic.progress import Progress, silent
 from haptonic.units import format_quantity
 from haptonic.updating.intervals import Uncertainty, uncertainty

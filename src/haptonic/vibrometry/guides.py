@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from haptonic.cell import Rows
 from haptonic.cell.directed import along_axis
-from haptonic.plate.layout import CLOSE, Block, Layout
+from haptonic.plate.layout.grid import CLOSE, Block, Layout
 from haptonic.vibrometry import LatticeRows
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle

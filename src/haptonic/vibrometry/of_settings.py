@@ -11,9 +11,9 @@ from haptonic.arrays import Array
 from haptonic.errors import ScanError
 from haptonic.names import names_in
 from haptonic.plate import Plate
-from haptonic.plate.layout import Layout
-from haptonic.plate.sampling import grid_points, reference_of, tile_names
-from haptonic.plate.settings import ResponseSettings
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.sampling import grid_points, reference_of, tile_names
+from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.response import Reference
 from haptonic.vibrometry.chirp import Drive, drive
 from haptonic.vibrometry.instrument import lines_of

@@ -10,9 +10,9 @@ from haptonic.errors import HaptonicError, ResponseError, ScanError
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
-from haptonic.plate.layout import Layout
-from haptonic.plate.levels import compared
-from haptonic.plate.sampling import driven_region, tile_names
+from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.sampling import driven_region, tile_names
+from haptonic.plate.vibration.levels import compared
 from haptonic.response import FrequencyResponse
 from haptonic.response.measures import along, sides
 from haptonic.vibrometry.guides import MIRROR, Mirror, guides_of, mirror_beside, strips_of

@@ -17,7 +17,7 @@ from haptonic.errors import StudyError
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout.grid import Layout
 from haptonic.vibrometry.guides import Guiding, Mirror
 from haptonic.vibrometry.maps.waves import Axis
 

@@ -36,7 +36,7 @@ class Reduction:
 class FrictionOnPlate:
     """Friction under a finger on a plate, relative to that without vibration.
 
-    loaded : vibration below a finger with its middle at each point, see `haptonic.plate.loaded.loaded`
+    loaded : vibration below a finger with its middle at each point, see `haptonic.plate.vibration.touch`
     below : by region, (point,) places at which the whole finger lies on the region
     driven : the regions with a drive; the reference is the drive of the first
     touch : frequency, force and speed

@@ -6,8 +6,8 @@ from functools import partial
 
 from haptonic import plots
 from haptonic.later import xarray as xr
-from haptonic.plate.datasets import part_name
-from haptonic.plate.nodal import has_one_lobe
+from haptonic.plate.vibration.datasets import part_name
+from haptonic.plate.vibration.modes import has_one_lobe
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haptonic.later import xarray as xr
-from haptonic.plate.sampling import reference_of
+from haptonic.plate.layout.sampling import reference_of
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import hz_text
 

@@ -16,9 +16,9 @@ from haptonic.bloch import Gap
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.names import file_parts
 from haptonic.plate import Plate
-from haptonic.plate.datasets import part_name
-from haptonic.plate.levels import below_finger, compared, contrasts
-from haptonic.plate.sampling import driven_region, reference_of, resonance_of
+from haptonic.plate.layout.sampling import driven_region, reference_of
+from haptonic.plate.vibration.datasets import part_name
+from haptonic.plate.vibration.levels import below_finger, compared, contrasts, resonance_of
 from haptonic.response import FrequencyResponse, rms, write
 from haptonic.response.measures import along
 from haptonic.results.common import write_netcdf

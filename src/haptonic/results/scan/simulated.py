@@ -13,8 +13,8 @@ from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
-from haptonic.plate.levels import contrasts
-from haptonic.plate.sampling import driven_region
+from haptonic.plate.layout.sampling import driven_region
+from haptonic.plate.vibration.levels import contrasts
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import Writer
 from haptonic.results.result import Result

@@ -19,7 +19,7 @@ from haptonic.gate import WORD
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.names import cell, file_parts
 from haptonic.plate import Plate
-from haptonic.plate.layout import Layout
+from haptonic.plate.layout.grid import Layout
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import accuracy_remarks, write_netcdf

@@ -1,0 +1,139 @@
+"""Joining of many equal tiles to one tile with fewer unknowns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from haptonic.arrays import Array, Fields, Ints
+from haptonic.later import linalg as la
+from haptonic.plate.body.reduction import few_modes
+from haptonic.plate.body.skeleton import TraceOrders, traced
+from haptonic.plate.body.tile import Inside, Tile, Turned
+from haptonic.plate.layout.grid import Block
+from haptonic.plate.layout.keys import PLATE
+
+
+def joined_tile(
+    tile: Tile,
+    size: tuple[float, float],
+    shape: tuple[int, int],
+    orders: TraceOrders,
+    highest: float,
+    span: tuple[int, int] = (1, 1),
+) -> Tile:
+    """Join a rectangle of equal tiles to one tile for frequencies up to ``highest`` (Hz).
+
+    Parameters
+    ----------
+    tile : repeated tile; size : its width and height, m
+    shape : number of rows and columns of tiles
+    span : rows and columns of each tile itself
+    """
+    high, wide = span
+    rows, columns = shape
+    x = np.linspace(0.0, size[0] * columns, wide * columns + 1)
+    y = np.linspace(0.0, size[1] * rows, high * rows + 1)
+    whole = Block((0, high * rows), (0, wide * columns))
+    singles = [
+        Block((high * i, high * (i + 1)), (wide * j, wide * (j + 1)))
+        for i in range(rows)
+        for j in range(columns)
+    ]
+    (outer, *traces), first_mode = traced(x, y, [whole, *singles], orders)
+    modes = len(tile.values)
+    unknowns = [
+        np.concatenate([trace, first_mode + k * modes + np.arange(modes)]) for k, trace in enumerate(traces)
+    ]
+    count = first_mode + modes * len(traces)
+    stiffness, mass = np.zeros((2, count, count))
+    for numbers in unknowns:
+        stiffness[np.ix_(numbers, numbers)] += tile.elastic
+        mass[np.ix_(numbers, numbers)] += tile.mass
+    inner = np.setdiff1d(np.arange(count), outer)
+    basis = _reduced(stiffness, mass, outer, inner, highest)
+    inside = Joined(tile, size, shape, np.stack([basis[numbers] for numbers in unknowns]))
+    return _on_basis(stiffness, mass, basis, inside, len(outer))
+
+
+def opened_tile(tile: Tile, open_trace: Ints, highest: float) -> Tile:
+    """Condense free unknowns of a tile's trace into the tile, for frequencies up to ``highest`` (Hz).
+
+    open_trace : unknowns of the trace at free edges of the plate, without supports
+    """
+    assert list(tile.stiffness) == [PLATE]
+    closed = np.setdiff1d(np.arange(tile.trace_size), open_trace)
+    inner = np.concatenate([open_trace, np.arange(tile.trace_size, tile.size)])
+    basis = _reduced(tile.elastic, tile.mass, closed, inner, highest)
+    return _on_basis(tile.elastic, tile.mass, basis, Turned(tile.inside, basis), len(closed))
+
+
+def _on_basis(stiffness: Array, mass: Array, basis: Array, inside: Inside, trace: int) -> Tile:
+    """Make the tile of plain plate or lattice on a basis, traces first."""
+    return Tile.plain(basis.T @ stiffness @ basis, basis.T @ mass @ basis, trace, inside)
+
+
+def _reduced(stiffness: Array, mass: Array, outer: Ints, inner: Ints, highest: float) -> Array:
+    """(count, trace + modes) basis: static responses to the rim, and few modes of the interior."""
+    inside = np.ix_(inner, inner)
+    factor = la.cho_factor(stiffness[inside])
+    static = np.zeros((len(stiffness), len(outer)))
+    static[outer, np.arange(len(outer))] = 1.0
+    static[inner] = -la.cho_solve(factor, stiffness[np.ix_(inner, outer)])
+    values, modes = la.eigh(stiffness[inside], mass[inside])
+    every = np.zeros((len(stiffness), len(inner)))
+    every[inner] = modes
+    heavy = mass @ static
+    coupled_mass = np.block([[static.T @ heavy, heavy.T @ every], [every.T @ heavy, np.eye(len(inner))]])
+    condensed = la.block_diag(static.T @ stiffness @ static, np.diag(values))
+    few = few_modes(condensed, coupled_mass, len(outer), np.zeros((len(inner), 0)), highest)
+    return np.hstack([static, every @ few])
+
+
+@dataclass(frozen=True, eq=False)
+class Joined:
+    """Inside of many equal tiles. basis : (tiles, n of each, unknowns), row by row from the lower left"""
+
+    tile: Tile
+    size: tuple[float, float]
+    shape: tuple[int, int]
+    basis: Array
+
+    @property
+    def _corners(self) -> Array:
+        """(tiles, 2) lower left corners, m."""
+        rows, columns = np.indices(self.shape).reshape(2, -1)
+        return np.stack([columns * self.size[0], rows * self.size[1]], axis=-1)
+
+    @property
+    def points(self) -> Array:
+        """(nodes, 3) points of all tiles' meshes, m."""
+        own, corners = self.tile.inside.points, self._corners
+        shift = np.column_stack([corners, np.zeros(len(corners))])
+        return np.asarray((shift[:, None] + own).reshape(-1, 3))
+
+    @property
+    def subcells(self) -> Ints:
+        """(cells, 8) corners of the elements, in VTK's order."""
+        own, start = self.tile.inside.subcells, len(self.tile.inside.points)
+        return np.concatenate([own + k * start for k in range(len(self.basis))])
+
+    def lifted(self, unknowns: Fields) -> Fields:
+        """(nodes, 3, k) displacement from unknowns (n, k)."""
+        return np.concatenate([self.tile.inside.lifted(own @ unknowns) for own in self.basis])
+
+    def normal_at(self, where: Array) -> Array:
+        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
+        rows, columns = self.shape
+        column = np.clip((where[:, 0] / self.size[0]).astype(np.int64), 0, columns - 1)
+        row = np.clip((where[:, 1] / self.size[1]).astype(np.int64), 0, rows - 1)
+        number = row * columns + column
+        local = np.clip(
+            where - self._corners[number], 0.0, self.size
+        )  # of points on a border, after rounding
+        own = self.tile.inside.normal_at(local)
+        out = np.empty((len(where), self.basis.shape[2]))
+        for k in np.unique(number):
+            out[number == k] = own[number == k] @ self.basis[k]
+        return out

@@ -1,0 +1,298 @@
+"""Reduction of meshes to tiles: cells of a lattice, plain plate, and blocks with attached parts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
+
+import numpy as np
+
+from haptonic.arrays import Array, Ints
+from haptonic.cell import HexMesh, MeshPlan, TileShape
+from haptonic.cell.brickwork import Steps
+from haptonic.cell.quadrature import lobatto
+from haptonic.later import linalg as la, sparse as sp
+from haptonic.plate.body.bonds import Bonded
+from haptonic.plate.body.skeleton import TraceOrders, rim_fields
+from haptonic.plate.body.surface import flat_faces
+from haptonic.plate.body.tile import OnMesh, Tile
+from haptonic.plate.body.unreduced import Body
+from haptonic.plate.layout.keys import PLATE
+from haptonic.solvers import Pattern, chosen
+from haptonic.superelement import condense, condense_solid
+
+EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all used
+SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, sampled for the other modes
+MISSED = (
+    1e-2  # share of the energy norm of a tile's answer that its few modes may miss; errors are its square
+)
+SNAPSHOTS = (0.5, 1.0)  # besides 0, of the square of the highest frequency, for blocks
+MISSED_BY_BLOCK = 3e-4  # of a block's strongest response, root of energy, below which a direction is omitted
+# Blocks of the Krylov space of the interior, see `haptonic.superelement.interior`. At fine orders, the error
+# of a frequency of a thick plate was 1.2e-4 with blocks of 20 and 6e-5 with 30, which take 1 to 5 % longer
+# on the prototype.
+STEPS, BLOCK = 3, 30
+
+
+def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: float) -> Array:
+    """Compute few modes for the response to a smooth trace and given loads up to a highest frequency.
+
+    Modes of the band itself are used as they are. The response of the others, of eigenvalues lambda, to a
+    motion u of the trace and loads f is, at ``s = omega^2`` with ``q = (s C^T u + f) / (lambda - s)``, C
+    being their mass coupling to the trace. Its main directions are used (proper orthogonal decomposition),
+    the eigenvectors of
+
+        G = sum over s of  g_s g_s^T * (s^2 C^T W^-1 C + f f^T),    g_s = sqrt(lambda) / (lambda - s),
+
+    where * is entry by entry. The factor sqrt(lambda) measures responses by their strain energy, and
+    ``W = K + omega_max^2 M`` of the trace weights motions of equal energy equally.
+
+    Parameters
+    ----------
+    stiffness, mass : on (trace, modes); modes have a diagonal stiffness, uncoupled from the trace, and mass 1
+    loads : (modes, k) forces on the modes; highest : Hz
+
+    Returns
+    -------
+    (modes, few), orthonormal in mass and orthogonal in stiffness
+    """
+    values = np.diag(stiffness)[trace:]
+    top = (2 * np.pi * highest) ** 2
+    near = values < EXACT**2 * top
+    weights = np.sqrt(values)
+    unit_energy = la.cholesky(stiffness[:trace, :trace] + top * mass[:trace, :trace])
+    coupling = la.solve_triangular(unit_energy, mass[:trace, trace:], trans=1).T
+    force = loads / np.linalg.norm(loads / weights[:, None], axis=0)
+    # a frequency only scales rows of the coupling and of the forces, so the products are computed once
+    of_trace, of_loads = coupling @ coupling.T, force @ force.T
+    gram = of_loads / np.outer(weights, weights)
+    for share in SAMPLED:
+        gain = weights / (values - share * top)
+        gram += np.outer(gain, gain) * ((share * top) ** 2 * of_trace + of_loads)
+    gram[near] = gram[:, near] = 0.0
+    sizes, left = la.eigh(gram)
+    few = left[:, sizes > MISSED**2] / weights[:, None]
+    basis = np.hstack([np.eye(len(values))[:, near], few])
+    _, turn = la.eigh(basis.T @ (values[:, None] * basis), basis.T @ basis)
+    return np.asarray(basis @ turn)
+
+
+def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrders, highest: float) -> Tile:
+    """Reduce a brick of a lattice, or plain plate, to a tile for frequencies up to ``highest`` (Hz).
+
+    steps : between the lines of the layout across it, m; elements of the plan end at each of them
+    """
+    condense_tile = condense if shape.solid is None else condense_solid
+    whole = condense_tile(shape, plan, STEPS, block=BLOCK, measured=False)
+    mesh = whole.mesh
+    onto = _onto_rim(plan, steps, whole.levels, orders)
+    trace = onto.shape[1]
+    basis = la.block_diag(onto, np.eye(whole.size - whole.trace_size))
+    stiffness, mass = (basis.T @ form @ basis for form in (whole.stiffness, whole.mass))
+    modes = few_modes(stiffness, mass, trace, np.zeros((len(mass) - trace, 0)), highest)
+    kept = la.block_diag(np.eye(trace), modes)
+    stiffness, mass = (kept.T @ form @ kept for form in (stiffness, mass))
+    to_cell = basis @ kept
+    corner = np.append(-shape.corners[0], 0.0)
+    inside = OnMesh(
+        size=len(mass),
+        points=mesh.points + corner,
+        subcells=_corners(family.nodes for family in mesh.topology.families)
+        if isinstance(mesh, HexMesh)
+        else mesh.linear_subcells(),
+        faces=tuple(flat_faces(mesh)) if isinstance(mesh, HexMesh) else (mesh.lower,),
+        lift=lambda unknowns: whole.lifted(to_cell @ unknowns),
+    )
+    return Tile.plain(stiffness, mass, trace, inside)
+
+
+def _onto_rim(plan: MeshPlan, steps: Steps, levels: int, orders: TraceOrders) -> Array:
+    """Matrix from the trace of a tile to that of a condensed cell (level, place, component)."""
+    share = 0.5 * (1 + lobatto(plan.order)[0][:-1])
+    side = ((np.arange(plan.blocks)[:, None] + share) / plan.blocks).ravel()
+    # positions in edges: where sides of the mesh, anticlockwise from the lower left, lie between the lines
+    ends = [np.concatenate([[0.0], np.cumsum(one) / sum(one)]) for one in steps]
+    ends = [*ends, *(1 - end[::-1] for end in ends)]
+    first = np.cumsum([0, *(len(end) - 1 for end in ends)])
+    along = np.concatenate([
+        start + np.interp(side, end, np.arange(len(end)))
+        for start, end in zip(first[:-1], ends, strict=True)
+    ])  # fmt: skip
+    height = 0.5 * (1 + lobatto(levels - 1)[0])
+    where, up = np.tile(along, levels), np.repeat(height, len(along))
+    return rim_fields(int(first[-1]), orders, where, up)
+
+
+def block_tile(
+    body: Body,
+    x: Sequence[float],
+    y: Sequence[float],
+    thickness: float,
+    loads: Mapping[str, Array],
+    orders: TraceOrders,
+    highest: float,
+    bonded: Mapping[str, Bonded] = MappingProxyType({}),
+) -> Tile:
+    """Reduce a body, plain plate or a cell with attached parts, to a tile up to ``highest`` (Hz).
+
+    Parameters
+    ----------
+    body : unreduced; x, y : lines between the tiles in it, m; thickness : of the plate, m
+    loads : further drives by name, (3 nodes,) force per unit of drive
+    bonded : by actuator, bodies with other bonds, for which the tile is valid as well
+    """
+    drives = {**body.drive, **loads}
+    onto = _rim_of_body(body, x, y, thickness, orders)
+    size, trace = len(body.mass), onto.shape[1]
+    held = (3 * body.rim[:, None] + np.arange(3)).ravel()
+    inside = np.setdiff1d(np.arange(size), held)
+    force = (
+        np.array([drive[inside] for drive in drives.values() if drive[inside].any()])
+        .reshape(-1, len(inside))
+        .T
+    )
+    mass = body.mass[inside]
+    interior, coupling = _split(body, onto, (held, inside))
+    static, seen, pushed = _snapshots(interior, coupling, force, mass, highest, SNAPSHOTS)
+    total = sp.csr_array(sum(body.stiffness.values()))
+    on_trace = onto.T @ (total[held][:, held] @ onto) + coupling.T @ static
+    least = [np.zeros(seen.shape[1])]
+    for other in (end for one in bonded.values() for end in (one.bodies[0], one.bodies[-1])):
+        split = _split(other, onto, (held, inside))
+        own, more, _ = _snapshots(*split, force, other.mass[inside], highest, ())
+        seen = np.hstack([seen, more, own - static])
+        pushed = np.hstack([pushed, interior @ more, interior @ (own - static)])
+        # a small difference needs less accuracy
+        least += [np.zeros(more.shape[1]), np.sqrt(np.diag(on_trace))]
+    fields, values = _main_directions(seen, pushed, mass, np.concatenate(least))
+    basis = np.zeros((size, trace + len(values)))
+    basis[held, :trace], basis[inside, :trace], basis[inside, trace:] = onto, static, fields
+    parts = {part: _projected(form, basis) for part, form in body.stiffness.items() if part != PLATE}
+    # the sum of all parts needs no product, because the fields are orthogonal to the static responses
+    parts[PLATE] = la.block_diag(on_trace, np.diag(values)) - sum(parts.values())
+    corner = np.array([x[0], y[0], 0.0])
+    return Tile(
+        stiffness=parts,
+        mass=basis.T @ (body.mass[:, None] * basis),
+        values=values,
+        drive={name: basis.T @ drive for name, drive in drives.items()},
+        capacitance=body.capacitance,
+        inside=OnMesh(
+            size=basis.shape[1],
+            points=body.points - corner,
+            subcells=_corners(body.elements.values()),
+            faces=body.faces,
+            lift=lambda unknowns: np.asarray(basis @ unknowns).reshape(len(body.points), 3, -1),
+        ),
+        bonds={name: one.projected(name, basis) for name, one in bonded.items()},
+    )
+
+
+def _split(body: Body, onto: Array, split: tuple[Ints, Ints]) -> tuple[sp.csr_array, Array]:
+    """Stiffness (inside, inside), and (inside, trace) between the interior and the trace.
+
+    onto : (held, trace) displacement of the rim; split : unknowns of the rim, and all others
+    """
+    held, inside = split
+    rows = sp.csr_array(sum(body.stiffness.values()))[inside]
+    return sp.csr_array(rows[:, inside]), np.asarray(rows[:, held] @ onto)
+
+
+def _snapshots(
+    interior: sp.csr_array,
+    coupling: Array,
+    force: Array,
+    mass: Array,
+    highest: float,
+    shares: Sequence[float],
+) -> tuple[Array, Array, Array]:
+    """Static responses to a trace, and other fields for the basis of a tile.
+
+    interior, coupling : see `_split`; force : (inside, k) of the drives; mass : (inside,)
+    shares : of the square of the highest frequency, beside 0
+
+    Returns
+    -------
+    static responses (inside, trace), other fields (inside, k), and the stiffness times these
+    """
+    pattern, numbers = _upper(interior)
+    solver = chosen()(pattern)
+    if solver.factorise(numbers, definite=False):  # one analysis serves the shifted ones too
+        raise np.linalg.LinAlgError("the stiffness of a block is not definite")
+    answers = solver.solve(np.hstack([-coupling, force]))
+    trace = coupling.shape[1]
+    static = answers[:, :trace]
+    inertia = mass[:, None] * static
+    diagonal = pattern.indptr[:-1]
+    seen, pushed = [answers[:, trace:], solver.solve(inertia)], [force, inertia]
+    loads = np.hstack([inertia, force])
+    for share in shares:
+        heavy = share * (2 * np.pi * highest) ** 2 * mass
+        shifted = numbers.copy()
+        shifted[diagonal] -= heavy
+        solver.factorise(shifted, definite=False)
+        seen.append(solver.solve(loads))
+        pushed.append(loads + heavy[:, None] * seen[-1])
+    return static, np.hstack(seen), np.hstack(pushed)
+
+
+def _rim_of_body(
+    body: Body, x: Sequence[float], y: Sequence[float], thickness: float, orders: TraceOrders
+) -> Array:
+    """(3 rim nodes, trace) displacement of a body's rim from that of the trace."""
+    points = body.points[body.rim]
+    columns, rows = len(x) - 1, len(y) - 1
+    # positions in tiles, then along the rim anticlockwise from the lower left corner
+    across = np.interp(points[:, 0], x, np.arange(columns + 1))
+    up = np.interp(points[:, 1], y, np.arange(rows + 1))
+    where = np.select(
+        [up == 0, across == columns, up == rows],
+        [across, columns + up, columns + rows + (columns - across)],
+        2 * columns + rows + (rows - up),
+    )
+    edges = 2 * (columns + rows)
+    return rim_fields(edges, orders, where % edges, points[:, 2] / thickness)
+
+
+def _main_directions(fields: Array, pushed: Array, mass: Array, least: Array) -> tuple[Array, Array]:
+    """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
+
+    With the norm ``|x|^2 = x^T K x`` they are the main eigenvectors of ``x_a^T K x_b / (|x_a| |x_b|)``. So
+    all fields (size, k) have equal weight, but for those smaller than ``least`` (k,). ``pushed`` is K times
+    them.
+
+    Returns
+    -------
+    (size, r) fields, orthonormal in mass and orthogonal in stiffness, and (r,) their stiffnesses, ascending
+    """
+    gram = fields.T @ pushed
+    size = np.maximum(np.sqrt(np.diag(gram)), least)
+    weights, turn = la.eigh(gram / size / size[:, None])
+    significant = weights > MISSED_BY_BLOCK**2 * weights[-1]
+    fields = fields @ (
+        turn[:, significant] / np.sqrt(weights[significant]) / size[:, None]
+    )  # unit energy each
+    weights, turn = la.eigh(fields.T @ (mass[:, None] * fields))
+    return np.asarray(fields @ (turn[:, ::-1] / np.sqrt(weights[::-1]))), 1 / weights[::-1]
+
+
+def _projected(part: sp.csr_array, basis: Array) -> Array:
+    """(n, n) stiffness of a part with few nonzero rows of a basis (size, n)."""
+    rows = np.flatnonzero(np.diff(part.indptr))
+    of_rows = basis[rows]
+    return np.asarray(of_rows.T @ (part[rows][:, rows] @ of_rows))
+
+
+def _upper(matrix: sp.csr_array) -> tuple[Pattern, Array]:
+    """Upper triangle of a symmetric matrix."""
+    upper = sp.csr_array(sp.triu(matrix))
+    upper.sort_indices()
+    return Pattern(upper.indptr.astype(np.int32), upper.indices.astype(np.int32)), upper.data
+
+
+def _corners(elements: Iterable[Ints]) -> Ints:
+    """(elements, 8) corners of elements (k, n1, n2, n3), in VTK's order."""
+    turn = [(0, 0), (-1, 0), (-1, -1), (0, -1)]
+    return np.concatenate([
+        np.stack([nodes[:, a, b, c] for c in (0, -1) for a, b in turn], axis=-1) for nodes in elements
+    ])  # fmt: skip

@@ -1,0 +1,1 @@
+"""Vibration of the plate: bases, modes, frequency responses with errors, and datasets of results."""
