@@ -40,7 +40,6 @@ CLEANED = (
     "materials", "pages", "plate", "response", "results", "study", "superelement", "templates", "updating",
     "verification", "vibrometry", "workshop",
 )  # fmt: skip
-NAMED_LATER = ("bloch/", "plate/")  # packages in which some variables still have vague names
 SOURCES = {
     str(path.relative_to(SOURCE)): path
     for package in CLEANED
@@ -162,7 +161,7 @@ def test_docstrings_comments_and_messages_have_no_banned_opening_or_word(name):
 
 @pytest.mark.parametrize(
     "name",
-    [name for name, path in SOURCES.items() if path.suffix == ".py" and not name.startswith(NAMED_LATER)],
+    [name for name, path in SOURCES.items() if path.suffix == ".py"],
 )
 def test_variables_are_named_after_their_content(name):
     assert vague_names(ast.parse(SOURCES[name].read_text("utf-8"))) == set()

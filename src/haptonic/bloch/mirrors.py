@@ -149,13 +149,13 @@ def at_carrier(rows: CondensedRows, carrier: float, incidence: Incidence) -> dic
     return by_family
 
 
-def carrier_dataset(found: Mapping[str, Scattering]) -> xr.Dataset:
+def carrier_dataset(scatterings: Mapping[str, Scattering]) -> xr.Dataset:
     """Dataset of energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
     shape = len(FAMILIES), MOST_ROWS, len(OUTGOING)
     arrays, silent = {}, {WORD: "the incident wave does not propagate"}
     for name in ("transmitted", "reflected"):
         values = np.full(shape, np.nan)
-        for family, scattering in found.items():
+        for family, scattering in scatterings.items():
             values[FAMILIES.index(family)] = getattr(scattering, name)[:, 0]
         arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", **silent}
     coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}

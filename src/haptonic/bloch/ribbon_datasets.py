@@ -14,18 +14,18 @@ from haptonic.later import xarray as xr
 
 
 def ribbon_dataset(
-    model: RibbonModel, found: Sequence[RibbonModes], bulk: Array, rows: int | None
+    model: RibbonModel, modes_by_phase: Sequence[RibbonModes], bulk: Array, rows: int | None
 ) -> xr.Dataset:
     """Dataset of all modes, along ``mode``, with their relation to bulk bands and their energy distribution.
 
     Parameters
     ----------
-    found : modes at each wavevector; bulk : (crystals, wavevectors, bands, 2) Hz
+    modes_by_phase : modes at each wavevector; bulk : (crystals, wavevectors, bands, 2) Hz
     rows : length in cells of a guide with free ends, or None
     """
     ribbon = model.ribbon
     pieces = []
-    for number, modes in enumerate(found):
+    for number, modes in enumerate(modes_by_phase):
         share = modes.energy / modes.energy.sum(axis=(1, 2), keepdims=True)
         share_in_guide, between = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
         wavenumber, across = harmonics(ribbon, model.fine, modes)
@@ -96,9 +96,11 @@ def bulk_dataset(kappa: Array, bulk: Array, names: Sequence[Sequence[str]]) -> x
     return dataset.assign_coords(cell_name=(("line", "column"), np.array(names)))
 
 
-def field_dataset(model: RibbonModel, chosen: xr.Dataset, found: Sequence[RibbonModes]) -> xr.Dataset:
+def field_dataset(
+    model: RibbonModel, chosen: xr.Dataset, modes_by_phase: Sequence[RibbonModes]
+) -> xr.Dataset:
     """Dataset of a mode's field on the flat face: its largest component, with the ribbon along y."""
-    modes = next(some for some in found if some.kappa == float(chosen["phase"]))
+    modes = next(modes for modes in modes_by_phase if modes.kappa == float(chosen["phase"]))
     number = int(np.abs(modes.frequency - float(chosen["frequency"])).argmin())
     tiling, ribbon = model.fine.tiling, model.ribbon
     points = tiling.points

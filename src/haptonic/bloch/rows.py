@@ -62,11 +62,11 @@ class CondensedRows:
         return cls.joined(rows, condensed)
 
     @classmethod
-    def joined(cls, rows: Rows, made: Mapping[TileShape, Superelement]) -> CondensedRows:
+    def joined(cls, rows: Rows, condensed: Mapping[TileShape, Superelement]) -> CondensedRows:
         """Join condensed tiles, given by tile."""
 
         def join(period: Rows | Filler) -> Tiling:
-            return Tiling.of(period, period.tiles, [made[placed.tile] for placed in period.tiles])
+            return Tiling.of(period, period.tiles, [condensed[placed.tile] for placed in period.tiles])
 
         blocks, fillers = _periods(rows)
         return cls(

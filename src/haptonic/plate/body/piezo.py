@@ -50,11 +50,11 @@ def electric_matrices(points: Array, nodes: Ints, material: PiezoelectricMateria
     """
     sizes = nodes.shape[1:]
     rules = [lobatto(n - 1) for n in sizes]
-    one, two, three = (np.eye(n) for n in sizes)
+    I1, I2, I3 = (np.eye(n) for n in sizes)
     D1, D2, D3 = (derivative for _, _, derivative in rules)
     # (3, points, nodes) local derivatives
-    local = np.stack([np.kron(np.kron(D1, two), three), np.kron(np.kron(one, D2), three),
-                      np.kron(np.kron(one, two), D3)])  # fmt: skip
+    local = np.stack([np.kron(np.kron(D1, I2), I3), np.kron(np.kron(I1, D2), I3),
+                      np.kron(np.kron(I1, I2), D3)])  # fmt: skip
     weights = np.einsum("a,b,c->abc", *(w for _, w, _ in rules)).ravel()
     x = points[nodes].reshape(len(nodes), -1, 3)
     jacobian = np.einsum("mqn,xnk->xqkm", local, x, optimize=True)

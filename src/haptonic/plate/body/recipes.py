@@ -118,12 +118,12 @@ def recipe_of(
     plate: Plate, block: Block, attached: tuple[Attached, ...], open_trace: tuple[int, ...]
 ) -> Recipe:
     layout, corner = plate.layout, block.tiles[0]
-    one, laid = layout.block(corner), layout.bricks.get(corner)
+    single, laid = layout.block(corner), layout.bricks.get(corner)
     brick = None if laid is None else (str(layout.at(corner)), laid.number)
-    shape = block.shape[0] // one.shape[0], block.shape[1] // one.shape[1]
+    shape = block.shape[0] // single.shape[0], block.shape[1] // single.shape[1]
     return Recipe(
         brick=brick,
-        steps=layout.steps(one),
+        steps=layout.steps(single),
         shape=shape,
         attached=attached,
         block=block if attached else None,
@@ -149,8 +149,8 @@ def tiles_of(
             return _single_tile(plate, recipe, highest, fineness)
         (width, height), (high, wide) = recipe.size, recipe.span
         if rows == 1:
-            one = tiles[recipe.of_shape((1, 1))]
-            return joined_tile(one, recipe.size, recipe.shape, fineness.trace, highest, recipe.span)
+            single = tiles[recipe.of_shape((1, 1))]
+            return joined_tile(single, recipe.size, recipe.shape, fineness.trace, highest, recipe.span)
         row, size = tiles[recipe.of_shape((1, columns))], (width * columns, height)
         return joined_tile(row, size, (rows, 1), fineness.trace, highest, (high, wide * columns))
 
@@ -213,16 +213,14 @@ def _attached_tile(
             loads[force.name] = np.zeros(len(piece.mass))
             loads[force.name][2::3] = surface_weights(piece.points, piece.faces, points).T @ weights
     bonded = {}
-    for one in actuators:
-        if one.name in bonds and one.bond is not None:
-            ends = np.geomspace(*bonds[one.name], 3)
-            others = tuple(
-                _plain_body(
-                    layout, x, y, [_thicker(each, t) if each is one else each for each in actuators], fineness
-                )
-                for t in ends
-            )
-            bonded[one.name] = Bonded(ends, others, one.bond.thickness)
+    for actuator in actuators:
+        if actuator.name in bonds and actuator.bond is not None:
+            thicknesses = np.geomspace(*bonds[actuator.name], 3)
+            bodies = []
+            for thickness in thicknesses:
+                varied = [_thicker(other, thickness) if other is actuator else other for other in actuators]
+                bodies.append(_plain_body(layout, x, y, varied, fineness))
+            bonded[actuator.name] = Bonded(thicknesses, tuple(bodies), actuator.bond.thickness)
     return block_tile(piece, x, y, layout.thickness, loads, fineness.trace, highest, bonded)
 
 

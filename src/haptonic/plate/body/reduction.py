@@ -111,7 +111,7 @@ def _onto_rim(plan: MeshPlan, steps: Steps, levels: int, orders: TraceOrders) ->
     share = 0.5 * (1 + lobatto(plan.order)[0][:-1])
     side = ((np.arange(plan.blocks)[:, None] + share) / plan.blocks).ravel()
     # positions in edges: where sides of the mesh, anticlockwise from the lower left, lie between the lines
-    ends = [np.concatenate([[0.0], np.cumsum(one) / sum(one)]) for one in steps]
+    ends = [np.concatenate([[0.0], np.cumsum(sizes) / sum(sizes)]) for sizes in steps]
     ends = [*ends, *(1 - end[::-1] for end in ends)]
     first = np.cumsum([0, *(len(end) - 1 for end in ends)])
     along = np.concatenate([
@@ -157,7 +157,7 @@ def block_tile(
     total = sp.csr_array(sum(body.stiffness.values()))
     on_trace = onto.T @ (total[held][:, held] @ onto) + coupling.T @ static
     least = [np.zeros(seen.shape[1])]
-    for other in (end for one in bonded.values() for end in (one.bodies[0], one.bodies[-1])):
+    for other in (end for bonds in bonded.values() for end in (bonds.bodies[0], bonds.bodies[-1])):
         split = _split(other, onto, (held, inside))
         own, more, _ = _snapshots(*split, force, other.mass[inside], highest, ())
         seen = np.hstack([seen, more, own - static])
@@ -184,7 +184,7 @@ def block_tile(
             faces=body.faces,
             lift=lambda unknowns: np.asarray(basis @ unknowns).reshape(len(body.points), 3, -1),
         ),
-        bonds={name: one.projected(name, basis) for name, one in bonded.items()},
+        bonds={name: bonds.projected(name, basis) for name, bonds in bonded.items()},
     )
 
 

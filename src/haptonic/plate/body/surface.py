@@ -27,8 +27,8 @@ def flat_faces(mesh: HexMesh) -> list[Ints]:
     height = np.abs(mesh.points[:, 2])
     at_zero = height <= FLAT * np.ptp(mesh.points, axis=0).max()
     faces = (family.nodes[..., 0] for family in mesh.topology.families)
-    found = (nodes[at_zero[nodes].all(axis=(1, 2))] for nodes in faces)
-    return [nodes for nodes in found if len(nodes)]
+    flat = (nodes[at_zero[nodes].all(axis=(1, 2))] for nodes in faces)
+    return [nodes for nodes in flat if len(nodes)]
 
 
 def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.csr_array:
@@ -61,15 +61,15 @@ def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.cs
     beyond = np.abs(local).max(axis=1)
     inside = np.flatnonzero(beyond <= 1 + OUTSIDE)
     inside = inside[np.lexsort([beyond[inside], point[inside]])]
-    found, first = np.unique(point[inside], return_index=True)
-    _refuse_missed(found, where)
+    located, first = np.unique(point[inside], return_index=True)
+    _refuse_missed(located, where)
     chosen = inside[first]  # one pair for each point
     rows, columns, weights = [], [], []
     for number, face in enumerate(faces):
         of_face = np.flatnonzero(group[chosen] == number)
         pair = chosen[of_face]
-        (one, _), (other, _) = _shape_functions(face.shape[1:], local[pair])
-        weight = (one[:, :, None] * other[:, None, :]).reshape(len(pair), face[0].size)
+        (shapes, _), (other_shapes, _) = _shape_functions(face.shape[1:], local[pair])
+        weight = (shapes[:, :, None] * other_shapes[:, None, :]).reshape(len(pair), face[0].size)
         rows.append(np.repeat(of_face, weight.shape[1]))
         columns.append(face[element[pair]].ravel())
         weights.append(weight.ravel())
@@ -164,9 +164,9 @@ def _cross(a: Array, b: Array) -> Array:
     return np.asarray(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
 
 
-def _refuse_missed(found: Ints, where: Array) -> None:
-    """Raise GeometryError unless all points of ``where`` are among the numbers of those found."""
-    missed = np.setdiff1d(np.arange(len(where)), found)
+def _refuse_missed(located: Ints, where: Array) -> None:
+    """Raise GeometryError unless all points of ``where`` are among the located ones, given by number."""
+    missed = np.setdiff1d(np.arange(len(where)), located)
     if len(missed):
         x, y = where[missed[0]] * 1e3
         raise GeometryError.out_of_range(

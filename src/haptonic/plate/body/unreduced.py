@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 from math import ceil
 from types import MappingProxyType
 
@@ -92,9 +92,8 @@ def body(
     longest : of an element's sides in the plane, m
     """
     windows = [_window(actuator) for actuator in actuators]
-    assert not any(_overlap(one, other, longest) for i, one in enumerate(windows) for other in windows[:i]), (
-        "patches overlap"
-    )
+    overlaps = (_overlap(*pair, longest) for pair in combinations(windows, 2))
+    assert not any(overlaps), "patches overlap"
     edges_x, edges_y = ([end for window in windows for end in window[axis]] for axis in (0, 1))
     grid = _Grid.of(_breaks(x, edges_x, longest), _breaks(y, edges_y, longest), orders.along)
     plate = _laid(PLATE, material, grid, 0.0, thickness, orders.plate, 0)
@@ -173,8 +172,8 @@ def _window(actuator: Actuator) -> Window:
     return (x - along_x / 2, x + along_x / 2), (y - along_y / 2, y + along_y / 2)
 
 
-def _overlap(one: Window, other: Window, longest: float) -> bool:
-    shared = (min(a[1], b[1]) - max(a[0], b[0]) for a, b in zip(one, other, strict=True))
+def _overlap(window: Window, other: Window, longest: float) -> bool:
+    shared = (min(a[1], b[1]) - max(a[0], b[0]) for a, b in zip(window, other, strict=True))
     return all(length > SAME * longest for length in shared)
 
 

@@ -75,7 +75,7 @@ def support_ratio(old: Plate, new: Plate, number: int) -> float:
 
 def bond_thickness(plate: Plate) -> dict[str, float]:
     """Thickness of the bond by actuator, m."""
-    return {one.name: one.bond.thickness for one in plate.actuators if one.bond is not None}
+    return {part.name: part.bond.thickness for part in plate.actuators if part.bond is not None}
 
 
 def _updated(tile: Tile, scale: float, thickness: dict[str, float]) -> tuple[Tile, Array]:

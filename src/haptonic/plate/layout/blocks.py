@@ -21,20 +21,21 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
     """Blocks that cover the plate, with the parts attached to each."""
     layout = plate.layout
     special: list[tuple[Block, tuple[Attached, ...]]] = []
-    wanted: list[tuple[Block, Attached]] = [(_covering(layout, one), one) for one in plate.actuators]
+    wanted: list[tuple[Block, Attached]] = [(_covering(layout, part), part) for part in plate.actuators]
     for force in plate.forces:
         under = _covering(layout, force)
         singles = dict.fromkeys(layout.block(tile) for tile in under.tiles if layout.at(tile) is not None)
         wanted += [(block, force) for block in ([under] if _is_plain(layout, under) else singles)]
     for block, attached in wanted:
         members: tuple[Attached, ...] = (attached,)
-        while meeting := [one for one in special if one[0].meets(block)]:
-            for one in meeting:
-                special.remove(one)
-                block, members = block.joined(one[0]), (*one[1], *members)
+        while meeting := [entry for entry in special if entry[0].meets(block)]:
+            for entry in meeting:
+                special.remove(entry)
+                other, parts = entry
+                block, members = block.joined(other), (*parts, *members)
         special.append((block, members))
     for block, members in special:
-        pressed = layout.block(block.tiles[0]) == block and all(isinstance(one, Force) for one in members)
+        pressed = layout.block(block.tiles[0]) == block and all(isinstance(part, Force) for part in members)
         if not (pressed or _is_plain(layout, block)):
             raise GeometryError.unsupported(
                 argument="plate",
@@ -73,13 +74,13 @@ def _is_plain(layout: Layout, block: Block) -> bool:
 def _rectangles(layout: Layout, taken: set[Tile]) -> list[Block]:
     """Rectangles of equal bricks, or tiles, that cover the rest of the plate, from the lower left."""
     left = dict.fromkeys(block for block in layout.blocks if not taken.intersection(block.tiles))
-    found = []
+    rectangles = []
     while left:
-        one = next(iter(left))
-        kind = kind_of(layout, one)
+        first = next(iter(left))
+        kind = kind_of(layout, first)
 
-        def fits(row: int, column: int, one: Block = one, kind: Hashable = kind) -> bool:
-            other = one.moved(row, column)
+        def fits(row: int, column: int, first: Block = first, kind: Hashable = kind) -> bool:
+            other = first.moved(row, column)
             return other in left and kind_of(layout, other) == kind
 
         columns = rows = 1
@@ -87,10 +88,10 @@ def _rectangles(layout: Layout, taken: set[Tile]) -> list[Block]:
             columns += 1
         while rows < JOINED[0] and all(fits(rows, column) for column in range(columns)):
             rows += 1
-        found.append(one.joined(one.moved(rows - 1, columns - 1)))
+        rectangles.append(first.joined(first.moved(rows - 1, columns - 1)))
         for row, column in product(range(rows), range(columns)):
-            del left[one.moved(row, column)]
-    return found
+            del left[first.moved(row, column)]
+    return rectangles
 
 
 def kind_of(layout: Layout, block: Block) -> Hashable:

@@ -28,12 +28,12 @@ NEGLIGIBLE = 2e-4  # share of the dynamic stiffness below which a direction is n
 class ReducedExtra:
     """Addition ``impedance(omega) U U^T`` to the dynamic stiffness on a basis.
 
-    extra : unreduced; whole : (r, m) U of all its axes
+    unreduced : the addition to the whole plate; whole : (r, m) U of all its axes
     kept : (r, p) main directions
     alone : (r, 1) diagonal of the rest
     """
 
-    extra: Extra
+    unreduced: Extra
     whole: Array
     kept: Array
     alone: Array
@@ -81,7 +81,7 @@ def amplitudes(
     -------
     amplitudes (r, n) and forces (r, n)
     """
-    impedances = [extra.extra.impedance(omega) for extra in extras]
+    impedances = [extra.unreduced.impedance(omega) for extra in extras]
     stiffness = np.asarray(loss * values[:, None] - omega**2, np.complex128)
     for extra, impedance in zip(extras, impedances, strict=True):
         stiffness = stiffness + extra.alone * impedance
@@ -115,9 +115,9 @@ def amplitudes(
             parts = zip(extras, impedances, strict=True)
             return np.asarray(sum(impedance[lines] * extra.dropped(field) for extra, impedance in parts))
 
-        found = moved(np.broadcast_to(loads[:, None], own.shape).astype(complex))
-        correction = moved(left_out(found))
-        return found - correction, left_out(correction)
+        field = moved(np.broadcast_to(loads[:, None], own.shape).astype(complex))
+        correction = moved(left_out(field))
+        return field - correction, left_out(correction)
 
-    found, left = zip(*each(some, range(0, len(omega), AT_ONCE)), strict=True)
-    return np.hstack(found), np.hstack(left)
+    fields, forces = zip(*each(some, range(0, len(omega), AT_ONCE)), strict=True)
+    return np.hstack(fields), np.hstack(forces)

@@ -93,20 +93,20 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
 
 
 def modes_dataset(
-    plate: Plate, band: Band, found: PlateModes, shapes: Array, points: Array, regions: list[str]
+    plate: Plate, band: Band, modes: PlateModes, shapes: Array, points: Array, regions: list[str]
 ) -> xr.Dataset:
     """Dataset of the modes near the carrier."""
-    parts, stored = _by_part(plate, found.stored, band.reduced.model)
-    losses = list(found.lost)
-    called = mode_names(plate, band.reduced.model, found, shapes, points, regions)
+    parts, stored = _by_part(plate, modes.stored, band.reduced.model)
+    losses = list(modes.lost)
+    called = mode_names(plate, band.reduced.model, modes, shapes, points, regions)
     return xr.Dataset(
         {
-            "frequency": ("mode", found.frequency, {"units": "Hz"}),
-            "solver_error": ("mode", found.error, {"long_name": "bound of the relative error of solving"}),
-            "quality_factor": ("mode", found.quality, {"long_name": "quality factor"}),
-            "rise_time": ("mode", found.rise_time, {"units": "s", "long_name": "10 to 90 %"}),
+            "frequency": ("mode", modes.frequency, {"units": "Hz"}),
+            "solver_error": ("mode", modes.error, {"long_name": "bound of the relative error of solving"}),
+            "quality_factor": ("mode", modes.quality, {"long_name": "quality factor"}),
+            "rise_time": ("mode", modes.rise_time, {"units": "s", "long_name": "10 to 90 %"}),
             "strain_energy": (("mode", "part"), stored, {"long_name": "share in each part"}),
-            "lost": (("mode", "loss"), np.stack([found.lost[part] for part in losses], axis=-1)),
+            "lost": (("mode", "loss"), np.stack([modes.lost[part] for part in losses], axis=-1)),
             "name": ("mode", np.array(called, dtype=str)),
             "shape": (("mode", "point"), shapes.T.astype(np.float32), {"long_name": "normal displacement"}),
         },
@@ -118,19 +118,19 @@ def modes_dataset(
 
 
 def mode_names(
-    plate: Plate, model: PlateModel, found: PlateModes, shapes: Array, points: Array, regions: list[str]
+    plate: Plate, model: PlateModel, modes: PlateModes, shapes: Array, points: Array, regions: list[str]
 ) -> list[str]:
     """Nodal lines of each mode in the region of plain plate with most of its energy; "" without a region.
 
     shapes : (points, modes) normal displacement; regions : of the points
     """
-    parts, stored = _by_part(plate, found.stored, model)
+    parts, stored = _by_part(plate, modes.stored, model)
     inside, column = (
         np.array(regions),
         {name: parts.index(part_name(plate, name)) for name in plate.layout.regions},
     )
     called = []
-    for k in range(len(found.frequency)):
+    for k in range(len(modes.frequency)):
         best = max(column, key=lambda name: stored[k, column[name]], default=None)
         called.append(nodal_name(_on_grid(points, shapes[:, k], inside == best)) if best else "")
     return called

@@ -110,15 +110,18 @@ def chains(
     loads: Callable[[Shifted], Array],
     shifts: Sequence[float],
     length: int,
-    told: Callable[[], None] = lambda: None,
+    finished: Callable[[], None] = lambda: None,
 ) -> list[Chain]:
-    """Compute chains at several shifts in parallel threads; ``loads(shifted)`` returns the loads."""
+    """Compute chains at several shifts in parallel threads; ``loads(shifted)`` returns the loads.
+
+    ``finished()`` is called after each of them.
+    """
 
     def chain_at(shift: float) -> Chain:
         shifted = assembly.shifted(shift)
         vectors = chain(shifted, loads(shifted), length)
         shifted.release()
-        told()
+        finished()
         return vectors
 
     assembly.prepare()
@@ -188,8 +191,8 @@ class Basis:
         if ends and (self.values < ends[0][0]).sum() == ends[0][1]:
             ends = [(0.0, 0), *ends]
         return [
-            (low, high, int(((self.values >= low) & (self.values < high)).sum()) == other - one)
-            for (low, one), (high, other) in pairwise(ends)
+            (low, high, int(((self.values >= low) & (self.values < high)).sum()) == upper_count - lower_count)
+            for (low, lower_count), (high, upper_count) in pairwise(ends)
         ]
 
     @property

@@ -60,10 +60,10 @@ class Vibration:
             return new
 
         (old_count, count), new_count = self.amplitudes.shape, len(other.amplitudes)
-        found = np.zeros((old_count + new_count, count), dtype=complex)
-        found[:old_count] = self.amplitudes
-        found[:old_count, lines] = 0.0
-        found[old_count:, lines] = other.amplitudes
+        joint = np.zeros((old_count + new_count, count), dtype=complex)
+        joint[:old_count] = self.amplitudes
+        joint[:old_count, lines] = 0.0
+        joint[old_count:, lines] = other.amplitudes
         by_name = {
             name: {k: mixed(own, getattr(other, name)[k]) for k, own in getattr(self, name).items()}
             for name in ("stored", "dissipated", "charge")
@@ -71,7 +71,7 @@ class Vibration:
         return replace(
             self,
             vectors=np.hstack([self.vectors, other.vectors]),
-            amplitudes=found,
+            amplitudes=joint,
             error=mixed(self.error, other.error),
             moving=mixed(self.moving, other.moving),
             given=mixed(self.given, other.given),
@@ -106,9 +106,9 @@ class ReducedPlate:
         model, basis = self.model, self.basis
         load = model.load(drives)
         loads = basis.turn.T @ (basis.raw.T @ load)
-        found, force = amplitudes(basis.values, model.factors[PLATE], self.extras, loads, omega)
+        on_basis, force = amplitudes(basis.values, model.factors[PLATE], self.extras, loads, omega)
         missed = self.answered(force, omega)
-        return self.checked(drives, omega, basis.raw, real_times(basis.turn, found), missed)
+        return self.checked(drives, omega, basis.raw, real_times(basis.turn, on_basis), missed)
 
     def answered(self, force: Complex, omega: Array) -> Array:
         """(n,) four times the strain and kinetic energy of Ritz vectors under small forces (r, n) on them."""
@@ -121,7 +121,7 @@ class ReducedPlate:
         drives: Mapping[str, complex],
         omega: Array,
         vectors: Array,
-        found: Complex,
+        weights: Complex,
         missed: Array | float = 0.0,
     ) -> Vibration:
         """Compute errors and energies of vectors (size, r) with amplitudes (r, n) as a response to drives.
@@ -132,14 +132,14 @@ class ReducedPlate:
         checker = _Checker(self, model.load(drives), vectors, omega)
         model.assembly.prepare()
         starts = range(0, len(omega), CHUNK)
-        pieces = each(lambda k: checker.lines(omega[k : k + CHUNK], found[:, k : k + CHUNK]), starts)
+        pieces = each(lambda k: checker.lines(omega[k : k + CHUNK], weights[:, k : k + CHUNK]), starts)
         checker.release()
         seen = _Checked.joined(pieces)
         error = ROUNDING + np.sqrt((seen.missed + missed) / np.maximum(seen.energy, TINY))
         charge, dissipated = {}, {}
         given = np.zeros(len(omega))
         for name, amplitude in drives.items():
-            motion = (model.drives[name] @ vectors) @ found
+            motion = (model.drives[name] @ vectors) @ weights
             if name in model.capacitance:
                 blocked = model.blocked(name) * amplitude
                 charge[name] = blocked + motion
@@ -151,7 +151,7 @@ class ReducedPlate:
             dissipated[part] = 2 * omega * model.factors[part].imag * values.sum(axis=1)
         dissipated[SUPPORTS], dissipated[FINGER] = seen.supports, seen.finger
         return Vibration(
-            omega=omega, drives=dict(drives), vectors=vectors, amplitudes=found, error=error,
+            omega=omega, drives=dict(drives), vectors=vectors, amplitudes=weights, error=error,
             stored=seen.stored, moving=seen.moving, dissipated=dissipated, given=given,
             charge=charge,
         )  # fmt: skip
@@ -201,9 +201,9 @@ class _Checked:
     @classmethod
     def joined(cls, pieces: Sequence[_Checked]) -> _Checked:
         """Join the pieces of all lines in their order."""
-        stored = {part: np.concatenate([one.stored[part] for one in pieces]) for part in pieces[0].stored}
-        names = [one.name for one in fields(cls)[1:]]
-        return cls(stored, *(np.concatenate([getattr(one, name) for one in pieces]) for name in names))
+        stored = {part: np.concatenate([piece.stored[part] for piece in pieces]) for part in pieces[0].stored}
+        names = [field.name for field in fields(cls)[1:]]
+        return cls(stored, *(np.concatenate([getattr(piece, name) for piece in pieces]) for name in names))
 
 
 class _Checker:
@@ -217,12 +217,12 @@ class _Checker:
         self.total = np.stack([load.real, load.imag], axis=1)
         self._idle: list[Shifted] = []
 
-    def lines(self, omega: Array, found: Complex) -> _Checked:
+    def lines(self, omega: Array, weights: Complex) -> _Checked:
         """Check some lines."""
         reduced, model = self.reduced, self.reduced.model
         assembly, factors, count = model.assembly, model.factors, len(omega)
         square = np.tile(omega**2, 2)
-        fields = self.vectors @ np.hstack([found.real, found.imag])
+        fields = self.vectors @ np.hstack([weights.real, weights.imag])
         blocks = len(assembly.skeleton.blocks)
         moving = np.zeros((count, blocks))
         stored = {part: np.zeros((count, blocks)) for part in factors}
@@ -263,10 +263,10 @@ class _Checker:
         gain = amplification(factors[PLATE].imag, omega, sigma, reduced.basis.complete)
         # what is missed beyond the basis moves its modes through the other losses, most those at resonance
         force = np.zeros((reduced.basis.dimension, count), dtype=complex)
-        for one in reduced.extras:
-            motion = one.extra.axes.T @ beyond[one.extra.rows]
+        for extra in reduced.extras:
+            motion = extra.unreduced.axes.T @ beyond[extra.unreduced.rows]
             force += real_times(
-                one.whole, one.extra.impedance(omega) * (motion[:, :count] + 1j * motion[:, count:])
+                extra.whole, extra.unreduced.impedance(omega) * (motion[:, :count] + 1j * motion[:, count:])
             )
         missed = gain**2 * (dual + reduced.answered(force, omega))
         return _Checked(

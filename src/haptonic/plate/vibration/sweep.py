@@ -72,15 +72,15 @@ class Band:
         done: list[None] = []
         planned = [len(first)]
 
-        def tell() -> None:
+        def count_shift() -> None:
             done.append(None)
             progress(len(done), planned[0])
 
-        spanned = chains(model.assembly, _forces(model), first.tolist(), LENGTH, tell)
+        spanned = chains(model.assembly, _forces(model), first.tolist(), LENGTH, count_shift)
         for crowd in [1.0, *[CROWDED] * ROUNDS]:
             between = _between(spanned, crowd * MODES)
             planned[0] += len(between)
-            spanned += chains(model.assembly, _forces(model), between, LENGTH, tell)
+            spanned += chains(model.assembly, _forces(model), between, LENGTH, count_shift)
         band = cls._joined(model, low, high, spanned)
         for _ in range(ROUNDS if _from_zero(first[0], first[-1]) else 0):
             if not (gaps := band.reduced.basis.incomplete):
@@ -90,9 +90,9 @@ class Band:
 
     @classmethod
     def _joined(
-        cls, model: PlateModel, low: float, high: float, found: list[Chain], known: Basis | None = None
+        cls, model: PlateModel, low: float, high: float, spanned: list[Chain], known: Basis | None = None
     ) -> Band:
-        basis = Basis.of(model.assembly, found, known)
+        basis = Basis.of(model.assembly, spanned, known)
         return cls(low, high, ReducedPlate.of(model, basis, np.pi * (low + high)))
 
     def refined(self, frequencies: Array) -> Band:
@@ -200,13 +200,13 @@ def evenly(low: float, high: float) -> Array:
     return np.linspace(bottom, top, int(np.ceil((top - bottom) / spacing)) + 1)
 
 
-def _between(found: list[Chain], most: float) -> list[float]:
+def _between(spanned: list[Chain], most: float) -> list[float]:
     """Shifts, (rad/s)^2, that part neighbours with more modes than that between them, evenly in frequency."""
     shifts = []
-    for one, other in pairwise(sorted(found, key=lambda chain: chain.shift)):
-        if (modes := other.below - one.below) > most:
+    for lower, upper in pairwise(sorted(spanned, key=lambda chain: chain.shift)):
+        if (modes := upper.below - lower.below) > most:
             parts = int(np.ceil(modes / MODES))
-            roots = np.sqrt([one.shift, other.shift])
+            roots = np.sqrt([lower.shift, upper.shift])
             shifts += [float(np.interp(k / parts, [0, 1], roots)) ** 2 for k in range(1, parts)]
     return shifts
 

@@ -125,11 +125,13 @@ class _Compliance:
     def __init__(self, reduced: ReducedPlate, seen: Array, omega: float) -> None:
         line = np.array([omega])
         stiffness = reduced.model.factors[PLATE] * reduced.basis.values - omega**2
-        for one in reduced.extras:
-            stiffness = stiffness + one.alone[:, 0] * one.extra.impedance(line)[0]
+        for extra in reduced.extras:
+            stiffness = stiffness + extra.alone[:, 0] * extra.unreduced.impedance(line)[0]
         self.seen, self.flexible = seen, 1.0 / stiffness
-        directions = np.hstack([np.zeros((len(stiffness), 0)), *(one.kept for one in reduced.extras)])
-        weights = [np.full(one.kept.shape[1], one.extra.impedance(line)[0]) for one in reduced.extras]
+        directions = np.hstack([np.zeros((len(stiffness), 0)), *(extra.kept for extra in reduced.extras)])
+        weights = [
+            np.full(extra.kept.shape[1], extra.unreduced.impedance(line)[0]) for extra in reduced.extras
+        ]
         stiff = np.concatenate([np.zeros(0), *weights])
         self.through = real_times(seen, self.flexible[:, None] * directions)
         inner = np.diag(1.0 / stiff) + real_times(directions.T, self.flexible[:, None] * directions)
@@ -258,13 +260,13 @@ def _loaded_quality(
     return float(modes.frequency[best]), 1 / (1 / modes.quality[best] + lost)
 
 
-def whole_finger_by_region(found: xr.Dataset, layout: Layout, diameter: float) -> dict[str, Bools]:
+def whole_finger_by_region(vibration: xr.Dataset, layout: Layout, diameter: float) -> dict[str, Bools]:
     """For each region of plain plate, (point,) True for places at which the whole finger lies on it.
 
-    found : from `loaded`; diameter : of the finger's disc, m
+    vibration : from `loaded`; diameter : of the finger's disc, m
     """
-    points = np.stack([found["x"].values, found["y"].values], axis=1)
+    points = np.stack([vibration["x"].values, vibration["y"].values], axis=1)
     return {
-        name: whole_finger_on(points, found["region"].values == name, layout, diameter)
+        name: whole_finger_on(points, vibration["region"].values == name, layout, diameter)
         for name in layout.regions
     }
