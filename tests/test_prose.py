@@ -9,8 +9,6 @@ import tokenize
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.options import option_of
 from haptonic.fields.keys import table
@@ -124,27 +122,37 @@ def help_texts() -> dict[str, str]:
     return texts | {path: key.description for path, key in table(Study).items()}
 
 
-@pytest.mark.parametrize("name", [name for name in PAGES if name != TABLE_OF_WORDS])
-def test_a_page_has_no_banned_opening_or_word(name):
-    found = {paragraph: words for paragraph in paragraphs(PAGES[name]) if (words := dialect(paragraph))}
-    assert found == {}
+def test_pages_have_no_banned_opening_or_word():
+    banned = [
+        (name, words, paragraph)
+        for name, page in PAGES.items()
+        if name != TABLE_OF_WORDS
+        for paragraph in paragraphs(page)
+        if (words := dialect(paragraph))
+    ]
+    assert banned == []
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_a_paragraph_is_short(name):
-    assert [text for text in paragraphs(PAGES[name]) if len(text.split()) > LONGEST_PARAGRAPH] == []
+def test_paragraphs_are_short():
+    texts = [(name, text) for name, page in PAGES.items() for text in paragraphs(page)]
+    assert [(name, text) for name, text in texts if len(text.split()) > LONGEST_PARAGRAPH] == []
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_code_fits_its_box(name):
-    code = re.findall(r"^```[^\n]*\n(?:---\n.*?---\n)?(.*?)^```$", PAGES[name], re.DOTALL | re.MULTILINE)
-    lines = [line for block in code for line in block.splitlines()]
-    assert [line for line in lines if len(line) > WIDEST_CODE] == []
+def test_code_fits_its_box():
+    wide = [
+        (name, line)
+        for name, page in PAGES.items()
+        for block in re.findall(r"^```[^\n]*\n(?:---\n.*?---\n)?(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+        for line in block.splitlines()
+        if len(line) > WIDEST_CODE
+    ]
+    assert wide == []
 
 
-@pytest.mark.parametrize("name", sorted(PAGES.keys() - DEVELOPERS - {"writing.md", "README.md"}))
-def test_a_page_for_users_names_no_test_and_no_module_file(name):
-    assert re.findall(r"`tests/[^`]*`|`\w+/\w+\.py`", PAGES[name]) == []
+def test_pages_for_users_name_no_test_and_no_module_file():
+    names = sorted(PAGES.keys() - DEVELOPERS - {"writing.md", "README.md"})
+    files = {name: re.findall(r"`tests/[^`]*`|`\w+/\w+\.py`", PAGES[name]) for name in names}
+    assert {name: listed for name, listed in files.items() if listed} == {}
 
 
 def test_a_help_text_can_be_read_alone():
@@ -154,17 +162,18 @@ def test_a_help_text_can_be_read_alone():
     assert {name: words for name, text in texts.items() if (words := dialect(text))} == {}
 
 
-@pytest.mark.parametrize("name", SOURCES)
-def test_docstrings_comments_and_messages_have_no_banned_opening_or_word(name):
-    assert dialect_of_source(SOURCES[name]) == {}
+def test_docstrings_comments_and_messages_have_no_banned_opening_or_word():
+    banned = {name: dialect_of_source(path) for name, path in SOURCES.items()}
+    assert {name: texts for name, texts in banned.items() if texts} == {}
 
 
-@pytest.mark.parametrize(
-    "name",
-    [name for name, path in SOURCES.items() if path.suffix == ".py"],
-)
-def test_variables_are_named_after_their_content(name):
-    assert vague_names(ast.parse(SOURCES[name].read_text("utf-8"))) == set()
+def test_variables_are_named_after_their_content():
+    vague = {
+        name: vague_names(ast.parse(path.read_text("utf-8")))
+        for name, path in SOURCES.items()
+        if path.suffix == ".py"
+    }
+    assert {name: names for name, names in vague.items() if names} == {}
 
 
 def test_banned_words_of_a_module_are_found_in_its_texts_and_not_in_its_keys(tmp_path):

@@ -56,8 +56,15 @@ REFUSED = {  # code and argument
     **dict.fromkeys(("plate", "feel", "simulate scan"), ("missing", "plate")),
     "verdict": ("conflict", "response"),  # a study in place of what a scan has given
 }
-LONG = {"design", "tolerance", "export", "reproduce"}  # asked what they cost, which looks through the study
-ASKED = [name for name in NAMES if named(name).study == "needed"]
+LONG = {
+    "design",
+    "tolerance",
+    "export",
+    "reproduce",
+    "simulate friction",
+}  # asked what they cost, which looks through the study
+# "bands" is in the test of its table
+ASKED = [name for name in NAMES if named(name).study == "needed" and name != "bands"]
 PLATE = """
 [plate]
 map = "o11o"

@@ -26,7 +26,7 @@ from haptonic.analyses import export
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Resolution, gaps_of
 from haptonic.cli.app import app
-from haptonic.design import quick
+from haptonic.design import edges, quick
 from haptonic.store import Store
 from haptonic.workshop import Part, part_drawing
 
@@ -78,8 +78,9 @@ def here(capsys, monkeypatch, tmp_path, store_folder):
 
 @pytest.fixture
 def cheap(monkeypatch):
-    """A search looks at designs in a model that is coarser than its own."""
+    """Designs are computed in a model that is coarser than their own, at fewer wavevectors."""
     monkeypatch.setattr(quick, "QUICK", Resolution(2, 1))
+    monkeypatch.setattr(edges, "DIVISIONS", 4)
 
 
 class TestDesign:
@@ -219,7 +220,7 @@ class TestDesign:
 
 
 class TestTolerance:
-    def test_chances_and_export_with_the_tolerances_found(self, inside, asking, here, tmp_path):
+    def test_chances_and_export_with_the_tolerances_found(self, inside, cheap, asking, here, tmp_path):
         path, out = asking(TOLERANCE, changes=(FINE,)), tmp_path / "out"
         ran = inside("tolerance", path, "--json", "--out", out)
         assert ran.code == 0, ran.err

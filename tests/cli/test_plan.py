@@ -10,11 +10,12 @@ from haptonic.results.cost import Cost
 from haptonic.study import loads, templates
 
 TEMPLATES = templates()
+STUDIES = {name: loads(text) for name, text in TEMPLATES.items()}
 PLANNED = {
-    name: found[-1]
+    name: templates_of[-1]
     for name in NAMES
-    if (found := [each for each, text in TEMPLATES.items() if named(name).foreseen(loads(text))])
-}  # what a plan tells of, with the largest template that can be asked for it
+    if (templates_of := [each for each, study in STUDIES.items() if named(name).foreseen(study)])
+}  # commands that a plan lists, with the largest template that each can be run with
 
 
 def cost_of(command, text):
@@ -43,7 +44,7 @@ def file(tmp_path):
 class TestPlan:
     @pytest.mark.parametrize("name", TEMPLATES)
     def test_it_shows_sizes_and_costs(self, inside, file, tmp_path, name):
-        study = loads(TEMPLATES[name])
+        study = STUDIES[name]
         ran = inside("plan", file(name), "--out", tmp_path / "out")
         assert ran.code == 0, ran.err
         assert f"{1e3 * study.cell.lattice.pitch:.4g}" in ran.out
@@ -55,14 +56,14 @@ class TestPlan:
 
     @pytest.mark.parametrize("name", TEMPLATES)
     def test_what_it_forecasts_can_be_asked_for(self, name):
-        study = loads(TEMPLATES[name])
+        study = STUDIES[name]
         for analysis in map(named, PLANNED):
             if analysis.foreseen(study):
                 analysis.check(study, analysis.chosen({}))
 
     @pytest.mark.parametrize("name", TEMPLATES)
     def test_a_report_has_a_waveguide_wherever_there_are_pillars(self, name):
-        study = loads(TEMPLATES[name])
+        study = STUDIES[name]
         if study.carrier is not None and study.cell.has_features:
             assert named("waveguide").reported(study) is not None, "whatever the lattice"
 

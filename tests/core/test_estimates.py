@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings, strategies as st
+from hypothesis import given, settings, strategies as st
 from truth import KAPPA, Drawn, drawn, plain_plate, truth, wavevectors
 
 from haptonic.bloch import BlochModel, Resolution
@@ -110,10 +110,7 @@ def share_of_estimate(cell, resolution: Resolution, **finer: int) -> np.ndarray:
     return np.abs(here - there) / [model.solve(kappa).error for kappa in SEEN]
 
 
-@settings(max_examples=1)
-@given(st.floats(0.5, 4.0), st.floats(1.0, 6.0), st.floats(0.05, 0.15))
-@example(3.5, 2.0, 0.1)
-def test_a_lower_mesh_is_not_judged_by_what_it_leaves_along_a_tapered_pillar(height, draft, fillet):
+def assert_less_is_left_along_a_tapered_pillar(height, draft, fillet):
     """Else the estimate is the lower mesh's error along the pillar, tens of times that of the finer mesh."""
     width = 3e-3
     pillar = Pillar(width, height * width, draft=np.radians(draft), fillet=fillet * width)
@@ -125,6 +122,17 @@ def test_a_lower_mesh_is_not_judged_by_what_it_leaves_along_a_tapered_pillar(hei
         for one in (plan, replace(plan, along=lower.along), replace(lower, along=plan.along))
     )
     assert np.linalg.norm(along / here - 1) < np.linalg.norm(others / here - 1)
+
+
+def test_a_lower_mesh_is_not_judged_by_what_it_leaves_along_a_tapered_pillar():
+    assert_less_is_left_along_a_tapered_pillar(3.5, 2.0, 0.1)
+
+
+@pytest.mark.nightly
+@settings(max_examples=2)
+@given(st.floats(0.5, 4.0), st.floats(1.0, 6.0), st.floats(0.05, 0.15))
+def test_a_lower_mesh_is_not_judged_by_what_it_leaves_along_any_tapered_pillar(height, draft, fillet):
+    assert_less_is_left_along_a_tapered_pillar(height, draft, fillet)
 
 
 @pytest.mark.nightly

@@ -50,7 +50,7 @@ CASES = [
     ("all at once", GENERIC, 4, 1),
     pytest.param("square section", GENERIC, 6, 1, marks=pytest.mark.nightly),
     pytest.param("rectangular", GENERIC, 5, 1, marks=pytest.mark.nightly),
-    ("centred", GENERIC, 5, 1),
+    pytest.param("centred", GENERIC, 5, 1, marks=pytest.mark.nightly),
     ("pillar of another metal", GENERIC, 4, 1),
     ("plain plate", GENERIC, 3, 1),
     ("ellipse", GENERIC, 4, 1),

@@ -201,17 +201,17 @@ class TestWhatTrialsProve:
         nothing = compared([drawn(3, 10, 5, Population(0.0, 0.0))])
         assert "a difference may still exist" in conclusion(nothing)
 
-    @pytest.mark.slow
-    def test_how_often_each_test_cries_wolf(self):
+    @pytest.mark.parametrize("simulations", [40, pytest.param(150, marks=pytest.mark.nightly)])
+    def test_how_often_each_test_cries_wolf(self, simulations):
         """Nobody's mean effect, but people differ: 5 % is what each test promises."""
-        rates = false_alarms(PAPER, participants=6, trials=60, simulations=150, seed=1)
+        rates = false_alarms(PAPER, participants=6, trials=60, simulations=simulations, seed=1)
         trials, people, mixed = (
             rates[name] for name in ("trials, as published", "participants", "mixed model")
         )
         assert trials[0] > 0.2
-        assert people[0] == pytest.approx(0.05, abs=3 * math.sqrt(0.05 * 0.95 / 150))
-        assert mixed[0] == pytest.approx(0.05, abs=3 * math.sqrt(0.05 * 0.95 / 150))
-        assert mixed[2] == people[2] == 150
+        assert people[0] == pytest.approx(0.05, abs=3 * math.sqrt(0.05 * 0.95 / simulations))
+        assert mixed[0] == pytest.approx(0.05, abs=3 * math.sqrt(0.05 * 0.95 / simulations))
+        assert mixed[2] == people[2] == simulations
 
     def test_a_reduction_of_the_population_is_left_out_of_the_alarms(self):
         """A drop that every test would see for certain."""
