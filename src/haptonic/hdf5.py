@@ -1,4 +1,4 @@
-"""HDF5 files written through Python, so that a full disk raises an error instead of a crash."""
+"""HDF5 files written through Python: errors instead of crashes on a full disk, checksums of all numbers."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ import io
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 class _Sturdy(io.RawIOBase):
@@ -79,3 +82,21 @@ def written(path: Path) -> Iterator[io.RawIOBase]:
         finally:
             if raw.failure is not None:
                 raise raw.failure
+
+
+def write_dataset(dataset: xr.Dataset, path: Path) -> None:
+    """Write NetCDF 4 with h5netcdf and a checksum of every numeric array.
+
+    Without checksums, a file with a changed byte in its numbers is read like a good one.
+
+    Raises
+    ------
+    OSError : the file cannot be created or written
+    """
+    # a scalar or an empty array has no chunks, and texts are stored apart from their array
+    checked = [
+        name for name, data in dataset.variables.items() if data.size > 1 and data.dtype.kind in "biuf"
+    ]
+    encoding = dict.fromkeys(checked, {"fletcher32": True, "_FillValue": None})
+    with written(path) as file:
+        dataset.to_netcdf(file, engine="h5netcdf", encoding=encoding)

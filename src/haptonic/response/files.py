@@ -47,11 +47,7 @@ def plain(response: FrequencyResponse) -> xr.Dataset:
 
 def write(response: FrequencyResponse, path: Path) -> None:
     """Write a response as NetCDF 4. `haptonic.store.write_atomically` writes a complete file or none."""
-    data = passed(plain(response))
-    numbers = [name for name, variable in data.variables.items() if variable.dtype.kind == "f"]
-    encoding = {name: {"_FillValue": None} for name in numbers}
-    with hdf5.written(path) as file:
-        data.to_netcdf(file, engine="h5netcdf", encoding=encoding)
+    hdf5.write_dataset(passed(plain(response)), path)
 
 
 def read(path: Path | str) -> FrequencyResponse:

@@ -75,8 +75,7 @@ def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
     passed(dataset)
     every = (*dataset.variables, *dataset.dims)
     names = {name: in_file for name in every if (in_file := variable(str(name))) != name}
-    with hdf5.written(path) as file:
-        dataset.rename(names).to_netcdf(file, engine="h5netcdf")
+    hdf5.write_dataset(dataset.rename(names), path)
 
 
 def stamped(dataset: xr.Dataset, inputs: Mapping[str, Any]) -> xr.Dataset:

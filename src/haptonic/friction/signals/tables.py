@@ -111,8 +111,7 @@ def write_trials(trials: xr.Dataset, path: Path) -> None:
     if path.suffix == ".csv":
         trials.to_dataframe().map(cell).to_csv(path, index=False)
     elif path.suffix == ".nc":
-        with hdf5.written(path) as file:
-            checked.to_netcdf(file, engine="h5netcdf")
+        hdf5.write_dataset(checked, path)
     else:
         raise _other_format(path, [".csv", ".nc"])
 
