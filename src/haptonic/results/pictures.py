@@ -1,4 +1,4 @@
-"""Files of pictures: a picture that was drawn before from the same numbers by the same code is not drawn again.
+"""Files of pictures. A picture of the same numbers that the same code has drawn before is not drawn again.
 
 The store contains the files of a picture under a key from everything that it shows and from all code that
 draws it. The files in the user's folder are never trusted: each is written again, from the store or drawn.
@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from dataclasses import fields
-from functools import cache
+from functools import cache, partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,7 +19,8 @@ import numpy as np
 from haptonic import plots
 from haptonic.plots.looks import PICTURE_KINDS, choice
 from haptonic.progress import Progress
-from haptonic.store import Store, content_key, source_hash, write_atomically
+from haptonic.results.common import write_files
+from haptonic.store import Store, content_key, source_hash
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,18 +34,18 @@ def write_pictures(result: Result, folder: Path, progress: Progress) -> None:
     for done, name in enumerate(figures):
         progress(done, len(figures), "pictures")
         paths = {kind: folder / f"{name}.{kind}" for kind in PICTURE_KINDS}
-        if shown is None:
-            plots.save(figures[name], folder, name)
+        key = None if shown is None else content_key({**shown, "picture": name})
+        stored = {kind: store.read(key, kind) for kind in PICTURE_KINDS} if key else {}
+        writers = {
+            paths[kind].name: partial(Path.write_bytes, data=content)
+            for kind, content in stored.items()
+            if content is not None
+        }
+        if len(writers) == len(PICTURE_KINDS):
+            write_files(folder, writers, overwrite=False)
             continue
-        key = content_key({**shown, "picture": name})
-        stored = {kind: store.read(key, kind) for kind in PICTURE_KINDS}
-        for kind, content in stored.items():
-            if content is not None:
-                write_atomically(paths[kind], lambda path, content=content: path.write_bytes(content))
-        if None in stored.values():
-            for path in paths.values():
-                path.unlink(missing_ok=True)
-            plots.save(figures[name], folder, name)
+        plots.save(figures[name], folder, name)
+        if key:
             for kind, path in paths.items():
                 store.write(key, path.read_bytes(), kind)
 
