@@ -22,7 +22,7 @@ nightly: $(VENV)/ready-test $(VENV)/ready-docs
 # A selection of the tests with the oldest packages that pyproject.toml allows.
 lowest: $(VENV)/ready-dist
 	$(BIN)/uv venv --quiet --clear --python $(BIN)/python .venv-lowest
-	$(BIN)/uv pip install --quiet --python .venv-lowest/bin/python --resolution lowest-direct --editable ".[test]"
+	$(BIN)/uv pip install --quiet --python .venv-lowest/bin/python --resolution lowest-direct --editable ".[test,fast]"
 	OMP_NUM_THREADS=1 .venv-lowest/bin/python -m pytest -n $(CORES) -o filterwarnings=default \
 		-m "not slow and not nightly" tests/test_*.py tests/channels tests/study tests/plots tests/core/test_bands.py \
 		tests/core/test_solvers.py tests/cli/test_answers.py tests/cli/test_compare.py tests/cli/test_start.py tests/cli/test_help.py \
@@ -59,7 +59,7 @@ $(VENV)/ready-docs: $(VENV)/ready
 
 $(VENV)/ready: pyproject.toml
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[fast]"
 	touch $@
 
 $(VENV)/ready-test: $(VENV)/ready

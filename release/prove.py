@@ -32,7 +32,7 @@ def main(dist: Path) -> None:
             environment = folder / "environment"
             told("uv", "venv", "--quiet", "--python", python, str(environment))
             installed = environment / "bin" / "python"
-            told("uv", "pip", "install", "--quiet", "--python", str(installed), str(wheel.absolute()))
+            told("uv", "pip", "install", "--quiet", "--python", str(installed), f"{wheel.absolute()}[fast]")
             print(f"Python {'.'.join(map(str, version))}: {tried(environment / 'bin' / 'haptonic', folder)}")
             if version == max(found):
                 licences = told(str(installed), str(Path(__file__).with_name("licences.py").absolute()))

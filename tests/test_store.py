@@ -134,7 +134,7 @@ class TestFingerprint:
         return tmp_path
 
     def of(self, package: Path) -> str:
-        return module._fingerprint(package, self.VERSIONS)
+        return module.source_hash(package, self.VERSIONS)
 
     @pytest.mark.parametrize("name", ["bloch.py", "cell/mesh.py", "materials/library.toml", "cell/report.py"])
     def test_it_changes_with_the_code_that_computes(self, package: Path, name: str) -> None:
@@ -155,12 +155,12 @@ class TestFingerprint:
 
     @pytest.mark.parametrize("library", ["numpy", "scipy"])
     def test_it_changes_with_the_libraries(self, package: Path, library: str) -> None:
-        assert module._fingerprint(package, {**self.VERSIONS, library: "9"}) != self.of(package)
+        assert module.source_hash(package, {**self.VERSIONS, library: "9"}) != self.of(package)
 
     def test_the_package_itself_is_read(self) -> None:
         package = Path(module.__file__).parent
         versions = {"numpy": np.__version__, "scipy": module.scipy.__version__}
-        assert module.fingerprint() == module._fingerprint(package, versions)
+        assert module.fingerprint() == module.source_hash(package, versions)
 
 
 class TestPutAndGet:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 __all__ = [
     "Axes",
     "Figure",
+    "colors",
     "csgraph",
     "elementwise",
     "h5py",
@@ -31,6 +32,7 @@ __all__ = [
 if TYPE_CHECKING:
     import h5py as h5py
     import jinja2 as jinja2
+    import matplotlib.colors as colors
     import meshio as meshio
     import pandas as pandas
     import psutil as psutil
@@ -54,6 +56,7 @@ else:
 
     h5py, jinja2, pandas = _Later("h5py"), _Later("jinja2"), _Later("pandas")
     meshio, psutil, xarray = _Later("meshio"), _Later("psutil"), _Later("xarray")
+    colors = _Later("matplotlib.colors")
     linalg, wavfile = _Later("scipy.linalg"), _Later("scipy.io.wavfile")
     elementwise = _Later("scipy.optimize.elementwise")
     sparse, sparse_linalg = _Later("scipy.sparse"), _Later("scipy.sparse.linalg")

@@ -63,16 +63,17 @@ def fingerprint() -> str:
 
     It is computed once per process.
     """
-    return _fingerprint(Path(__file__).parent, {"numpy": np.__version__, "scipy": scipy.__version__})
+    return source_hash(Path(__file__).parent, {"numpy": np.__version__, "scipy": scipy.__version__})
 
 
-def _fingerprint(package: Path, versions: Mapping[str, str]) -> str:
+def source_hash(package: Path, versions: Mapping[str, str], omitted: frozenset[str] = SHOWING) -> str:
+    """Hash of the source files in a folder, except ``omitted`` parts, and of versions of libraries."""
     digest = hashlib.sha256(json.dumps(versions, sort_keys=True).encode())
     files = {
         path.relative_to(package): path for path in package.rglob("*") if path.suffix in (".py", ".toml")
     }
     for name in sorted(files, key=lambda name: name.as_posix()):
-        if name.parts[0].removesuffix(".py") not in SHOWING:
+        if name.parts[0].removesuffix(".py") not in omitted:
             content = files[name].read_bytes()
             digest.update(f"\n{name.as_posix()} {len(content)}\n".encode())
             digest.update(content)
@@ -132,10 +133,11 @@ def _type_of(value: object) -> str:
 
 @dataclass(frozen=True)
 class Store:
-    """Datasets in files below ``root``, each with the name of its ``content_key``.
+    """Datasets and pictures in files below ``root``, each with the name of its ``content_key``.
 
-    A file is NetCDF (HDF5), followed by its key and by the SHA-256 of everything before. NetCDF readers
-    ignore this addition; ``get`` uses it to detect a damaged file or a file with another key.
+    A dataset is NetCDF (HDF5), a picture SVG or PNG. Each is followed by its key and by the SHA-256 of
+    everything before. NetCDF readers ignore this addition; ``read`` uses it to detect a damaged file or a
+    file with another key.
     """
 
     root: Path
@@ -156,23 +158,31 @@ class Store:
         )
         return cls(root.absolute())
 
-    def path(self, key: str) -> Path:
-        """Path of the file for this key."""
+    def path(self, key: str, kind: str = "nc") -> Path:
+        """Path of the file for this key, with the ending ``kind``."""
         assert _KEY.fullmatch(key), f"{key!r} does not come from content_key"
-        return self.root / key[:2] / f"{key}.nc"
+        return self.root / key[:2] / f"{key}.{kind}"
 
     def __contains__(self, key: str) -> bool:
         """True if a file for this key exists; only ``get`` checks its content."""
         return self.path(key).is_file()
 
     def get(self, key: str) -> xr.Dataset | None:
-        """The dataset of this key, in memory; None without one.
+        """The dataset of this key, in memory; None without one, see `read`."""
+        content = self.read(key)
+        if content is None:
+            return None
+        # decode_timedelta=False: a quantity in seconds stays a number
+        return xr.load_dataset(io.BytesIO(content), engine="h5netcdf", decode_timedelta=False)
+
+    def read(self, key: str, kind: str = "nc") -> bytes | None:
+        """The content of the file for this key; None without one.
 
         A damaged file, or one with another key, does not count: it is renamed to ``<name>.corrupt`` with a
         HaptonicWarning. If the store cannot be written, a HaptonicWarning is issued before a missing result
         is computed.
         """
-        path = self.path(key)
+        path = self.path(key, kind)
         try:
             content = path.read_bytes()
             if fault := _fault(content, key):
@@ -184,8 +194,7 @@ class Store:
         except OSError as error:
             self._warn(error)
             return None
-        # decode_timedelta=False: a quantity in seconds stays a number
-        return xr.load_dataset(io.BytesIO(content), engine="h5netcdf", decode_timedelta=False)
+        return content[: -2 * DIGEST_BYTES]
 
     def kept(self, question: Mapping[str, object], make: Callable[[], xr.Dataset]) -> xr.Dataset:
         """The stored result for these inputs, which form its key; it is computed and stored if missing."""
@@ -207,16 +216,20 @@ class Store:
         ------
         NumericalError : NaN or infinity in the dataset, see `haptonic.gate`
         """
-        path = self.path(key)
         passed(dataset)
         # first in memory: HDF5 raises errors of many kinds on a full disk, a plain write only one
         content = io.BytesIO()
         dataset.to_netcdf(content, engine="h5netcdf")
-        content.seek(0, io.SEEK_END)
-        content.write(bytes.fromhex(key))
-        content.write(hashlib.sha256(content.getbuffer()).digest())
+        self.write(key, content.getbuffer())
+
+    def write(self, key: str, content: bytes | memoryview, kind: str = "nc") -> None:
+        """Store the content of a file under this key; an existing one is replaced. See `put` for errors."""
+        path = self.path(key, kind)
+        digest = hashlib.sha256(content)
+        digest.update(bytes.fromhex(key))
+        parts = content, bytes.fromhex(key), digest.digest()
         try:
-            _replace(path, lambda temporary: temporary.write_bytes(content.getbuffer()))
+            _replace(path, lambda temporary: temporary.write_bytes(b"".join(parts)))
             _remove_stale(path.parent)
         except OSError as error:
             self._warn(error)

@@ -138,6 +138,7 @@ def empty_pictures(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
             (folder / f"{name}.{kind}").touch()
 
     monkeypatch.setattr("haptonic.plots.save", save)
+    monkeypatch.setattr("haptonic.results.pictures.shown_by", lambda result: None)  # nor stored for others
     monkeypatch.setattr("haptonic.plots.animated", lambda *_, **__: b"")
     return drawn
 

@@ -102,7 +102,7 @@ def test_the_answer_is_there_before_the_pictures_are_drawn(inside, study, tmp_pa
     def stopped(*given, **how):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("haptonic.plots.save", stopped)
+    monkeypatch.setattr("haptonic.results.result.write_pictures", stopped)
     ran = inside("bands", study(), "--out", tmp_path / "out")
     assert ran.code == 130
     assert ran.out.startswith(("Complete gap", "The computed bands have no complete gap"))

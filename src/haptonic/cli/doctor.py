@@ -25,13 +25,17 @@ PACKAGES = ("numpy", "scipy", "xarray", "h5netcdf", "pydantic", "matplotlib")
 OPTIONAL = {  # extra of pyproject.toml -> the package that it installs
     "cad": "netgen-mesher",
     "cholmod": "scikit-sparse",
+    "fast": "pypardiso",
     "modal": "sdypy-EMA",
     "scheduler": "distributed",
     "tdms": "npTDMS",
 }
-# processor time for the bands of the template touchpad 13.3 s, for its plate at one frequency 29 s;
-# with Pardiso 8.9 s and 19 s
-FALLBACK = "MKL Pardiso is not in use: bands and plates take about 1.5 times as long"
+# processor time for the bands of the template touchpad 10.7 s, for its plate at one frequency 29 s;
+# with Pardiso 9.0 s and 19 s
+FALLBACK = (
+    "MKL Pardiso is not in use: bands take about 1.2 times as long, plates 1.5 times; on x86-64, "
+    'install it with: pip install "haptonic[fast]"'
+)
 TOLERANCE = 1e-4  # relative
 
 

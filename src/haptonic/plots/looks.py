@@ -7,9 +7,10 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-from matplotlib.colors import is_color_like
-
 from haptonic.errors import HaptonicError, shown
+from haptonic.later import colors  # stored pictures need no matplotlib
+
+PICTURE_KINDS = ("svg", "png")  # file formats of a written picture
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,7 @@ def chosen(
         raise HaptonicError.unknown("style", style, LOOKS, "the name is misspelt, or it is one of matplotlib")
     colours = () if color is None else (color,) if isinstance(color, str) else tuple(color)
     for name in colours:
-        if not is_color_like(name):
+        if not colors.is_color_like(name):
             raise HaptonicError.malformed(
                 argument="color", given=shown(name), allowed='a colour of matplotlib, such as "#0072B2"',
                 cause="the name is misspelt, or a map of colours", next_step='write color="black"',

@@ -25,7 +25,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, LogFormatterSciNotati
 
 from haptonic.names import latex
 from haptonic.paths import inside, target
-from haptonic.plots.looks import PAGE, choice
+from haptonic.plots.looks import PAGE, PICTURE_KINDS, choice
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.units import frequency_scale
 
@@ -37,7 +37,6 @@ DOTS_PER_INCH = PAGE.dots
 PASSES = 2  # of the layout: ticks and so the widths of their labels change with the size of the axes
 TICK = 0.39  # length of a tick, and its distance from its label, over the size of the type
 FINE = 0.94  # type of ticks and legends over that of labels
-FILE_KINDS = ("svg", "png")
 
 INK = "#222222"
 PALE_INK = "#8a8a8a"
@@ -284,10 +283,10 @@ def save(figure: Figure, folder: Path, name: str, *, overwrite: bool = False) ->
     ResourceError : the name leads out of the folder, or is taken and ``overwrite`` is False, or the folder
         cannot be written
     """
-    paths = [inside(target(folder, "folder"), f"{name}.{kind}") for kind in FILE_KINDS]
+    paths = [inside(target(folder, "folder"), f"{name}.{kind}") for kind in PICTURE_KINDS]
     for path in paths:
         refuse_overwrite(path, overwrite)
-    for path, kind in zip(paths, FILE_KINDS, strict=True):
+    for path, kind in zip(paths, PICTURE_KINDS, strict=True):
         content = rendered(figure, kind)
         write_atomically(path, lambda temporary, content=content: temporary.write_bytes(content))  # type: ignore[misc]
     return paths

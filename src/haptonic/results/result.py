@@ -22,8 +22,10 @@ from haptonic.errors import HaptonicError, shown
 from haptonic.later import Axes, Figure
 from haptonic.pages import embedded
 from haptonic.paths import target
+from haptonic.plots.looks import PICTURE_KINDS
 from haptonic.progress import Progress, silent
 from haptonic.results.common import Writer, accuracy_remarks, refuse_taken, write_files, write_netcdf
+from haptonic.results.pictures import write_pictures
 from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
 from haptonic.store import whole_set
@@ -31,8 +33,6 @@ from haptonic.store import whole_set
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-
-KINDS = ("svg", "png")  # file formats of a picture
 
 
 @dataclass(frozen=True)
@@ -253,7 +253,7 @@ class Result:
         "STUDY" in a name is replaced by the name of the study's file.
         """
         data = [f"{cls.data_file}.nc"] if cls.data_file else []
-        pictures = [f"{part.name}.{kind}" for part in cls._pictures for kind in KINDS]
+        pictures = [f"{part.name}.{kind}" for part in cls._pictures for kind in PICTURE_KINDS]
         return [*data, *(part.name for part in cls._writers), *pictures]
 
     def write(self, folder: Path | str, *, overwrite: bool = False, progress: Progress = silent) -> None:
@@ -271,10 +271,7 @@ class Result:
     def put(self, draft: Path, progress: Progress = silent) -> None:
         """Write all files and pictures into a folder that contains no files of these names."""
         write_files(draft, self.files, overwrite=False)
-        figures = self.figures
-        for done, name in enumerate(figures):
-            progress(done, len(figures), "pictures")
-            plots.save(figures[name], draft, name)
+        write_pictures(self, draft, progress)
 
     def located(self, folder: Path) -> dict[str, Any]:
         """Additional JSON entries of a result that always writes into a folder."""
