@@ -8,7 +8,6 @@ import scipy.sparse as sp
 from brute import assembled, frequencies, periodic_projection
 from strategies import ALUMINIUM
 from test_ribbon import hertz, strip_waves
-from test_sites import TALL, THIN, named
 
 from haptonic.bloch.guided import in_gap, within
 from haptonic.bloch.model import BlochModel
@@ -29,25 +28,28 @@ def on(lattice: Lattice, **features) -> UnitCell:
 
 
 SQUARE = on(Lattice.square(7 * MM), pillar=PILLAR)
-CAPPED = (
-    Disc(3 * MM, low=0.0, high=4 * MM, material=STEEL),
-    Disc(4.5 * MM, low=4 * MM, high=6 * MM),
-)
+POST = (Disc(3 * MM, low=0.0, high=4 * MM, material=STEEL),)
+SHORT = (Disc(3 * MM, low=0.0, high=3 * MM, material=STEEL),)
+POSTS = on(Lattice.square(7 * MM), disc=POST)
+# a pillar has a finer mesh of its own where it is condensed, so only discs have the meshes of the plans
 STRIPS = {
-    "pillars": Ribbon((SQUARE,) * 3),
-    "one column": Ribbon((SQUARE,)),
-    "discs": Ribbon((on(Lattice.square(7 * MM), disc=CAPPED),) * 2),
-    "two sites": Ribbon((named("honeycomb", THIN, TALL),) * 2),
-    "triangular": Ribbon((on(Lattice.triangular(7 * MM), pillar=PILLAR),) * 3),
-    "oblique, diagonal": Ribbon((on(Lattice.oblique(7 * MM, 8 * MM, 1.2), pillar=PILLAR),) * 3, (1, 1)),
-    "different lines": Ribbon((SQUARE,) * 2, more=((replace(SQUARE, pillar=Pillar(3.5 * MM, 7 * MM)),) * 2,)),
+    "one column": Ribbon((POSTS,)),
+    "columns": Ribbon((POSTS,) * 2),
+    "two sites": Ribbon((on(Lattice(lattice="honeycomb", pitch=8 * MM), site=(Site(disc=POST), Site())),)),
+    "triangular": Ribbon((on(Lattice.triangular(7 * MM), disc=POST),) * 2),
+    "diagonal": Ribbon((on(Lattice.oblique(7 * MM, 8 * MM, 1.2), disc=POST),) * 2, (1, 1)),
+    "different lines": Ribbon((POSTS,), more=((on(Lattice.square(7 * MM), disc=SHORT),),)),
 }
+QUICK = ("one column", "two sites")
+by_strip = pytest.mark.parametrize(
+    "name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.nightly) for name in STRIPS]
+)
 
 
-def of_whole_mesh(ribbon: Ribbon, kappa: float, count: int) -> np.ndarray:
+def of_whole_mesh(ribbon: Ribbon, kappa: float, count: int, resolution=COARSE) -> np.ndarray:
     """Hz, with the meshes of all tiles joined where nodes coincide: no condensation, no traces, no chain."""
     points, stiffness, mass = [], [], []
-    for placed, plan in zip(ribbon.tiles, COARSE.plans(ribbon), strict=True):
+    for placed, plan in zip(ribbon.tiles, resolution.plans(ribbon), strict=True):
         mesh = mesh_cell(placed.tile, plan)
         K, weight = assembled(mesh, *placed.tile.solids)
         turn = sp.kron(sp.eye_array(mesh.topology.nodes), placed.turn)
@@ -60,16 +62,24 @@ def of_whole_mesh(ribbon: Ribbon, kappa: float, count: int) -> np.ndarray:
     return frequencies(sp.block_diag(stiffness, format="csr"), np.concatenate(mass), projection, count)
 
 
-@pytest.mark.parametrize("name", STRIPS)
+@by_strip
 def test_waves_are_those_of_the_whole_mesh(name):
     ribbon = STRIPS[name]
     assert ribbon.kind == "strip"
-    exact = of_whole_mesh(ribbon, 0.7, 13)
+    exact = of_whole_mesh(ribbon, 0.7, 6)
     high = 0.5 * (exact[-1] + exact[-2])
     found = hertz(ribbon, 0.7, 0.5 * exact[0], high, COARSE)
     assert len(found) == len(exact) - 1
-    assert (found > exact[:-1] * (1 - 1e-7)).all(), "a restriction to polynomials of the sides"
-    assert found == pytest.approx(exact[:-1], rel=3e-3)
+    assert (found > exact[:-1] * (1 - 1e-7)).all(), "condensation restricts the motion"
+    assert found == pytest.approx(exact[:-1], rel=1e-4)
+
+
+@pytest.mark.nightly
+def test_waves_of_pillars_are_those_of_the_whole_mesh():
+    ribbon = Ribbon((SQUARE,))
+    exact = of_whole_mesh(ribbon, 0.7, 4, Resolution(3, 0))
+    found = hertz(ribbon, 0.7, 0.5 * exact[0], 1.01 * exact[-1], Resolution(3, 0))
+    assert found == pytest.approx(exact, rel=1e-3)
 
 
 # --- identities and exact waves -----------------------------------------------------------------------------
@@ -93,24 +103,24 @@ def test_discs_of_the_plates_own_material_leave_the_exact_waves_of_a_bare_strip(
 
 def test_columns_of_one_site_are_one_column_of_several():
     """A cell as wide as the strip, with a pillar of each column as a site; discs alike."""
-    column = {"pillar": PILLAR}, {"disc": CAPPED}
-    for feature in column:
-        sites = tuple(Site(at=((n + 0.5) / 3 - 0.5, 0.0), **feature) for n in range(3))
-        wide = Ribbon((on(Lattice.rectangular(21 * MM, 7 * MM), site=sites),))
-        strip = Ribbon((on(Lattice.square(7 * MM), **feature),) * 3)
+    for feature in ({"pillar": PILLAR}, {"disc": POST}):
+        sites = tuple(Site(at=(0.5 * n, 0.0), **feature) for n in range(2))
+        wide = Ribbon((on(Lattice.rectangular(14 * MM, 7 * MM), site=sites),))
+        strip = Ribbon((on(Lattice.square(7 * MM), **feature),) * 2)
         one, other = (hertz(ribbon, 0.9, 5e3, 40e3, COARSE) for ribbon in (strip, wide))
         assert len(one) > 5
         assert other == pytest.approx(one, rel=1e-3)
 
 
-def test_a_map_read_from_right_to_left_has_the_same_waves():
-    """Mirrored columns with pillars off the middle: sites change sides with the columns."""
+def test_a_strip_and_its_mirror_image_have_the_same_waves():
+    """A column of two unequal pillars; in the image they are exchanged."""
+    pillars = (PILLAR, Pillar(3 * MM, 6 * MM))
 
-    def strip(sign):
-        site = (Site(at=(0.1 * sign, 0.0), pillar=PILLAR),)
-        return Ribbon((on(Lattice.square(7 * MM), site=site),) * 2)
+    def strip(*order):
+        site = tuple(Site(at=(0.5 * n, 0.0), pillar=pillar) for n, pillar in enumerate(order))
+        return Ribbon((on(Lattice.rectangular(14 * MM, 7 * MM), site=site),) * 2)
 
-    one, other = (hertz(strip(sign), 0.9, 5e3, 40e3, COARSE) for sign in (1, -1))
+    one, other = (hertz(strip(*order), 0.9, 5e3, 40e3, COARSE) for order in (pillars, pillars[::-1]))
     assert len(one) > 4
     assert other == pytest.approx(one, rel=1e-6)
 
@@ -144,8 +154,9 @@ def test_waves_between_the_bulk_bands_are_those_of_the_free_edges():
     strip = Ribbon((SQUARE,) * 8)
     bulk = bulk_bands(BlochModel.of(SQUARE, COARSE, 10, measured=False), strip, [2.0])
     found = RibbonModel.of(strip, COARSE).solve(2.0, 20e3, 90e3)
-    apart = in_gap(replace(found, error=np.zeros_like(found.error)), bulk)
-    share = within(found.energy, strip.guide)
+    apart = in_gap(replace(found, error=3e-3 * found.frequency), bulk)  # more than phases across leave out
     assert np.argwhere(strip.guide).tolist() == [[0, 0], [0, 7]]
-    assert apart.any()
-    assert share[apart].min() > 0.5 > np.median(share[~apart])
+    assert within(found.energy, strip.guide)[apart].min() > 0.8
+    pairs = found.frequency[apart].reshape(-1, 2)
+    assert len(pairs)
+    assert np.ptp(pairs, axis=1).max() < 1e-3 * pairs.min()

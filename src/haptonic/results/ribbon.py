@@ -46,7 +46,8 @@ class RibbonWaves(Result):
 
     @property
     def guided(self) -> xr.Dataset:
-        """Modes between the bulk bands with more energy in the guide than at the outer edges; all of strips."""
+        """Modes between the bulk bands with more energy in the guide than at the outer edges, or all of a
+        strip."""
         modes = self.dataset.drop_dims(["node", "triangle"], errors="ignore")
         modes = modes.isel(mode=np.flatnonzero(modes["guided"].values))
         return modes.isel(mode=np.argsort(modes["frequency"].values))
