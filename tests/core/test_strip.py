@@ -107,7 +107,7 @@ def test_columns_of_one_site_are_one_column_of_several():
         sites = tuple(Site(at=(0.5 * n, 0.0), **feature) for n in range(2))
         wide = Ribbon((on(Lattice.rectangular(14 * MM, 7 * MM), site=sites),))
         strip = Ribbon((on(Lattice.square(7 * MM), **feature),) * 2)
-        one, other = (hertz(ribbon, 0.9, 5e3, 40e3, COARSE) for ribbon in (strip, wide))
+        one, other = (hertz(ribbon, 0.9, 2e3, 80e3, COARSE) for ribbon in (strip, wide))
         assert len(one) > 5
         assert other == pytest.approx(one, rel=1e-3)
 
