@@ -98,6 +98,60 @@ def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, 
     assert "wavenumber" not in said, "what changes along the ribbon has none"
 
 
+STRIP = """
+[ribbon]
+map = "ooo"
+lowest = "2 kHz"
+highest = "60 kHz"
+points = 5
+
+[ribbon.tiles]
+o = "lattice"
+"""
+
+
+def test_a_strip_of_crystal_has_its_waves_and_its_stop_band(inside, tmp_path):
+    (tmp_path / "strip.toml").write_text(FINER + STRIP, "utf-8")
+    told = inside("ribbon", tmp_path / "strip.toml", "--tables", "--out", tmp_path / "out")
+    assert told.code == 0, told.err
+    assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
+    data = xr.load_dataset(tmp_path / "out" / "ribbon.nc", engine="h5netcdf")
+    assert data.attrs["kind"] == "strip"
+    assert (data["guided"] == 1).all()
+    assert data.sizes["crystal"] == 1
+    waves = RibbonWaves(data)
+    low, high = waves.stop_band
+    assert not ((data["frequency"] > low) & (data["frequency"] < high)).any()
+    said = " ".join(told.out.split())
+    for words in (
+        f"The strip has {data.sizes['mode']} waves",
+        "between the bulk bands of its crystal",
+        "It has no wave from",
+        "in the outermost columns",
+    ):
+        assert words in said, said
+    for words in ("decay", "nodal lines across", "in the guide"):
+        assert words not in said, said
+    nothing = RibbonWaves(data.isel(mode=[]))
+    assert nothing.stop_band == (2e3, 60e3)
+    assert nothing.summary() == ["The strip has no wave from 2 to 60 kHz."]
+
+
+def test_a_stop_band_ends_where_bands_may_turn_between_two_phases():
+    """A quadratic band whose maximum is between two phases, and one above the range's end."""
+    phases, period = np.linspace(0, np.pi, 5), 7e-3
+    top, crest, bend = 30e3, 0.4 * np.pi, 2e3
+    frequency, slope = top - bend * (phases - crest) ** 2, -2 * bend * (phases - crest)
+    mode = {"frequency": frequency, "group_velocity": 2 * np.pi * period * slope}
+    data = xr.Dataset({name: ("mode", values) for name, values in mode.items()})
+    data["frequency_error"] = 0 * data["frequency"]
+    data["wavevector_phase"] = ("wavevector", phases)
+    data.attrs = {"kind": "strip", "range_hz": [1e3, 60e3], "period": period}
+    low, high = RibbonWaves(data).stop_band
+    assert frequency.max() < top <= low < top + 0.2 * bend
+    assert high == 60e3
+
+
 def test_all_modes_are_in_the_file_with_what_they_are(ran):
     _, folder = ran
     data = xr.load_dataset(folder / "ribbon.nc", engine="h5netcdf")

@@ -306,7 +306,13 @@ def test_what_holds_waves_is_told_from_the_crystals_around():
     missing = Ribbon(line, more=((CRYSTAL, plain, CRYSTAL), line))
     assert missing.kind == "defect"
     assert np.argwhere(missing.guide).tolist() == [[1, 1]]
-    assert not Ribbon(line, more=((LOWER,) * 3,)).guide.any(), "a line across is no guide along"
+    lines = Ribbon(line, more=((LOWER,) * 3,))
+    assert lines.kind == "strip", "a line across is no guide along"
+    assert not lines.has_bulk
+    strip = Ribbon(line)
+    assert strip.kind == "strip"
+    assert strip.has_bulk
+    assert np.argwhere(strip.guide).tolist() == [[0, 0], [0, 2]], "waves of free edges"
 
 
 # --- all modes, and no others -------------------------------------------------------------------------------
@@ -358,8 +364,3 @@ def test_columns_whose_edges_do_not_meet_are_refused():
 def test_a_period_is_a_shortest_one(along):
     with refusing(GeometryError, "out-of-range", "ribbon.along"):
         Ribbon((CRYSTAL,) * 2, along)
-
-
-def test_one_column_is_no_ribbon():
-    with refusing(GeometryError, "out-of-range", "ribbon.map"):
-        Ribbon((CRYSTAL,))

@@ -83,6 +83,20 @@ def test_pillars_of_sites_may_be_exchanged_beyond_an_edge():
     assert found.kind == "edge"
 
 
+@pytest.mark.parametrize("line", ["o", "ooooo"])
+def test_equal_letters_are_a_strip_with_free_edges(line):
+    found = made(changed(("ooo1111ooo", line), ('1 = "guide"', ""), ('guide = "8 mm"', "")))
+    assert found.kind == "strip"
+    assert len(found.first) == len(line)
+    assert found.crystals == found.first[:1]
+
+
+def test_lines_of_different_pillars_are_a_strip_too():
+    found = made(changed(("ooo\no1o", "ooo\n111"), text=STUDY + DEFECT))
+    assert found.kind == "strip"
+    assert found.period == pytest.approx(14e-3)
+
+
 def test_several_lines_are_read_from_the_bottom_up():
     study = loads(STUDY + DEFECT)
     found = study.ribbon_settings.ribbon(study.cell)
@@ -121,19 +135,13 @@ def changed(*pairs, text=STUDY + RIBBON):
 @pytest.mark.parametrize(
     ("text", "code", "argument", "words"),
     [
-        (changed(("ooo1111ooo", "ooooo"), ('1 = "guide"', ""), ('guide = "8 mm"', "")), "conflict",
-         "ribbon.map", "no column guides a wave"),
         (changed(("ooo1111ooo", "ooo11x1ooo")), "unknown", "ribbon.map", "[ribbon.tiles] does not explain"),
         (changed(("ooo1111ooo", "ooo1..1ooo")), "malformed", "ribbon.map", "no holes"),
         (changed(('"ooo1111ooo"', '"""' + 12 * "ooo1111ooo\n" + 'o11"""')), "malformed", "ribbon.map", "13"),
         (changed(('"ooo1111ooo"', '"""' + 13 * "ooo1111ooo\n" + '"""')), "malformed",
          "ribbon.map", "13 x 10"),
         (changed(('"ooo1111ooo"', '"""\nooo\no1o\n"""')), "conflict", "ribbon.rows", "several lines"),
-        (changed(("ooo\no1o", "ooo\n111"), text=STUDY + DEFECT), "conflict",
-         "ribbon.map", "the crystal around"),
         (changed(('"ooo1111ooo"', '""')), "malformed", "ribbon.map", "the map is empty"),
-        (changed(("ooo1111ooo", "1"), ('o = "lattice"', "")), "out-of-range",
-         "ribbon.map", "side by side"),
         (changed(('guide = "8 mm"', 'lattice = "8 mm"')), "unknown",
          "ribbon.widths.lattice", "its own pitch"),
         (changed(('guide = "8 mm"', 'giude = "8 mm"')), "unknown", "ribbon.widths.giude", 'write "guide"'),

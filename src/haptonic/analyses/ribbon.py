@@ -53,7 +53,7 @@ def check(study: Description, options: NoOptions) -> None:
 
 @one_thread()
 def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWaves:
-    """Projected bands, and the modes of a guide or an edge.
+    """Projected bands, and the modes of a guide, an edge or a strip.
 
     With a length in cells, the wavevectors are those of its resonances; a free end adds a quarter of an
     interval to the phase.
@@ -73,7 +73,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
     low, high = _range(study, crystals, runner)
     kappa = (np.arange(rows) + 0.5) * np.pi / rows if rows else np.linspace(0.0, np.pi, asked.wavevectors)
     bulk = np.empty((0, len(kappa), 0, 2))
-    if crystals:
+    if ribbon.has_bulk:
         bulk = np.array([bulk_bands(crystal, ribbon, [float(k) for k in kappa]) for crystal in models])
     model = RibbonModel.of(ribbon, resolution)
     waves = []

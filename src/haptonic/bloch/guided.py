@@ -22,9 +22,7 @@ def within(energy: Array, cells: Bools) -> Array:
 
 def outermost(ribbon: Ribbon) -> Bools:
     """(lines, columns) first and last column, without a guide; free edges have edge waves."""
-    ends = np.zeros_like(ribbon.guide)
-    ends[:, [0, -1]] = True
-    return np.asarray(ends & ~ribbon.guide)
+    return np.asarray(ribbon.outermost & ~ribbon.guide)
 
 
 def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
@@ -42,7 +40,7 @@ def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
 
 
 def decay(ribbon: Ribbon, energy: Array) -> Array:
-    """(k,) decay of modes with energies (k, lines, columns) away from the guide, dB per row.
+    """(k,) decay of modes with energies (k, lines, columns) away from the guide, dB per row; NaN in a strip.
 
     Least squares over the columns on each side, without the outermost column, which contains waves reflected
     at the free edge; the smaller value of the two sides. NaN for fewer than two rows.
@@ -78,7 +76,8 @@ def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple
         return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
     joint = pencil.tiling.joint
     sizes = np.diff(joint.ends, prepend=0)
-    places = np.flatnonzero(np.repeat(ribbon.guide[0, ribbon.place_of_tile[1]], sizes))
+    carrying = ribbon.guide[0] | (ribbon.kind == "strip")  # a wave of a strip moves all of it
+    places = np.flatnonzero(np.repeat(carrying[ribbon.place_of_tile[1]], sizes))
     at = joint.position[places] @ ribbon.turn.T
     motion = modes.fields[joint.unknowns[0, places, 2]]
     close = 1e-6 * ribbon.period

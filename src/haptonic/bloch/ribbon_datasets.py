@@ -37,7 +37,10 @@ def ribbon_dataset(
             "guide_share": share_in_guide,
             "cell_share": share,
             "in_gap": between.astype(np.int8),
-            "guided": (between & (share_in_guide > within(modes.energy, outermost(ribbon)))).astype(np.int8),
+            "guided": (
+                (ribbon.kind == "strip")
+                | between & (share_in_guide > within(modes.energy, outermost(ribbon)))
+            ).astype(np.int8),
             "decay": np.where(between, decay(ribbon, modes.energy), np.nan),
             "wavenumber": wavenumber,
             "nodal_lines": across,
@@ -55,13 +58,15 @@ def ribbon_dataset(
         "group_velocity": ("m/s", "group velocity along the ribbon"),
         "guide_share": (
             "1",
-            "share of energy in the guide or defect, or in the cells on either side of an edge",
+            "share of energy in the guide or defect, in the cells on either side of an edge, or at the free "
+            "edges of a strip",
         ),
         "cell_share": ("1", "share of energy in each cell, lines from the bottom up"),
         "in_gap": ("1", "1 for modes between the bulk bands at this phase"),
         "guided": (
             "1",
-            "1 for modes between bulk bands with more energy in the guide than in the outermost columns",
+            "1 for modes between bulk bands with more energy in the guide than in the outermost columns, "
+            "and for all modes of a strip",
         ),
         "decay": ("dB/row", "decay of the energy away from the guide"),
         "wavenumber": ("rad/m", "wavenumber of the strongest harmonic of the normal motion along the guide"),
@@ -72,7 +77,7 @@ def ribbon_dataset(
         dataset[name].attrs = {"units": unit, "long_name": title}
     return declared(
         dataset,
-        decay="a mode within a bulk band, or fewer than two rows to compare",
+        decay="a strip, a mode within a bulk band, or fewer than two rows to compare",
         wavenumber="tiles without sides along the ribbon, or several lines of cells",
         nodal_lines="no guide of one line, or tiles without sides along the ribbon",
         intervals="no length in cells was given, or tiles without sides along the ribbon",

@@ -1,7 +1,7 @@
 """Ribbon: cells side by side in one direction, repeated along another, with free outer edges.
 
-One line of cells is a guide, or the edge between two crystals. Several lines that differ in one cell are a
-crystal with a defect; its periodic copies are as far apart as the number of lines.
+One line of cells is a guide, the edge between two crystals, or a strip of one crystal. Several lines that
+differ in one cell are a crystal with a defect; its periodic copies are as far apart as the number of lines.
 """
 
 from __future__ import annotations
@@ -20,9 +20,8 @@ from haptonic.cell.tile import FreeEdge, PlacedTile
 from haptonic.errors import GeometryError
 from haptonic.translations import SAME
 
-LEAST_COLUMNS = 2
 Line = tuple[UnitCell, ...]
-RibbonKind = Literal["guide", "defect", "edge"]
+RibbonKind = Literal["guide", "defect", "edge", "strip"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +35,7 @@ class Ribbon(Directed):
 
     Raises
     ------
-    GeometryError : a single column, a translation that is not a shortest one, or cells that do not match
+    GeometryError : a translation that is not a shortest one, or cells that do not match
     """
 
     first: Line
@@ -44,14 +43,6 @@ class Ribbon(Directed):
     more: tuple[Line, ...] = ()
 
     def __post_init__(self) -> None:
-        if len(self.first) < LEAST_COLUMNS:
-            raise GeometryError.out_of_range(
-                argument="ribbon.map",
-                given=f"{len(self.first)} column",
-                allowed=f"at least {LEAST_COLUMNS}, side by side",
-                cause="a single column has no neighbour that could guide a wave",
-                next_step="write the letters of all columns, such as ooo1111ooo",
-            )
         check_along(self.along, "ribbon", "the ribbon")
         for column, top in enumerate(self.first):
             self._check_meets(self.first[0], top, column + 1, self.along == (0, 1))
@@ -172,6 +163,11 @@ class Ribbon(Directed):
             cell for cell in self.cells if cell.has_features
         )
 
+    @property
+    def has_bulk(self) -> bool:
+        """True if each crystal has bulk bands; a strip of different lines has none of one cell."""
+        return bool(self.crystals) and not (self.kind == "strip" and len(self.crystals) > 1)
+
     @cached_property
     def _others(self) -> Bools:
         """(lines, columns) True for plain cells, and for cells that belong to no crystal."""
@@ -179,24 +175,37 @@ class Ribbon(Directed):
         return np.array([[id(cell) not in crystal_ids for cell in line] for line in self.lines])
 
     @cached_property
-    def guide(self) -> Bools:
-        """(lines, columns) True for cells that may guide waves.
-
-        They are plain cells and those of no crystal; without such cells, those on either side of two
-        crystals' border.
-        """
-        if self._others.any():
-            return self._others
-        number = np.array([[self.crystals.index(cell) for cell in line] for line in self.lines])
+    def _borders(self) -> Bools:
+        """(lines, columns) True for cells on either side of a border between two cells of a line."""
+        number = np.array([[self.cells.index(cell) for cell in line] for line in self.lines])
         meet = number[:, 1:] != number[:, :-1]
         none = np.zeros((len(number), 1), dtype=bool)
         return np.asarray(np.hstack([none, meet]) | np.hstack([meet, none]))
 
+    @cached_property
+    def outermost(self) -> Bools:
+        """(lines, columns) True for the first and the last column, which have the free edges."""
+        ends = np.zeros((len(self.lines), len(self.first)), dtype=bool)
+        ends[:, [0, -1]] = True
+        return ends
+
+    @cached_property
+    def guide(self) -> Bools:
+        """(lines, columns) True for cells that may guide waves.
+
+        They are plain cells and those of no crystal; without such cells, those on either side of two
+        crystals' border; in a strip without a border, those at its free edges.
+        """
+        if self._others.any():
+            return self._others
+        return self._borders if self._borders.any() else self.outermost
+
     @property
     def kind(self) -> RibbonKind:
-        """Kind of the ribbon: "guide", "defect" (it changes along the ribbon) or "edge" of two crystals."""
+        """Kind of the ribbon: "guide", "defect" (it changes along the ribbon), "edge" of two crystals, or
+        "strip" that is crystal up to its free edges."""
         if not self._others.any():
-            return "edge"
+            return "edge" if self._borders.any() else "strip"
         return "defect" if (self._others != self._others[0]).any() else "guide"
 
     def phases(self, along: float, across: Array) -> Array:

@@ -53,9 +53,9 @@ def projected(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     lines.set_array(dataset["guide_share"].values[order])
     lines.set_clim(0.0, 1.0)
     axes.add_collection(lines)
-    on.figure.colorbar(
-        lines, ax=axes, label=f"share of energy in the {dataset.attrs['kind']} (dimensionless)"
-    )
+    kind = dataset.attrs["kind"]
+    there = "outermost columns" if kind == "strip" else kind
+    on.figure.colorbar(lines, ax=axes, label=f"share of energy in the {there} (dimensionless)")
     carrier = dataset.attrs.get("carrier_hz")
     if carrier is not None and low < carrier / 1e3 < high:
         axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier")

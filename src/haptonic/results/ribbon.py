@@ -1,4 +1,4 @@
-"""Waves along a ribbon: its projected bands, and the modes of its guide, edge or defect."""
+"""Waves along a ribbon: its projected bands, and the modes of its guide, edge, defect or strip."""
 
 from __future__ import annotations
 
@@ -27,8 +27,12 @@ COLUMNS = (
     Column("in the guide", shown="%", form=".1f", of="guide_share"),
     Column("decay", form=".1f"),
 )
-# columns without meaning for a defect
-ALONG = ("wavenumber", "nodal lines across", "intervals along", "group velocity")
+# columns without meaning for a kind of ribbon
+OMITTED = {
+    "defect": ("wavenumber", "nodal lines across", "intervals along", "group velocity"),
+    "strip": ("nodal lines across", "in the guide", "decay"),
+}
+AT_EDGES = Column("in the outermost columns", shown="%", form=".1f", of="guide_share")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -42,18 +46,22 @@ class RibbonWaves(Result):
 
     @property
     def guided(self) -> xr.Dataset:
-        """Modes between the bulk bands with more energy in the guide than at the outer edges."""
+        """Modes between the bulk bands with more energy in the guide than at the outer edges, or all of a
+        strip."""
         modes = self.dataset.drop_dims(["node", "triangle"], errors="ignore")
         modes = modes.isel(mode=np.flatnonzero(modes["guided"].values))
         return modes.isel(mode=np.argsort(modes["frequency"].values))
 
     @property
     def best(self) -> xr.Dataset | None:
-        """The mode of `guided` nearest to the `target`, if possible with most of its energy in the guide."""
+        """The mode of `guided` nearest to the `target`, if possible with most of its energy in the guide.
+
+        Any mode of a strip, because it has no guide.
+        """
         modes = self.guided
         if not modes.sizes["mode"]:
             return None
-        inside = np.flatnonzero(modes["guide_share"].values >= MOST)
+        inside = np.arange(0) if self.is_strip else np.flatnonzero(modes["guide_share"].values >= MOST)
         modes = modes.isel(mode=inside) if len(inside) else modes
         return modes.isel(mode=int(np.abs(modes["frequency"].values - self.target).argmin()))
 
@@ -64,11 +72,37 @@ class RibbonWaves(Result):
         carrier = self.dataset.attrs.get("carrier_hz", 0.0)
         return float(carrier if low < carrier < high else 0.5 * (low + high))
 
+    @property
+    def is_strip(self) -> bool:
+        """True for a strip that is crystal up to its free edges."""
+        return bool(self.dataset.attrs["kind"] == "strip")
+
+    @property
+    def stop_band(self) -> tuple[float, float] | None:
+        """Widest interval of the range without a wave, Hz; None if waves cover the range.
+
+        Each mode covers its error, and its slope times half of the distance to the next phase. This covers
+        straight bands, and the maxima of quadratic ones between two phases.
+        """
+        data = self.dataset
+        low, high = data.attrs["range_hz"]
+        step = float(np.diff(data["wavevector_phase"].values).max(initial=0.0)) or np.pi
+        slope = np.abs(data["group_velocity"].values) / (2 * np.pi * data.attrs["period"])
+        reach = data["frequency_error"].values + 0.5 * step * slope
+        order = np.argsort(data["frequency"].values - reach)
+        frequency, reach = data["frequency"].values[order], reach[order]
+        starts = np.maximum.accumulate(np.concatenate([[low], frequency + reach]))
+        ends = np.concatenate([frequency - reach, [high]])
+        widest = int((ends - starts).argmax())
+        return (float(starts[widest]), float(ends[widest])) if ends[widest] > starts[widest] else None
+
     def summary(self) -> list[str]:
         modes = self.guided
         low, high = self.dataset.attrs["range_hz"]
         where = f"from {hz_text(low, high, form='.4g')}"
         best = self.best
+        if best is None and self.is_strip:
+            return [f"The strip has no wave {where}."]
         if best is None:
             largest = float(self.dataset["frequency_error"].values.max(initial=0.0))
             unsure = f" Errors of up to {hz_text(largest, form='.2g')} may hide one: increase the accuracy."
@@ -81,16 +115,30 @@ class RibbonWaves(Result):
         decay = float(best["decay"])
         near, speed, inside = (float(best[name]) for name in ("frequency", "group_velocity", "guide_share"))
         decays = f", and it decays by {decay:.1f} dB per row" if np.isfinite(decay) else ""
+        there = "outermost columns" if self.is_strip else f"{self.dataset.attrs['kind']}"
         return [
-            self._of_defect(where)
+            self._of_strip(where)
+            or self._of_defect(where)
             or f"{kind} has {modes.sizes['mode']} modes between the bulk bands {where}, at "
             f"{self.dataset.sizes['wavevector']} wavevectors.",
             f"Nearest to {hz_text(self.target, form='.4g')}: "
             f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "
             f"{float(best['phase_share']):.3f} pi per period): {inside:.0%} of its energy "
-            f"is in the {self.dataset.attrs['kind']}{decays}; group velocity {speed:.0f} m/s.",
+            f"is in the {there}{decays}; group velocity {speed:.0f} m/s.",
             *self._of_copies(near),
         ]
+
+    def _of_strip(self, where: str) -> str:
+        """Sentences on the waves of a strip, and on its widest interval without one."""
+        if not self.is_strip:
+            return ""
+        sizes = self.dataset.sizes
+        count = f"The strip has {sizes['mode']} waves {where}, at {sizes['wavevector']} wavevectors"
+        apart = int(self.dataset["in_gap"].values.sum())
+        bulk = f"; {apart} lie between the bulk bands of its crystal" if sizes["crystal"] else ""
+        gap = self.stop_band
+        none = f" It has no wave from {hz_text(*gap, form='.4g')}." if gap else ""
+        return f"{count}{bulk}.{none}"
 
     def _of_defect(self, where: str) -> str:
         """Sentence on modes with most of their energy in a defect, for copies of it in phase."""
@@ -125,19 +173,20 @@ class RibbonWaves(Result):
         modes = self.guided
         near = np.sort(np.argsort(np.abs(modes["frequency"].values - self.target))[:MOST_TOLD])
         rows = self.dataset.attrs["rows"]
-        title = f"resonances of a guide {rows} cells long with free ends" if rows else "guided modes"
+        kind = self.dataset.attrs["kind"]
+        what, modes_of = ("strip", "waves of the strip") if self.is_strip else ("guide", "guided modes")
+        title = f"resonances of a {what} {rows} cells long with free ends" if rows else modes_of
         left = modes.sizes["mode"] - len(near)
         more = f"; {left} farther from {hz_text(self.target, form='.4g')} are in the file" if left else ""
-        columns = [
-            column for column in COLUMNS if column.name not in ALONG or self.dataset.attrs["kind"] != "defect"
-        ]
+        columns = [column for column in COLUMNS if column.name not in OMITTED.get(kind, ())]
+        columns += [AT_EDGES] * self.is_strip
         return [Table.of(f"{title}{more}", modes.isel(mode=near), "mode", columns)]
 
     @figure(
         "ribbon",
         "Simulated projected bands of the ribbon. Bulk bands of the crystals are shaded, for all phases "
         "across; dashes are modes of the ribbon, their slope the group velocity, their colour the share of "
-        "energy in the guide or at the edge.",
+        "energy in the guide, at the edge or in the outermost columns of a strip.",
     )
     def _projected(self, *, ax: Axes | None = None) -> Figure:
         return plots.projected(self.dataset, ax=ax)

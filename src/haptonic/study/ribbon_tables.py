@@ -27,8 +27,8 @@ class RibbonSettings(DirectionSettings):
     """Cells side by side, repeated without end along the other direction; the outermost edges are free."""
 
     map: Annotated[str, Field(max_length=4000, strict=True)] = needed(
-        "A letter for each column, from left to right, such as ooooo1111ooooo; several lines with one letter "
-        "changed are a crystal with a defect.",
+        "A letter for each column, from left to right, such as ooooo1111ooooo; equal letters are a strip of "
+        "crystal with free edges, several lines with one letter changed a crystal with a defect.",
         examples=["ooooo1111ooooo"],
     )
     rows: Annotated[int, Field(ge=1, le=1000, strict=True)] | None = setting(
@@ -114,15 +114,6 @@ class RibbonSettings(DirectionSettings):
                     f'add a letter = "{lattice.name}" to {TABLE}, or remove it',
                     at=f"cell[{number}].name",
                 )
-        if not plain and len(set("".join(self.lines))) == 1:
-            raise problem(
-                "conflict",
-                shown(self.map),
-                "columns of plain plate between those of a lattice, or two lattices side by side",
-                "all columns are equal, so no column guides a wave",
-                'write a map such as ooooo1111ooooo, and 1 = "guide" in [ribbon.tiles]',
-                at="map",
-            )
 
     @property
     def lines(self) -> list[str]:
@@ -163,16 +154,7 @@ class RibbonSettings(DirectionSettings):
             if name not in kinds:
                 kinds[name] = self._plain(cell, name)
         first, *more = (tuple(kinds[name] for name in line) for line in self.names)
-        ribbon = Ribbon(first, self.direction, tuple(more))
-        if not ribbon.guide.any():
-            raise StudyError.conflict(
-                argument="ribbon.map",
-                given=shown(" / ".join(self.lines)),
-                allowed="cells between the outermost columns that differ from them",
-                cause="every cell is also in a column at the edge, and no two of them meet in a line",
-                next_step="use the first and the last column for the crystal around",
-            )
-        return ribbon
+        return Ribbon(first, self.direction, tuple(more))
 
     def _plain(self, cell: UnitCell, name: str) -> UnitCell:
         """A column of plain plate: the cell without its pillars, or a rectangle of another width."""
