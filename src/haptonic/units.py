@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, SupportsFloat
 
 from haptonic.errors import HaptonicError, nearest, shown
 from haptonic.later import admitted
@@ -211,6 +211,16 @@ def hz_text(*frequencies: float, form: str = ".4g", error: float | None = None) 
     if error is not None:
         texts[-1] = uncertain(frequencies[-1] * scale, error * scale)
     return f"{' to '.join(texts)} {unit}"
+
+
+def in_percent(*shares: SupportsFloat, form: str = "z.0f") -> str:
+    """Text of shares in percent, with a space before the sign: ``5 %``, ``92 to 125 %``.
+
+    Parameters
+    ----------
+    form : format of each number, as in `format`; by default whole percent, without a sign before a zero
+    """
+    return f"{' to '.join(format(100 * float(share), form) for share in shares)} %"
 
 
 def uncertain(value: float, bound: float) -> str:

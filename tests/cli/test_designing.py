@@ -254,8 +254,8 @@ class TestTolerance:
         spoken = here("tolerance", path, "--tables", "--out", tmp_path / "again")
         assert spoken.code == 0, spoken.err
         for words in ("effects on the edges", "Hz per 10 µm", "100.0",
-                      f"{answer['chance_of_a_plate']:.2%} for all 180 pillars",
-                      f"may be {answer['loosest_factor']:.2f} times as large for a confidence of 99.0%",
+                      f"{100 * answer['chance_of_a_plate']:.2f} % for all 180 pillars",
+                      f"may be {answer['loosest_factor']:.2f} times as large for a confidence of 99.0 %",
                       ):  # fmt: skip
             assert words in spoken.out, words
         assert (tmp_path / "again" / "tolerance.svg").read_bytes() == (out / "tolerance.svg").read_bytes()
@@ -456,7 +456,7 @@ class TestExport:
         ("spreads", "said"),
         [
             ([TOLERANCE], "no tolerance keeps the carrier in the gap with the confidence of "
-                          "[tolerance], 99.0%; with the study's own spreads the probability is 42.00%"),
+                          "[tolerance], 99.0 %; with the study's own spreads the probability is 42.00 %"),
             ([], "the study gives no spreads"),
             ([TOLERANCE.replace("cell.pillar.height", "material.density").replace("20 um", "9 kg/m^3")],
              "the study gives spreads only for material constants or sizes that are not drawn"),

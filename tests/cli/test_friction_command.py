@@ -37,7 +37,7 @@ def test_friction_writes_its_files_and_tables(inside, tmp_path):
         "WG1 trials, as published; WG2 trials, as published: trials of one participant are treated",
         "mixed model",
         "Share of the reduction that does not reach WG2",
-        "one-sided test against the noticeable 11%",
+        "one-sided test against the noticeable 11 %",
         "Drift over a session",
         "Simulated: these trials are simulated, not measured",
         "Two averages of the same trials",

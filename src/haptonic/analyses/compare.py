@@ -20,6 +20,7 @@ from haptonic.results.comparison import MOST_APART, Comparison
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 from haptonic.study.template import ENDING
+from haptonic.units import in_percent
 
 RESULT = "bands.nc"  # in the folder of `haptonic bands`
 FINE = 201  # wavevectors of a study: linear interpolation between them stays within its accuracy
@@ -38,7 +39,7 @@ class CompareOptions(UnitsOfFile):
     )
     skip_lines: int = option(0, "Lines at the top of the table that are left out.", metavar="N", least=0)
     any_difference: bool = option(
-        False, f"Also report a table that is more than {MOST_APART:.0%} apart, otherwise an error."
+        False, f"Also report a table that is more than {in_percent(MOST_APART)} apart, otherwise an error."
     )
 
     @property

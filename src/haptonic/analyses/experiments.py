@@ -11,7 +11,7 @@ from haptonic.friction.protocol import Protocol
 from haptonic.friction.simulation import Truth, explaining, film_of
 from haptonic.results.protocol import StrokeTask
 from haptonic.study.schema import Description
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, in_percent
 
 SHORTEST, LONGEST = 0.4, 10.0  # s, duration of a stroke; touching down and lifting take a third of it
 PUBLISHED = ("WG1", "WG2")  # names of the waveguides of a study without a plate [daunizeau-haptics]
@@ -91,7 +91,7 @@ def basis_of(study: Description, amplitudes: Mapping[str, float] | None) -> str:
     if amplitudes is not None:
         return "The reductions are computed from the amplitudes of --from with the load-sharing model."
     people, published = study.participants, Participants()
-    numbers = f"{people.driven:.0%} and {people.idle:.0%}"
+    numbers = f"{in_percent(people.driven)} and {in_percent(people.idle)}"
     if (people.driven, people.idle) != (published.driven, published.idle):
         return f"The reductions, {numbers}, are given in [participants] of the study."
     if study.finite_plate is None:

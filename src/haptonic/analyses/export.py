@@ -23,7 +23,7 @@ from haptonic.results.cost import BASE, Cost
 from haptonic.results.result import Result
 from haptonic.results.tolerance import percent
 from haptonic.study.schema import Description
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, in_percent
 from haptonic.workshop.part import Part
 from haptonic.workshop.shape import MM, dimensions_of
 
@@ -237,7 +237,8 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
         return drawn, ""
     return {}, (
         f"no tolerance keeps the carrier in the gap with the confidence of [tolerance], "
-        f"{section.confidence:.1%}; with the study's own spreads the probability is {percent(result.plate)}"
+        f"{in_percent(section.confidence, form='.1f')}; with the study's own spreads the probability is "
+        f"{percent(result.plate)}"
     )
 
 

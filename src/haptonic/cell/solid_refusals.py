@@ -10,7 +10,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError, shown
 from haptonic.fields import problem
-from haptonic.units import format_quantity, to_si
+from haptonic.units import format_quantity, in_percent, to_si
 
 IN_COMSOL = "in COMSOL: Mesh, Export, file type Nastran (.bdf), one property for each domain"
 EXPORTED = {
@@ -163,7 +163,7 @@ def _of_mesh(answer: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str
             "`UnitCell.corners`; or export it as STEP, which is cut",
         ),
         "side": (
-            f"faces on {number:.1%} of a side of the cell, that from {at}",
+            f"faces on {in_percent(number, form='.1f')} of a side of the cell, that from {at}",
             "a plate that fills all sides from its lower to its upper face",
             "a hole or a pillar reaches the side, the mesh has a gap there, or is not flat",
             "draw the period about another place, with its pillar or hole in the middle",

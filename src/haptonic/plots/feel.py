@@ -23,6 +23,7 @@ from haptonic.plots.marks import LINE, above
 from haptonic.plots.spectra import LOOKS
 from haptonic.plots.stage import stage
 from haptonic.plots.text import label
+from haptonic.units import in_percent
 
 PANELS = {
     "value": "prediction",
@@ -113,6 +114,6 @@ def reduction_curve(
         ylabel=f"reduction of friction (%)\n{title}".strip(),
     )  # fmt: skip
     above(axes, [(drive, f"drive in use {drive:g} {unit}", style.INK)])
-    style.label_right(axes, [(100 * noticed, f"just noticed\n{100 * noticed:.0f} %", style.INK)], lines=2)
+    style.label_right(axes, [(100 * noticed, f"just noticed\n{in_percent(noticed)}", style.INK)], lines=2)
     on.legend(handles, ncols=4)
     return on.figure

@@ -23,7 +23,8 @@ from haptonic.plots import style
 from haptonic.plots.looks import colours
 from haptonic.plots.marks import above
 from haptonic.plots.stage import stage
-from haptonic.plots.text import in_percent, label
+from haptonic.plots.text import label
+from haptonic.units import in_percent
 
 LOOKS = ((style.BLUE, "o"), (style.ORANGE, "s"), (style.GREEN, "^"), (style.PURPLE, "D"), (style.SKY, "v"))
 MOST_PEOPLE = 12  # whose means are beside those of all

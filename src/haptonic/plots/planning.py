@@ -10,6 +10,7 @@ from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage
 from haptonic.plots.text import label
+from haptonic.units import in_percent
 
 SIDES = ((style.BLUE, "o"), (style.ORANGE, "s"))
 
@@ -29,7 +30,7 @@ def power(dataset: xr.Dataset, participants: int, *, ax: Axes | None = None) -> 
     wanted = 100 * float(dataset.attrs["wanted"])
     for row, (colour, marker) in zip(range(dataset.sizes["waveguide"]), SIDES, strict=True):
         one = dataset.isel(waveguide=row)
-        name = f"{one['waveguide'].item()}: {100 * float(one['reduction']):.0f} % less friction assumed"
+        name = f"{one['waveguide'].item()}: {in_percent(one['reduction'])} less friction assumed"
         axes.errorbar(
             one["participants"].values, 100 * one["power"].values, 200 * one["error"].values,
             color=colour, marker=marker, ms=4, elinewidth=0.8, label=label(name),

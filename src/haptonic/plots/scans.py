@@ -18,7 +18,8 @@ from haptonic.plots.looks import choice, colours
 from haptonic.plots.marks import above, span_on_top
 from haptonic.plots.spectra import averaged, finished, running_mean
 from haptonic.plots.stage import Stage, stage
-from haptonic.plots.text import absolute, band_text, in_pi
+from haptonic.plots.text import absolute, gap_text, in_pi
+from haptonic.units import in_percent
 
 if TYPE_CHECKING:
     from haptonic.vibrometry import Drive, LatticeGap, MeasuredGap, Quality
@@ -99,7 +100,7 @@ def measured_contrast(
     if gap is not None:
         ends = (gap.lower / 1e3, gap.lower_error / 1e3), (gap.upper / 1e3, gap.upper_error / 1e3)
         span_on_top(axes, *ends, style.PURPLE)
-        said = f"high contrast {band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}"
+        said = f"high contrast {gap_text(gap)}"
         above(axes, [(0.5 * (ends[0][0] + ends[1][0]), said, DARK_PURPLE)], int(bool(computed)))
     on.legend(handles, ncols=2)
     return on.figure
@@ -213,7 +214,7 @@ def measured_decay(
     handles: list[Artist] = [
         *axes.plot(lines / 1e3, decay["decay"], color=color, lw=1.0, label="in the scan, fitted"),
         axes.fill_between(lines / 1e3, decay["low"], decay["high"], color=color, alpha=0.25, lw=0,
-                          label=f"its {100 * confidence:.0f} % interval"),
+                          label=f"its {in_percent(confidence)} interval"),
     ]  # fmt: skip
     if computed is not None:
         dashes = (style.SOLID, style.DASHED, style.DOTTED)

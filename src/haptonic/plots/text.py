@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from typing import SupportsFloat
+from typing import TYPE_CHECKING
 
 from haptonic.names import visible
 from haptonic.units import frequency_scale, uncertain
+
+if TYPE_CHECKING:
+    from haptonic.bloch import Gap
+    from haptonic.vibrometry import MeasuredGap
 
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten that they take away
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
@@ -32,6 +36,11 @@ def band_text(lower: float, lower_error: float, upper: float, upper_error: float
     unit, scale = frequency_scale(lower, upper)
     low, high = uncertain(lower * scale, lower_error * scale), uncertain(upper * scale, upper_error * scale)
     return f"{low} to {high} {unit}"
+
+
+def gap_text(gap: Gap | MeasuredGap) -> str:
+    """``52.51 ± 0.05 to 60.2 ± 0.1 kHz``: both edges of a gap with the bounds of their errors."""
+    return band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)
 
 
 def label(name: str) -> str:
@@ -78,11 +87,6 @@ def prefixed(largest: float, unit: str) -> tuple[str, float]:
 def driven(units: str, drive: float | None) -> str:
     """Of a response with these units, the amplitude of its drive in words; empty where it is not known."""
     return "" if drive is None else f" at {drive:g} {units.rpartition('/')[2]}"
-
-
-def in_percent(share: SupportsFloat) -> str:
-    """A share in whole percent."""
-    return f"{100 * float(share):.0f} %"
 
 
 def in_pi(phase: float) -> str:

@@ -6,13 +6,15 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from haptonic.bloch import gaps_of
-from haptonic.plots.text import in_percent
+from haptonic.bloch.gaps import gap_at
+from haptonic.plots.text import gap_text
 from haptonic.report.chapter import Chapter, Picture, Results
-from haptonic.report.chapters.dispersion import gap_text
+from haptonic.results.bands import CarrierPlace
+from haptonic.results.feel.requirements import Requirement, drive_in_gap
 from haptonic.results.feel.value import MARKS, Feel
 from haptonic.results.plain import split
 from haptonic.results.plate.value import PlateResult
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 
 LIGHTS = 3
 SEVERITY = ("red", "amber", "green")
@@ -45,8 +47,7 @@ class FirstScreen:
 def first_screen(results: Results, chapters: Iterable[Chapter]) -> FirstScreen:
     """Build the first screen from the results of a report."""
     pictures = {picture.name: picture for chapter in reversed(list(chapters)) for picture in chapter.pictures}
-    feel = results.of(Feel)
-    requirements = feel.requirements if feel else []
+    requirements = _requirements(results)
     worst = sorted(requirements, key=lambda requirement: SEVERITY.index(requirement.colour))[:LIGHTS]
     return FirstScreen(
         numbers=(*_gap(results), *_contrast(results), *_reduction(results)),
@@ -60,16 +61,30 @@ def first_screen(results: Results, chapters: Iterable[Chapter]) -> FirstScreen:
     )
 
 
+def _requirements(results: Results) -> list[Requirement]:
+    """Requirements of the plate; without one, only that the carrier lies in a gap."""
+    feel, carrier = results.of(Feel), results.study.carrier
+    if feel is not None:
+        return feel.requirements
+    return [] if carrier is None else [drive_in_gap(carrier, gap_at(gaps_of(results.bands), carrier))]
+
+
 def _gap(results: Results) -> list[Number]:
+    """The gap around the carrier with the margin, or else the nearest gap; without a carrier the widest."""
     complete = [gap for gap in gaps_of(results.bands) if gap.complete and gap.certain]
+    carrier = results.study.carrier
     if not complete:
         return [Number("none", "complete band gap")]
-    widest = max(complete, key=lambda gap: gap.width)
-    return [
-        Number(
-            gap_text(widest), "complete band gap", f"{100 * widest.width / widest.centre:.1f} % of its centre"
-        )
-    ]
+    if carrier is None:
+        widest = max(complete, key=lambda gap: gap.width)
+        share = in_percent(widest.width / widest.centre, form=".1f")
+        return [Number(gap_text(widest), "complete band gap", f"{share} of its centre")]
+    place, name = CarrierPlace.among(complete, carrier), f"the carrier, {hz_text(carrier, form='g')}"
+    if place.room <= 0:
+        note = f"{name}, lies in no complete gap, {place}"
+        return [Number(gap_text(place.gap), "nearest complete band gap", note)]
+    note = f"margin of {name}: {place}" + ", within its error" * (not place.gap.holds(carrier))
+    return [Number(gap_text(place.gap), "complete band gap around the carrier", note)]
 
 
 def _contrast(results: Results) -> list[Number]:
@@ -92,7 +107,7 @@ def _reduction(results: Results) -> list[Number]:
         Number(
             in_percent(reduction.value),
             f"less friction on {name}",
-            f"plausible {100 * reduction.low:.0f} to {in_percent(reduction.high)}, at {feel.at_drive}",
+            f"plausible {in_percent(reduction.low, reduction.high)}, at {feel.at_drive}",
         )
         for name, reduction in felt.items()
         if name in feel.friction.driven

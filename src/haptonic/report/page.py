@@ -19,9 +19,9 @@ from haptonic.fields import Quantity, table
 from haptonic.fields.keys import key_of, leaves
 from haptonic.materials import built_in_name
 from haptonic.pages import filled
+from haptonic.plots.text import gap_text
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.report.chapters import IN_ORDER, others
-from haptonic.report.chapters.dispersion import gap_text
 from haptonic.report.first import first_screen
 from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.study.schema import Description

@@ -6,7 +6,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -15,11 +15,11 @@ from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import lattice_of, mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
-from haptonic.plots.text import band_text
+from haptonic.plots.text import gap_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table, Uncertain
-from haptonic.units import format_quantity, hz_text
+from haptonic.units import format_quantity, hz_text, in_percent
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
@@ -35,6 +35,37 @@ def _where(gap: Gap) -> str:
 
 def _over_the_zone(result: Bands) -> bool:
     return "zone_frequency" in result.dataset
+
+
+@dataclass(frozen=True)
+class CarrierPlace:
+    """Place of a carrier in the complete gap around it, or else beside the nearest one.
+
+    room : distance to the ``edge``, "lower" or "upper", Hz; negative if the carrier lies beyond it
+    """
+
+    gap: Gap
+    carrier: float
+    edge: str
+    room: float
+
+    @classmethod
+    def among(cls, gaps: Sequence[Gap], carrier: float) -> Self:
+        """Find the place of a carrier (Hz) among complete gaps, at least one."""
+        gap = max(gaps, key=lambda candidate: candidate.margin(carrier))
+        ends = sorted(
+            [(carrier - gap.lower, "lower", gap.lower_error), (gap.upper - carrier, "upper", gap.upper_error)]
+        )
+        # the nearer edge, unless only the other one is so uncertain that the carrier may lie outside
+        room, edge, _ = next((end for end in ends if end[0] <= end[2]), ends[0])
+        return cls(gap, carrier, edge, room)
+
+    def __str__(self) -> str:
+        """``0.21 kHz (0.3 %) from its upper edge``."""
+        if self.room <= 0:
+            return f"{hz_text(-self.room, form='.2g')} from the nearest edge"
+        share = in_percent(self.room / self.carrier, form=".1f")
+        return f"{hz_text(self.room, form='.2g')} ({share}) from its {self.edge} edge"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -92,16 +123,14 @@ class Bands(Result):
     def summary(self) -> list[str]:
         complete = [gap for gap in self.gaps if gap.complete]
         sentences = [
-            f"Complete gap from {band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}, "
-            f"between bands {gap.between[0]} and {gap.between[1]}"
+            f"Complete gap from {gap_text(gap)}, between bands {gap.between[0]} and {gap.between[1]}"
             + ("." if gap.certain else "; it is not wider than the errors of its edges, so it may not exist.")
             for gap in complete
         ]
         sentences += [] if complete else ["The computed bands have no complete gap."]
         sentences += [
-            f"Gap of {gap.waves} waves alone from "
-            f"{band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)}, "
-            f"between their bands {gap.between[0]} and {gap.between[1]}."
+            f"Gap of {gap.waves} waves alone from {gap_text(gap)}, between their bands {gap.between[0]} and "
+            f"{gap.between[1]}."
             for gap in self.gaps
             if gap.waves != "all"
         ]
@@ -112,23 +141,15 @@ class Bands(Result):
         carrier = self.dataset.attrs.get("carrier_hz")
         if carrier is None or not complete:
             return []
-        gap = max(complete, key=lambda candidate: candidate.margin(carrier))  # containing it, or nearest
-        ends = sorted(
-            [(carrier - gap.lower, "lower", gap.lower_error), (gap.upper - carrier, "upper", gap.upper_error)]
-        )
-        # the nearer edge, unless only the other one is so uncertain that the carrier may lie outside
-        room, edge, _ = next((end for end in ends if end[0] <= end[2]), ends[0])
-        name, away = (
-            f"The carrier, {format_quantity(carrier, 'Hz')},",
-            hz_text(abs(room), form=".2g"),
-        )
-        if room <= 0:
-            text = f"{name} lies in no complete gap, {away} from the nearest edge"
+        place = CarrierPlace.among(complete, carrier)
+        name, gap = f"The carrier, {format_quantity(carrier, 'Hz')},", place.gap
+        if place.room <= 0:
+            text = f"{name} lies in no complete gap, {place}"
             return [f"{text}: waves of this frequency propagate in the lattice."]
-        text = f"{name} lies inside the gap, {away} ({room / carrier:.1%}) from its {edge} edge"
+        text = f"{name} lies inside the gap from {gap_text(gap)}, {place}"
         if not gap.holds(carrier):
             return [f"{text}, which is within the error of that edge."]
-        if room < 0.1 * gap.width:
+        if place.room < 0.1 * gap.width:
             text += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
         return [f"{text}."]
 

@@ -16,7 +16,7 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
-from haptonic.units import format_quantity, hz_text
+from haptonic.units import format_quantity, hz_text, in_percent
 
 LOW = 0.05  # of the highest frequency; a relative difference of lower frequencies is not meaningful
 FEW = 3  # differences that are listed in a sentence
@@ -141,7 +141,7 @@ class Comparison(Result):
             argument=self.second.name,
             given=f"band {place[1] + 1} at {where} is at {format_quantity(theirs, 'Hz')}, and that of "
             f"{self.first.name} at {format_quantity(ours, 'Hz')}",
-            allowed=f"frequencies that differ by at most {MOST_APART:.0%}",
+            allowed=f"frequencies that differ by at most {in_percent(MOST_APART)}",
             cause=self._likely_cause(),
             next_step="check units, columns and sizes; add --any-difference to compare them anyway",
         )
@@ -185,8 +185,8 @@ class Comparison(Result):
             return [f"{b.name} and {a.name} have no wavevector in common."]
         sentences = [
             f"{b.name} against {a.name}: {relative.shape[1]} bands at {len(b.position)} wavevectors, "
-            f"{100 * float(np.sqrt(np.nanmean(relative**2))):.3g} % apart on average (root mean square), at "
-            f"most {100 * float(relative[place]):.3g} % (band {place[1] + 1}, "
+            f"{in_percent(np.sqrt(np.nanmean(relative**2)), form='.3g')} apart on average (root mean "
+            f"square), at most {in_percent(relative[place], form='.3g')} (band {place[1] + 1}, "
             f"{self._place(float(b.position[place[0]]))})."
         ]
         moved = [row for row in self._gap_rows() if None not in row[1:5]]
@@ -291,8 +291,8 @@ class Comparison(Result):
         far = [number for number, median in enumerate(apart, start=1) if median > OTHER_BAND]
         if far and self.second.inputs == {}:
             remarks.append(
-                f"band {far[0]} and others are more than {OTHER_BAND:.0%} apart: a band may be missing "
-                "in one of the two, or a unit or a size may differ"
+                f"band {far[0]} and others are more than {in_percent(OTHER_BAND)} apart: a band may be "
+                "missing in one of the two, or a unit or a size may differ"
             )
         if self.second.left:
             remarks.append(

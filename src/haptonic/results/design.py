@@ -11,7 +11,7 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.design.parameters import UNITS
 from haptonic.later import Axes, Figure, xarray as xr
-from haptonic.plots.text import band_text
+from haptonic.plots.text import gap_text
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
@@ -59,7 +59,7 @@ class Design(Result):
         gap, carrier = self.gap, float(self.dataset.attrs["carrier_hz"])
         sentences = [
             f"The carrier, {hz_text(carrier, form='g')}, lies in the gap "
-            f"{band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)} with a margin of "
+            f"{gap_text(gap)} with a margin of "
             f"{hz_text(self.margin, form='.3f')}.",
             f"The margin is limited by {', '.join(self.held_back_by) or 'no bound and no limit'}.",
         ]

@@ -12,6 +12,7 @@ from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.friction.statistics.summary import Condition
 from haptonic.results.table import Cell, Table
+from haptonic.units import in_percent
 
 if TYPE_CHECKING:
     from haptonic.results.friction import FrictionResult
@@ -35,11 +36,12 @@ def reported(result: FrictionResult) -> list[str]:
         sentences.append(f"Bootstrap estimate of this share: {_percent(summary.stopped_here[guide])}.")
     for same in summary.equivalences:
         proof = same.note or (
-            f"90 % interval {same.low:.1%} to {same.high:.1%}; one-sided test against the "
-            f"noticeable {WEBER_FRACTION:.0%}: p = {same.p_above:.2g}"
+            f"90 % interval {in_percent(same.low, same.high, form='.1f')}; one-sided test against the "
+            f"noticeable {in_percent(WEBER_FRACTION)}: p = {same.p_above:.2g}"
         )
         sentences.append(
-            f"{same.waveguide}, idle: reduction {same.mean:.1%} as the mean of participants; {proof}."
+            f"{same.waveguide}, idle: reduction {in_percent(same.mean, form='.1f')} as the mean of "
+            f"participants; {proof}."
         )
     if summary.equivalences:
         sentences.append(averages())
@@ -150,6 +152,10 @@ def _spread(pair: tuple[float, float], digits: int) -> str:
 
 def _percent(estimate: IntervalEstimate) -> str:
     interval = (
-        f", 95 % interval {estimate.low:.1%} to {estimate.high:.1%}" if math.isfinite(estimate.low) else ""
+        f", 95 % interval {in_percent(estimate.low, estimate.high, form='.1f')}"
+        if math.isfinite(estimate.low)
+        else ""
     )
-    return f"{estimate.value:.1%}{interval}{f' ({estimate.note})' if estimate.note else ''}"
+    return (
+        f"{in_percent(estimate.value, form='.1f')}{interval}{f' ({estimate.note})' if estimate.note else ''}"
+    )

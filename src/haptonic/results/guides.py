@@ -12,7 +12,7 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 
 COLUMNS = (
     Column("width", shown="mm", form=".2f"), Column("length", shown="mm", form=".1f"),
@@ -52,8 +52,8 @@ class Guides(Result):
         return [
             f"Mode {self.across}x{self.along} lies at {hz_text(best.frequency, form='.3f')} in a waveguide "
             f"{best.mode.width * 1e3:.2f} mm wide and {best.length * 1e3:.1f} mm long between two mirrors.",
-            f"Its amplitude at the edge of the lattice is {best.mode.at_edge:.0%} of its peak; in the "
-            f"lattice it decays by {best.decay:.1f} dB per row.",
+            f"Its amplitude at the edge of the lattice is {in_percent(best.mode.at_edge)} of its peak; in "
+            f"the lattice it decays by {best.decay:.1f} dB per row.",
         ]
 
     def tables(self) -> list[Table]:

@@ -12,7 +12,7 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plots.text import uncertain_hertz
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
 HIDING = 0.1  # of the range; larger errors may hide modes, because these lie between errors of bulk bands
@@ -123,7 +123,7 @@ class RibbonWaves(Result):
             f"{self.dataset.sizes['wavevector']} wavevectors.",
             f"Nearest to {hz_text(self.target, form='.4g')}: "
             f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "
-            f"{float(best['phase_share']):.3f} pi per period): {inside:.0%} of its energy "
+            f"{float(best['phase_share']):.3f} pi per period): {in_percent(inside)} of its energy "
             f"is in the {there}{decays}; group velocity {speed:.0f} m/s.",
             *self._of_copies(near),
         ]

@@ -13,6 +13,7 @@ from haptonic.later import Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
+from haptonic.units import in_percent
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -41,16 +42,13 @@ class Tolerance(Result):
     def summary(self) -> list[str]:
         lower, upper = self.dataset["deviation"].values
         margin = f" with a margin of {self.margin:g} Hz" if self.margin else ""
+        confidence = f"a confidence of {in_percent(self.confidence, form='.1f')}"
         if self.loosest >= REACH:
-            loosest = (
-                f"Spreads may be {REACH:g} times as large or more for a confidence of {self.confidence:.1%}."
-            )
+            loosest = f"Spreads may be {REACH:g} times as large or more for {confidence}."
         elif self.loosest > 0:
-            loosest = (
-                f"Spreads may be {self.loosest:.2f} times as large for a confidence of {self.confidence:.1%}."
-            )
+            loosest = f"Spreads may be {self.loosest:.2f} times as large for {confidence}."
         else:
-            loosest = f"No spread, however small, gives a confidence of {self.confidence:.1%}."
+            loosest = f"No spread, however small, gives {confidence}."
         return [
             f"Probability that the gap contains the carrier{margin}: {percent(self.pillar)} for one pillar, "
             f"{percent(self.plate)} for all {self.pillars} pillars of a plate "
@@ -92,4 +90,6 @@ class Tolerance(Result):
 
 def percent(chance: float) -> str:
     """A probability in percent, with the accuracy of some thousands of draws."""
-    return "more than 99.99%" if chance > 0.9999 else "less than 0.01%" if chance < 1e-4 else f"{chance:.2%}"
+    if chance > 0.9999:
+        return "more than 99.99 %"
+    return "less than 0.01 %" if chance < 1e-4 else in_percent(chance, form=".2f")

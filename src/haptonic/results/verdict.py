@@ -22,7 +22,7 @@ from haptonic.results.common import stamped
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, in_percent
 from haptonic.updating.agreement import UNRESOLVED, Agreement, paired
 from haptonic.updating.fit import Fit
 from haptonic.vibrometry.maps.gap import MeasuredGap
@@ -133,8 +133,8 @@ class Verdict(Result):
     def summary(self) -> list[str]:
         """Sentences on the explained share of the measurement, and on the certainty of fitted numbers."""
         sentences = [
-            f"{name}: the model leaves {100 * agreement.unexplained:.2g} % of the measured energy "
-            f"unexplained; median FRAC {np.nanmedian(agreement.frac):.4f}."
+            f"{name}: the model leaves {in_percent(agreement.unexplained, form='.2g')} of the measured "
+            f"energy unexplained; median FRAC {np.nanmedian(agreement.frac):.4f}."
             for name, agreement in self.agreements.items()
         ]
         if (fit := self.fit) is not None:

@@ -16,7 +16,7 @@ from haptonic.errors import ScanError
 from haptonic.plate import Fineness, Plate, PlateModel
 from haptonic.plate.vibration.family import Anchor, Family, anchored
 from haptonic.progress import Progress, silent
-from haptonic.units import format_quantity
+from haptonic.units import format_quantity, in_percent
 from haptonic.updating.intervals import Uncertainty, uncertainty
 from haptonic.updating.match import Match, MeasuredResponse, Space
 from haptonic.updating.parameters import LOSS, bonds_of
@@ -54,7 +54,7 @@ class Fitted:
             return self.remark
         low, high = self.interval_95
         if high < (1 + NARROW) * self.value:
-            return f"± {100 * (high / self.value - 1):.2g} %"
+            return f"± {in_percent(high / self.value - 1, form='.2g')}"
         return f"{format_quantity(low, self.unit)} to {format_quantity(high, self.unit)}"
 
 
@@ -247,8 +247,8 @@ def _numbers(space: Space, x: Array, intervals: Uncertainty) -> tuple[Fitted, ..
 def _unlike(unexplained: float) -> ScanError:
     return ScanError.no_answer(
         argument="fit",
-        given=f"a best fit that leaves {100 * unexplained:.0f} % of the measured energy unexplained",
-        allowed=f"at most {100 * UNEXPLAINED:.0f} %",
+        given=f"a best fit that leaves {in_percent(unexplained)} of the measured energy unexplained",
+        allowed=f"at most {in_percent(UNEXPLAINED)}",
         cause="another plate, points that are turned or mirrored, another reference than the drive, bounds "
         "too narrow",
         next_step="look at the maps of model and measurement; register the scan; widen the bounds of [fit]",

@@ -7,7 +7,7 @@ from typing import Any
 
 from haptonic.arrays import Array
 from haptonic.results.table import Table
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 from haptonic.verification.comparison import CaseComparison
 
 HEAD = ("case", "quantity", "source value", "haptonic", "difference", "allowed", "agrees")
@@ -80,4 +80,4 @@ def _values_text(values: Array, unit: str, form: str = ".5g") -> str:
 
 
 def _number(value: float, unit: str, form: str = ".5g") -> str:
-    return hz_text(value, form=form) if unit == "Hz" else f"{100 * value:.3g} %"
+    return hz_text(value, form=form) if unit == "Hz" else in_percent(value, form=".3g")

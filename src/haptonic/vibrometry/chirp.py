@@ -12,7 +12,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.channels import Channel, delimited, hdf5, wav
 from haptonic.errors import HaptonicWarning, ScanError
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 
 Kind = Literal["chirp", "multisine"]
 DriveUnit = Literal["V", "N"]
@@ -179,7 +179,7 @@ def _warnings(
     if band[1] > safe:
         notes.append(
             f"the band reaches {hz_text(band[1], form='g')}, "
-            f"{100 * band[1] / half:.0f} % of half the sample rate "
+            f"{in_percent(band[1] / half)} of half the sample rate "
             f"({hz_text(half, form='g')}): lines there are bent by the converters' filters or folded "
             f"back; stay below {hz_text(safe, form='g')} or sample at "
             f"{hz_text(band[1] / safe * sample_rate, form='g')}"

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from functools import partial
 
-from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch import gaps_of
 from haptonic.later import xarray as xr
-from haptonic.plots.text import band_text
+from haptonic.plots.text import gap_text
 from haptonic.report.chapter import Absent, Chapter, Finding, Results
 
 
@@ -44,8 +44,3 @@ def chapter(results: Results) -> Chapter | Absent:
 def along(data: xr.Dataset) -> list[str]:
     """Corners of the path in their order."""
     return list(json.loads(data.attrs["path_labels"]))
-
-
-def gap_text(gap: Gap) -> str:
-    """``52.51 ± 0.05 to 60.21 ± 0.06 kHz``."""
-    return band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)

@@ -7,10 +7,9 @@ import math
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION, explained
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.phrases import change
-from haptonic.plots.text import in_percent
 from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.feel.value import Feel
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 
 TITLE = "What a finger feels"
 

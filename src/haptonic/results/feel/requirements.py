@@ -9,8 +9,8 @@ from typing import Literal
 from haptonic.bloch import Gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
 from haptonic.friction.lubrication.on_plate import Reduction
-from haptonic.plots.text import band_text, in_percent
-from haptonic.units import hz_text
+from haptonic.plots.text import gap_text
+from haptonic.units import hz_text, in_percent
 
 FAR = 2.0  # reduction that a driven region should reach, relative to the smallest noticeable one
 Colour = Literal["green", "amber", "red"]
@@ -44,7 +44,7 @@ def requirements(
     regions = [
         _driven(name, felt) if name in driven else _idle(name, felt) for name, felt in reductions.items()
     ]
-    return [*regions, _time(rise, constant), _in_gap(frequency, gap)]
+    return [*regions, _time(rise, constant), drive_in_gap(frequency, gap)]
 
 
 def _driven(name: str, felt: Reduction) -> Requirement:
@@ -72,14 +72,14 @@ def _time(rise: float, constant: float) -> Requirement:
     )
 
 
-def _in_gap(frequency: float, gap: Gap | None) -> Requirement:
+def drive_in_gap(frequency: float, gap: Gap | None) -> Requirement:
+    """Requirement that the drive frequency (Hz) lies in a gap; ``gap`` is the one around it, if any."""
     if gap is None:
         return Requirement("red", "the drive lies in a band gap", "no gap around the carrier")
-    edges = band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)
     return Requirement(
         "green" if gap.holds(frequency) else "red",
         "the drive lies in a band gap",
-        f"{hz_text(frequency, form='.2f')}, gap {edges}",
+        f"{hz_text(frequency, form='.2f')}, gap {gap_text(gap)}",
     )
 
 

@@ -21,7 +21,7 @@ from haptonic.results.feel.requirements import Requirement, requirements
 from haptonic.results.plain import determined, split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Column, Table
-from haptonic.units import format_quantity, hz_text
+from haptonic.units import format_quantity, hz_text, in_percent
 
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # readable without colours
 COLUMNS = (
@@ -145,7 +145,7 @@ class Feel(Result):
         sentences = [f"At {self.at_drive}, {felt}."]
         if self.reduction is not None:
             drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
-            sentences.append(f"Drive for a reduction of {100 * self.reduction:.0f} %: {drives}")
+            sentences.append(f"Drive for a reduction of {in_percent(self.reduction)}: {drives}")
         assumptions = self.friction.skin.assumptions()
         assumed = [name for name, assumption in assumptions.items() if assumption["mark"] == "assumed"]
         sentences.append(

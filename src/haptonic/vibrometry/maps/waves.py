@@ -11,6 +11,7 @@ import scipy
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
+from haptonic.units import in_percent
 
 Axis = Literal["x", "y"]
 
@@ -109,7 +110,7 @@ def wavenumber_map(response: FrequencyResponse, region: str, along: Axis) -> xr.
     share = float(energy[:, np.abs(wavenumber) > HIGH * np.pi / step].sum() / max(energy.sum(), 1e-300))
     if share > SUSPECT:
         warnings.warn(
-            f"{100 * share:.0f} % of the energy lies within 15 % of the largest wavenumber that steps of "
+            f"{in_percent(share)} of the energy lies within 15 % of the largest wavenumber that steps of "
             f"{step * 1e3:.4g} mm resolve: shorter waves are probably aliased; scan with smaller steps",
             HaptonicWarning,
             stacklevel=2,
