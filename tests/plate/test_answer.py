@@ -77,7 +77,9 @@ def test_a_band_is_made_of_what_a_forecast_counts():
     assert counted.shifts == (pytest.approx(len(reduced.basis.below), abs=0.5),)
     assert counted.unknowns == pytest.approx(model.assembly.size, rel=0.2)
     assert counted.vectors == (pytest.approx(reduced.basis.dimension, rel=0.3),)
-    kept = [extra.kept.shape[1] for extra in reduced.extras if extra.extra is not reduced.extras[-1].extra]
+    kept = [
+        extra.kept.shape[1] for extra in reduced.extras if extra.unreduced is not reduced.extras[-1].unreduced
+    ]
     assert counted.directions == pytest.approx(sum(kept), rel=0.4)
     assert (counted.lines, counted.points) == (15, pytest.approx(12 * PITCH**2 / 4e-6))
 

@@ -72,9 +72,9 @@ def test_compliance_is_the_inverse_of_the_reduced_matrix():
     reduced, omega = bare_band().reduced, HZ * 21e3
     line = np.array([omega])
     matrix = np.diag(reduced.model.factors[PLATE] * reduced.basis.values - omega**2).astype(complex)
-    for one in reduced.extras:
-        impedance = one.extra.impedance(line)[0]
-        matrix += impedance * (one.kept @ one.kept.T + np.diag(one.alone[:, 0]))
+    for extra in reduced.extras:
+        impedance = extra.unreduced.impedance(line)[0]
+        matrix += impedance * (extra.kept @ extra.kept.T + np.diag(extra.alone[:, 0]))
     seen = bare().displaced(grid()[:9], reduced.basis.raw) @ reduced.basis.turn
     found = _Compliance(reduced, seen, omega).among(np.array([[0, 4, 8], [1, 2, 3]]))
     for points, block in zip(([0, 4, 8], [1, 2, 3]), found, strict=True):
