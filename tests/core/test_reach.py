@@ -62,8 +62,10 @@ def following(error, asked):
         return replace(asked, budget=to_si(found[1], "s", "budget"))
     if found := re.fullmatch(r"write count = (\d+) in \[bands\]", step):
         return replace(asked, count=int(found[1]))
-    if found := re.fullmatch(r"write order = (\d) and foot_rings = (\d) in \[mesh\]", step):
-        return replace(asked, mesh=MeshSettings(order=int(found[1]), foot_rings=int(found[2])))
+    both = r"write order = (\d) and foot_rings = (\d) in \[mesh\](?: and count = (\d+) in \[bands\])?"
+    if found := re.fullmatch(both, step):
+        mesh = MeshSettings(order=int(found[1]), foot_rings=int(found[2]))
+        return replace(asked, mesh=mesh, count=int(found[3] or asked.count))
     if found := re.fullmatch(r"write order = (\d) in \[mesh\]", step):
         return replace(asked, mesh=replace(asked.mesh, order=int(found[1])))
     if step == "leave [mesh] out":
@@ -118,8 +120,8 @@ def test_a_refusal_says_of_which_kind_it_is_and_its_step_is_accepted(
         assert error.cause.startswith(f"lack of {kind}: ")
         changed = following(error, asked)
         if changed is None:  # nothing fits: no mesh that can be asked for does
-            least = Resolution(2, 0).for_bands(cell, 1)
-            assert least.memory(cell) > 0.5 * memory
+            least = replace(asked, count=1, mesh=MeshSettings(2, 0))
+            assert accepted(cell, least, limits) is not None
             return
         assert accepted(cell, changed, MeshLimits(changed.budget, memory)) is None
         asked = changed

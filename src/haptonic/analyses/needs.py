@@ -66,7 +66,8 @@ def checked_fineness(study: Description) -> Fineness | None:
     chosen = fineness(study)
     for cell in study.mounted_plate().layout.cells.values():
         if chosen is not None or cell.solid is not None:
-            check_memory(cell, tile_resolution(cell, chosen), MeshLimits.of(math.inf))
+            mesh = tile_resolution(cell, chosen)
+            check_memory(cell, mesh, mesh.bands, MeshLimits.of(math.inf))
     return chosen
 
 
@@ -89,9 +90,8 @@ def meshes_of(study: Description) -> list[Resolution]:
     if chosen is None:
         return started(cell, settings.count, settings.accuracy, limits)
     check_thickness(cell)
-    chosen = chosen.for_bands(cell, settings.count)
-    check_memory(cell, chosen, limits)
-    return [chosen]
+    check_memory(cell, chosen, settings.count, limits)
+    return [chosen.for_bands(cell, settings.count)]
 
 
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:

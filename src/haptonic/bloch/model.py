@@ -303,7 +303,7 @@ def candidate_models(
     else:
         check_thickness(cell)
         mesh, level, limits = chosen.for_bands(cell, count), len(LADDER), replace(limits, seconds=math.inf)
-        check_memory(cell, mesh, limits)
+        check_memory(cell, chosen, count, limits)
     spent, grown, answered = 0.0, 0, False
     while True:
         model = BlochModel.of(cell, mesh, count, measured=not gaps_only, many=not gaps_only)

@@ -199,7 +199,7 @@ def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> Haptonic
         )
     if lack.of == "memory":
         needed = rounded_up(lack.mesh.memory(cell) / MOST_MEMORY / 1e9)
-        steps += lower_meshes(cell, count, accuracy, limits)
+        steps += lower_meshes(cell, LADDER[starting_rung(accuracy)], count, limits)
         steps.append(f"free memory until {needed:g} GB are free, or use a machine that has them")
         return ResourceError.too_large(
             argument="memory",
@@ -228,31 +228,39 @@ def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> Haptonic
     )
 
 
-def lower_meshes(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[str]:
-    """Next step with the finest mesh below all mesh levels that fits into the memory."""
-    first = LADDER[starting_rung(accuracy)]
-    for order, rings in LOWER:
-        lower = replace(first, order=order, foot_rings=rings).for_bands(cell, count)
-        if lower.memory(cell) <= limits.memory:
-            return [f"write order = {order} and foot_rings = {rings} in [mesh]"]
+def lower_meshes(cell: UnitCell, first: Resolution, count: int, limits: MeshLimits) -> list[str]:
+    """Next step with the finest mesh below all mesh levels that fits into the memory.
+
+    If none fits for ``count`` bands, the step is the coarsest mesh with as many bands as fit.
+
+    first : mesh whose interior the lower meshes keep
+    """
+    meshes = [replace(first, order=order, foot_rings=rings) for order, rings in LOWER]
+    tried = [(mesh, count) for mesh in meshes] + [(meshes[-1], n) for n in range(count - 1, 0, -1)]
+    for mesh, bands in tried:
+        if mesh.for_bands(cell, bands).memory(cell) <= limits.memory:
+            step = f"write order = {mesh.order} and foot_rings = {mesh.foot_rings} in [mesh]"
+            return [f"{step} and count = {bands} in [bands]" if bands < count else step]
     return []
 
 
-def check_memory(cell: UnitCell, chosen: Resolution, limits: MeshLimits) -> None:
-    """Refuse a mesh of the user that exceeds the memory; its time is not limited."""
-    if chosen.memory(cell) <= limits.memory:
+def check_memory(cell: UnitCell, chosen: Resolution, count: int, limits: MeshLimits) -> None:
+    """Refuse a mesh of the user for ``count`` bands that exceeds the memory; its time is not limited."""
+    mesh = chosen.for_bands(cell, count)
+    if mesh.memory(cell) <= limits.memory:
         return
-    lower = (replace(chosen, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
+    lower = (replace(mesh, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
     fits = next((mesh.order for mesh in lower if mesh.memory(cell) <= limits.memory), None)
     steps = [f"write order = {fits} in [mesh]"] if fits else []
-    if limits.lack(cell, LADDER[0].for_bands(cell, chosen.bands)) is None:
+    if limits.lack(cell, LADDER[0].for_bands(cell, count)) is None:
         steps.append("leave [mesh] out")
-    needed = rounded_up(chosen.memory(cell) / MOST_MEMORY / 1e9)
+    steps = steps or lower_meshes(cell, chosen, count, limits)
+    needed = rounded_up(mesh.memory(cell) / MOST_MEMORY / 1e9)
     raise ResourceError.too_large(
         argument="mesh",
         given=f"order = {chosen.order}, foot_rings = {chosen.foot_rings}",
         allowed=f"a mesh that fits: {limits.gigabytes}",
-        cause=f"lack of memory: {Lack('memory', chosen, limits).text(cell)}",
+        cause=f"lack of memory: {Lack('memory', mesh, limits).text(cell)}",
         next_step=", or ".join(steps)
         or f"free memory until {needed:g} GB are free, or use a machine that has them",
     )
