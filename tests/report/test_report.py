@@ -24,6 +24,7 @@ from haptonic.materials import material
 from haptonic.plots.text import gap_text
 from haptonic.report import Absent, Chapter, Results, Table, write_report
 from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, sweeps
+from haptonic.report.first import first_screen
 from haptonic.report.page import MESH, _appendix, page
 from haptonic.report.trend import fitted_power, trend_of
 from haptonic.results.references import References
@@ -594,11 +595,38 @@ class TestFirstScreen:
     def test_it_has_the_gap_and_the_picture_of_the_bands_where_there_is_no_plate(self):
         content = page(mirrored(sweeps=()))
         first = content[content.index('<div class="first">') : content.index("<nav")]
-        assert re.findall(r'number-of"><strong>(.*?)</strong>', first) == [
-            gap_text(gaps_of(reference_bands())[0])
-        ]
+        assert [
+            value.replace("\N{NO-BREAK SPACE}", " ")
+            for value in re.findall(r'number-of"><strong>(.*?)</strong>', first)
+        ] == [gap_text(gaps_of(reference_bands())[0])]
         assert "Band diagram" in first
-        assert 'class="lights"' not in first
+        assert re.findall(r'<li class="(\w+)">(.*?)<small>', first) == [
+            ("green", "● the drive lies in a band gap: met ")
+        ]
+
+    @pytest.mark.parametrize(
+        ("carrier", "name", "note", "light"),
+        [
+            (56e3, "complete band gap around the carrier", "margin of the carrier, 56 kHz: 3.5 kHz", "green"),
+            (
+                40e3,
+                "nearest complete band gap",
+                "the carrier, 40 kHz, lies in no complete gap, 12 kHz",
+                "red",
+            ),
+            (None, "complete band gap", "of its centre", None),
+        ],
+    )
+    def test_the_gap_is_that_of_the_carrier(self, carrier, name, note, light):
+        """A second gap, twice as wide and far above the carrier, is not shown instead."""
+        study, bands = study_with(carrier=carrier), reference_bands().isel(gap=[0, 0])
+        bands["gap_lower"][1], bands["gap_upper"][1] = 100e3, 120e3
+        screen = first_screen(results(study=study, bands=bands), [])
+        near, wide = (gap_text(gap) for gap in gaps_of(bands))
+        assert screen.numbers[0].value == (wide if carrier is None else near)
+        assert screen.numbers[0].name == name
+        assert note in screen.numbers[0].note
+        assert [colour for colour, _, _ in screen.requirements] == ([light] if light else [])
 
     def test_without_a_gap_it_says_so(self):
         bands = reference_bands()

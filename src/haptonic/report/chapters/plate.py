@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from haptonic import plots
+from haptonic.bloch import Gap
 from haptonic.later import xarray as xr
 from haptonic.plate.vibration.datasets import part_name
 from haptonic.plate.vibration.modes import has_one_lobe
@@ -72,14 +73,16 @@ def _in_words(line: xr.Dataset) -> str:
 def _findings(result: PlateResult) -> list[str]:
     findings: list[str] = []
     gap = result.gap
-    for line in split(result.maps, "frequency"):
+    lines = split(result.maps, "frequency")
+    # the maps in the gap first: these are the findings that a folded chapter shows
+    for line in sorted(lines, key=lambda line: not (gap and gap.lower < line["frequency"] < gap.upper)):
         frequency = float(line["frequency"])
-        where = "in" if gap and gap.holds(frequency) else "outside of"
+        where = _place(frequency, gap)
         for name, level in split(line.get("contrast"), "pair").items():
             verdict = "the vibration stays in the driven region" if level >= LOCALISED else (
                 "the whole plate vibrates" if level < EVERYWHERE else "part of it leaves the driven region"
             )  # fmt: skip
-            text = f"{name} at {hz_text(frequency, form='.2f')}, {where} the gap: {level:.1f} dB; {verdict}."
+            text = f"{name} at {hz_text(frequency, form='.2f')}, {where}: {level:.1f} dB; {verdict}."
             findings.append(Finding(text, "maps"))
     names, frequencies = result.modes["name"].values.tolist(), result.modes["frequency"].values / 1e3
     lobed = [k for k, name in enumerate(names) if has_one_lobe(name)]
@@ -100,6 +103,13 @@ def _findings(result: PlateResult) -> list[str]:
             "energy is in the mirrors, which have the loss factor of the plate."
         )
     return findings
+
+
+def _place(frequency: float, gap: Gap | None) -> str:
+    """Place of a frequency (Hz) relative to the gap, in words."""
+    if gap is None or not gap.lower < frequency < gap.upper:
+        return "outside of the gap"
+    return "in the gap" if gap.holds(frequency) else "in the gap within the error of its edge"
 
 
 def _nearest(result: PlateResult) -> xr.Dataset:
