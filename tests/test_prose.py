@@ -35,8 +35,8 @@ SOURCE = ROOT / "src" / "haptonic"
 # packages whose docstrings, comments and messages are checked; "" for the modules at the top level
 CLEANED = (
     "", "analyses", "bloch", "cell", "channels", "cli", "design", "fields", "foreign", "friction",
-    "materials", "pages", "plate", "response", "results", "study", "superelement", "templates", "updating",
-    "verification", "vibrometry", "workshop",
+    "materials", "pages", "plate", "plots", "report", "response", "results", "study", "superelement", "templates",
+    "updating", "verification", "vibrometry", "workshop",
 )  # fmt: skip
 SOURCES = {
     str(path.relative_to(SOURCE)): path
@@ -185,6 +185,18 @@ def test_banned_words_of_a_module_are_found_in_its_texts_and_not_in_its_keys(tmp
     banned = {word for words in dialect_of_source(module).values() for word in words}
     assert banned == {"told", "says", "stands"}
     assert vague_names(ast.parse(module.read_text())) == {"told", "one"}
+
+
+def test_a_percentage_has_one_spelling():
+    """`5 %`, by `haptonic.units.in_percent`: neither `5%` nor the format of Python, which writes that."""
+    wrong = re.compile(r"\d%(?![\w;%])|\{[^{}]*:[^{}]*%\}")
+    sources = {name: path for name, path in SOURCES.items() if path.suffix == ".py"}
+    assert {name: wrong.findall(path.read_text("utf-8")) for name, path in sources.items()
+            if wrong.search(path.read_text("utf-8"))} == {}  # fmt: skip
+    assert {name: text for name, text in help_texts().items() if wrong.search(text)} == {}
+    assert [wrong.search(text) is None for text in ('f"{x:.1%}"', "is 5%.", "is 5 %", "7 % 3")] == [
+        False, False, True, True,
+    ]  # fmt: skip
 
 
 def test_banned_words_are_found_in_prose_and_not_in_code():

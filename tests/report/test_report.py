@@ -24,6 +24,7 @@ from haptonic.materials import material
 from haptonic.plots.text import gap_text
 from haptonic.report import Absent, Chapter, Results, Table, write_report
 from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, sweeps
+from haptonic.report.first import first_screen
 from haptonic.report.page import MESH, _appendix, page
 from haptonic.report.trend import fitted_power, trend_of
 from haptonic.results.references import References
@@ -272,7 +273,7 @@ class TestChaptersLeftOut:
 
     def test_every_chapter_is_a_chapter_or_says_why_not(self):
         left_out = [one.title for one in (c(mirrored()) for c in IN_ORDER) if isinstance(one, Absent)]
-        without = ["Plate", "The scan, simulated", "What a finger feels", "Friction trials"]
+        without = ["Plate", "Simulated scan", "Friction at a fingertip", "Friction trials"]
         assert left_out == without, "no plate was computed here"
         for chapter in IN_ORDER:
             made = chapter(results(study=study_with(sweep_settings=()), sweeps=()))
@@ -468,14 +469,15 @@ class TestMirror:
         (strip,) = guides.strips
         return replace(guides, strips=(replace(strip, decay=per_row, **changes),))
 
-    @pytest.mark.parametrize(("per_row", "verdict"), [(6.6, "not"), (6.7, "almost"), (25.0, "almost")])
+    @pytest.mark.parametrize(
+        ("per_row", "verdict"), [(6.6, "no total"), (6.7, "almost total"), (25.0, "almost total")]
+    )
     def test_three_rows_are_judged_by_their_insulation(self, per_row, verdict):
         said = self.said(per_row)
-        assert f"{3 * per_row:.1f} dB: {verdict} total reflection" in said
-        assert f"let {100 * 10 ** (-0.3 * per_row):.1f} % of the energy" in said
+        assert f"insertion loss {3 * per_row:.1f} dB, {verdict} reflection" in said
+        assert f"transmit {100 * 10 ** (-0.3 * per_row):.1f} % of the energy" in said
         assert (
-            f"the same kind of wave is {3 * per_row - 10 * np.log10(0.25):.1f} dB below the incident one"
-            in said
+            f"other kinds of waves the insertion loss is {3 * per_row - 10 * np.log10(0.25):.1f} dB" in said
         )
 
     def test_the_best_frequency_lies_in_the_gap(self):
@@ -488,7 +490,7 @@ class TestMirror:
             1e-9  # of another number of rows
         )
         said = " ".join(mirror.chapter(mirrored(layers=layers)).findings)
-        assert "Within the gap three rows stop most at 54.0 kHz: 24 dB." in said
+        assert "Within the gap the insertion loss of three rows is largest at 54.0 kHz: 24 dB." in said
         without = replace(layers, gap=None)
         assert "Within the gap" not in " ".join(mirror.chapter(mirrored(layers=without)).findings)
         few = replace(layers, dataset=layers.dataset.isel(rows=slice(2)))
@@ -549,7 +551,7 @@ class TestTrend:
         assert trend_of(made_up_sweep(exponent=2.0)).straightness > 1e3
 
     @pytest.mark.parametrize(
-        ("exponent", "said"), [(0.8, "is a straight line"), (3.0, "leaves a straight line")]
+        ("exponent", "said"), [(0.8, "is a straight line"), (3.0, "deviates from a straight line")]
     )
     def test_a_bent_edge_is_not_called_straight(self, exponent, said):
         made = sweeps.chapter(results(sweeps=(made_up_sweep(exponent=exponent),)))
@@ -593,11 +595,38 @@ class TestFirstScreen:
     def test_it_has_the_gap_and_the_picture_of_the_bands_where_there_is_no_plate(self):
         content = page(mirrored(sweeps=()))
         first = content[content.index('<div class="first">') : content.index("<nav")]
-        assert re.findall(r'number-of"><strong>(.*?)</strong>', first) == [
-            gap_text(gaps_of(reference_bands())[0])
-        ]
+        assert [
+            value.replace("\N{NO-BREAK SPACE}", " ")
+            for value in re.findall(r'number-of"><strong>(.*?)</strong>', first)
+        ] == [gap_text(gaps_of(reference_bands())[0])]
         assert "Band diagram" in first
-        assert 'class="lights"' not in first
+        assert re.findall(r'<li class="(\w+)">(.*?)<small>', first) == [
+            ("green", "● the drive lies in a band gap: met ")
+        ]
+
+    @pytest.mark.parametrize(
+        ("carrier", "name", "note", "light"),
+        [
+            (56e3, "complete band gap around the carrier", "margin of the carrier, 56 kHz: 3.5 kHz", "green"),
+            (
+                40e3,
+                "nearest complete band gap",
+                "the carrier, 40 kHz, lies in no complete gap, 12 kHz",
+                "red",
+            ),
+            (None, "complete band gap", "of its centre", None),
+        ],
+    )
+    def test_the_gap_is_that_of_the_carrier(self, carrier, name, note, light):
+        """A second gap, twice as wide and far above the carrier, is not shown instead."""
+        study, bands = study_with(carrier=carrier), reference_bands().isel(gap=[0, 0])
+        bands["gap_lower"][1], bands["gap_upper"][1] = 100e3, 120e3
+        screen = first_screen(results(study=study, bands=bands), [])
+        near, wide = (gap_text(gap) for gap in gaps_of(bands))
+        assert screen.numbers[0].value == (wide if carrier is None else near)
+        assert screen.numbers[0].name == name
+        assert note in screen.numbers[0].note
+        assert [colour for colour, _, _ in screen.requirements] == ([light] if light else [])
 
     def test_without_a_gap_it_says_so(self):
         bands = reference_bands()

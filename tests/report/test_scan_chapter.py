@@ -62,7 +62,7 @@ def test_the_scan_returns_the_plate_that_it_was_made_of(plate, scan):
 def test_the_chapter_sets_scan_and_plate_side_by_side(study, plate, scan, known):
     made = chapter(Results(study, {"plate": plate, "scan": scan}, references=known))
     assert isinstance(made, Chapter)
-    assert "Nobody measured this" in made.paragraphs[0]
+    assert "The records are simulated" in made.paragraphs[0]
     assert "126 lines 400 Hz apart" in made.paragraphs[0]
     assert all(picture.caption.startswith("Simulated") for picture in made.pictures)
     assert ("(Fig. 5D of the paper)" in made.pictures[0].caption) == (known is not None)
@@ -76,7 +76,7 @@ def test_the_chapter_sets_scan_and_plate_side_by_side(study, plate, scan, known)
     assert named["high contrast, simulated scan"][0].startswith(
         uncertain(scan.measured.lower / 1e3, scan.measured.lower_error / 1e3)
     )
-    assert "at 126 of 126 lines" in made.findings[0]
+    assert "at 126 of 126 frequencies" in made.findings[0]
     assert "at 126 of them" in made.findings[0]
 
 

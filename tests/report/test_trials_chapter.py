@@ -42,8 +42,8 @@ def test_what_is_simulated_says_so(result):
     measured = chapter(Results(SimpleNamespace(), {"friction": result}))
     result.trials.attrs["origin"] = "simulated"
     simulated = chapter(Results(SimpleNamespace(), {"friction": result}))
-    assert "Nobody was measured" in simulated.paragraphs[0]
-    assert "Nobody" not in " ".join(measured.paragraphs)
+    assert "sensor are simulated" in simulated.paragraphs[0]
+    assert "simulated" not in " ".join(measured.paragraphs)
     assert all(picture.caption.startswith("Simulated") for picture in simulated.pictures)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.resources import files
@@ -13,6 +14,9 @@ from haptonic.later import jinja2
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+# spaces between a number and its unit or error
+BREAKS = re.compile(r"(?<=\d) (?=(?:%|±|[kMG]?Hz|dB|[mµn]m|ms|[Nk]?V|mm/s)(?![A-Za-z]))|(?<=±) (?=\d)")
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +39,18 @@ class Picture:
 def filled(template: str, **values: object) -> str:
     """Fill in a template of this folder; texts are escaped."""
     environment = jinja2.Environment(
-        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
+        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True,
+        finalize=_unbroken,
+    )  # fmt: skip
     environment.filters["embedded"] = embedded
     environment.filters["webp"] = lambda content: address(content, "webp")
     text = files("haptonic.pages").joinpath(template).read_text("utf-8")
     return environment.from_string(text).render(**values)
+
+
+def _unbroken(value: object) -> object:
+    """A text whose numbers stay on one line with their units and errors; other values as they are."""
+    return BREAKS.sub("\N{NO-BREAK SPACE}", value) if type(value) is str else value
 
 
 def embedded(figure: Figure, kind: Literal["svg", "png"] = "svg") -> str:

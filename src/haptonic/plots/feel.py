@@ -54,8 +54,8 @@ def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Fi
     for axes, (end, words) in zip(panels, PANELS.items(), strict=True):
         small = slenderness >= LOW and end != "value"
         image, lines = _draw_friction(axes, friction, end, layout, named=not small)
-        said = words.replace("\n", " ") if slenderness < LOW else words
-        axes.set_title(said, pad=6 + lines * LINE * mpl.rcParams["font.size"])
+        title_of_map = words.replace("\n", " ") if slenderness < LOW else words
+        axes.set_title(title_of_map, pad=6 + lines * LINE * mpl.rcParams["font.size"])
         if small:
             axes.set(xlabel="", xticks=[], yticks=[])
         else:

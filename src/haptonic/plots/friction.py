@@ -33,18 +33,22 @@ COLUMNS = 6  # of trials on a sheet
 
 
 @style.drawn
-def conditions(found: Sequence[Condition], *, origin: str, ax: Axes | None = None) -> Figure:
+def conditions(summaries: Sequence[Condition], *, origin: str, ax: Axes | None = None) -> Figure:
     """Mean friction of every condition with one standard deviation of trials, by participant and of all.
 
     A line leads from the mean without vibration, hollow, to that with it, filled.
     """
-    guides = list(dict.fromkeys(one.waveguide for one in found))
-    people = list(dict.fromkeys(one.participant for one in found))
+    guides = list(dict.fromkeys(condition.waveguide for condition in summaries))
+    people = list(dict.fromkeys(condition.participant for condition in summaries))
     if len(people) > MOST_PEOPLE + 1:
         people = [EVERYBODY]
     on = stage(ax, 8.0)
     axes = on.axes
-    shown = {(one.participant, one.waveguide, one.actuation): one for one in found if one.used}
+    shown = {
+        (condition.participant, condition.waveguide, condition.actuation): condition
+        for condition in summaries
+        if condition.used
+    }
     tints = colours([colour for colour, _ in LOOKS])
     step = 0.8 / (2 * len(guides))
     for place, person in enumerate(people):
@@ -59,10 +63,10 @@ def conditions(found: Sequence[Condition], *, origin: str, ax: Axes | None = Non
             }
             line = []
             for a, side in enumerate(("off", "on")):
-                one = shown.get((person, guide, side))
-                if one is None:
+                condition = shown.get((person, guide, side))
+                if condition is None:
                     continue
-                x, (mean, deviation) = place - 0.4 + step * (2 * g + a + 0.5), one.friction
+                x, (mean, deviation) = place - 0.4 + step * (2 * g + a + 0.5), condition.friction
                 known = deviation if np.isfinite(deviation) else None
                 face = look["color"] if side == "on" else "white"
                 points = axes.errorbar(x, mean, known, mfc=face, elinewidth=0.9, zorder=3, **look)
@@ -113,15 +117,15 @@ def reductions(
         colour, marker = tints[g % len(tints)], LOOKS[g % len(LOOKS)][1]
         shift = 0.16 * (g - 0.5 * (len(population) - 1))
         for row, person in enumerate(rows):
-            one = whole if person == EVERYBODY else own.get((guide, person))
-            if one is None:
+            estimate = whole if person == EVERYBODY else own.get((guide, person))
+            if estimate is None:
                 continue
             y = row + shift
-            if np.isfinite(one.low):
-                axes.plot([100 * one.low, 100 * one.high], [y, y], color=colour, lw=1.6, zorder=2)
+            if np.isfinite(estimate.low):
+                axes.plot([100 * estimate.low, 100 * estimate.high], [y, y], color=colour, lw=1.6, zorder=2)
             bold = person == EVERYBODY
             axes.plot(
-                100 * one.value, y, marker, color=colour, ms=7 if bold else 5, zorder=3,
+                100 * estimate.value, y, marker, color=colour, ms=7 if bold else 5, zorder=3,
                 label=label(guide) if row == 0 else None, gid=f"{guide} {person}",
             )  # fmt: skip
         if published and guide in published:
@@ -159,7 +163,7 @@ def trial_sheet(trials: xr.Dataset, traces: xr.Dataset, *, origin: str) -> Figur
     axes = figure.subplots()
     place = {int(number): row for row, number in enumerate(traces["trial"].values)}
     forces = {name: traces[name].values for name in ("normal", "tangential")}
-    high = float(np.nanmax([np.nanquantile(np.abs(one), 0.999) for one in forces.values()], initial=0.1))
+    high = float(np.nanmax([np.nanquantile(np.abs(force), 0.999) for force in forces.values()], initial=0.1))
     lasts = float(np.nanmax(traces["time"].values, initial=1e-3))
     for k in range(count):
         trial = trials.isel(stroke=k)
@@ -169,7 +173,7 @@ def trial_sheet(trials: xr.Dataset, traces: xr.Dataset, *, origin: str) -> Figur
         row = place.get(int(trial["trial"]))
         if row is not None:
             at = x + 0.04 + 0.88 * traces["time"].values[row] / lasts
-            curves = [one[row] for one in forces.values()]
+            curves = [force[row] for force in forces.values()]
             _curves(axes, at, curves, traces["steady"].values[row], y, high)
         number = "" if reason else f"  {float(trial['friction']):.2f}"
         guide = f"{int(trial['trial'])}: {trial['waveguide'].values} {trial['actuation'].values}{number}"
@@ -202,7 +206,7 @@ def _curves(
     middle, scale = y + 0.46, 0.36 / high
     axes.plot(at[[0, -1]], [middle, middle], color=style.PALE_INK, lw=0.4, zorder=1)
     colours = (style.BLUE, style.ORANGE)
-    lines = [np.column_stack([at, middle + scale * np.clip(one, -high, high)]) for one in forces]
+    lines = [np.column_stack([at, middle + scale * np.clip(force, -high, high)]) for force in forces]
     axes.add_collection(LineCollection(lines, colors=colours, linewidths=0.8, zorder=3), autolim=False)
     if steady.any():
         edges = np.flatnonzero(np.diff(np.concatenate([[0], steady.astype(int), [0]])))

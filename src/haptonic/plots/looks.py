@@ -83,13 +83,13 @@ def chosen(
                 argument="color", given=shown(name), allowed='a colour of matplotlib, such as "#0072B2"',
                 cause="the name is misspelt, or a map of colours", next_step='write color="black"',
             )  # fmt: skip
-    made = Choice(LOOKS[style] if style else choice().look, legend, colours)
-    token = _CHOICE.set(made)
+    chosen_options = Choice(LOOKS[style] if style else choice().look, legend, colours)
+    token = _CHOICE.set(chosen_options)
     try:
         yield
     finally:
         _CHOICE.reset(token)
-    if colours and not made.coloured:
+    if colours and not chosen_options.coloured:
         raise HaptonicError.unsupported(
             argument="color", given=f"color={shown(color)}", allowed="color for pictures with curves",
             cause="this picture has no curves; its colours are those of a scale", next_step="leave color out",
@@ -98,6 +98,6 @@ def chosen(
 
 def colours(standard: Sequence[str]) -> list[str]:
     """Colours of curves in their order: those that were chosen, then the standard ones."""
-    made = choice()
-    made.coloured = made.coloured or bool(made.colours)
-    return [*made.colours, *standard[len(made.colours) :]]
+    chosen_options = choice()
+    chosen_options.coloured = chosen_options.coloured or bool(chosen_options.colours)
+    return [*chosen_options.colours, *standard[len(chosen_options.colours) :]]

@@ -92,7 +92,7 @@ def maps_compared(
         grid[0] * tall, 5.5 * grid[0] + 4, min(1.0, 0.2 + 0.4 * grid[1]) if not stacked else 1.0
     )
     panels = figure.subplots(*grid, sharex=True, sharey=True, squeeze=False)
-    seen = [_seen(one.at(asked), drive) for one in rows.values() for asked in frequencies]
+    seen = [_seen(response.at(asked), drive) for response in rows.values() for asked in frequencies]
     _painted(panels.ravel().tolist(), seen, layout, gap)
     for axes in panels.ravel():
         axes.label_outer()
@@ -179,33 +179,33 @@ def _painted(
     panels: Sequence[Axes], seen: Sequence[Seen], layout: Layout | None, gap: Gap
 ) -> list[tuple[AxesImage, AnyComplex]]:
     """Maps on one scale of colours, the regions around them; each picture with its values as drawn."""
-    first, most = seen[0], max(one.largest for one in seen)
+    first, most = seen[0], max(shape.largest for shape in seen)
     unit, factor = absolute(first.units, most, first.drive)
     limit = factor * most or 1.0
-    made = []
-    for axes, one in zip(panels, seen, strict=True):
-        shape = np.asarray(factor * one.shape)
+    images = []
+    for axes, line in zip(panels, seen, strict=True):
+        shape = np.asarray(factor * line.shape)
         # a simulated field is smooth between its points; measured points are shown as they are
-        is_smooth = one.origin == "simulated" and bool(np.isfinite(shape).all())
+        is_smooth = line.origin == "simulated" and bool(np.isfinite(shape).all())
         image = axes.imshow(
             shape.real, cmap=style.diverging(), norm=Normalize(-limit, limit), origin="lower",
-            extent=(*one.x, *one.y), interpolation="bicubic" if is_smooth else "nearest", gid="map",
+            extent=(*line.x, *line.y), interpolation="bicubic" if is_smooth else "nearest", gid="map",
         )  # fmt: skip
         lines = outlined(axes, layout)
         axes.set_ylabel("y (mm)")
         # all numbers of a figure in one unit, so that they can be compared
-        words = [_beside(one.frequency, gap), hz_text(one.frequency, form=".1f"),
-                 f"up to {factor * one.largest:.3g} {unit}"]  # fmt: skip
+        words = [_beside(line.frequency, gap), hz_text(line.frequency, form=".1f"),
+                 f"up to {factor * line.largest:.3g} {unit}"]  # fmt: skip
         axes.set_title("\n".join(filter(None, words)), pad=6 + lines * LINE * mpl.rcParams["font.size"])
-        made.append((image, shape))
+        images.append((image, shape))
     figure = panels[0].get_figure(root=True)
     assert figure is not None
-    bar = figure.colorbar(made[0][0], ax=list(panels), location="bottom", aspect=30, pad=0.03, shrink=0.8)
-    origin = first.origin if all(one.origin == first.origin for one in seen) else ""
+    bar = figure.colorbar(images[0][0], ax=list(panels), location="bottom", aspect=30, pad=0.03, shrink=0.8)
+    origin = first.origin if all(line.origin == first.origin for line in seen) else ""
     bar.set_label(f"{origin} normal {first.quantity} ({unit}){driven(first.units, first.drive)}".strip())
     bar.locator = MaxNLocator(4, symmetric=True)
     bar.update_ticks()
-    return made
+    return images
 
 
 def _nearest(line: FrequencyResponse) -> tuple[AnyComplex, Array, Array]:
@@ -250,7 +250,8 @@ def outlined(axes: Axes, layout: Layout | None, *, named: bool = True) -> int:
         return 0
     size, width = mpl.rcParams["font.size"], axes.get_window_extent().width * 72 / axes.figure.dpi
     if all(
-        one[1][0] <= other[0][0] or other[1][0] <= one[0][0] for one, other in combinations(spans.values(), 2)
+        span[1][0] <= other[0][0] or other[1][0] <= span[0][0]
+        for span, other in combinations(spans.values(), 2)
     ):
         room = min((high[0] - low[0] for low, high in spans.values()), default=0.0)
         across = room / (1e3 * (layout.x[-1] - layout.x[0])) * width

@@ -99,7 +99,7 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
     else:
         panels = np.array([[given.axes, None]], dtype=object)
     rows, frequency = dataset["rows"].values, dataset["frequency"].values / 1e3
-    shades = colours([to_hex(one) for one in style.perceptual()(np.linspace(0.72, 0.05, len(rows)))])
+    shades = colours([to_hex(shade) for shade in style.perceptual()(np.linspace(0.72, 0.05, len(rows)))])
     carrier = float(dataset.attrs["carrier_hz"]) / 1e3
     for (axes, beside), family in zip(panels, there, strict=True):
         total = dataset["transmitted"].sel(incident=family).sum("outgoing", skipna=False).values
@@ -129,7 +129,7 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
         panels[0][1], [(0.5 * (rows[0] + rows[-1]), f"at {hz_text(1e3 * carrier, form='g')}", style.CARRIER)]
     )
     angle = np.degrees(float(dataset.attrs["angle"]))
-    along = [int(one) for one in dataset.attrs["along"]]
+    along = [int(number) for number in dataset.attrs["along"]]
     words = [
         "transmitted" if len(there) > 1 else "",
         "" if along == [0, 1] else f"rows along {along}",

@@ -27,7 +27,7 @@ COLUMNS = 4
 MOMENTS = 12  # of a cycle that are drawn of moving modes
 PIECES = 8  # faces drawn along an element's side, at most
 FINER = 4  # patches of one colour along the side of a face, at most
-SHADES = 60  # steps of the scale of colours that cannot be told apart side by side
+SHADES = 60  # steps of the scale of colours, too small to be distinguished side by side
 LARGEST = 0.2  # drawn displacement, as a share of the period
 APART = 0.45  # of the clear distance of two pillars, so that they do not pass through each other
 SHARP = np.cos(np.radians(35))  # faces that meet at a larger angle make an edge of the outline
@@ -190,14 +190,14 @@ def _finer(corners: Array) -> Array:
     Each is parted until its last component, the colour, changes too little in a part to be seen.
     """
     parts = np.clip(np.ceil(SHADES * np.ptp(corners[..., -1], axis=1)), 1, FINER).astype(int)
-    found = []
+    patches = []
     for count in np.unique(parts):
         u, v = np.meshgrid(*[np.linspace(0, 1, count + 1)] * 2, indexing="ij")
         shares = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v], axis=-1)
         around = np.stack([shares[:-1, :-1], shares[1:, :-1], shares[1:, 1:], shares[:-1, 1:]], axis=2)
         filled = np.einsum("ijkl,nlc->nijkc", around, corners[parts == count])
-        found.append(filled.reshape(-1, 4, corners.shape[2]))
-    return np.concatenate(found)
+        patches.append(filled.reshape(-1, 4, corners.shape[2]))
+    return np.concatenate(patches)
 
 
 def _projected(points: Array) -> Array:
@@ -270,7 +270,9 @@ def clearance(position: Array, faces: Ints) -> float:
     graph = scipy.sparse.coo_array((np.ones(len(joins)), joins.T), shape=(count, count))
     part = scipy.sparse.csgraph.connected_components(graph, directed=False)[1]
     nodes = np.unique(upper)
-    trees = [scipy.spatial.cKDTree(position[nodes[part[nodes] == one]]) for one in np.unique(part[nodes])]
+    trees = [
+        scipy.spatial.cKDTree(position[nodes[part[nodes] == number]]) for number in np.unique(part[nodes])
+    ]
     return min((float(a.query(b.data)[0].min()) for a, b in combinations(trees, 2)), default=float("inf"))
 
 

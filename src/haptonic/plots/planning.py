@@ -29,12 +29,12 @@ def power(dataset: xr.Dataset, participants: int, *, ax: Axes | None = None) -> 
     axes = on.axes
     wanted = 100 * float(dataset.attrs["wanted"])
     for row, (colour, marker) in zip(range(dataset.sizes["waveguide"]), SIDES, strict=True):
-        one = dataset.isel(waveguide=row)
-        name = f"{one['waveguide'].item()}: {in_percent(one['reduction'])} less friction assumed"
+        guide = dataset.isel(waveguide=row)
+        name = f"{guide['waveguide'].item()}: {in_percent(guide['reduction'])} less friction assumed"
         axes.errorbar(
-            one["participants"].values, 100 * one["power"].values, 200 * one["error"].values,
+            guide["participants"].values, 100 * guide["power"].values, 200 * guide["error"].values,
             color=colour, marker=marker, ms=4, elinewidth=0.8, label=label(name),
-            gid=str(one["waveguide"].item()),
+            gid=str(guide["waveguide"].item()),
         )  # fmt: skip
     axes.axhline(wanted, color=style.PALE_INK, ls=style.DASHED, lw=1.0, label=f"wanted, {wanted:g} %")
     axes.axvline(participants, color=style.CARRIER, ls=style.DOTTED, lw=1.2, gid="plan",

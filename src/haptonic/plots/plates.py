@@ -46,8 +46,8 @@ def plate_plan(plate: Plate, visited: Array | None = None, *, ax: Axes | None = 
     handles = [*_draw_tiles(axes, layout), *_draw_supports(axes, plate), *_draw_parts(axes, plate)]
     if visited is not None:
         handles += _draw_way(axes, 1e3 * visited)
-    # the name of an actuator stands at its upper side
-    busy = [(one.centre[0], one.centre[1] + 0.5 * one.size[1]) for one in plate.actuators]
+    # the name of an actuator is at its upper side
+    busy = [(actuator.centre[0], actuator.centre[1] + 0.5 * actuator.size[1]) for actuator in plate.actuators]
     busy += [force.centre for force in plate.forces]
     busy += [plate.finger.centre] if plate.finger else []
     for name in layout.regions:

@@ -30,7 +30,7 @@ LEAST_NOISE = 1e-6  # of 1 less the coherence, for its logarithm
 TENFOLD = 10.0  # the least range of the scale of noise
 ROWS = 600  # of a map of waves at most: more than its picture has
 BEYOND = 1.5  # times the largest computed wavenumber that are in view
-RANGE = 1e-2  # of the largest amplitude, the smallest that a map of waves tells apart
+RANGE = 1e-2  # of the largest amplitude, the smallest in a map of waves
 DARK_PURPLE = "#8a4a70"  # of text
 BAD = {
     "saturated": (style.RED, "s"), "dropout": (style.ORANGE, "^"), "low coherence": (style.PURPLE, "v"),
@@ -87,7 +87,7 @@ def measured_contrast(
     origin: str,
     ax: Axes | None = None,
 ) -> Figure:
-    """Contrasts of a scan (dB; NaN where noise hides it) and the range in which the region stands out.
+    """Contrasts of a scan (dB; NaN where noise hides it) and the range of high contrast.
 
     The computed gap is shaded; the range of the scan is a bar on the upper edge, its errors thinner.
     """
@@ -100,8 +100,8 @@ def measured_contrast(
     if gap is not None:
         ends = (gap.lower / 1e3, gap.lower_error / 1e3), (gap.upper / 1e3, gap.upper_error / 1e3)
         span_on_top(axes, *ends, style.PURPLE)
-        said = f"high contrast {gap_text(gap)}"
-        above(axes, [(0.5 * (ends[0][0] + ends[1][0]), said, DARK_PURPLE)], int(bool(computed)))
+        text = f"high contrast {gap_text(gap)}"
+        above(axes, [(0.5 * (ends[0][0] + ends[1][0]), text, DARK_PURPLE)], int(bool(computed)))
     on.legend(handles, ncols=2)
     return on.figure
 
@@ -109,7 +109,7 @@ def measured_contrast(
 @style.drawn
 def decay_map(
     fades: xr.DataArray,
-    found: LatticeGap | None,
+    gap: LatticeGap | None,
     computed: tuple[float, float] | None,
     *,
     origin: str,
@@ -138,11 +138,11 @@ def decay_map(
     axes.set_ylabel(f"{origin}\ndecay (dB per row)")
     axes.set_ylim(0, 1.05 * max(float(np.nanmax(high, initial=0.0)), 1.0))
     finished(axes, frequency, computed, name="computed gap")
-    edges = [edge for edge in (found.lower, found.upper) if edge] if found else []
+    edges = [edge for edge in (gap.lower, gap.upper) if edge] if gap else []
     for number, edge in enumerate(edges, start=int(bool(computed))):
         end = edge.frequency / 1e3, edge.error / 1e3
         span_on_top(axes, end, end, style.PURPLE)
-        side = "lower" if found and edge is found.lower else "upper"
+        side = "lower" if gap and edge is gap.lower else "upper"
         above(axes, [(end[0], f"{side} edge in the scan {edge}", DARK_PURPLE)], number)
     on.legend(handles, ncols=2)
     return on.figure

@@ -28,9 +28,9 @@ class Stage:
     @property
     def figure(self) -> Figure:
         """The figure that the axes belong to."""
-        found = self.axes.get_figure(root=True)
-        assert found is not None
-        return found
+        figure = self.axes.get_figure(root=True)
+        assert figure is not None
+        return figure
 
     def legend(self, handles: Sequence[Artist] | None = None, ncols: int = 3, **look: Any) -> None:
         """Explain the handles, or all that has a label: below our own axes, within those of somebody else."""
@@ -86,13 +86,13 @@ def checked(ax: object) -> Axes:
     ------
     HaptonicError : something else, axes in space or around a pole, or some that no figure has any more
     """
-    said, cause, step = "", "it is something else", "figure, ax = matplotlib.pyplot.subplots(), then ax=ax"
+    given, cause, step = "", "it is something else", "figure, ax = matplotlib.pyplot.subplots(), then ax=ax"
     if isinstance(ax, Axes):
         if ax.name != "rectilinear":
-            said = f"{ax.name} axes"
+            given = f"{ax.name} axes"
             cause = "these have other directions than to the right and upwards"
         elif ax.get_figure() is None:
-            said = "axes that belong to no figure"
+            given = "axes that belong to no figure"
             cause = "they were removed from it, or it was cleared"
         else:
             return ax
@@ -104,7 +104,7 @@ def checked(ax: object) -> Axes:
         cause, step = "subplots(rows, columns) gives several axes", "choose one of them: ax=axes[0]"
     raise HaptonicError.malformed(
         argument="ax",
-        given=said or shown(ax),
+        given=given or shown(ax),
         allowed="one matplotlib.axes.Axes in a plane, or nothing for a figure of its own",
         cause=cause,
         next_step=step,

@@ -1,4 +1,4 @@
-"""What all pictures share: size, type, colours that everybody can tell apart, and how they are written."""
+"""Common style of all pictures: size, type, colours that everybody can distinguish, and output."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ _STYLE: dict[str, Any] = {
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
     "text.hinting": "none",  # a text is as wide at any resolution, so that the layout holds
-    "text.parse_math": False,  # a name may hold dollar signs; labels of our own say when they are formulas
+    "text.parse_math": False,  # a name may contain dollar signs; our own formulas switch it on
     "figure.dpi": 100,
     "svg.fonttype": "path",
     "svg.hashsalt": "haptonic",  # the same picture is the same file
@@ -83,7 +83,7 @@ _STYLE: dict[str, Any] = {
 def styled() -> Iterator[None]:
     """The common style, for as long as the block lasts, whatever the user's own settings are."""
     with mpl.rc_context(), warnings.catch_warnings():
-        # of a name in another script; a box in its place says it in the picture itself
+        # a name in another script: the picture shows a box in its place
         warnings.filterwarnings("ignore", r"Glyph .* missing from", UserWarning)
         mpl.rcdefaults()
         mpl.rcParams.update(_STYLE)  # type: ignore[arg-type]  # the stubs want literal keys
@@ -158,7 +158,7 @@ def suit_units(figure: Figure) -> None:
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
             name = axis.get_label().get_text()
-            unit = next((one for one in TICKS if f"({one})" in name), None)
+            unit = next((known for known in TICKS if f"({known})" in name), None)
             if unit is None or axis.get_scale() != "linear":
                 continue
             low, high = axis.get_view_interval()
@@ -166,7 +166,7 @@ def suit_units(figure: Figure) -> None:
             if suited == unit:
                 continue
             places = MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
-            axis.set_major_locator(FixedLocator([one for one in places if low <= one <= high]))
+            axis.set_major_locator(FixedLocator([place for place in places if low <= place <= high]))
             axis.set_major_formatter(FuncFormatter(lambda x, _, scale=scale: f"{x * scale:.10g}"))
             axis.get_label().set_text(name.replace(f"({unit})", f"({suited})"))
 

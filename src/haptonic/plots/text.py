@@ -85,7 +85,7 @@ def prefixed(largest: float, unit: str) -> tuple[str, float]:
 
 
 def driven(units: str, drive: float | None) -> str:
-    """Of a response with these units, the amplitude of its drive in words; empty where it is not known."""
+    """Text for the amplitude of the drive of a response with these units; empty if it is not known."""
     return "" if drive is None else f" at {drive:g} {units.rpartition('/')[2]}"
 
 

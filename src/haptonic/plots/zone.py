@@ -94,8 +94,8 @@ def density_of_states(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     whole = float(dataset["zone_frequency"][:, -1].min()) / 1e3
     axes.set_xlim(0, end)
     axes.set_ylim(0, 1.08 * density.max())
-    found = complete_gaps(dataset)
-    for lower, upper, lower_error, upper_error in found:
+    gaps = complete_gaps(dataset)
+    for lower, upper, lower_error, upper_error in gaps:
         axes.axvspan(
             lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap",
         )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Published values and ours: one row for every value of a file of references, for the report and its JSON."""
+"""Comparison of published values with ours: rows for the report and its JSON."""
 
 from __future__ import annotations
 
@@ -64,17 +64,17 @@ def _compared(value: Value, answer: Any) -> ComparedValue:
     if not value.path:
         return ComparedValue(**head, ours=WITHOUT_PATH[value.role], difference=NONE, remark=value.remark)
     ours = [found_at(answer, path) for path in (value.path, value.to) if path]
-    if any(one is None for one in ours):
+    if any(number is None for number in ours):
         return ComparedValue(**head, ours=ABSENT, difference=NONE, remark=value.remark)
-    if not value.ends or not all(isinstance(one, int | float) for one in ours):
+    if not value.ends or not all(isinstance(number, int | float) for number in ours):
         return _words(value, head, ours)
-    return _numbers(value, head, [float(one) for one in ours], answer)
+    return _numbers(value, head, [float(number) for number in ours], answer)
 
 
 def _words(value: Value, head: dict[str, Any], ours: list[Any]) -> ComparedValue:
-    texts = [" and ".join(map(str, one)) if isinstance(one, list) else str(one) for one in ours]
+    texts = [" and ".join(map(str, part)) if isinstance(part, list) else str(part) for part in ours]
     text = " and ".join(dict.fromkeys(texts))
-    agrees = all(one == value.value or one in value.means for one in texts)
+    agrees = all(text == value.value or text in value.means for text in texts)
     difference = "none" if agrees else "differs"
     return ComparedValue(
         **head, ours=_marked(value, text), difference=difference, remark=value.remark, agrees=agrees
@@ -88,13 +88,13 @@ def _numbers(value: Value, head: dict[str, Any], ours: list[float], answer: Any)
     error = sum(errors) if errors and None not in errors else None
     if divisor is None or taken is None or not divisor:
         return ComparedValue(**head, ours=ABSENT, difference=NONE, remark=value.remark)
-    ours = [(one - taken) / divisor * value.factor for one in ours]
+    ours = [(number - taken) / divisor * value.factor for number in ours]
     bound = None if error is None else abs(error / divisor * value.factor)
     scale, unit = _shown_unit(value)
     if bound:
         text = uncertain(ours[0] * scale, bound * scale)
     else:
-        text = " to ".join(_number(one * scale, value) for one in ours)
+        text = " to ".join(_number(number * scale, value) for number in ours)
     text = f"{text} {unit}".rstrip()
     known: dict[str, Any] = {"value": ours[0], "upper": ours[1] if len(ours) > 1 else None, "error": bound}
     agrees, difference = _difference(value, ours, bound or 0.0, scale, unit)
@@ -123,7 +123,7 @@ def _difference(
             "within": ends[0] <= low and high <= ends[-1],
         }[value.relation]
         return fulfilled, "none: fulfilled" if fulfilled else "not fulfilled"
-    offs = [one - end for one, end in zip(ours, ends, strict=False)]
+    offs = [number - end for number, end in zip(ours, ends, strict=False)]
     room = error + value.rounding if value.role == "computed" else 0.0
     agrees = all(abs(off) <= max(room, SAME * abs(end)) for off, end in zip(offs, ends, strict=False))
     if agrees and not any(abs(off) > SAME * abs(end) for off, end in zip(offs, ends, strict=False)):

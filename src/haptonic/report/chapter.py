@@ -1,4 +1,4 @@
-"""What a report is made from, and what a chapter of it is."""
+"""Input of a report, and the parts of a chapter."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ R = TypeVar("R", bound=Result)
 
 @dataclass(frozen=True, eq=False)
 class Results:
-    """All that a run gave.
+    """Results of a run.
 
-    study : what was asked
+    study : the description
     parts : the results by the names of their analyses; the bands are always there
-    alarms : how often each test finds a difference in such trials where the population has none, by its name
-    references : what somebody else found, if the study's example brings it
+    alarms : false-alarm rate of each test in such trials, by its name
+    references : published values, if the example of the study has them
     variants : values of the study with one thing changed; None where there is none
     timings : seconds that each part of the run took, by name
     started : when the run began, with its time zone
@@ -51,32 +51,32 @@ class Results:
     @property
     def sweeps(self) -> tuple[xr.Dataset, ...]:
         """One for each of the study's sweeps that was computed."""
-        found = self.of(Sweeps)
-        return tuple(one.dataset for one in found.rows) if found else ()
+        sweeps = self.of(Sweeps)
+        return tuple(row.dataset for row in sweeps.rows) if sweeps else ()
 
     @cached_property
     def comparisons(self) -> list[ComparedValue]:
         """A row for every published value; none without references."""
         if self.references is None:
             return []
-        answers = {name: one.to_json() for name, one in self.parts.items()}
+        answers = {name: result.to_json() for name, result in self.parts.items()}
         answers |= {"study": inputs_of(self.study), "derived": derived(self.study, answers)}
         return compared(self.references, answers)
 
     def of(self, kind: type[R]) -> R | None:
         """The result of a kind, if it was computed."""
-        return next((one for one in self.parts.values() if isinstance(one, kind)), None)
+        return next((result for result in self.parts.values() if isinstance(result, kind)), None)
 
     def where(self, picture: str) -> str:
         """Where the references show the same as a picture, for the sentence below it."""
         return self.references.where(picture) if self.references else ""
 
     def pictures(self, result: Result, words: Mapping[str, str]) -> tuple[Picture, ...]:
-        """Pictures of a result with their captions, and where the references show the same.
+        """Return pictures of a result; captions name the corresponding figures of the references.
 
         Parameters
         ----------
-        words : of each picture that is shown, what tells of it where it cannot be seen
+        words : alternative texts by the name of each picture; other pictures are left out
         """
         figures = result.figures
         return tuple(
@@ -91,10 +91,10 @@ class Finding(str):
     picture: str
 
     def __new__(cls, text: str, picture: str) -> Self:
-        """Make one."""
-        made = super().__new__(cls, text)
-        made.picture = picture
-        return made
+        """Make a finding."""
+        finding = super().__new__(cls, text)
+        finding.picture = picture
+        return finding
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,9 +109,9 @@ class Chapter:
     tables: tuple[Table, ...] = ()
 
     def shown(self, finding: str) -> Picture | None:
-        """The picture that shows a finding, if one does."""
+        """Return the picture that shows a finding, if any."""
         name = finding.picture if isinstance(finding, Finding) else ""
-        return next((one for one in self.pictures if name and one.name == name), None)
+        return next((picture for picture in self.pictures if name and picture.name == name), None)
 
 
 @dataclass(frozen=True)

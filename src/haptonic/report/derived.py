@@ -52,12 +52,12 @@ def _of_pillar(study: Description) -> dict[str, Any]:
         return np.cos(x) + 1 / np.cosh(x)
 
     roots = elementwise.find_root(ends, (starts - 0.3, starts + 0.5)).x
-    found: dict[str, Any] = {f"alpha_{n}": float(x**2) for n, x in enumerate(roots, start=1)}
+    numbers: dict[str, Any] = {f"alpha_{n}": float(x**2) for n, x in enumerate(roots, start=1)}
     pillar, solid = study.cell.pillars[0], study.cell.material
     if pillar is not None and isinstance(solid, IsotropicMaterial):
         slender = euler_bernoulli(pillar, solid)
-        found |= {f"pillar_alone_{n}_hz": float(f) for n, f in enumerate(slender, start=1)}
-    return found
+        numbers |= {f"pillar_alone_{n}_hz": float(f) for n, f in enumerate(slender, start=1)}
+    return numbers
 
 
 def _of_waves(study: Description) -> dict[str, Any]:
@@ -66,12 +66,12 @@ def _of_waves(study: Description) -> dict[str, Any]:
     if not isinstance(solid, IsotropicMaterial):
         return {}
     speed = math.sqrt(solid.youngs_modulus / (2 * (1 + solid.poisson_ratio) * solid.density))
-    found = {"shear_speed_m_per_s": speed}
+    numbers = {"shear_speed_m_per_s": speed}
     if solid.loss_factor:
-        found["quality_factor_of_material"] = 1 / solid.loss_factor
+        numbers["quality_factor_of_material"] = 1 / solid.loss_factor
     if study.carrier is not None:
-        found["bragg_period_m"] = speed / study.carrier
-    return found
+        numbers["bragg_period_m"] = speed / study.carrier
+    return numbers
 
 
 def _of_plate(study: Description) -> dict[str, Any]:
@@ -79,24 +79,24 @@ def _of_plate(study: Description) -> dict[str, Any]:
         return {}
     try:
         layout = study.mounted_plate().layout
-    except HaptonicError:  # such as lattice tiles of a cell without a pillar; the plate's chapter says so
+    except HaptonicError:  # such as lattice tiles without a pillar; the chapter of the plate gives the reason
         return {}
     return {"plate_width_m": layout.x[-1] - layout.x[0], "plate_length_m": layout.y[-1] - layout.y[0]}
 
 
 def _edges(bands: Mapping[str, Any]) -> dict[str, str]:
     """Bands that reach each edge of the first complete gap at that edge's wavevector, as ``M7 and M8``."""
-    gap = next((one for one in bands.get("gaps", ()) if one["complete"]), None)
+    gap = next((gap for gap in bands.get("gaps", ()) if gap["complete"]), None)
     if gap is None:
         return {}
-    found, table = {}, bands["bands"]
+    edges, table = {}, bands["bands"]
     for name in ("lower", "upper"):
         away = np.linalg.norm(np.array(table["kappa_rad"]) - gap[f"{name}_kappa"], axis=1)
         edge, row = gap[f"{name}_hz"], int(away.argmin())
         room = max(WITHIN * edge, 2 * gap[f"{name}_error_hz"])
         near = np.abs(np.array(table["frequency_hz"][row], dtype=float) - edge) <= room
-        found[name] = " and ".join(f"M{table['band'][k]}" for k in np.flatnonzero(near))
-    return found
+        edges[name] = " and ".join(f"M{table['band'][k]}" for k in np.flatnonzero(near))
+    return edges
 
 
 def _along_one(sweeps: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -106,28 +106,32 @@ def _along_one(sweeps: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 def _optima(study: Description, sweeps: Mapping[str, Any]) -> dict[str, Any]:
     """By swept expression the value whose gap has the widest margin around the carrier, and half a step."""
-    found = {}
-    for one in _along_one(sweeps):
+    optima = {}
+    for sweep in _along_one(sweeps):
         margins = [
             (min(study.carrier - gap["lower_hz"], gap["upper_hz"] - study.carrier), design["value"])
-            for design in one["designs"] for gap in design["gaps"]
+            for design in sweep["designs"] for gap in design["gaps"]
         ] if study.carrier else []  # fmt: skip
         if margins and max(margins)[0] > 0:
-            values = [design["value"] for design in one["designs"]]
-            found[one["vary"]] = {"value": max(margins)[1], "error": 0.5 * abs(values[1] - values[0])}
-    return found
+            values = [design["value"] for design in sweep["designs"]]
+            optima[sweep["vary"]] = {"value": max(margins)[1], "error": 0.5 * abs(values[1] - values[0])}
+    return optima
 
 
 def _powers(bands: Mapping[str, Any], sweeps: Mapping[str, Any]) -> dict[str, Any]:
     """By swept expression the power of it that the upper edge of the study's gap follows, and its error."""
-    gap = next((one for one in bands.get("gaps", ()) if one["complete"]), None)
+    gap = next((gap for gap in bands.get("gaps", ()) if gap["complete"]), None)
     if gap is None:
         return {}
-    found = {}
-    for one in _along_one(sweeps):
-        points = [(design["value"], edge["upper_hz"]) for design in one["designs"] for edge in design["gaps"]
-                  if edge["between"] == gap["between"]]  # fmt: skip
+    powers = {}
+    for sweep in _along_one(sweeps):
+        points = [
+            (design["value"], edge["upper_hz"])
+            for design in sweep["designs"]
+            for edge in design["gaps"]
+            if edge["between"] == gap["between"]
+        ]
         if len(points) >= FEWEST and min(value for value, _ in points) > 0:
             fit = fitted_power(*np.array(points).T)
-            found[one["vary"]] = {"exponent": fit.exponent, "error": fit.error}
-    return found
+            powers[sweep["vary"]] = {"exponent": fit.exponent, "error": fit.error}
+    return powers

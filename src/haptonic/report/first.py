@@ -17,7 +17,7 @@ from haptonic.results.plate.value import PlateResult
 from haptonic.units import hz_text, in_percent
 
 LIGHTS = 3
-SEVERITY = ("red", "amber", "green")
+VERDICTS = {"red": "not met", "amber": "uncertain", "green": "met"}  # the worst first
 SHOWN = ("maps", "dispersion")  # names of the picture, the first that a report has
 
 
@@ -48,11 +48,15 @@ def first_screen(results: Results, chapters: Iterable[Chapter]) -> FirstScreen:
     """Build the first screen from the results of a report."""
     pictures = {picture.name: picture for chapter in reversed(list(chapters)) for picture in chapter.pictures}
     requirements = _requirements(results)
-    worst = sorted(requirements, key=lambda requirement: SEVERITY.index(requirement.colour))[:LIGHTS]
+    worst = sorted(requirements, key=lambda requirement: list(VERDICTS).index(requirement.colour))[:LIGHTS]
     return FirstScreen(
         numbers=(*_gap(results), *_contrast(results), *_reduction(results)),
         requirements=tuple(
-            (requirement.colour, f"{MARKS[requirement.colour]} {requirement.what}", requirement.reason)
+            (
+                requirement.colour,
+                f"{MARKS[requirement.colour]} {requirement.what}: {VERDICTS[requirement.colour]}",
+                requirement.reason,
+            )
             for requirement in requirements
             if requirement in worst
         ),

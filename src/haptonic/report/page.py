@@ -70,13 +70,13 @@ def page(results: Results) -> str:
 
 
 def _page(results: Results) -> str:
-    made = [chapter(results) for chapter in IN_ORDER] + others(results)
+    parts = [chapter(results) for chapter in IN_ORDER] + others(results)
     known, count, chapters = results.references, itertools.count(1), []
-    for one in made:
-        if isinstance(one, Chapter):
-            remarks = known.remarks(one.identifier) if known else []
-            pictures = tuple(replace(picture, number=next(count)) for picture in one.pictures)
-            chapters.append(replace(one, findings=(*one.findings, *remarks), pictures=pictures))
+    for part in parts:
+        if isinstance(part, Chapter):
+            remarks = known.remarks(part.identifier) if known else []
+            pictures = tuple(replace(picture, number=next(count)) for picture in part.pictures)
+            chapters.append(replace(part, findings=(*part.findings, *remarks), pictures=pictures))
     return filled(
         TEMPLATE,
         study=results.study,
@@ -84,7 +84,7 @@ def _page(results: Results) -> str:
         most=MOST_FINDINGS,
         facts=_key_numbers(results),
         chapters=chapters,
-        absent=[one for one in made if isinstance(one, Absent)],
+        absent=[part for part in parts if isinstance(part, Absent)],
         appendix=_appendix(results),
         version=version("haptonic"),
     )
@@ -94,7 +94,7 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
     study = results.study
     cell = study.cell
     sizes = [f"pitch {_length(cell.lattice.pitch)}", f"plate {_length(cell.thickness)}"]
-    for pillar in dict.fromkeys(one for one in cell.pillars if one is not None):
+    for pillar in dict.fromkeys(pillar for pillar in cell.pillars if pillar is not None):
         long = f", {_length(pillar.length)} long" if pillar.length else ""
         sizes.append(
             f"{pillar.section} pillar {_length(pillar.diameter)} wide{long}, {_length(pillar.height)} high"
@@ -166,7 +166,7 @@ def _shown(value: Any, quantity: Quantity | None) -> str:
 def _mesh(results: Results) -> Table:
     """The plan of every tile."""
     plans = json.loads(results.bands.attrs["mesh"])
-    plans = [plans] if isinstance(plans, dict) else plans  # a single one stands for itself
+    plans = [plans] if isinstance(plans, dict) else plans  # a cell of a single tile has one plan
     heads = [f"Tile {number}" for number in range(1, len(plans) + 1)] if len(plans) > 1 else ["Value"]
     rows = tuple((words, *(_mesh_text(plan[key]) for plan in plans)) for key, words in MESH.items())
     return Table("Mesh, chosen by the accuracy asked for.", ("What", *heads), rows)
@@ -209,7 +209,7 @@ def _errors(results: Results) -> Table:
 
 
 def _largest_relative(frequency: np.ndarray, error: np.ndarray) -> str:
-    """Of a band, leaving out rigid motions, whose frequency is zero."""
+    """Largest relative error of a band without rigid motions, whose frequency is zero."""
     moving = frequency > 1e-3 * frequency.max()
     return f"{(error[moving] / frequency[moving]).max():.1e}" if moving.any() else "-"
 

@@ -105,5 +105,5 @@ def trend_of(sweep: xr.Dataset) -> Trend | None:
 
 
 def _slot(below: Array, width: Array, number: int) -> int | None:
-    found = np.flatnonzero((below == number) & np.isfinite(width))
-    return int(found[0]) if len(found) else None
+    slots = np.flatnonzero((below == number) & np.isfinite(width))
+    return int(slots[0]) if len(slots) else None

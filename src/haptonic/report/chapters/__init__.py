@@ -16,31 +16,40 @@ IN_ORDER = (
     trials.chapter,
     comparison.chapter,
 )
-TOLD = {"bands", "sweep", "layers", "waveguide", "plate", "scan", "feel", "friction"}  # analyses in these
+IN_CHAPTERS = {
+    "bands",
+    "sweep",
+    "layers",
+    "waveguide",
+    "plate",
+    "scan",
+    "feel",
+    "friction",
+}  # analyses in these
 
 
 def others(results: Results) -> list[Chapter]:
-    """A chapter for each result that none of the others tells of: what it says of itself."""
-    made = []
-    for name, one in results.parts.items():
-        if name in TOLD:
+    """Make a plain chapter of each other result: its summary, pictures and tables."""
+    chapters = []
+    for name, result in results.parts.items():
+        if name in IN_CHAPTERS:
             continue
-        figures = one.figures
+        figures = result.figures
         pictures = tuple(
-            Picture(figures[picture], figures.captions[picture] or f"{one.title}: {picture}.",
+            Picture(figures[picture], figures.captions[picture] or f"{result.title}: {picture}.",
                     figures.captions[picture] or picture)
             for picture in figures
         )  # fmt: skip
-        made.append(
+        chapters.append(
             Chapter(
-                title=one.title or name,
+                title=result.title or name,
                 identifier=name.replace(" ", "-"),
-                findings=tuple(one.summary()),
+                findings=tuple(result.summary()),
                 pictures=pictures,
-                tables=tuple(one.tables()),
+                tables=tuple(result.tables()),
             )
         )
-    return made
+    return chapters
 
 
 __all__ = ["IN_ORDER", "others"]

@@ -1,4 +1,4 @@
-"""Mode shapes at one wavevector."""
+"""Chapter on the mode shapes at one wavevector."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from haptonic.report.chapter import Absent, Chapter, Results, Table
 
 
 def chapter(results: Results) -> Chapter | Absent:
-    """What moves in the lowest modes."""
+    """Describe the motion of the lowest modes."""
     data = results.bands
     if "mode_real" not in data:
-        return Absent("Mode shapes", "the result holds no mode shapes")
+        return Absent("Mode shapes", "the result has no mode shapes")
     named = mode_names(data)[:SHOWN]
     where = data.attrs["modes_at"]
     rows = tuple(
@@ -25,8 +25,8 @@ def chapter(results: Results) -> Chapter | Absent:
     )
     twisted = [f"M{k + 1}" for k, name in enumerate(named) if name.startswith("torsion")]
     note = (
-        f"In {' and '.join(twisted)} the pillar turns about its axis. A displacement that is drawn larger "
-        "than it is moves every point along the tangent, so the pillar looks wider than it becomes.",
+        f"In {' and '.join(twisted)} the pillar turns about its axis. The picture enlarges the displacement "
+        "along the tangent at every point, so the pillar looks wider than it is.",
     )
     listed = ", ".join(f"{number} {name} at {frequency}" for number, frequency, name in rows)
     words = f"Deformed unit cells, one for each mode: {listed}."
@@ -35,8 +35,8 @@ def chapter(results: Results) -> Chapter | Absent:
         identifier="modes",
         paragraphs=(
             f"The lowest {len(named)} modes at the {where}, numbered by frequency. Each is named after the "
-            "motion that holds most of its kinetic energy: of the pillar's sections if the pillar holds more "
-            "than half, else of the plate.",
+            "motion with most of its kinetic energy: a motion of the pillar's sections if the pillar has "
+            "more than half of the energy, otherwise one of the plate.",
             *(note if twisted else ()),
         ),
         pictures=tuple(

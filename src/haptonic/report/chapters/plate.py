@@ -1,10 +1,11 @@
-"""The finite plate: where it vibrates below, in and above the gap."""
+"""Chapter on the vibration of the finite plate below, in and above the gap."""
 
 from __future__ import annotations
 
 from functools import partial
 
 from haptonic import plots
+from haptonic.bloch import Gap
 from haptonic.later import xarray as xr
 from haptonic.plate.vibration.datasets import part_name
 from haptonic.plate.vibration.modes import has_one_lobe
@@ -13,7 +14,7 @@ from haptonic.results.plain import split
 from haptonic.results.plan import border_text
 from haptonic.results.plate.tables import lines_table, modes_table
 from haptonic.results.plate.value import ERRORS, PlateResult
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 
 TITLE = "Plate"
 LOCALISED = 20.0  # dB of contrast that the prototype is expected to reach in the gap
@@ -22,7 +23,7 @@ MOST_MODES = 12
 
 
 def chapter(results: Results) -> Chapter | Absent:
-    """Maps, contrast, impedance and modes of the finite plate."""
+    """Describe maps, contrast, impedance and modes of the finite plate."""
     result = results.of(PlateResult)
     if result is None:
         return Absent(TITLE, "it was not computed in this run")
@@ -36,29 +37,28 @@ def chapter(results: Results) -> Chapter | Absent:
         title=TITLE,
         identifier="plate",
         paragraphs=(
-            f"The plate has {result.plate.layout.parts} and is computed from condensed tiles with "
-            f"{result.lines.attrs['unknowns']} unknowns on {result.lines.attrs['basis']} vectors. At every "
-            "line the answer was put back into the unreduced equations; the largest error of the field that "
-            f"this bounds is {float(result.lines['solver_error'].max()):.0e}. {ERRORS} Loss factor of the "
-            f"plate: {result.plate.loss_factor:g}, assumed.",
+            f"The plate has {result.plate.layout.parts}. Its model consists of condensed tiles with "
+            f"{result.lines.attrs['unknowns']} unknowns, reduced to {result.lines.attrs['basis']} vectors. "
+            "The residual in the unreduced equations bounds the error of the field at every frequency by "
+            f"{float(result.lines['solver_error'].max()):.0e}. {ERRORS} The loss factor of the plate, "
+            f"{result.plate.loss_factor:g}, is assumed.",
             *border_text(result.plate.layout),
         ),
         findings=tuple(_findings(result)),
         pictures=(*results.pictures(result, words), _swinging(result)),
         tables=tuple(
-            one.labelled("simulated") for one in (lines_table(result), modes_table(_nearest(result)))
+            table.labelled("simulated") for table in (lines_table(result), modes_table(_nearest(result)))
         ),
     )
 
 
 def _swinging(result: PlateResult) -> Picture:
-    """The plate in motion, where its driven region resonates in the gap."""
+    """Moving picture of the plate at the resonance of its driven region in the gap."""
     shown, layout, drive = result.marked, result.plate.layout, result.drive
     frequency = hz_text(result.resonance, form=".2f")
     return Picture(
         figure=plots.map_at(shown, result.resonance, layout, None, drive=drive),
-        caption=f"Simulated normal displacement of the flat face at {frequency}, as a moving picture unless "
-        "the reader prefers none.",
+        caption=f"Simulated normal displacement of the flat face at {frequency}, as a moving picture.",
         alternative=f"Map of the plate at {frequency}, red and blue taking turns.",
         name="carrier",
         moving=partial(plots.animated, shown, result.resonance, layout, drive=drive),
@@ -71,22 +71,24 @@ def _in_words(line: xr.Dataset) -> str:
 
 
 def _findings(result: PlateResult) -> list[str]:
-    said: list[str] = []
+    findings: list[str] = []
     gap = result.gap
-    for line in split(result.maps, "frequency"):
+    lines = split(result.maps, "frequency")
+    # the maps in the gap first: these are the findings that a folded chapter shows
+    for line in sorted(lines, key=lambda line: not (gap and gap.lower < line["frequency"] < gap.upper)):
         frequency = float(line["frequency"])
-        where = "in" if gap and gap.holds(frequency) else "outside of"
+        where = _place(frequency, gap)
         for name, level in split(line.get("contrast"), "pair").items():
-            verdict = "the vibration stays there" if level >= LOCALISED else (
-                "the whole plate vibrates" if level < EVERYWHERE else "part of it goes elsewhere"
+            verdict = "the vibration stays in the driven region" if level >= LOCALISED else (
+                "the whole plate vibrates" if level < EVERYWHERE else "part of it leaves the driven region"
             )  # fmt: skip
-            told = f"{name} at {hz_text(frequency, form='.2f')}, {where} the gap: {level:.1f} dB; {verdict}."
-            said.append(Finding(told, "maps"))
+            text = f"{name} at {hz_text(frequency, form='.2f')}, {where}: {level:.1f} dB; {verdict}."
+            findings.append(Finding(text, "maps"))
     names, frequencies = result.modes["name"].values.tolist(), result.modes["frequency"].values / 1e3
     lobed = [k for k, name in enumerate(names) if has_one_lobe(name)]
     if lobed:
-        told = "; ".join(f"{names[k]} at {hz_text(1e3 * frequencies[k], form='.2f')}" for k in lobed)
-        said.append(f"Modes near the carrier with one lobe across a guide: {told}.")
+        modes = "; ".join(f"{names[k]} at {hz_text(1e3 * frequencies[k], form='.2f')}" for k in lobed)
+        findings.append(f"Modes near the carrier with one lobe across a guide: {modes}.")
     if lobed and result.driven is not None:
         stored = result.modes["strain_energy"]
         part = {name: part_name(result.plate, name) for name in (result.driven, *result.plate.layout.cells)}
@@ -94,18 +96,24 @@ def _findings(result: PlateResult) -> list[str]:
         k = max(lobed, key=lambda mode: shares[mode])
         quality, plate_alone = float(result.modes["quality_factor"][k]), 1 / result.plate.loss_factor
         lattice = sum(float(stored.sel(part=part[name])[k]) for name in result.plate.layout.cells)
-        said.append(
-            f"The driven guide's mode {names[k]} has a quality factor of {quality:.0f}; the plate's loss "
-            f"alone would give {plate_alone:.0f}. The mirrors hold {100 * lattice:.0f} % of its strain "
-            "energy and have the plate's loss factor, so they cost no quality while theirs is no larger: "
-            f"the {100 * (1 - quality / plate_alone):.1f} % that are missing go into patch, bond and "
-            "supports."
+        findings.append(
+            f"Mode {names[k]} of the driven guide has a quality factor of {quality:.0f}. The loss factor of "
+            f"the plate alone limits it to {plate_alone:.0f}; patch, bond and supports reduce it by "
+            f"{in_percent(1 - quality / plate_alone, form='.1f')}. {in_percent(lattice)} of the strain "
+            "energy is in the mirrors, which have the loss factor of the plate."
         )
-    return said
+    return findings
+
+
+def _place(frequency: float, gap: Gap | None) -> str:
+    """Place of a frequency (Hz) relative to the gap, in words."""
+    if gap is None or not gap.lower < frequency < gap.upper:
+        return "outside of the gap"
+    return "in the gap" if gap.holds(frequency) else "in the gap within the error of its edge"
 
 
 def _nearest(result: PlateResult) -> xr.Dataset:
-    """The modes that lie nearest to the map in the gap."""
+    """Modes nearest to the frequency of the map in the gap."""
     modes = result.modes
     nearest = abs(modes["frequency"] - result.resonance).argsort().values[:MOST_MODES]
     return modes.isel(mode=sorted(nearest.tolist()))

@@ -1,4 +1,4 @@
-"""The scan of the plate by a simulated instrument: maps, contrast, and the gap in it."""
+"""Chapter on the simulated scan of the plate: maps, contrast, and the gap."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from haptonic.units import hz_text
 from haptonic.vibrometry import MeasuredGap
 from haptonic.vibrometry.on_plate import contrast_range
 
-TITLE = "The scan, simulated"
+TITLE = "Simulated scan"
 MEANING = (
-    "An edge of the lattice's gap is told where waves in the rows of pillars begin to fade; one that so few "
-    "rows do not show is not. High contrast, where the driven region vibrates much more than the lattices, "
-    "belongs to this plate and drive: waves that pass the lattice but do not run in the driven guide do not "
-    "end it."
+    "The analysis reports an edge of the lattice's gap at the frequency at which waves in the rows of "
+    "pillars begin to decay, if the few rows of the plate show it. High contrast, where the driven region "
+    "vibrates much more than the lattices, is a property of this plate and drive: it may continue beyond the "
+    "gap, where waves that pass the lattice do not exist in the driven guide."
 )
 CLOSE = 0.5  # dB, within which the contrast of a scan counts as that of the plate
 
@@ -28,7 +28,7 @@ def chapter(results: Results) -> Chapter | Absent:
     """Maps of the simulated scan below the computed ones, contrast, and the gaps beside one another."""
     plate, scan = results.of(PlateResult), results.of(ScanResult)
     if plate is None or scan is None:
-        return Absent(TITLE, "no scan was made up in this run")
+        return Absent(TITLE, "no scan was simulated in this run")
     edges = None if plate.gap is None else (plate.gap.lower, plate.gap.upper)
     rows = {"computed": plate.response, "simulated scan": scan.response}
     maps = Picture(
@@ -44,7 +44,10 @@ def chapter(results: Results) -> Chapter | Absent:
         title=TITLE,
         identifier="scan",
         paragraphs=(_what(results, scan), MEANING),
-        findings=(*_everywhere(plate, scan), *(f"{one[0].upper()}{one[1:]}." for one in scan.undetermined)),
+        findings=(
+            *_everywhere(plate, scan),
+            *(f"{reason[0].upper()}{reason[1:]}." for reason in scan.undetermined),
+        ),
         pictures=(maps, *results.pictures(scan, words)),
         tables=(_levels(plate, scan), _gaps(plate, scan)),
     )
@@ -54,19 +57,19 @@ def _what(results: Results, scan: ScanResult) -> str:
     asked, lines = results.study.scan_settings, scan.response.frequency
     instrument = asked.instrument
     return (
-        "Nobody measured this: the records are simulated. A simulated instrument takes the velocity of the "
+        "The records are simulated. The instrument takes the velocity of the "
         f"computed plate at {scan.response.dataset.sizes['point']} points and {len(lines)} lines "
         f"{lines[1] - lines[0]:.4g} Hz apart, as a periodic drive has them, records {asked.averages} periods "
-        f"with noise of {1e6 * instrument.noise:.3g} um/s and {instrument.bits} bits, and loses the surface "
-        f"at {scan.flags['dropout']} points. They are analysed as measured ones are. So this tells what "
-        "instrument and analysis do to the answer of the plate, not whether its model is right."
+        f"with noise of {1e6 * instrument.noise:.3g} µm/s and {instrument.bits} bits, and loses the surface "
+        f"at {scan.flags['dropout']} points. The records are analysed like measured ones. The comparison "
+        "shows the errors of instrument and analysis, not those of the model of the plate."
     )
 
 
 def _levels(plate: PlateResult, scan: ScanResult) -> Table:
     rows = []
     for frequency in scan.shapes:
-        seen = {
+        scanned = {
             name: level.sel(frequency=frequency, method="nearest") for name, level in scan.contrasts.items()
         }
         for name, level in plate.contrasts(plate.response.at(frequency)).items():
@@ -74,7 +77,7 @@ def _levels(plate: PlateResult, scan: ScanResult) -> Table:
                 (
                     f"{name}, {hz_text(frequency, form='.2f')}",
                     float(level[0]),
-                    float(seen.get(name, np.nan)),
+                    float(scanned.get(name, np.nan)),
                 )
             )
     columns = Column("computed", "dB", form=".1f"), Column("simulated scan", "dB", form=".1f")
@@ -82,21 +85,22 @@ def _levels(plate: PlateResult, scan: ScanResult) -> Table:
 
 
 def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
-    """How far the first contrast of the scan is off that of the plate, over all lines."""
+    """Compare the first contrast of the scan with that of the plate at all frequencies."""
     for name, level in plate.contrasts(plate.response).items():
         if name not in scan.contrasts:
             continue
         off = np.abs(scan.contrasts[name].values - level.values)
         given = np.isfinite(off)
         if not given.any():
-            return [f"{name} is given at no line: noise leaves too little of it."]
+            return [f"{name} is not determined at any frequency because of noise."]
         worst = int(np.nanargmax(off))
-        told = (
-            f"{name} is given at {given.sum()} of {len(off)} lines, where noise leaves enough of it, and is "
-            f"within {CLOSE:g} dB of the plate's at {(off < CLOSE).sum()} of them; it is worst at "
-            f"{hz_text(plate.response.frequency[worst], form='.3g')}, by {off[worst]:.2f} dB."
+        text = (
+            f"{name} is determined at {given.sum()} of {len(off)} frequencies; noise hides it at the others. "
+            f"It is within {CLOSE:g} dB of the computed contrast at {(off < CLOSE).sum()} of them. The "
+            f"largest difference is {off[worst]:.2f} dB, at "
+            f"{hz_text(plate.response.frequency[worst], form='.3g')}."
         )
-        return [Finding(told, "contrast")]
+        return [Finding(text, "contrast")]
     return []
 
 
@@ -106,7 +110,7 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
         rows.append(
             (
                 "lattice, computed",
-                *(f"{hz_text(e, form='.2f')}" for e in (plate.gap.lower, plate.gap.upper)),
+                *(hz_text(edge, form=".2f") for edge in (plate.gap.lower, plate.gap.upper)),
             )
         )
     if scan.lattice:
@@ -114,7 +118,7 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
         other = plate.gap is not None and scan.lattice.beside(plate.gap.lower, plate.gap.upper)
         rows.append(
             (
-                "lattice, simulated scan" + ": another range, of some waves perhaps" * other,
+                "lattice, simulated scan" + ": another range, perhaps a gap of some waves" * other,
                 *(str(edge or "not determined") for edge in edges),
             )
         )

@@ -1,4 +1,4 @@
-"""Gaps along rows of designs."""
+"""Chapter on the gaps along rows of designs."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from haptonic.plots.text import minus, readable, scaled_unit
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results, Table
 from haptonic.report.trend import trend_of
 from haptonic.results.sweeps import Sweep, Sweeps
-from haptonic.units import hz_text
+from haptonic.units import hz_text, in_percent
 
 TITLE = "Sweeps"
-STRAIGHT = 0.02  # of the edge's mean: how far off a line that is called straight may be
+STRAIGHT = 0.02  # of the edge's mean: largest distance from a line that counts as straight
 
 
 def chapter(results: Results) -> Chapter | Absent:
-    """Complete gaps of every sweep, and how they move."""
+    """Describe the complete gaps of every sweep and their shift."""
     if not results.study.sweep_settings:
         return Absent(TITLE, "the study describes none")
     sweeps = results.of(Sweeps)
     if sweeps is None:
         return Absent(TITLE, "they were not computed in this run")
-    said = [
+    findings = [
         Finding(sentence, f"sweep_{k}")
         for k, sweep in enumerate(sweeps.rows, start=1)
         for sentence in _findings(sweep)
@@ -33,9 +33,8 @@ def chapter(results: Results) -> Chapter | Absent:
     head = ("Along", "Designs", "Upper edge", "Lower edge", "Timoshenko", "Equation (3)")
     fits = Table(
         "Exponent p of frequency ~ value^p, fitted by least squares of logarithms to the designs that share "
-        "the gap of the study's own design; ± is the standard error, which tells how far the points are from "
-        "a power. The last two columns are the resonance of the pillar alone that lies nearest to the upper "
-        "edge.",
+        "the gap of the study's own design; the number after ± is the standard error of the fit. The last "
+        "two columns are the resonance of the pillar alone that lies nearest to the upper edge.",
         head,
         rows,
     )
@@ -47,9 +46,9 @@ def chapter(results: Results) -> Chapter | Absent:
             "bending resonances of the pillar alone, clamped at its foot: by equation (3) of Daunizeau, "
             "Gueorguiev, Haliyo and Hayward, “Phononic Crystals Applied to Localised Surface Haptics”, "
             "which takes it as slender, and with shear and rotary inertia (Timoshenko). Gaps above the "
-            "dashed line were not looked for.",
+            "dashed line were not searched.",
         ),
-        findings=tuple(said),
+        findings=tuple(findings),
         pictures=tuple(
             _picture(sweep, name := f"sweep_{k}", results.where(name))
             for k, sweep in enumerate(sweeps.rows, start=1)
@@ -82,27 +81,32 @@ def _findings(sweep: Sweep) -> list[str]:
     lower, upper = data["gap_lower"].values, data["gap_upper"].values
     share = np.where(certain, 2 * (upper - lower) / (upper + lower), 0.0)
     step, slot = np.unravel_index(share.argmax(), share.shape)
-    said = [
+    findings = [
         f"Along {name}, {certain.any(axis=1).sum()} of {len(certain)} designs have a certain complete gap. "
         f"The widest for its frequency is at {sweep.values_at(int(step))}: {lower[step, slot] / 1e3:.1f} to "
-        f"{hz_text(upper[step, slot], form='.1f')}, {share[step, slot]:.0%} of its centre."
+        f"{hz_text(upper[step, slot], form='.1f')}, {in_percent(share[step, slot])} of its centre."
     ]
     trend = trend_of(data)
     if trend is not None and np.isfinite(trend.slender).all():
         off, resonance = trend.straightness, SUBSCRIPTED[trend.nearest]
         share_off = off / trend.upper.mean()
-        shape = "is a straight line to within" if share_off < STRAIGHT else "leaves a straight line by up to"
-        why = (
-            "the line does not go through the origin, so the exponent below is not equation (3)'s"
+        shape = (
+            "is a straight line to within"
             if share_off < STRAIGHT
-            else "equation (3) holds for slender pillars only"
+            else "deviates from a straight line by up to"
         )
-        apart = f"{hz_text(max(off, 100.0), form='.1f')} ({share_off:.1%} of the edge)"
-        said.append(
+        why = (
+            "the line does not go through the origin, so the exponent in the table is not that of equation "
+            "(3)"
+            if share_off < STRAIGHT
+            else "equation (3) is valid for slender pillars only"
+        )
+        apart = f"{hz_text(max(off, 100.0), form='.1f')} ({in_percent(share_off, form='.1f')} of the edge)"
+        findings.append(
             f"Against equation (3)'s {resonance} the upper edge of the study's gap {shape} {apart} over "
             f"{len(trend.value)} designs; {why}."
         )
-    return said
+    return findings
 
 
 def _fit_rows(sweep: xr.Dataset) -> list[tuple[str, ...]]:

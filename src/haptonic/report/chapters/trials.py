@@ -1,4 +1,4 @@
-"""Friction trials with made-up people on the computed plate, analysed like measured ones."""
+"""Chapter on friction trials: simulated participants on the computed plate, analysed like measured ones."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from haptonic.friction.phrases import averages, change
 from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.friction import FrictionResult
+from haptonic.units import in_percent
 
 TITLE = "Friction trials"
 WORDS = {
@@ -18,14 +19,13 @@ WORDS = {
 
 
 def chapter(results: Results) -> Chapter | Absent:
-    """Bars of the conditions as in Fig. 6D, all tests in one table, what may be concluded."""
+    """Describe the conditions as in Fig. 6D, the tests, and the conclusions."""
     result = results.of(FrictionResult)
     if result is None:
-        return Absent(TITLE, "no trials were made up or analysed in this run")
+        return Absent(TITLE, "no trials were simulated or analysed in this run")
     known = results.references
     published = known.friction if known else None
-    made_up = result.origin == "simulated"
-    found = result.found
+    summary = result.found
     origin = result.origin.capitalize()
     trials, left_out = result.trials.sizes["stroke"], sum(result.excluded.values())
     people = len(set(result.trials["participant"].values.tolist()))
@@ -33,49 +33,50 @@ def chapter(results: Results) -> Chapter | Absent:
         title=TITLE,
         identifier="trials",
         paragraphs=(
-            *(["Nobody was measured: people, strokes and sensor are simulated, and friction follows from the "
-               "computed amplitudes. What is tested here is the analysis, and what such trials could prove."]
-              if made_up else []),
-            f"{trials} trials of {people} participants, {left_out} of them left out by declared rules.",
-            *([averages()] if found.equivalences else []),
+            *(["Participants, strokes and sensor are simulated; friction follows from computed amplitudes. "
+               "The trials test the analysis, and show which differences such trials can detect."]
+              if result.origin == "simulated" else []),
+            f"{trials} trials of {people} participants, {left_out} of them excluded by the rules of the "
+            "study.",
+            *([averages()] if summary.equivalences else []),
         ),
         findings=(
             *(Finding(text, "reductions") for text in _reductions(result, published)),
-            *(Finding(text, "conditions") for text in found.conclusions),
+            *(Finding(text, "conditions") for text in summary.conclusions),
             *_alarms(results, people),
         ),
         pictures=results.pictures(result, WORDS),
-        tables=(_tests(found.tests, origin),),
+        tables=(_tests(summary.tests, origin),),
     )  # fmt: skip
 
 
 def _reductions(result: FrictionResult, published: Mapping[str, float] | None) -> list[str]:
-    found = result.found
+    summary = result.found
 
-    def beside(name: str) -> str:
+    def measured(name: str) -> str:
         known = (published or {}).get(name)
-        return "" if known is None else f"; measured: {100 * known:.0f} %"
+        return "" if known is None else f"; measured: {in_percent(known)}"
 
-    said = []
-    for guide, one in found.reductions.items():
-        told = beside("driven" if guide == found.driven else "idle")
-        said.append(f"{guide}: {change(one.value, one.low, one.high)}{told}.")
-    for guide, one in found.stopped.items():
-        said.append(f"Of the driven reduction, {_percent(one)} does not reach {guide}{beside('stopped')}.")
-    return said
+    findings = []
+    for guide, estimate in summary.reductions.items():
+        reference = measured("driven" if guide == summary.driven else "idle")
+        findings.append(f"{guide}: {change(estimate.value, estimate.low, estimate.high)}{reference}.")
+    for guide, estimate in summary.stopped.items():
+        share = _percent(estimate)
+        findings.append(f"{share} of the driven reduction does not reach {guide}{measured('stopped')}.")
+    return findings
 
 
 def _alarms(results: Results, people: int) -> list[str]:
-    """How often the tests would find an effect that is not there."""
+    """List the false-alarm rates of the tests."""
     if not results.alarms:
         return []
     rates = "; ".join(
         f"{name}, {round(rate * count)} of {count}" for name, (rate, _, count) in results.alarms.items()
     )
     return [
-        f"Without any effect in the population, tests at 5 % find one all the same in so many simulated "
-        f"experiments with {people} such participants: {rates}. The test over trials takes strokes of one "
-        "person as independent."
+        f"False alarms of tests at a level of 5 %, in simulated experiments with {people} participants and "
+        f"without an effect: {rates}. The test over trials treats the strokes of one person as independent."
     ]
 
 
@@ -93,9 +94,11 @@ def _tests(tests: tuple[Test, ...], origin: str) -> Table:
         for test in tests
     )
     head = ("waveguide", "test", "n", "on less off", "95 % interval", "p", "Bonferroni", "Holm", "d_z")
-    return Table(f"{origin} difference of friction: the test as published, and as it should be.", head, rows)
+    return Table(
+        f"{origin} difference of friction: the published test, and tests over participants.", head, rows
+    )
 
 
-def _percent(one: IntervalEstimate) -> str:
-    interval = f" ({100 * one.low:.0f} to {100 * one.high:.0f} %)" if math.isfinite(one.low) else ""
-    return f"{100 * one.value:.0f} %{interval}"
+def _percent(estimate: IntervalEstimate) -> str:
+    interval = f" ({in_percent(estimate.low, estimate.high)})" if math.isfinite(estimate.low) else ""
+    return f"{in_percent(estimate.value)}{interval}"
