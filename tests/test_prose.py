@@ -35,8 +35,8 @@ SOURCE = ROOT / "src" / "haptonic"
 # packages whose docstrings, comments and messages are checked; "" for the modules at the top level
 CLEANED = (
     "", "analyses", "bloch", "cell", "channels", "cli", "design", "fields", "foreign", "friction",
-    "materials", "pages", "plate", "plots", "report", "response", "results", "study", "superelement", "templates",
-    "updating", "verification", "vibrometry", "workshop",
+    "materials", "pages", "plate", "plots", "report", "response", "results", "study", "superelement",
+    "templates", "updating", "verification", "vibrometry", "workshop",
 )  # fmt: skip
 SOURCES = {
     str(path.relative_to(SOURCE)): path
