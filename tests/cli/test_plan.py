@@ -26,7 +26,7 @@ def cost_of(command, text):
 
 @pytest.fixture
 def nothing_computes(monkeypatch):
-    for place in ("bloch.model.condense", "plate.tile.condense", "superelement.condense.condense"):
+    for place in ("bloch.model.condense", "plate.body.tile.condense", "superelement.condense.condense"):
         monkeypatch.setattr(f"haptonic.{place}", lambda *_, **__: pytest.fail("computed"), raising=False)
 
 
