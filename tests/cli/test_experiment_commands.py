@@ -68,7 +68,7 @@ class TestProtocol:
         assert len(rows) == 2 * 4 * 8 == len({row["file"] for row in rows})
         assert {row["origin"] for row in rows} == {"measured"}
         assert [row["actuation"] for row in rows[:4]] == ["on", "off", "on", "off"]
-        sheet = (tmp_path / "plan" / "sheet.html").read_text("utf-8")
+        sheet = (tmp_path / "plan" / "sheet.html").read_text("utf-8").replace("\N{NO-BREAK SPACE}", " ")
         assert sheet.count('class="box"') == 64
         assert sheet.count('class="page"') == 2
         assert "100 mm/s" in sheet
