@@ -30,16 +30,18 @@ def main(dist: Path) -> None:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             environment = folder / "environment"
-            told("uv", "venv", "--quiet", "--python", python, str(environment))
+            output_of("uv", "venv", "--quiet", "--python", python, str(environment))
             installed = environment / "bin" / "python"
-            told("uv", "pip", "install", "--quiet", "--python", str(installed), f"{wheel.absolute()}[fast]")
+            output_of(
+                "uv", "pip", "install", "--quiet", "--python", str(installed), f"{wheel.absolute()}[fast]"
+            )
             print(f"Python {'.'.join(map(str, version))}: {tried(environment / 'bin' / 'haptonic', folder)}")
             if version == max(found):
-                licences = told(str(installed), str(Path(__file__).with_name("licences.py").absolute()))
+                licences = output_of(str(installed), str(Path(__file__).with_name("licences.py").absolute()))
                 (dist / "licences.md").write_text(licences, "utf-8")
-                told("cyclonedx-py", "environment", "--output-reproducible", "--of", "JSON",
+                output_of("cyclonedx-py", "environment", "--output-reproducible", "--of", "JSON",
                      "-o", str(dist / "materials.cdx.json"), str(installed))  # fmt: skip
-            told("uv", "pip", "uninstall", "--quiet", "--python", str(installed), *PARDISO)
+            output_of("uv", "pip", "uninstall", "--quiet", "--python", str(installed), *PARDISO)
             print(f"  without Pardiso: {tried(environment / 'bin' / 'haptonic', folder)}")
 
 
@@ -49,7 +51,7 @@ def pythons() -> dict[tuple[int, int], str]:
     search = {"PATH": os.pathsep.join([str(Path(sys.executable).parent), *more, os.environ["PATH"]])}
     command = ("uv", "python", "list", "--only-installed", "--output-format", "json")
     # a shim of pyenv only points to a Python that is chosen elsewhere
-    listed = [one for one in json.loads(told(*command, more=search)) if "shims" not in one["path"]]
+    listed = [one for one in json.loads(output_of(*command, more=search)) if "shims" not in one["path"]]
     found = {(one["version_parts"]["major"], one["version_parts"]["minor"]): one["path"] for one in listed}
     return {version: path for version, path in sorted(found.items()) if version >= OLDEST}
 
@@ -60,7 +62,7 @@ def tried(haptonic: Path, folder: Path) -> str:
     environment = {"HAPTONIC_STORE": str(work / "store")}
 
     def run(*words: str) -> str:
-        return told(str(haptonic), *words, cwd=work, more=environment)
+        return output_of(str(haptonic), *words, cwd=work, more=environment)
 
     templates = [line.split()[0] for line in run("new").splitlines() if line[:1].isalpha() and "  " in line]
     for template in templates:
@@ -84,8 +86,8 @@ def tried(haptonic: Path, folder: Path) -> str:
     return f"{len(templates)} templates; {machine['solver']}; bands in {taken:.0f} s"
 
 
-def told(*command: str, cwd: Path | None = None, more: dict[str, str] | None = None) -> str:
-    """What a command printed; the programs beside this Python come first."""
+def output_of(*command: str, cwd: Path | None = None, more: dict[str, str] | None = None) -> str:
+    """Output of a command, with the programs beside this Python first on the path."""
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "HAPTONIC"))}
     ran = subprocess.run(

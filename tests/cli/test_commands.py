@@ -24,8 +24,8 @@ def test_bands_writes_its_files_and_a_table(haptonic, inside, study, tmp_path):
     ran = haptonic("bands", study(), "--out", out, "--surface")
     assert ran.code == 0, ran.err
     assert "band gaps" in ran.out
-    told = inside("bands", study(), "--json", "--surface").json
-    assert counted(told["counts_checked"], told["counts_missed"]) in " ".join(ran.out.split())
+    summary = inside("bands", study(), "--json", "--surface").json
+    assert counted(summary["counts_checked"], summary["counts_missed"]) in " ".join(ran.out.split())
     names = {path.name for path in out.iterdir()}
     pictures = {
         f"{name}.{kind}"

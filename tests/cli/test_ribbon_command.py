@@ -112,8 +112,8 @@ o = "lattice"
 
 def test_a_strip_of_crystal_has_its_waves_and_its_stop_band(inside, tmp_path):
     (tmp_path / "strip.toml").write_text(FINER + STRIP, "utf-8")
-    told = inside("ribbon", tmp_path / "strip.toml", "--tables", "--out", tmp_path / "out")
-    assert told.code == 0, told.err
+    ran = inside("ribbon", tmp_path / "strip.toml", "--tables", "--out", tmp_path / "out")
+    assert ran.code == 0, ran.err
     assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
     data = xr.load_dataset(tmp_path / "out" / "ribbon.nc", engine="h5netcdf")
     assert data.attrs["kind"] == "strip"
@@ -122,16 +122,16 @@ def test_a_strip_of_crystal_has_its_waves_and_its_stop_band(inside, tmp_path):
     waves = RibbonWaves(data)
     low, high = waves.stop_band
     assert not ((data["frequency"] > low) & (data["frequency"] < high)).any()
-    said = " ".join(told.out.split())
+    printed = " ".join(ran.out.split())
     for words in (
         f"The strip has {data.sizes['mode']} waves",
         "between the bulk bands of its crystal",
         "It has no wave from",
         "in the outermost columns",
     ):
-        assert words in said, said
+        assert words in printed, printed
     for words in ("decay", "nodal lines across", "in the guide"):
-        assert words not in said, said
+        assert words not in printed, printed
     nothing = RibbonWaves(data.isel(mode=[]))
     assert nothing.stop_band == (2e3, 60e3)
     assert nothing.summary() == ["The strip has no wave from 2 to 60 kHz."]
