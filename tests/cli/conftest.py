@@ -126,7 +126,7 @@ def inside(store_folder: Path) -> Callable[..., Ran]:
 
 @pytest.fixture
 def empty_pictures(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
-    """Pictures are drawn and named but not rendered, which is most of the work of a small question.
+    """Pictures are drawn and named but neither arranged nor rendered, most of the work of a small question.
 
     What was drawn is given by name; pictures themselves are tried in ``tests/plots``.
     """
@@ -139,7 +139,10 @@ def empty_pictures(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
 
     monkeypatch.setattr("haptonic.plots.save", save)
     monkeypatch.setattr("haptonic.results.pictures.shown_by", lambda result: None)  # nor stored for others
-    monkeypatch.setattr("haptonic.plots.animated", lambda *_, **__: b"")
+    monkeypatch.setattr("haptonic.plots.style.arrange", lambda figure: None)
+    monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")  # in pages
+    for moving in ("animated", "moving_modes"):
+        monkeypatch.setattr(f"haptonic.plots.{moving}", lambda *_, **__: b"")
     return drawn
 
 

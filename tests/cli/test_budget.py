@@ -36,7 +36,7 @@ def memory(monkeypatch):
 
 
 @given(st.integers(0, 1000), st.sampled_from(["1 s", "20 s", "10 min"]), st.sampled_from([4e8, 2e9, 1e12]))
-@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_a_dry_run_ends_as_the_run_does(inside, tmp_path, stopped, memory, number, budget, free):
     """Drawn designs; the command that a lack of time names is accepted by both."""
     memory(free)

@@ -252,7 +252,7 @@ def test_bands_may_be_called_by_their_kind(tmp_path, names):
 @pytest.mark.parametrize("kind", ["backwards", "blocks", "one of each", "columns of one name", "other names"])
 def test_large_tables_take_no_longer_than_their_size(tmp_path, kind):
     """Rows and columns were compared with all others: 10,000 columns took minutes, 20,000 rows 3 GB."""
-    path, rows = tmp_path / "theirs.csv", 5000
+    path, rows = tmp_path / "theirs.csv", 2000 if "name" in kind else 5000
     position = np.linspace(0, 3, rows)[:: -1 if kind == "backwards" else 1]
     head, lines = "k,f (Hz)", [f"{k},{1e3 * (k + 1)}" for k in position]
     if kind == "blocks":
@@ -265,7 +265,7 @@ def test_large_tables_take_no_longer_than_their_size(tmp_path, kind):
         lines = [",".join([str(k), *(str(1e3 + 7 * j + k) for j in range(rows))]) for k in range(4)]
     path.write_text("\n".join([head, *lines]))
     tracemalloc.start()
-    with within(6.0):  # tracemalloc takes most of it
+    with within(6.0 * rows / 5000):  # tracemalloc takes most of it
         laid(path, "segments", None)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()

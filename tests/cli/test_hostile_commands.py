@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 import xarray as xr
 
+from daily import daily
 from haptonic.names import file_parts
 from haptonic.response import read
 from haptonic.vibrometry import read_scan
@@ -45,7 +46,7 @@ def assert_all_inside(tmp_path: Path, out: Path, before: set[Path]) -> set[str]:
     return {path.name for path in written}
 
 
-@pytest.mark.parametrize(("region", "_", "actuator"), NAMES)
+@pytest.mark.parametrize(("region", "_", "actuator"), daily(NAMES, NAMES[0]))
 def test_a_plate_with_bad_names(inside, plated, tmp_path, region, _, actuator):
     path, out = plated(('"WG"', quoted(region)), ('"A1"', quoted(actuator))), deep(tmp_path)
     before = {path for path in tmp_path.rglob("*") if path.is_file()}
@@ -65,9 +66,8 @@ def test_a_plate_with_bad_names(inside, plated, tmp_path, region, _, actuator):
     assert list(told["maps"][0]["impedance_ohm"]) == [actuator]
 
 
-@pytest.mark.parametrize(
-    ("first", "second", "actuator"), [NAMES[0], pytest.param(*NAMES[1], marks=pytest.mark.nightly)]
-)
+@pytest.mark.nightly
+@pytest.mark.parametrize(("first", "second", "actuator"), NAMES)
 def test_a_scan_with_bad_names(inside, tmp_path, first, second, actuator):
     study, out = tmp_path / "tiny.toml", deep(tmp_path)
     text = TINY.replace('name = "A1"', f"name = {quoted(actuator)}")

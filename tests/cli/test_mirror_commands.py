@@ -119,6 +119,7 @@ def test_a_second_run_takes_what_is_in_the_store_and_an_interrupted_one_goes_on(
     assert {file for file in files if now[file] != files[file]} == {lost}
 
 
+@pytest.mark.nightly
 def test_a_worker_gives_the_same_numbers(haptonic, inside, tiny, tmp_path):
     here = inside("layers", tiny, "--json", store=tmp_path / "one")
     there = haptonic("layers", tiny, "--json", "--workers", 1, store=tmp_path / "other")
@@ -169,6 +170,7 @@ def test_without_width_and_length_several_are_compared_and_all_lie_at_the_carrie
     )  # the longer along, the shorter across
 
 
+@pytest.mark.nightly
 def test_a_guide_in_a_triangular_gap(inside, tmp_path):
     """The cell of the template triangular-mirror, on a mesh so coarse that it takes some seconds."""
     path = tmp_path / "triangular.toml"

@@ -91,6 +91,7 @@ class TestAddedAnalysis:
         assert "number" in caught.value.next_step
         assert all(caught.value.parts().values())
 
+    @pytest.mark.usefixtures("empty_pictures")
     def test_it_is_in_the_report(self, tmp_path):
         out = tmp_path / "out"
         (tmp_path / "bare.toml").write_text(BARE, "utf-8")

@@ -94,9 +94,9 @@ def test_a_study_without_a_plate_says_so(inside, study):
     assert_five_parts(inside("plate", study(), "--json"), code="missing", argument="plate")
 
 
-def test_a_single_line_has_maps_and_no_spectra_and_its_body_moves_like_its_face(plated, tmp_path):
+def test_a_single_line_has_maps_and_no_spectra_and_its_body_moves_like_its_face(plated, store_folder):
     study = load(plated())
-    result = study.plate(at=9e3, store=Store(tmp_path / "store"))
+    result = study.plate(at=9e3, store=Store(store_folder))
     assert set(result.figures) == {"plan", "maps"}
     place, moved = result.body["node_position"].values, result.body["real"] + 1j * result.body["imag"]
     face = moved.values[np.isclose(place[:, 2], 0.0), 2]
@@ -112,10 +112,10 @@ def test_a_single_line_has_maps_and_no_spectra_and_its_body_moves_like_its_face(
     assert np.linalg.norm(ours) == pytest.approx(np.linalg.norm(theirs), rel=0.1)
 
 
-def test_the_chapter_of_the_report(plated, monkeypatch, tmp_path):
-    monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
+def test_the_chapter_of_the_report(plated, monkeypatch, store_folder):
+    monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
     study = load(plated())
-    result = study.plate(store=Store(tmp_path / "store"))
+    result = study.plate(store=Store(store_folder))
     made = chapter(Results(study, {"plate": result}))
     assert isinstance(made, Chapter)
     for name in ("velocity", "contrast", "impedance-A1"):

@@ -76,6 +76,7 @@ change = { "cell.pillar.height" = "13.5 mm" }
 """
 
 
+@pytest.mark.usefixtures("empty_pictures")
 def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, tmp_path):
     study = FINER.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss
     (tmp_path / "defect.toml").write_text(study, "utf-8")
@@ -110,6 +111,7 @@ o = "lattice"
 """
 
 
+@pytest.mark.usefixtures("empty_pictures")
 def test_a_strip_of_crystal_has_its_waves_and_its_stop_band(inside, tmp_path):
     (tmp_path / "strip.toml").write_text(FINER + STRIP, "utf-8")
     ran = inside("ribbon", tmp_path / "strip.toml", "--tables", "--out", tmp_path / "out")

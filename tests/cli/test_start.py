@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 from hypothesis import given, strategies as st
 
+from daily import daily
 from five_parts import assert_five_parts, assert_told
 from haptonic import analyses
 from haptonic.cli import commands
@@ -43,8 +44,9 @@ def squeezed(text: str) -> str:
 
 class TestTemplates:
     @pytest.mark.parametrize(
-        "name", [pytest.param(name, marks=[pytest.mark.nightly] * (name == "edge")) for name in TEMPLATES]
-    )  # a ribbon of honeycombs takes a minute
+        "name", daily(TEMPLATES, "bare-cell", "coated-inclusion", "my-scan", "my-trials")
+    )
+    @pytest.mark.usefixtures("empty_pictures")
     def test_its_first_command_answers(self, inside, tmp_path, name):
         """As written by `haptonic new`, then on a coarse mesh."""
         path = tmp_path / "mine.toml"
@@ -360,6 +362,7 @@ def test_a_shell_completes(words, at, offered):
     assert not {"keys", "mirror", "--json"} & set(said.split()) or words == "haptonic "
 
 
+@pytest.mark.usefixtures("empty_pictures")
 def test_the_commands_of_the_page_on_a_first_gap_run_in_their_order(inside, tmp_path, monkeypatch):
     """Every line that it prints, in its order; what a shell does with the output is left to it."""
     page = (Path(__file__).parents[2] / "docs" / "start.md").read_text("utf-8")

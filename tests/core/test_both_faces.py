@@ -12,6 +12,7 @@ from brute import assembled, frequencies, periodic_projection
 from strategies import ALUMINIUM, reference_cell
 from test_superelement import SKEWED
 
+from daily import daily
 from five_parts import assert_told
 from haptonic.bloch import BlochModel, Resolution, bands_dataset, gaps_of
 from haptonic.bloch.gaps import complete_gaps, parity_gaps
@@ -64,7 +65,7 @@ def test_waves_of_a_plain_plate_have_the_parity_of_their_family(point, kappa):
     assert sorted(signs[~moving]) == sorted(PARITY[wave["wave"]] for wave in waves if not wave["hz"])
 
 
-@pytest.mark.parametrize("name", CELLS)
+@pytest.mark.parametrize("name", daily(CELLS, "turned only"))
 def test_the_label_of_a_mode_is_that_of_its_field(name):
     """Every lifted field is its own image in the middle plane, or the opposite of it."""
     own = model(name, 3 if name == "square" else 2)
@@ -102,6 +103,7 @@ def test_either_parity_is_the_half_plate_held_in_its_middle_plane():
         assert solution.frequency[signs == parity] == pytest.approx(exact, rel=1e-2)
 
 
+@pytest.mark.nightly
 def test_estimates_hold_against_a_finer_mesh():
     finer = model(order=4)
     for kappa in (KAPPA, np.array([np.pi, 0.0])):

@@ -15,7 +15,7 @@ from haptonic.bloch.model import BlochModel
 PITCH = 7e-3
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=3, deadline=None)
 @given(
     diameter=st.floats(0.3, 0.7), height=st.floats(0.2, 1.6), thickness=st.floats(0.1, 0.3),
     angle=st.floats(0, 0.5 * np.pi),
@@ -35,7 +35,7 @@ def test_long_waves_belong_to_the_plate(diameter, height, thickness, angle):
                 assert named[number] == kind
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=3, deadline=None)
 @given(height=st.floats(0.5, 3.0), thickness=st.floats(0.05, 0.3), length=st.floats(0.1, np.pi))
 def test_pillars_that_rise_with_the_plate_are_not_stretched(height, thickness, length):
     """Tall ones tilt as well, and so move against their feet: still the lowest wave is no traction."""

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from truth import KAPPA, Drawn, drawn, plain_plate, truth, wavevectors
 
+from daily import daily
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model
@@ -93,7 +94,8 @@ def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
     assert model.resolution.steps > LADDER[starting_rung(5e-3)].steps
 
 
-@pytest.mark.parametrize("thickness", [pytest.param(0.1, marks=pytest.mark.nightly), 0.3])
+@pytest.mark.nightly
+@pytest.mark.parametrize("thickness", [0.1, 0.3])
 def test_a_mesh_resolves_the_waves_of_the_bands_that_are_asked_for(thickness):
     """Twenty bands of a plain plate, whose waves are shorter than those of ten."""
     cell = UnitCell(Lattice.square(7e-3), thickness * 7e-3, material("aluminium-2017a"))
@@ -124,6 +126,7 @@ def assert_less_is_left_along_a_tapered_pillar(height, draft, fillet):
     assert np.linalg.norm(along / here - 1) < np.linalg.norm(others / here - 1)
 
 
+@pytest.mark.nightly
 def test_a_lower_mesh_is_not_judged_by_what_it_leaves_along_a_tapered_pillar():
     assert_less_is_left_along_a_tapered_pillar(3.5, 2.0, 0.1)
 
@@ -189,7 +192,7 @@ def test_a_band_is_the_mode_of_its_rank(modes):
     assert (found - bands <= _ranked(found, error) + 1e-12).all()
 
 
-@pytest.mark.parametrize("order", [4, pytest.param(5, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("order", daily([4, 5], 4))
 def test_a_wave_that_is_hardly_resolved_is_told(order):
     """The tenth band of this plate is 1.7 % off at order 4, 3 % from the order below."""
     cell = drawn(57, 87).cell

@@ -211,6 +211,7 @@ def lowest(cell: UnitCell, resolution: Resolution, count: int, kappa=GENERIC):
     return np.sqrt(eigenpairs(CentredPencil.of(Tiling.single(superelement)), kappa, count)[0]) / (2 * np.pi)
 
 
+@pytest.mark.nightly
 def test_a_vanishing_fillet_leaves_the_sharp_pillar():
     """Bending stiffens with any fillet; what it adds falls to nothing about in proportion to the radius."""
     resolution = Resolution(3, 2)
@@ -236,11 +237,10 @@ SPECTRAL = {
 @pytest.mark.parametrize(
     "pillar",
     [
-        pytest.param(one, marks=pytest.mark.nightly, id=name) if name == "filleted cone"
-        else pytest.param(one, id=name)
+        pytest.param(one, marks=[pytest.mark.nightly] * (name != "undercut square"), id=name)
         for name, one in SPECTRAL.items()
     ],
-)  # fmt: skip
+)
 @pytest.mark.parametrize(
     ("resolution", "finer", "most"),
     [

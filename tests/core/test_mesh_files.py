@@ -66,6 +66,7 @@ class TestFrequencies:
         exact = frequencies(UnitCell(SQUARE, THICKNESS, ALUMINIUM), Resolution(3, 1))
         assert frequencies(cell, Resolution(3, 0)) == pytest.approx(exact, rel=2e-3)
 
+    @pytest.mark.nightly
     def test_a_square_pillar_has_those_of_its_block_mesh(self, tmp_path):
         cell = cell_of(write(tmp_path / "pillar.msh", *PILLAR), pillar=STEEL)
         disc = Disc(3 * MM, low=0.0, high=4 * MM, section="square", material=STEEL)

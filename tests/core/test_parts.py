@@ -9,6 +9,7 @@ import pytest
 from strategies import ALUMINIUM
 from test_superelement import PLY, exact_modes
 
+from daily import daily
 from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
@@ -33,15 +34,7 @@ CELLS = {
 
 @pytest.mark.parametrize(
     "name",
-    [
-        "hexagon",
-        "plain",
-        "square",
-        *(
-            pytest.param(name, marks=pytest.mark.nightly)
-            for name in ("triangle", "both faces", "step", "square, both faces")
-        ),
-    ],
+    daily(CELLS, "plain", "square"),
 )
 def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
     cell, plans = CELLS[name], Resolution(1, 0).plans(CELLS[name])

@@ -143,6 +143,7 @@ def follow_a_drawn_design(number):
             assert bloch_model(cell, changed, limits=MeshLimits(budget, limits.memory)).worst_error < 1
 
 
+@pytest.mark.nightly
 @given(st.integers(0, 10_000))
 @settings(max_examples=1, deadline=None)
 def test_the_step_of_a_refused_design_is_answered(number):

@@ -41,7 +41,7 @@ CELLS = {
 }
 DIRECTIONS = [(0, 1), (1, 0), (1, 1), (1, -1), (1, 2), (-2, 1)]
 EVERYWHERE = [(name, along) for name in CELLS for along in DIRECTIONS]
-SOME = [("triangular", (0, 1)), ("triangular", (-2, 1)), ("square", (1, 2)), ("honeycomb", (1, 1))]
+SOME = [("triangular", (0, 1)), ("square", (1, 2)), ("honeycomb", (1, 1))]
 SOME += [("kagome", (1, 0)), ("lieb", (0, 1)), ("oblique", (1, -1))]
 DEAR = [pytest.param(*one, marks=pytest.mark.nightly) for one in EVERYWHERE if one not in SOME]
 everywhere = pytest.mark.parametrize(("name", "along"), [*SOME, *DEAR])
@@ -59,7 +59,7 @@ def shares(here: CondensedRows, kilohertz: float, k_y: float, count: int, incide
 # --- faces --------------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(cell=sites(), along=st.sampled_from(DIRECTIONS))
 def test_faces_never_turn_back_and_trapezoids_fit_between_them_and_a_straight_line(cell, along):
     found = Rows(cell, along)
@@ -124,7 +124,7 @@ def test_one_structure_in_two_bases_fades_and_lets_through_alike(cell, along, ot
 # --- energy -------------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=12)
+@settings(max_examples=6)
 @given(where=st.sampled_from(SOME), kilohertz=st.floats(20.0, 90.0), k_y=st.floats(-60.0, 60.0))
 def test_energy_is_conserved_on_every_lattice_in_every_direction(where, kilohertz, k_y):
     name, along = where

@@ -297,7 +297,8 @@ def test_bands_at_a_corner_of_the_kagome_are_pairs_and_singles():
     assert "E" not in labels["M"]
 
 
-@pytest.mark.parametrize("name", ["unequal honeycomb", pytest.param("glide", marks=pytest.mark.nightly)])
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", ["unequal honeycomb", "glide"])
 def test_velocities_are_slopes(name):
     kappa, step = np.array([1.1, 0.7]), 1e-4
     fine = model(name)
@@ -312,10 +313,10 @@ def test_velocities_are_slopes(name):
 # --- how far to trust them ----------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     "name",
-    ["honeycomb", *(pytest.param(name, marks=pytest.mark.nightly) for name in CELLS if name != "honeycomb")],
+    CELLS,
 )
 def test_the_estimates_hold_against_a_finer_mesh(name):
     """Order 4 errs by a part of what order 3 does."""
@@ -327,9 +328,10 @@ def test_the_estimates_hold_against_a_finer_mesh(name):
         assert (away > 0.01 * one.error).any(), "and they are not far too large"
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     "name",
-    ["kagome", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("unequal honeycomb", "glide"))],
+    ["kagome", "unequal honeycomb", "glide"],
 )
 def test_no_band_is_missing(name):
     found = model(name)
@@ -339,9 +341,10 @@ def test_no_band_is_missing(name):
     assert missed == 0
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     "name",
-    ["unequal honeycomb", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("kagome", "lieb"))],
+    ["unequal honeycomb", "kagome", "lieb"],
 )
 def test_a_tile_needs_its_share_of_the_bands_inside(name):
     """With an interior for all of them in each tile 24 bands of a Lieb lattice were foreseen to take 96 s."""
@@ -356,12 +359,10 @@ def test_a_tile_needs_its_share_of_the_bands_inside(name):
     assert asked.steps * asked.block < 0.7 * alone.steps * alone.block
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     "name",
-    [
-        "honeycomb",
-        *(pytest.param(name, marks=pytest.mark.nightly) for name in ("kagome", "lieb", "anywhere")),
-    ],
+    ["honeycomb", "kagome", "lieb", "anywhere"],
 )
 def test_empty_sites_leave_the_waves_of_a_plate(name):
     """Rayleigh's and Lamb's, and shear ones, folded, within the estimates."""

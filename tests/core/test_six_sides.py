@@ -9,6 +9,7 @@ from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, lattices
 from truth import plain_plate
 
+from daily import daily
 from five_parts import refusing
 from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.model import BlochModel
@@ -29,6 +30,8 @@ PLY = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9,
 LATTICE = Lattice.triangular(PITCH)
 CELL = UnitCell(LATTICE, 1.5e-3, ALUMINIUM, Pillar(3.5e-3, 14.7e-3))
 PLAIN = CELL.without_pillar()
+CENTRED = Lattice.centred(PITCH, PITCH * np.sqrt(3))  # the triangular one
+TILTED = Lattice.oblique(7e-3, 6e-3, 1.1)
 
 
 @cache
@@ -37,7 +40,7 @@ def model(cell: UnitCell, order: int = 3) -> BlochModel:
 
 
 @given(lattices(), st.floats(0.1, 0.9), st.floats(0.1, 3.0), st.floats(0.05, 0.5), st.integers(2, 4))
-@settings(max_examples=4)
+@settings(max_examples=2)
 def test_any_cell_is_filled_once_and_moved_by_its_operations(lattice, width, height, plate, order):
     wide = 2 * lattice.inradius
     cell = UnitCell(lattice, plate * wide, ALUMINIUM, Pillar(width * wide, height * wide))
@@ -61,7 +64,14 @@ def test_any_cell_is_filled_once_and_moved_by_its_operations(lattice, width, hei
 
 @pytest.mark.parametrize(
     "lattice",
-    [Lattice.centred(8e-3, 13e-3), Lattice.centred(8e-3, 8.1e-3), Lattice.oblique(7e-3, 6e-3, 1.1)],
+    daily(
+        [
+            Lattice.centred(8e-3, 13e-3),
+            Lattice.centred(8e-3, 8.1e-3),
+            TILTED,
+        ],
+        TILTED,
+    ),
     ids=["centred", "nearly square", "oblique"],
 )
 def test_plain_plates_of_any_lattice_have_their_waves_folded(lattice):
@@ -71,7 +81,8 @@ def test_plain_plates_of_any_lattice_have_their_waves_folded(lattice):
         assert (np.abs(found.frequency - plain_plate(plain, kappa, 10)) <= found.error).all()
 
 
-@pytest.mark.parametrize("sides", [(8e-3, 13e-3), pytest.param((8e-3, 8.1e-3), marks=pytest.mark.nightly)])
+@pytest.mark.nightly
+@pytest.mark.parametrize("sides", [(8e-3, 13e-3), (8e-3, 8.1e-3)])
 def test_a_centred_lattice_is_a_rectangle_with_two_pillars(sides):
     """Quarters of the rectangle with and without a pillar, of other meshes, have both wavevectors."""
     cell = UnitCell(Lattice.centred(*sides), 1.5e-3, ALUMINIUM, Pillar(2e-3, 10e-3))
@@ -105,7 +116,7 @@ FINER = {  # Hz by phases / pi, with order 5 and three rings at the foot
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("order", [3, 4, pytest.param(5, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("order", daily([3, 4, 5], 3))
 def test_the_truth_is_within_the_estimates_of_a_stout_pillar(order):
     found = BlochModel.of(STOUT, Resolution(order, 1, 4, 24), 10, measured=False, many=False)
     ratios = []
@@ -135,7 +146,10 @@ def test_a_longer_translation_spans_the_same_lattice():
 
 @pytest.mark.parametrize(
     "lattice",
-    [Lattice.oblique(PITCH, PITCH, np.pi / 3), Lattice.centred(PITCH, PITCH * np.sqrt(3))],
+    daily(
+        [Lattice.oblique(PITCH, PITCH, np.pi / 3), CENTRED],
+        CENTRED,
+    ),
     ids=["oblique", "centred"],
 )
 def test_a_triangular_lattice_is_an_oblique_one_of_equal_pitches(lattice):

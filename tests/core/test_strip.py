@@ -9,6 +9,7 @@ from brute import assembled, frequencies, periodic_projection
 from strategies import ALUMINIUM
 from test_ribbon import hertz, strip_waves
 
+from daily import daily
 from haptonic.bloch.guided import in_gap, within
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.resolution import Resolution
@@ -40,10 +41,7 @@ STRIPS = {
     "diagonal": Ribbon((on(Lattice.oblique(7 * MM, 8 * MM, 1.2), disc=POST),) * 2, (1, 1)),
     "different lines": Ribbon((POSTS,), more=((on(Lattice.square(7 * MM), disc=SHORT),),)),
 }
-QUICK = ("one column", "two sites")
-by_strip = pytest.mark.parametrize(
-    "name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.nightly) for name in STRIPS]
-)
+by_strip = pytest.mark.parametrize("name", daily(STRIPS, "one column"))
 
 
 def of_whole_mesh(ribbon: Ribbon, kappa: float, count: int, resolution=COARSE) -> np.ndarray:

@@ -102,7 +102,8 @@ def study_with(**changes: object) -> Study:
 
 @pytest.fixture
 def empty_pictures(monkeypatch):
-    """Pictures are drawn but not rendered, which takes most of the time of a page."""
+    """Pictures are drawn but neither arranged nor rendered, which takes most of the time of a page."""
+    monkeypatch.setattr("haptonic.plots.style.arrange", lambda figure: None)
     monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")
     monkeypatch.setattr("haptonic.plots.moving_modes", lambda dataset: b"")
 
