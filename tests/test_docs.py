@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from daily import daily
 from haptonic.analyses import NAMES
 from haptonic.cli import commands
 from haptonic.study import load
@@ -35,8 +36,7 @@ PRINTED = {
 }
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("document", PRINTED)
+@pytest.mark.parametrize("document", daily(PRINTED, *PRINTED.keys() - {"docs/scan.md"}))
 def test_printed_python_runs_and_says_what_it_should(document, tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
     monkeypatch.chdir(tmp_path)

@@ -17,9 +17,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import psutil
 import pytest
 import xarray as xr
 
+from daily import daily
 from five_parts import refusing
 from haptonic import jobs, parallel
 from haptonic.errors import HaptonicError, ResourceError, StudyError
@@ -204,20 +206,14 @@ class TestWorkers:
         assert capfd.readouterr() == ("", "")
 
         datasets = [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
-        assert os.getpid() not in {dataset.process.item() for dataset in datasets}
+        processes = {dataset.process.item() for dataset in datasets}
+        assert os.getpid() not in processes
+        _, alive = psutil.wait_procs([psutil.Process(p) for p in processes if psutil.pid_exists(p)], 5)
+        assert not alive, "a process stays behind"
         threads = {tuple(dataset.threads.values.tolist()) for dataset in datasets}
         assert threads == {(3, 3, 3)}, "six cores for two workers"
         assert os.environ["OMP_NUM_THREADS"] == "64"
         assert "MKL_NUM_THREADS" not in os.environ
-
-    def test_no_process_stays_behind(self, store: Store) -> None:
-        import psutil
-
-        outcomes = run_all(square, tasks_for([1, 2, 3]), store=store, workers=2)
-        assert [result(outcome) for outcome in outcomes] == [1, 4, 9]
-        processes = {int(outcome.dataset.process) for outcome in outcomes if outcome.dataset is not None}
-        _, alive = psutil.wait_procs([psutil.Process(p) for p in processes if psutil.pid_exists(p)], 5)
-        assert not alive
 
     def test_any_other_exception_ends_the_run_and_keeps_what_was_done(
         self, store: Store, tmp_path: Path
@@ -389,7 +385,7 @@ class TestInterrupted:
         self.assert_resumed(store)
 
     @pytest.mark.skipif(sys.platform == "win32", reason="no process groups as a terminal makes them")
-    @pytest.mark.parametrize("workers", [0, 2])
+    @pytest.mark.parametrize("workers", daily([0, 2], 2))
     def test_ctrl_c_keeps_what_was_done(self, tmp_path: Path, store: Store, workers: int) -> None:
         child = self.start(tmp_path, store, workers, until="4 8")
         began = time.monotonic()
@@ -400,6 +396,7 @@ class TestInterrupted:
         assert time.monotonic() - began < 10, "the tasks that were running take a minute"
         self.assert_resumed(store)
 
+    @pytest.mark.nightly
     @pytest.mark.skipif(sys.platform == "win32", reason="no process groups as a terminal makes them")
     def test_ctrl_c_while_the_workers_start(self, tmp_path: Path, store: Store) -> None:
         child = self.start(tmp_path, store, workers=2, until="starting")

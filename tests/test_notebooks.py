@@ -89,6 +89,7 @@ def test_the_first_page_has_the_code_and_the_answer_of_the_readme():
     assert answers == [PRINTED["README.md"].strip()] * 2
 
 
+@pytest.mark.nightly
 def test_every_layer_by_itself(capsys):
     run("library", [code for _, code in cells("library")])
     said = capsys.readouterr().out
@@ -104,6 +105,7 @@ def test_every_cell(name):
     assert run(name, [code for _, code in cells(name)])
 
 
+@pytest.mark.nightly
 def test_differences_on_the_page_of_validation_are_within_the_error_estimates():
     space = run("validation", [code for _, code in cells("validation")])
     assert len(space["rows"]) == 6

@@ -66,6 +66,7 @@ def test_a_command_needs_no_library_that_only_other_commands_need(asked, tmp_pat
     assert ran("from haptonic.cli import main; main()", *words) <= {"pint"}  # for the units of a study
 
 
+@pytest.mark.nightly
 def test_the_program_does_not_load_what_only_xarray_asks_for(tmp_path):
     """Dask, which this environment has, and pint, until somebody needs them."""
     study = str(LATTICE.with_name("touchpad.toml"))

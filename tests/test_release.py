@@ -8,6 +8,7 @@ import json
 import re
 import sys
 import tomllib
+from functools import cache
 from importlib.metadata import packages_distributions
 from itertools import chain
 from pathlib import Path
@@ -34,6 +35,7 @@ def bare(requirement: str) -> str:
     return re.split(r"[<>=;\[ ]", requirement)[0].lower().replace("_", "-")
 
 
+@cache
 def imported() -> set[str]:
     """Packages of others that the sources import, wherever in a module, as they are called in a registry."""
     trees = [ast.parse(file.read_text("utf-8")) for file in SOURCE.rglob("*.py")]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from itertools import product
 
 import h5py
 import numpy as np
@@ -193,9 +194,19 @@ class TestChirp:
 class TestTwin:
     @pytest.mark.parametrize(
         ("form", "kind"),
-        daily([("h5", "time"), ("uff", "time"), ("uff", "frf"), ("mat", "time"), ("mat", "frf"), ("csv", "frf"),
-               ("nc", "frf"), ("tdms", "time")], ("h5", "time"), ("mat", "frf"), ("uff", "time")),
-    )  # fmt: skip
+        daily(
+            [
+                *product(("uff", "mat"), ("time", "frf")),
+                ("h5", "time"),
+                ("tdms", "time"),
+                ("csv", "frf"),
+                ("nc", "frf"),
+            ],
+            ("h5", "time"),
+            ("mat", "frf"),
+            ("uff", "time"),
+        ),
+    )
     def test_the_analysis_of_every_form_finds_the_truth(
         self, inside, tiny, answer, on, store, tmp_path, form, kind
     ):

@@ -2,6 +2,7 @@
 
 import ast
 import sys
+from functools import cache
 from pathlib import Path
 
 import haptonic
@@ -134,6 +135,7 @@ def imported(node: ast.AST) -> list[str]:
     return modules if len(modules) == len(inner) else [node.module or "", *modules]
 
 
+@cache
 def imports_of(module: str, *, at_run_time: bool = False) -> set[str]:
     """All imports of a module; ``at_run_time`` leaves out those that only a type checker follows."""
     tree = TREES[module]

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
+from daily import daily
 from five_parts import refusing
 from haptonic.analyses.designing import refusals, tasks
 from haptonic.analyses.designing.search import _round_to_micrometres, compute_design
@@ -121,7 +122,7 @@ class TestLimits:
         plate = replace(CELL, pillar=None)
         assert brief_of(plate, {"cell.pitch": (5 * MM, 9 * MM)}).limits(np.array([0.5])) == {}
 
-    @settings(max_examples=60)
+    @settings(max_examples=20)
     @given(st.lists(st.floats(0, 1), min_size=9, max_size=9), st.sampled_from(sorted(LATTICES)))
     def test_what_meets_the_limits_is_a_body(self, share, lattice):
         """Whatever the optimiser may try can be meshed."""
@@ -178,7 +179,7 @@ class TestBounds:
         assert nothing_left.at(np.empty(0)).lattice == Lattice.square(8 * MM)
         nothing_left.check()
 
-    @settings(max_examples=15, deadline=None)
+    @settings(max_examples=5, deadline=None)
     @given(
         st.sets(st.sampled_from(PATHS), min_size=1),
         st.integers(1, 60),
@@ -214,7 +215,7 @@ def designed(path=None, share=1.0):
     return QuickDesign.of(CELL.with_numbers(values), 8).sides(6, PATHS)
 
 
-@pytest.mark.parametrize("path", PATHS)
+@pytest.mark.parametrize("path", daily(PATHS, HEIGHT))
 def test_slopes_of_the_edges_are_those_of_whole_designs(path):
     """By the envelope theorem the edge's own wavevector need not be followed.
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from daily import daily
 from haptonic.analyses.designing import tasks
 from haptonic.analyses.designing.front import compute_front
 from haptonic.analyses.designing.search import compute_design
@@ -79,7 +80,7 @@ def near(brief, rng, away):
 
 
 @given(st.sampled_from(sorted(CELLS)), st.integers(0, 10**6), st.floats(0.02, 1.0))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=50, deadline=None)
 def test_what_meets_the_limits_is_a_body(name, seed, away):
     """Whatever the optimiser may try can be meshed, sites that move with the lattice included."""
     brief = brief_of(name)
@@ -88,7 +89,7 @@ def test_what_meets_the_limits_is_a_body(name, seed, away):
         assert len(brief.at(place).tiles) == len(CELLS[name].tiles)
 
 
-@pytest.mark.parametrize("name", CELLS)
+@pytest.mark.parametrize("name", daily(CELLS, "squares", "lieb"))
 def test_the_tool_passes_between_the_outlines_of_all_pillars(name):
     """Half a hundredth more than the narrowest way, between points of the outlines, breaks a limit."""
     rng = np.random.default_rng(3)

@@ -8,8 +8,8 @@ import pytest
 import haptonic.foreign.process as process
 
 # Of each format; MATLAB 5 crashes are one in fifty, and hangs of HDF5 (one in thirty) are waited for.
-SHORT = {"MAT 5": 400, "HDF5 records": 60, "NetCDF": 60}
-SHORT |= {name: 40 for name, one in attacks.ATTACKS.items() if one.containers}
+SHORT = {"MAT 5": 150, "HDF5 records": 20, "NetCDF": 20}
+SHORT |= {name: 15 for name, one in attacks.ATTACKS.items() if one.containers}
 LONG = {"UFF": 50_000, "friction folder": 3_000}  # and 5000 of each other format
 HANGING = 1.0  # s of processor time until a reader counts as hanging; good files of this size take 10 ms
 
@@ -28,7 +28,7 @@ def quickly(monkeypatch):
 
 @pytest.mark.parametrize("name", attacks.ATTACKS)
 def test_damaged_files(tmp_path, name):
-    assert_held(name, tmp_path, SHORT.get(name, 100), seed=0)
+    assert_held(name, tmp_path, SHORT.get(name, 30), seed=0)
 
 
 @pytest.mark.nightly

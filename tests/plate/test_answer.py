@@ -12,6 +12,7 @@ from small import COARSE, LOSS, PITCH, busy_plate, drawn, glued, plain_plate
 from whole import answered, dynamic, energy, finger_impedance, forms, foundations, lossless
 
 from bricks import CELLS, laid
+from daily import daily
 from five_parts import refusing
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.plate.body.assembly import Assembly
@@ -127,7 +128,7 @@ def test_a_poor_basis_says_so():
         assert (error < vibration.error).all()
 
 
-@pytest.mark.parametrize("loss", [0.0, 2e-4, 0.05])
+@pytest.mark.parametrize("loss", daily([0.0, 2e-4, 0.05], 0.05))
 def test_another_damping_needs_no_new_basis(loss):
     plate = replace(busy_plate(), loss_factor=loss)
     model = replace(busy(), plate=plate)
@@ -140,7 +141,7 @@ def test_another_damping_needs_no_new_basis(loss):
     assert (error < vibration.error).all()
 
 
-@settings(max_examples=6)
+@settings(max_examples=3)
 @given(
     st.floats(0, 0.05),
     st.floats(0, 0.1),
@@ -171,6 +172,7 @@ def test_losses_of_all_kinds_on_one_basis(plate_loss, glue_loss, spring_loss, da
     assert (error < np.maximum(vibration.error, 1e-9)).all()
 
 
+@pytest.mark.nightly
 def test_a_clamp_of_corners_and_a_patch_reach_the_tolerance():
     """The clamp is a foundation a hundred times as stiff as the plate, without its loss."""
     plate = replace(busy_plate(), supports=(Support("corners", "clamped", 3e-3),), finger=None)
@@ -317,6 +319,7 @@ def test_a_count_of_ritz_values_is_not_convergence_but_the_bound_stays_of_the_ri
     assert (bad.error[error > 0.3] > 0.1).all()
 
 
+@pytest.mark.nightly
 def test_a_poor_band_that_starts_high_is_begun_anew_from_zero():
     lines = np.linspace(20e3, 30e3, 40)
     poor = Band._joined(busy(), 20e3, 30e3, cut_chains(2, 3, 19e3))
@@ -328,6 +331,7 @@ def test_a_poor_band_that_starts_high_is_begun_anew_from_zero():
     assert (true_error(busy(), band, vibration) < vibration.error).all()
 
 
+@pytest.mark.nightly
 def test_many_poor_lines_are_answered_directly_if_no_larger_basis_fits(monkeypatch):
     lines = np.linspace(20e3, 30e3, 40)
     poor = Band._joined(busy(), 20e3, 30e3, cut_chains(2, 3, 19e3))
@@ -593,6 +597,7 @@ def test_a_finger_adds_its_mass_at_an_antinode_and_nothing_at_a_clamp():
     assert tip[0] / bare[0] == pytest.approx((1 + 4 * share * 50e-6 / mass) ** -0.5, rel=0.02)
 
 
+@pytest.mark.nightly
 def test_a_damped_finger_lowers_a_peak_where_the_plate_moves():
     _, bare = resonance_of_a_strip(None)
     damper = {"diameter": 2e-3, "mass": None, "stiffness": 0.0, "damping": 0.5}

@@ -69,7 +69,7 @@ def imported() -> None:
 
 
 @pytest.mark.parametrize("asked", ASKS)
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(grid=st.sampled_from([1e-9, 1e-7, 1e-5, 2e-3]), rows=st.integers(3, 220), columns=st.integers(3, 220))
 def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, columns: int) -> None:
     with warnings.catch_warnings():
@@ -92,7 +92,7 @@ def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, colu
 
 @pytest.mark.parametrize("asked", ["a band", "one frequency", "a finger"])
 @given(order=st.integers(2, 10), rings=st.integers(0, 4), free=st.floats(1e9, 40e9))
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=8, deadline=None)
 def test_a_mesh_that_somebody_chose_is_held_or_refused_with_one_that_is(
     asked: str, order: int, rings: int, free: float
 ) -> None:

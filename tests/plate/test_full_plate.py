@@ -70,6 +70,7 @@ def test_modes_of_a_notched_plate_on_the_same_mesh():
     assert found == pytest.approx(exact, rel=1e-5)
 
 
+@pytest.mark.nightly
 def test_modes_of_a_waveguide_with_a_patch():
     """Also with traces of order 3 where the cells' meshes have 4."""
     exact = full.frequencies(whole_of("driven"), 14, 10e3)

@@ -28,7 +28,7 @@ from haptonic.store import Store
 from hostile import NASTY, names
 
 slow_but_few = settings(
-    max_examples=3, deadline=None,
+    max_examples=1, deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )  # fmt: skip
 QUESTION = ResponseSettings(lowest=4e3, highest=12e3, points=3, tolerance=1e-2, grid=3.5e-3)

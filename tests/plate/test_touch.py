@@ -55,7 +55,7 @@ def with_a_finger(place, places, omega, stiffness):
     return np.sqrt((np.abs(moved) ** 2).mean())
 
 
-@settings(max_examples=5)
+@settings(max_examples=1)
 @example(21e3, 0, 30.0, 1e6)  # in a corner the disc has fewer points
 @given(st.floats(6e3, 34e3), st.integers(0, 5), st.floats(0.5, 60.0), st.floats(-2e6, 2e6))
 def test_a_finger_anywhere_is_as_in_the_whole_matrix(frequency, which, damping, stiffness):

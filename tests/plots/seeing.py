@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Callable, Mapping
 from itertools import combinations
 
 import numpy as np
@@ -11,6 +12,18 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from haptonic.plots import rendered
+
+
+class Drawn(dict[str, Figure]):
+    """Pictures by name; each is drawn when a test first asks for it."""
+
+    def __init__(self, makers: Mapping[str, Callable[[], Figure]]) -> None:
+        super().__init__()
+        self.makers = makers
+
+    def __missing__(self, name: str) -> Figure:
+        self[name] = self.makers[name]()
+        return self[name]
 
 
 def artists(figure: Figure, gid: str) -> list:

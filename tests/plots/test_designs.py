@@ -8,7 +8,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
-from seeing import assert_readable
+from seeing import Drawn, assert_readable
 
 from haptonic import plots
 from haptonic.design.parameters import UNITS
@@ -41,7 +41,7 @@ PICTURES = {
 
 @pytest.fixture(scope="module")
 def drawn():
-    return {name: draw() for name, draw in PICTURES.items()}
+    return Drawn(PICTURES)
 
 
 def by_gid(figure: Figure, gid: str) -> list:

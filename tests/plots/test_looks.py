@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 from seeing import assert_readable
 
+from daily import daily
 from five_parts import refused
 from haptonic import plots
 from haptonic.plots.looks import LOOKS
@@ -36,6 +37,7 @@ PICTURES = {
     for name, draw in chain.from_iterable(module.PICTURES.items() for module in MODULES)
     if not VARIANTS & set(name.replace(",", "").split())
 }
+DAILY = ("dispersion", "sweep", "tolerance", "layers, usual", "maps", "impedance", "plan", "mac")
 ON_DATA = {"region name", "name", "number in a cell", "width", "corner"}  # of what they are written on
 
 
@@ -63,7 +65,7 @@ def texts_over_data(figure: Figure) -> list[str]:
     return over
 
 
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize("name", daily(PICTURES, *DAILY))
 def test_in_a_column_it_is_85_mm_wide_and_can_be_read(name):
     figure = in_look("column", name)
     assert figure.get_figwidth() * 25.4 <= 85.1 or "mac" in name

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from seeing import artists, assert_readable, shown_texts
+from seeing import Drawn, artists, assert_readable, shown_texts
 
+from daily import daily
 from haptonic import plots
 from made_up import made_up_mirror, reference_guides
 
@@ -42,15 +43,17 @@ PICTURES = {
     "guide, held in front": lambda: guide(120e-3, -1e-3),
     "guide, real": lambda: reference_guides().plot(),
 }
+# one of each kind, the longest texts and the most curves
+DAILY = ("decay, usual", "layers, usual", "layers, twelve rows", "layers, oblique", "guide", "guide, narrow")
 pictured = pytest.mark.parametrize("name", PICTURES)
 
 
 @pytest.fixture(scope="module")
-def drawn() -> dict[str, Figure]:
-    return {name: make() for name, make in PICTURES.items()}
+def drawn() -> Drawn:
+    return Drawn(PICTURES)
 
 
-@pictured
+@pytest.mark.parametrize("name", daily(PICTURES, *DAILY))
 def test_no_text_lies_on_another_or_leaves_the_picture(drawn, name):
     assert_readable(drawn[name])
 

@@ -13,7 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 from plates_made_up import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, prototype, turned, vibration
-from seeing import artists, assert_readable, shown_texts
+from seeing import Drawn, artists, assert_readable, shown_texts
 
 from haptonic import plots
 from haptonic.plate.layout.grid import Layout
@@ -73,8 +73,8 @@ PICTURES = {
 
 
 @pytest.fixture(scope="module")
-def drawn() -> dict[str, Figure]:
-    return {name: make() for name, make in PICTURES.items()}
+def drawn() -> Drawn:
+    return Drawn(PICTURES)
 
 
 def segments(figure: Figure, gid: str) -> set:

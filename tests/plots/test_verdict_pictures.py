@@ -5,6 +5,7 @@ import pytest
 from plates_made_up import prototype
 from seeing import artists, assert_readable, shown_texts
 
+from daily import daily
 from haptonic import plots
 from haptonic.response import mac
 from haptonic.updating.agreement import Agreement
@@ -50,7 +51,7 @@ PICTURES = {
 }
 
 
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize("name", daily(PICTURES, "before and after", "mac", "frac, one"))
 def test_every_picture_can_be_read(name):
     figure = PICTURES[name]()
     assert_readable(figure)

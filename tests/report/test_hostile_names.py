@@ -13,6 +13,7 @@ import pytest
 import xarray as xr
 from test_report import read, results
 
+from daily import daily
 from five_parts import refusing
 from haptonic import plots
 from haptonic.analyses.friction import compute_friction
@@ -46,7 +47,7 @@ def rows_of(path):
         return list(csv.DictReader(file))
 
 
-@pytest.fixture(scope="module", params=range(len(GROUPS)), ids=lambda k: "; ".join(GROUPS[k])[:40])
+@pytest.fixture(scope="module", params=daily(range(len(GROUPS)), 0), ids=lambda k: "; ".join(GROUPS[k])[:40])
 def trials(request, tmp_path_factory):
     """Trials of four people on two guides, all of them called badly."""
     *people, first, second = GROUPS[request.param]

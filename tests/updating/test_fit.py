@@ -58,6 +58,7 @@ def test_slopes_of_the_residuals_are_their_derivatives():
         assert match.jacobian(x)[..., k] == pytest.approx(slope, abs=1e-3 * np.abs(slope).max())
 
 
+@pytest.mark.nightly
 def test_a_spring_as_stiff_as_a_wall_is_not_determined():
     """Between two stiffnesses that both hold the edge at rest, nothing moves."""
     stiff = plate(3e17)
@@ -73,6 +74,7 @@ def test_a_spring_as_stiff_as_a_wall_is_not_determined():
     assert edges.range_text == edges.remark == "not determined by the data"
 
 
+@pytest.mark.nightly
 def test_a_number_beyond_its_bound_stops_there():
     unknowns = (Unknown(YOUNG, 69e9, 71e9), UNKNOWNS[1])
     fit = fitted(small(unknowns), measured(72e9))

@@ -17,6 +17,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 from matplotlib.transforms import Affine2D
 
+from daily import daily
 from five_parts import refusing
 from haptonic.cell import Pillar, Site, Step, UnitCell
 from haptonic.cell.tile import enclosed
@@ -59,6 +60,13 @@ OTHERS = {
     "hollow pillars": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["hollow pillar"], faces="both"),
     "hexagons of epoxy": cell(Pillar(3 * MM, 4 * MM, "hexagon", material=material("silver-epoxy"))),
 }
+
+
+# the most dimensions, the smallest and the flattest body, both faces, discs, and a plate with a hole
+DAILY = (
+    "no pillar", "round draft 2 fillet 0.0005 step True", "square draft -3 fillet 0.0005 step True", "hair",
+    "flat and undercut", "both faces", "honeycomb", "hollow pillars", "hole and cut corner",
+)  # fmt: skip
 
 
 def part_of(name):
@@ -121,15 +129,7 @@ def crossing(box, lines):
     return lines[(enter < leave) & ~misses]
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=pytest.mark.nightly)
-        if name.startswith(("round draft 0", "square draft 0", "square draft -3"))
-        else name
-        for name in (*ALL, *PLATES, *OTHERS)
-    ],
-)
+@pytest.mark.parametrize("name", daily([*ALL, *PLATES, *OTHERS], *DAILY))
 def test_no_text_lies_on_another_or_on_a_line_or_leaves_the_frame(name):
     figure = sheet_of(name).figure()
     texts = [(text.get_text(), ink(text)) for text in figure.axes[0].texts]
@@ -151,7 +151,7 @@ def test_a_line_through_a_text_is_noticed():
     assert crossing((1, 1, 3, 3), lines).tolist() == lines[:3].tolist()
 
 
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("name", daily(ALL, *(name for name in DAILY if name in ALL)))
 def test_every_dimension_is_given_with_its_tolerance_and_lengths_are_measured(name, tmp_path):
     the_cell, tolerances = ALL[name], toleranced(ALL[name])
     sheet_of(name).document.saveas(tmp_path / "sheet.dxf")
@@ -214,7 +214,7 @@ def extent(points):
     return np.ptp(np.array([tuple(point)[:2] for point in points]), axis=0)
 
 
-@pytest.mark.parametrize("name", [*ALL, *OTHERS, *PLATES])
+@pytest.mark.parametrize("name", daily([*ALL, *OTHERS, *PLATES], *DAILY))
 def test_the_views_are_to_scale_and_the_section_has_the_area_of_the_cut(name):
     sheet, part = sheet_of(name), part_of(name)
     plan, section = sheet.space.query("VIEWPORT")[-2:]
