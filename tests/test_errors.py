@@ -10,6 +10,7 @@ import pytest
 
 import haptonic
 from haptonic.errors import HaptonicError, ScanError, StudyError
+from sources import tree_of
 
 ROOT = Path(haptonic.__file__).parent
 PAGE = Path(__file__).parents[1] / "docs" / "errors.md"
@@ -59,7 +60,7 @@ def test_a_constructor_gives_its_code(code):
 def test_every_error_of_the_sources_has_a_known_code():
     seen = {}
     for file in sorted(ROOT.rglob("*.py")):
-        wrong = set(codes_given(ast.parse(file.read_text("utf-8")))) - CODES.keys()
+        wrong = set(codes_given(tree_of(file))) - CODES.keys()
         if wrong:
             seen[str(file.relative_to(ROOT))] = wrong
     assert seen == {}

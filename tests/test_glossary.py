@@ -2,9 +2,11 @@
 
 import ast
 import re
+from functools import cache
 from pathlib import Path
 
 import haptonic
+from sources import tree_of
 
 PAGE = Path(__file__).parents[1] / "docs" / "glossary.md"
 ROWS = [
@@ -14,11 +16,12 @@ ROWS = [
 ]
 
 
+@cache
 def names_in_the_code() -> set[str]:
     """Public functions and classes, and ``Class.member`` of every field and method."""
     names = set()
     for file in Path(haptonic.__file__).parent.rglob("*.py"):
-        for node in ast.parse(file.read_text("utf-8")).body:
+        for node in tree_of(file).body:
             if isinstance(node, ast.ClassDef | ast.FunctionDef):
                 names.add(node.name)
             if isinstance(node, ast.ClassDef):

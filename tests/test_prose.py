@@ -13,6 +13,7 @@ from haptonic.analyses import NAMES, named
 from haptonic.analyses.options import option_of
 from haptonic.fields.keys import table
 from haptonic.study import Study
+from sources import tree_of
 
 ROOT = Path(__file__).parents[1]
 GENERATED = {"reference.md", "verification.md"}
@@ -87,7 +88,7 @@ def source_texts(path: Path) -> Iterator[str]:
     else:
         tokens = tokenize.generate_tokens(io.StringIO(text).readline)
         yield from (token.string.lstrip("# ") for token in tokens if token.type == tokenize.COMMENT)
-        for node in ast.walk(ast.parse(text)):
+        for node in ast.walk(tree_of(path)):
             if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value.strip():
                 yield node.value
 
@@ -168,11 +169,7 @@ def test_docstrings_comments_and_messages_have_no_banned_opening_or_word():
 
 
 def test_variables_are_named_after_their_content():
-    vague = {
-        name: vague_names(ast.parse(path.read_text("utf-8")))
-        for name, path in SOURCES.items()
-        if path.suffix == ".py"
-    }
+    vague = {name: vague_names(tree_of(path)) for name, path in SOURCES.items() if path.suffix == ".py"}
     assert {name: names for name, names in vague.items() if names} == {}
 
 

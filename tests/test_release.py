@@ -21,6 +21,7 @@ from five_parts import refusing
 from haptonic.cli.doctor import OPTIONAL
 from haptonic.errors import ResourceError
 from haptonic.jobs import check_workers
+from sources import tree_of
 
 ROOT = Path(__file__).parents[1]
 SOURCE = Path(haptonic.__file__).parent
@@ -38,7 +39,7 @@ def bare(requirement: str) -> str:
 @cache
 def imported() -> set[str]:
     """Packages of others that the sources import, wherever in a module, as they are called in a registry."""
-    trees = [ast.parse(file.read_text("utf-8")) for file in SOURCE.rglob("*.py")]
+    trees = [tree_of(file) for file in SOURCE.rglob("*.py")]
     nodes = [node for tree in trees for node in ast.walk(tree)]
     modules = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     modules |= {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import haptonic
+from sources import tree_of
 
 SOURCE = Path(haptonic.__file__).parent
 # A path of this repository in a sentence.
@@ -34,7 +35,7 @@ def test_no_message_points_to_a_file_that_is_not_installed():
     found = [
         f"{file.relative_to(SOURCE)}:{text.lineno}: {path}"
         for file in SOURCE.rglob("*.py")
-        for text in spoken(ast.parse(file.read_text("utf-8")))
+        for text in spoken(tree_of(file))
         for path in REPOSITORY.findall(text.value)
         if not (SOURCE / path).exists()
     ]

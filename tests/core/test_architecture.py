@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import haptonic
+from sources import tree_of
 
 SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
@@ -120,7 +121,7 @@ def part_of(module: str) -> str:
     )
 
 
-TREES = {module_name(file): ast.parse(file.read_text("utf-8")) for file in FILES}
+TREES = {module_name(file): tree_of(file) for file in FILES}
 
 
 def imported(node: ast.AST) -> list[str]:
