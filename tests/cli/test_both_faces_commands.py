@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from daily import daily
 from five_parts import assert_five_parts
 from haptonic.analyses import NAMES, named, tolerance
 from haptonic.analyses.costs import gaps
@@ -65,6 +66,7 @@ LONG = {
 }  # asked what they cost, which looks through the study
 # "bands" is in the test of its table
 ASKED = [name for name in NAMES if named(name).study == "needed" and name != "bands"]
+DEAR = {"ribbon", "layers"}  # seconds each
 PLATE = """
 [plate]
 map = "o11o"
@@ -82,7 +84,7 @@ def both(tmp_path):
     return path
 
 
-@pytest.mark.parametrize("name", ASKED)
+@pytest.mark.parametrize("name", daily(ASKED, *(name for name in ASKED if name not in DEAR)))
 def test_every_command_answers_or_says_why_not(name, both, inside, tmp_path):
     given = [both, both] if name == "verdict" else [both]
     how = ["--dry-run"] if name in LONG else ["--out", tmp_path / "out"]

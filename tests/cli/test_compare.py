@@ -377,6 +377,7 @@ THEIRS = {
 }
 
 
+@pytest.mark.usefixtures("empty_pictures")
 class TestCommand:
     @pytest.fixture(scope="class", autouse=True)
     @classmethod

@@ -16,6 +16,8 @@ from haptonic.analyses.runner import Runner
 from haptonic.friction.phrases import averages
 from trial_folders import edited, made_up, written
 
+pytestmark = pytest.mark.usefixtures("empty_pictures")
+
 ROOT = Path(__file__).parents[2]
 MADE = made_up(trials=4)
 PICTURES = {f"{name}.{kind}" for name in ("conditions", "reductions") for kind in ("svg", "png")}

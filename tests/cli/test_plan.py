@@ -165,6 +165,7 @@ class TestOthers:
         assert {name for name in NAMES if named(name).cost} == set(NAMES) - {"plan", "compare"}
 
 
+@pytest.mark.usefixtures("empty_pictures")
 class TestWatching:
     """`plan --watch`, whose looks at the file take turns with what somebody does to it."""
 

@@ -76,6 +76,7 @@ change = { "cell.pillar.height" = "13.5 mm" }
 """
 
 
+@pytest.mark.nightly
 @pytest.mark.usefixtures("empty_pictures")
 def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, tmp_path):
     study = FINER.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss

@@ -87,6 +87,7 @@ def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     )
 
 
+@pytest.mark.nightly
 def test_a_response_that_is_there_is_compared_with(inside, folder):
     """Over the whole band: both ranges of the verdict are found as that of the scan is."""
     ran = inside(

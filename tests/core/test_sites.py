@@ -10,6 +10,7 @@ from hypothesis import assume, given, settings, strategies as st
 from strategies import ALUMINIUM, lattices, reference_cell
 from truth import plain_plate
 
+from daily import daily
 from haptonic.bloch.bands import count_check
 from haptonic.bloch.centred import CentredPencil, PhasedPencil, lattice_pencil
 from haptonic.bloch.model import TRUSTED_TRUNCATION, BlochModel
@@ -192,10 +193,7 @@ def test_a_honeycomb_is_a_rectangle_with_four_sites():
 
 @pytest.mark.parametrize(
     "name",
-    [
-        pytest.param(name, marks=pytest.mark.nightly) if name in ("anywhere", "lieb") else name
-        for name in CELLS
-    ],
+    daily(CELLS, "honeycomb", "unequal honeycomb", "glide"),
 )
 def test_the_origin_may_be_anywhere(name):
     """Sites moved together are the same structure."""
@@ -241,14 +239,19 @@ def test_unequal_pillars_open_a_gap_at_the_corner_in_proportion():
 
 @pytest.mark.parametrize(
     ("name", "order", "half_turn"),
-    [
+    daily(
+        [
+            ("honeycomb", 12, True),
+            ("unequal honeycomb", 6, False),
+            ("kagome", 12, True),
+            ("lieb", 8, True),
+            ("anywhere", 1, False),
+            ("glide", 4, True),
+        ],
         ("honeycomb", 12, True),
         ("unequal honeycomb", 6, False),
-        ("kagome", 12, True),
-        pytest.param("lieb", 8, True, marks=pytest.mark.nightly),
-        pytest.param("anywhere", 1, False, marks=pytest.mark.nightly),
         ("glide", 4, True),
-    ],
+    ),
 )
 def test_the_group_is_that_of_lattice_and_sites(name, order, half_turn):
     cell = CELLS[name]

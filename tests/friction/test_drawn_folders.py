@@ -51,7 +51,7 @@ def test_the_plain_case_is_read(tmp_path):
     assert outcome(tmp_path / "a", PLAIN) == "right"
 
 
-@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(DRAWS)
 def test_drawn_folders(tmp_path, draw):
     found = outcome(tmp_path / "a", draw)

@@ -129,6 +129,7 @@ def test_the_word_for_all_people_is_nobody_s_name():
         Label("all participants", 1, 1, "WG1", "on")
 
 
+@pytest.mark.nightly
 def test_pages_of_a_plate_and_its_scan_hold_text_only(tmp_path, monkeypatch):
     regions = ["[/x] $x_$ <script>alert(1)</script>", "x/../../../escaped <b>&amp;"]
     text = TINY.replace('"A1"', '"=2+5 <b>"')

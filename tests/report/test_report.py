@@ -117,7 +117,9 @@ def undrawn_mirror(monkeypatch):
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory):
-    path = write_report(mirrored(), tmp_path_factory.mktemp("report") / "report.html")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("haptonic.plots.modes.MOMENTS", 2)  # of moving modes; each moment takes half a second
+        path = write_report(mirrored(), tmp_path_factory.mktemp("report") / "report.html")
     return path.read_text("utf-8")
 
 

@@ -183,6 +183,7 @@ def places(study: Any, path: str = "", pattern: str = "") -> Iterator[tuple[Any,
                 yield from places(one, f"{path}{name}[{number}].", f"{pattern}{name}[].")
 
 
+@pytest.mark.nightly
 def test_a_key_in_any_place_but_its_own_is_refused_there(every_key_text):
     """Also the word that stands for a value in Python, and a key at the top in the table that holds it."""
     study = tomllib.loads(every_key_text)
