@@ -58,6 +58,14 @@ def test_drawn_folders(tmp_path, draw):
     assert found in GOOD, found
 
 
+@pytest.mark.parametrize(
+    "number", [1345, 1586, 1723], ids=["rare clear comma", "twelve steps", "twelve steps, others more"]
+)
+def test_rare_folders(tmp_path, number):
+    result = outcome(tmp_path / "a", drawn_at(number))
+    assert result in GOOD, result
+
+
 @pytest.mark.nightly
 def test_thousands_of_drawn_folders(tmp_path):
     counts, faults = Counter[str](), []
