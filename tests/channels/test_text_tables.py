@@ -263,3 +263,13 @@ def test_a_rare_comma_that_may_be_of_thousands_is_refused(tmp_path):
     rows[201] = "1,000;-20"
     (tmp_path / "a.csv").write_text("\n".join(["time;force", *rows]) + "\n")
     refused(lambda: opened(tmp_path / "a.csv"), '"1,000" may be', code="unreadable", kind=ChannelError)
+
+
+@pytest.mark.parametrize("name", ["time;force", "time;force,y"])
+def test_a_clear_comma_far_from_the_first_rows_gives_the_meaning_of_all(tmp_path, name):
+    rows = ["204,045;-203,943"] * 400
+    (tmp_path / "a.csv").write_text("\n".join([name, *rows]) + "\n")
+    refused(lambda: opened(tmp_path / "a.csv"), '"204,045" may be', code="unreadable", kind=ChannelError)
+    rows[201] = "202,72;-203,943"
+    (tmp_path / "a.csv").write_text("\n".join([name, *rows]) + "\n")
+    assert opened(tmp_path / "a.csv").group("")["time"][[0, 201]].tolist() == [204.045, 202.72]

@@ -186,7 +186,8 @@ class Folder:
         if draw["spoil"] == "clipped":
             some = slice(2, 3) if draw["clip"] == "pressing" else slice(0, 2)
             end = np.round((abs(draw["bias"]) + {"pressing": 0.8, "along": 0.25}[draw["clip"]]) / 5e-3) * 5e-3
-            self.clipped[key] = bool((np.abs(axes[some]) > end).any())
+            # a reading at the end may be a larger force
+            self.clipped[key] = bool((np.abs(axes[some]) > end - 1e-9).any())
             axes[some] = np.clip(axes[some], -end, end)
         middle = round(0.6 * rate)
         if spoil == "jump":

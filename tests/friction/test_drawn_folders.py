@@ -58,6 +58,16 @@ def test_drawn_folders(tmp_path, draw):
     assert found in GOOD, found
 
 
+@pytest.mark.parametrize(
+    "number",
+    [1345, 1586, 1723, 3301, 3405],
+    ids=["rare clear comma", "few steps", "few steps, others more", "equal samples", "scatter like a drift"],
+)
+def test_rare_folders(tmp_path, number):
+    result = outcome(tmp_path / "a", drawn_at(number))
+    assert result in GOOD, result
+
+
 @pytest.mark.nightly
 def test_thousands_of_drawn_folders(tmp_path):
     counts, faults = Counter[str](), []

@@ -159,10 +159,9 @@ def with_rare_commas(
     return (commas, [*sample, *rare[:TAIL]]) if rare else (dialect, sample)
 
 
-def comma_meaning(sample: Sequence[str], dialect: Dialect) -> str:
-    """Ambiguity of the commas of a table, as a sentence; "" if their meaning is clear."""
-    rows = [dialect.split(line) for line in sample]
-    rows = [row for row in rows if len(row) == dialect.cells]
+def comma_meaning(lines: Sequence[str], dialect: Dialect) -> str:
+    """Ambiguity of the commas in lines of a table, as a sentence; "" if their meaning is clear."""
+    rows = [row for line in lines if len(row := dialect.split(line)) == dialect.cells and dialect.is_row(row)]
     cells = [cell for row in rows for cell, numeric in zip(row, dialect.numeric, strict=True) if numeric]
     if dialect.decimal == ",":
         commas = [cell.lstrip("+-") for cell in cells if "," in cell]

@@ -168,7 +168,8 @@ def read_table(
     if dialect.cells > MOST_COLUMNS:
         raise refused(path, f"{dialect.cells:,} columns", f"export at most {MOST_COLUMNS:,} columns")
     dialect, sample = with_rare_commas(lines[skip:], sample, dialect)
-    if unsure := comma_meaning(sample, dialect):
+    # a large file is read whole for its commas only if those of the sample are unclear
+    if (unsure := comma_meaning(sample, dialect)) and comma_meaning(lines[skip:], dialect):
         raise refused(path, unsure, "export it with a decimal point, or with semicolons between the columns")
     head = head_of(path, lines, dialect, skip, option)
     count = len(head.names) or dialect.cells - dialect.empty

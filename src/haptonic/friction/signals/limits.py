@@ -18,7 +18,7 @@ STAYS = 2  # it stays there longer than a smooth peak: an end if no stroke goes 
 SURE = 3  # it stays there, and noise would have moved it
 
 MOST = 6  # channels of a sensor
-COUNTS = 30.0  # steps of the converter that a channel uses; with fewer, a quiet force stays at one value
+COUNTS = 30.0  # steps of the converter within a stroke; with fewer, a quiet force stays at one value
 ROUNDED = 1e-5  # relative; files in other units round the same end to other numbers
 RUN = 5  # equal samples in a row
 AWAY = 0.3  # of the range of the stroke, or of the way to its extreme: nearer to rest, it is not an end
@@ -83,8 +83,8 @@ class RangeEnds:
         if not self.level.size:
             return np.zeros(0, dtype=bool)
         # a steep channel skips steps of the converter that others use
-        used = self.level.reshape(MOST, 2, -1).max(axis=2).sum(axis=1)
-        shown = np.where((used >= COUNTS * self.step.min()).repeat(2)[:, None], self.shown, NOTHING)
+        used = self.level.reshape(MOST, 2, -1).sum(axis=1)
+        shown = np.where((used >= COUNTS * self.step.min()).repeat(2, axis=0), self.shown, NOTHING)
         end = self.level.max(axis=1, keepdims=True)
         farthest = self.level >= end - ROUNDED * np.abs(end)
         is_end = (farthest & (shown >= STAYS)).any(axis=1, keepdims=True)

@@ -13,7 +13,7 @@ QUIET_SHARE = 0.03  # of the force of the stroke: an end with less noise is rest
 TOUCHED = 0.05  # of the stroke's force: the finger has come
 BEFORE = 0.025  # s before contact, in which the finger may have begun to press, smeared by the filter
 PARTS = 8  # of the rest at the start, whose means scatter about a line
-CERTAIN = 8.0  # times its standard error: scatter gives such a slope in one rest of five thousand
+CERTAIN = 12.0  # times its standard error: scatter gives such a slope in one rest of fifty thousand
 MATERIAL = 0.02  # of a force: a drift until the middle of the stroke that changes friction
 
 

@@ -39,6 +39,7 @@ def stops(channels: Array) -> bool:
         equal = min((count + 1 + SURE * math.sqrt(count + 1)) / len(rest), 1.0)
         changes = np.flatnonzero(np.concatenate([[True], np.diff(stroke) != 0, [True]]))
         longest = int(np.diff(changes).max())
-        if longest >= max(LEAST_RUN, SHARE * len(stroke)) and longest * math.log(equal) < math.log(CHANCE):
+        unlikely = (longest - 1) * math.log(equal) < math.log(CHANCE)  # differences that are zero
+        if unlikely and longest >= max(LEAST_RUN, SHARE * len(stroke)):
             return True
     return False
