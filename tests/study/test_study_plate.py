@@ -4,6 +4,7 @@ import json
 import math
 import pickle
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -320,7 +321,7 @@ class TestTwoCarriers:
         assert {name: cell.pillar.height for name, cell in layout.cells.items()} == {
             "lattice": 0.0147, "short": 0.012,
         }  # fmt: skip
-        assert layout.pillars == 64 - len(layout.of("L")) - len(layout.of("straight")) == 64 - 20 - 6
+        assert layout.pillars == 72 - len(layout.of("L")) - len(layout.of("straight")) == 72 - 22 - 6
         assert set(layout.tiles[1]) == {"lattice", "L"}  # the foot of the L lies below
 
     def test_without_a_region_a_centre_counts_from_the_corner_of_the_plate(self):
@@ -331,8 +332,36 @@ class TestTwoCarriers:
         assert [one.region for one in placed.actuator] == [None, None]
 
     def test_antiphase_is_exact(self):
-        arm, foot = load(STUDIES / "two_carriers.toml").mounted_plate().actuators
+        arm, foot, _ = load(STUDIES / "two_carriers.toml").mounted_plate().actuators
         assert (arm.amplitude, foot.amplitude) == (60, -60)
+
+    @pytest.mark.parametrize(
+        ("carrier", "driven"), [(None, ("arm", "foot")), (58e3, ("arm", "foot")), (76e3, ("straight",))]
+    )
+    def test_drives_of_one_carrier_act_alone(self, carrier, driven):
+        plate = load(STUDIES / "two_carriers.toml").mounted_plate(carrier)
+        assert tuple(drive.name for drive in plate.drives if drive.amplitude) == driven
+        assert len(plate.drives) == 3
+
+    def test_carriers_begin_with_that_of_the_study(self):
+        study = load(STUDIES / "two_carriers.toml")
+        assert study.carriers == (58e3, 76e3)
+        assert remade(study, carrier=76e3).carriers == (76e3,)
+        assert study.without_plate().carriers == (58e3,)
+
+    @pytest.mark.parametrize("carrier", [None, 60e3])
+    def test_a_carrier_that_no_drive_has_is_refused(self, carrier):
+        study = load(STUDIES / "two_carriers.toml")
+        drives = tuple(replace(patch, carrier=76e3) for patch in study.finite_plate.actuator)
+        plate = remade(study.finite_plate, actuator=drives)
+        with refusing(StudyError, "conflict", "carrier", 'write carrier = "76 kHz" at the top of the study'):
+            remade(study, carrier=carrier, finite_plate=plate)
+
+    def test_lattices_beside_each_region(self):
+        layout = load(STUDIES / "two_carriers.toml").mounted_plate().layout
+        assert (layout.beside(["L"]), layout.beside(["straight"])) == (["lattice"], ["short"])
+        assert layout.beside(["L", "straight"]) == ["lattice", "short"]
+        assert layout.beside([]) == []
 
 
 # --- layout ----------------------------------------------------------------------------------------------

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.costs import meshes
+from haptonic.analyses.costs import gaps, meshes
+from haptonic.analyses.needs import further_lattices
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
@@ -15,6 +16,7 @@ from haptonic.bloch import bands_dataset
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.cell import UnitCell
+from haptonic.fields import unchecked
 from haptonic.results.bands import Bands
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
@@ -45,16 +47,20 @@ def check(study: Description, options: BandsOptions) -> None:
 
 
 def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
-    """Band diagram, gaps and mode shapes.
+    """Band diagram, gaps and mode shapes; of further lattices of the plate the gaps.
 
     Raises
     ------
     ResourceError : the accuracy needs more memory than this machine has
     """
-    return compute_bands(
+    bands = compute_bands(
         study.cell, study.bands_settings, surface=options.surface, inputs=study.inputs(),
         carrier=study.carrier, store=runner.store, modes_at=options.modes_at,
     )  # fmt: skip
+    further = {
+        name: runner.gaps(cell, study.bands_settings) for name, cell in further_lattices(study).items()
+    }
+    return replace(bands, further=further)
 
 
 def compute_bands(
@@ -88,7 +94,10 @@ def compute_bands(
 def cost(study: Description, options: BandsOptions) -> Cost:
     """Estimated cost of meshes, diagram and zone."""
     shown = DIAGRAM + PER_WAVEVECTOR * study.bands_settings.points + (SURFACE if options.surface else 0.0)
-    return meshes(study).times(COUNTED) + Cost(shown)
+    total = meshes(study).times(COUNTED) + Cost(shown)
+    for cell in further_lattices(study).values():
+        total += gaps(unchecked(study, cell=cell))
+    return total
 
 
 ANALYSIS = Analysis(

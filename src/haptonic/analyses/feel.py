@@ -19,7 +19,7 @@ from haptonic.friction.lubrication.settings import VOLTAGE
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout.parts import Actuator
-from haptonic.plate.layout.sampling import check_grid, driven_regions, drives_of, reference_of
+from haptonic.plate.layout.sampling import check_grid, driven_regions, reference_of
 from haptonic.plate.vibration.sweep import check_cost
 from haptonic.plate.vibration.touch import LOADS, highest, loaded, whole_finger_by_region
 from haptonic.progress import Progress
@@ -127,7 +127,7 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
             cause="it is zero or negative, or a slip in the unit",
             next_step='give the amplitude, such as "200 V"',
         )
-    first = next(drive for drive in drives_of(plate) if drive.amplitude)
+    first = next(drive for drive in plate.drives if drive.amplitude)
     if not isinstance(first, Actuator):
         raise StudyError.conflict(
             argument="voltage",

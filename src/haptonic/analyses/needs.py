@@ -7,7 +7,7 @@ import warnings
 
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
-from haptonic.bloch.gaps import gap_at
+from haptonic.bloch.gaps import common_gap, gap_at
 from haptonic.bloch.reach import MeshLimits, check_memory, check_thickness, started
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import rows_need
@@ -15,6 +15,7 @@ from haptonic.cell import Rows, UnitCell
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.body.reduction import BLOCK, STEPS
+from haptonic.plate.layout.sampling import driven_regions
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.results.common import accuracy_remarks
 from haptonic.study.schema import Description
@@ -94,17 +95,33 @@ def meshes_of(study: Description) -> list[Resolution]:
     return [chosen.for_bands(cell, settings.count)]
 
 
+def further_lattices(study: Description) -> dict[str, UnitCell]:
+    """Cells of the plate's lattices other than the study's own cell, by name."""
+    if study.finite_plate is None:
+        return {}
+    cells = study.mounted_plate().layout.cells
+    return {name: cell for name, cell in cells.items() if cell != study.cell}
+
+
+def gaps_around(study: Description, plate: Plate, carrier: float, runner: Runner) -> dict[str, Gap | None]:
+    """Gap at the carrier (Hz) of each lattice beside the driven regions, by its name.
+
+    Without such a lattice it is the first one of the plate.
+    """
+    layout, settings = plate.layout, study.bands_settings
+    names = layout.beside(driven_regions(plate)) or list(layout.cells)[:1]
+    gaps = {name: gap_at(Runner(runner.store).gaps(layout.cells[name], settings), carrier) for name in names}
+    for gap in gaps.values():
+        if gap is not None and settings.resolution is None:
+            reached = {"accuracy": settings.accuracy, "largest_error": gap.relative_error}
+            for remark in accuracy_remarks(reached):
+                warnings.warn(f"gap of the plate's lattice: {remark}", HaptonicWarning, stacklevel=2)
+    return gaps
+
+
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:
-    """Gap of the plate's lattice that contains the carrier (Hz); None without such a gap."""
-    cells, settings = list(plate.layout.cells.values()), study.bands_settings
-    if not cells:
-        return None
-    gap = gap_at(Runner(runner.store).gaps(cells[0], settings), carrier)
-    if gap is not None and settings.resolution is None:
-        reached = {"accuracy": settings.accuracy, "largest_error": gap.relative_error}
-        for remark in accuracy_remarks(reached):
-            warnings.warn(f"gap of the plate's lattice: {remark}", HaptonicWarning, stacklevel=2)
-    return gap
+    """Gap at the carrier (Hz) that all lattices beside the driven regions share; None without one."""
+    return common_gap(gaps_around(study, plate, carrier, runner).values())
 
 
 def has_mirror(study: Description) -> bool:

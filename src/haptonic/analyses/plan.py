@@ -9,12 +9,13 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.results.cost import Cost
 from haptonic.results.plan import StudyPlan
+from haptonic.study.plating import plate_of
 from haptonic.study.schema import Description
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan:
     """Sizes of the study, its plate if it has one, and the estimated cost of every command that applies."""
-    plate = study.mounted_plate() if study.finite_plate else None
+    plate = plate_of(study.finite_plate, study.cell) if study.finite_plate else None
     every = ((name, named(name)) for name in NAMES)
     costs = {
         name: _cost(analysis, study) for name, analysis in every if analysis.cost and analysis.foreseen(study)

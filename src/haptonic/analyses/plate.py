@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps, response
-from haptonic.analyses.needs import checked_fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.analyses.needs import (
+    checked_fineness,
+    gap_of_plate,
+    gaps_around,
+    has_plate,
+    need_carrier,
+    response_settings,
+)
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.bloch import Gap
+from haptonic.bloch.gaps import common_gap
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.layout.sampling import check_grid, reference_of
 from haptonic.plate.vibration.responses import band_response, need_loss
@@ -22,7 +30,7 @@ from haptonic.progress import Progress, silent
 from haptonic.response import from_plain
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
-from haptonic.results.plate.value import PlateResult
+from haptonic.results.plate.value import CarrierAnswer, PlateResult
 from haptonic.store import Store, content_key
 from haptonic.study.schema import Description
 
@@ -54,7 +62,8 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     StudyError : no [plate], no carrier, or no drive
     ResourceError : a grid or a plate that is too large for this machine, refused before the computation
     """
-    plate, at = study.mounted_plate(), options.at
+    at = options.at
+    plate = study.mounted_plate(at if at in study.carriers else None)
     carrier = need_carrier(study) if at is None else at
     settings = options.settings or response_settings(study)
     if at is not None:
@@ -63,16 +72,26 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     place = "plate.response.grid" if options.settings is None else "scan.grid"
     check_grid(plate, settings.grid, settings.points, place)
     chosen = checked_fineness(study)  # raises before the gap is searched
-    return compute_plate(
-        plate,
-        settings,
-        carrier=carrier,
-        gap=gap_of_plate(study, plate, carrier, runner) if at is None else None,
-        inputs=study.inputs(),
-        store=runner.store,
-        fineness=chosen,
-        progress=runner.progress,
-    )
+    means: Any = {
+        "inputs": study.inputs(), "store": runner.store, "fineness": chosen, "progress": runner.progress,
+    }  # fmt: skip
+    if at is not None:
+        return compute_plate(plate, settings, carrier=carrier, gap=None, **means)
+    gap = gap_of_plate(study, plate, carrier, runner)
+    result = compute_plate(plate, settings, carrier=carrier, gap=gap, **means)
+    if len(study.carriers) == 1:
+        return result
+    answers = []
+    for each in study.carriers:
+        driven, around = (
+            study.mounted_plate(each),
+            gaps_around(study, study.mounted_plate(each), each, runner),
+        )
+        alone = compute_plate(
+            driven, settings.single(each), carrier=each, gap=common_gap(around.values()), **means
+        )
+        answers.append(CarrierAnswer(each, around, alone))
+    return replace(result, answers=tuple(answers))
 
 
 def compute_plate(
@@ -137,7 +156,10 @@ def cost(study: Description, options: PlateOptions) -> Cost:
     plate, settings = study.mounted_plate(), response_settings(study)
     if options.at is not None:
         return response(study, plate, settings.single(options.at))
-    return gaps(study) + response(study, plate, settings)
+    total = gaps(study) + response(study, plate, settings)
+    for carrier in study.carriers if len(study.carriers) > 1 else ():
+        total += response(study, plate, settings.single(carrier))
+    return total
 
 
 ANALYSIS = Analysis(

@@ -208,6 +208,25 @@ def gap_at(gaps: Iterable[Gap], frequency: float) -> Gap | None:
     return max(containing, key=lambda gap: gap.width, default=None)
 
 
+def common_gap(gaps: Iterable[Gap | None]) -> Gap | None:
+    """Frequencies inside all gaps that contain one frequency; None if any of them is missing.
+
+    Each edge keeps the error, the wavevector and the band of its own gap.
+    """
+    every = list(gaps)
+    there = [gap for gap in every if gap is not None]
+    if not there or len(there) < len(every):
+        return None
+    below, above = max(there, key=lambda gap: gap.lower), min(there, key=lambda gap: gap.upper)
+    return replace(
+        below,
+        between=(below.between[0], above.between[1]),
+        upper=above.upper,
+        upper_error=above.upper_error,
+        upper_kappa=above.upper_kappa,
+    )
+
+
 def widest_gap(gaps: Iterable[Gap]) -> Gap | None:
     """The widest complete gap that is wider than the errors of its edges."""
     sure = [gap for gap in gaps if gap.complete and gap.certain]

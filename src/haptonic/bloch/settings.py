@@ -14,7 +14,6 @@ from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
 from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError
 from haptonic.fields import (
-    FASTEST,
     TOP,
     Aliases,
     Frequency,
@@ -28,7 +27,6 @@ from haptonic.fields import (
 )
 from haptonic.units import format_quantity
 
-CARRIER = Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(10e3, FASTEST))
 LOWEST, HIGHEST = 0.6, 1.4  # of the carrier: default ends of a spectrum
 OF_INCIDENCE = Quantity("rad", above=-0.5 * math.pi, below=0.5 * math.pi, typical=(-1.5, 1.5))
 COARSEST = 0.1  # accuracy: less exact bands give no information on gaps

@@ -8,6 +8,7 @@ from haptonic.fields.numbers import numbers, unknown_number, with_numbers
 from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
 from haptonic.fields.placing import INLINE, TOP, Named, Placed
 from haptonic.fields.quantity import (
+    CARRIER,
     FASTEST,
     FROM_FILE,
     LARGEST,
@@ -25,6 +26,7 @@ from haptonic.fields.reading import read
 from haptonic.fields.unusual import caller, unusual_beside, unusual_values, warn_caller
 
 __all__ = [
+    "CARRIER",
     "FASTEST",
     "FROM_FILE",
     "INLINE",

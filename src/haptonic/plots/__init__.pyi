@@ -3,7 +3,13 @@ from .designs import front as front, search as search
 from .feel import friction_map as friction_map, reduction_curve as reduction_curve
 from .friction import conditions as conditions, reductions as reductions, trial_sheet as trial_sheet
 from .looks import chosen as chosen
-from .mapped import animated as animated, map_at as map_at, maps as maps, maps_compared as maps_compared
+from .mapped import (
+    animated as animated,
+    map_at as map_at,
+    maps as maps,
+    maps_compared as maps_compared,
+    maps_of_drives as maps_of_drives,
+)
 from .mirrors import decay as decay, guide as guide, layers as layers
 from .modes import mode_shapes as mode_shapes, moving_modes as moving_modes
 from .overlays import compared as compared

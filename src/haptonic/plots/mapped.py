@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import matplotlib as mpl
@@ -15,6 +15,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
@@ -69,7 +70,7 @@ def map_at(
 ) -> Figure:
     """Normal vibration at one frequency; see `maps`."""
     on = _stage(response, layout, ax)
-    _painted([on.axes], [_seen(response.at(frequency), drive)], layout, gap)
+    _painted([on.axes], [_seen(response.at(frequency), drive, gap)], layout)
     return on.figure
 
 
@@ -86,20 +87,45 @@ def maps_compared(
     slender = _slenderness(next(iter(rows.values())), layout)
     stacked = slender < LOW and len(rows) == 1  # side by side, the maps of a wide plate would be low strips
     grid = (len(frequencies), 1) if stacked else (len(rows), len(frequencies))
+    seen = [_seen(response.at(asked), drive, gap) for response in rows.values() for asked in frequencies]
+    figure, panels = _many(grid, stacked, slender, seen, layout)
+    if not stacked:
+        for row, name in zip(panels, rows, strict=True):
+            row[0].set_ylabel(f"{name}\ny (mm)" if name else "y (mm)")
+    return figure
+
+
+@style.drawn
+def maps_of_drives(driven: Mapping[str, tuple[FrequencyResponse, float, Gap]], layout: Layout) -> Figure:
+    """Maps of responses to different drives, side by side, on one scale of displacement; see `maps`.
+
+    driven : by the names of the drives, the response at one frequency, the amplitude to multiply it by, and
+        the edges of the gap around it, Hz
+    """
+    seen = [
+        _seen(response, drive, gap).times_drive(f"{name} alone")
+        for name, (response, drive, gap) in driven.items()
+    ]
+    slender = _slenderness(next(iter(driven.values()))[0], layout)
+    stacked = slender < LOW
+    grid = (len(seen), 1) if stacked else (1, len(seen))
+    return _many(grid, stacked, slender, seen, layout)[0]
+
+
+def _many(
+    grid: tuple[int, int], stacked: bool, slender: float, seen: Sequence[Seen], layout: Layout | None
+) -> tuple[Figure, NDArray[np.object_]]:
+    """A figure with a grid of maps, and its axes (rows, columns); ``stacked`` maps have its whole width."""
     across = 1 if stacked else max(grid[1], 2)
     tall = min(0.85 / across * slender, 1.1)
     figure = style.suited(
         grid[0] * tall, 5.5 * grid[0] + 4, min(1.0, 0.2 + 0.4 * grid[1]) if not stacked else 1.0
     )
     panels = figure.subplots(*grid, sharex=True, sharey=True, squeeze=False)
-    seen = [_seen(response.at(asked), drive) for response in rows.values() for asked in frequencies]
-    _painted(panels.ravel().tolist(), seen, layout, gap)
+    _painted(panels.ravel().tolist(), seen, layout)
     for axes in panels.ravel():
         axes.label_outer()
-    if not stacked:
-        for row, name in zip(panels, rows, strict=True):
-            row[0].set_ylabel(f"{name}\ny (mm)" if name else "y (mm)")
-    return figure
+    return figure, panels
 
 
 def animated(
@@ -109,10 +135,10 @@ def animated(
 
     It shows the real part of response times exp(i omega t), with a scale as in `maps`.
     """
-    seen = _seen(response.at(frequency), drive)
+    seen = _seen(response.at(frequency), drive, None)
     with style.styled():
         on = _stage(response, layout, None)
-        ((image, shape),) = _painted([on.axes], [seen], layout, None)
+        ((image, shape),) = _painted([on.axes], [seen], layout)
         if seen.frequency:
             on.axes.set_title(f"{on.axes.get_title()}, one cycle of {1e6 / seen.frequency:.3g} µs")
         return moving(on.figure, lambda turn: image.set_data((shape * turn).real))
@@ -124,6 +150,7 @@ class Seen:
 
     shape : (y, x), NaN where there is none; x, y : its ends, mm
     quantity, units : of the shape; drive : amplitude that it is multiplied by, if it is known
+    gap : edges, Hz, or None; heading : first line above the map
     """
 
     shape: AnyComplex
@@ -134,6 +161,14 @@ class Seen:
     units: str
     drive: float | None
     origin: str
+    gap: Gap
+    heading: str = ""
+
+    def times_drive(self, heading: str) -> Seen:
+        """The vibration itself, in place of that per unit of the drive, under a heading."""
+        assert self.drive is not None
+        units = self.units.rpartition("/")[0]
+        return replace(self, shape=self.drive * self.shape, units=units, drive=None, heading=heading)
 
     @property
     def largest(self) -> float:
@@ -150,7 +185,7 @@ def _stage(response: FrequencyResponse, layout: Layout | None, ax: Axes | None) 
     )
 
 
-def _seen(line: FrequencyResponse, drive: float | None) -> Seen:
+def _seen(line: FrequencyResponse, drive: float | None, gap: Gap) -> Seen:
     """Vibration at the single frequency of a response, as displacement if velocity is given.
 
     Points that lie on no regular grid, as when a stage was turned, are drawn finer than they lie: every place
@@ -171,12 +206,12 @@ def _seen(line: FrequencyResponse, drive: float | None) -> Seen:
     origin = str(line.dataset.attrs["origin"])
     return Seen(
         shape=turned, x=ends(1e3 * x), y=ends(1e3 * y), frequency=frequency, quantity=quantity, units=units,
-        drive=drive, origin=origin,
+        drive=drive, origin=origin, gap=gap,
     )  # fmt: skip
 
 
 def _painted(
-    panels: Sequence[Axes], seen: Sequence[Seen], layout: Layout | None, gap: Gap
+    panels: Sequence[Axes], seen: Sequence[Seen], layout: Layout | None
 ) -> list[tuple[AxesImage, AnyComplex]]:
     """Maps on one scale of colours, the regions around them; each picture with its values as drawn."""
     first, most = seen[0], max(shape.largest for shape in seen)
@@ -194,7 +229,7 @@ def _painted(
         lines = outlined(axes, layout)
         axes.set_ylabel("y (mm)")
         # all numbers of a figure in one unit, so that they can be compared
-        words = [_beside(line.frequency, gap), hz_text(line.frequency, form=".1f"),
+        words = [line.heading, _beside(line.frequency, line.gap), hz_text(line.frequency, form=".1f"),
                  f"up to {factor * line.largest:.3g} {unit}"]  # fmt: skip
         axes.set_title("\n".join(filter(None, words)), pad=6 + lines * LINE * mpl.rcParams["font.size"])
         images.append((image, shape))

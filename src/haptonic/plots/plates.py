@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -21,11 +22,12 @@ from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.supports import WORDS, Hold
 from haptonic.plots import style
 from haptonic.plots.stage import stage
+from haptonic.plots.text import label
 
 AROUND = 48  # points on a curved outline
 HALO = [withStroke(linewidth=2.2, foreground="white")]  # keeps text readable on any colour
 REGION = "#d6e8f5"
-LATTICE = "#f3f3f3"
+LATTICES = ("#f3f3f3", "#f6dfa4", "#d9c9e3", "#c9e3cf", "#f2cfc4")  # tints, in the order of the lattices
 HOLDS: dict[Hold, tuple[str, style.Dashes]] = {
     "clamped": (style.CARRIER, style.SOLID),
     "simple": (style.GREEN, style.DASHED),
@@ -92,10 +94,11 @@ def _closed(loops: Iterable[Array]) -> list[Array]:
 def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
     """Tiles, pillars and the outlines of regions and plate; what the legend needs."""
     pillars: list[Patch] = []
-    shades: dict[str, list[Rectangle]] = {LATTICE: [], REGION: []}
+    lattices = dict(zip(layout.cells, cycle(LATTICES)))
+    shades: dict[str, list[Rectangle]] = {shade: [] for shade in (*lattices.values(), REGION)}
     for block in layout.blocks:
         x, y = (1e3 * np.array(lines) for lines in layout.lines(block))
-        shade = LATTICE if layout.at(block.tiles[0]) in layout.cells else REGION
+        shade = lattices.get(str(layout.at(block.tiles[0])), REGION)
         shades[shade].append(Rectangle((x[0], y[0]), x[-1] - x[0], y[-1] - y[0]))
     for across, up, feature in layout.features:
         middle, half = (1e3 * across, 1e3 * up), 1e3 * feature.radius
@@ -118,7 +121,17 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
                    label=f"pillars on the back ({len(pillars)})")
         )  # fmt: skip
     if len(layout.bricks) > len(layout.features):
-        handles.append(Patch(facecolor=LATTICE, edgecolor=style.INK, lw=0.4, label="cells of a file"))
+        handles.append(Patch(facecolor=LATTICES[0], edgecolor=style.INK, lw=0.4, label="cells of a file"))
+    if len(lattices) > 1:
+        handles += [
+            Patch(
+                facecolor=shade,
+                edgecolor=style.INK,
+                lw=0.4,
+                label=label(name if name == "lattice" else f"lattice {name}"),
+            )
+            for name, shade in lattices.items()
+        ]
     if layout.regions:
         handles.append(Patch(facecolor=REGION, edgecolor=style.INK, lw=0.8, label="region of plain plate"))
     return handles

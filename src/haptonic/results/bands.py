@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Self
 
@@ -18,7 +18,7 @@ from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.plots.text import gap_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
-from haptonic.results.table import Column, Table, Uncertain
+from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity, hz_text, in_percent
 
 WRITTEN = [
@@ -27,10 +27,31 @@ WRITTEN = [
 ]  # fmt: skip
 
 
+EDGES = (
+    Column("lower", "Hz", "kHz", ".3f"),
+    Column("upper", "Hz", "kHz", ".3f"),
+    Column("width", "Hz", "kHz", ".2f"),
+)
+
+
 def _where(gap: Gap) -> str:
     if gap.complete:
         return "everywhere (complete)"
     return f"{gap.direction} only" if gap.waves == "all" else "everywhere, these waves only"
+
+
+def _bands_of(gap: Gap) -> str:
+    return f"{'' if gap.waves == 'all' else f'{gap.waves} '}{gap.between[0]}-{gap.between[1]}"
+
+
+def _edges_of(gap: Gap) -> tuple[Uncertain, Uncertain, Uncertain]:
+    """Lower and upper edge, and width."""
+    doubt = "" if gap.certain else " (uncertain)"
+    return (
+        Uncertain(gap.lower, gap.lower_error),
+        Uncertain(gap.upper, gap.upper_error),
+        Uncertain(gap.width, gap.lower_error + gap.upper_error, doubt),
+    )
 
 
 def _over_the_zone(result: Bands) -> bool:
@@ -70,12 +91,16 @@ class CarrierPlace:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Bands(Result):
-    """Band diagram, gaps and mode shapes of a unit cell, all in ``dataset``."""
+    """Band diagram, gaps and mode shapes of a unit cell, all in ``dataset``.
+
+    further : gaps of the other lattices of the study's plate, by name
+    """
 
     title = "Bands and gaps"
     data_file = "bands"
 
     dataset: xr.Dataset
+    further: Mapping[str, tuple[Gap, ...]] = field(default_factory=dict)
 
     @property
     def gaps(self) -> tuple[Gap, ...]:
@@ -155,23 +180,18 @@ class Bands(Result):
 
     def tables(self) -> list[Table]:
         gaps = self.gaps
-        columns = (
-            "bands", "where", Column("lower", "Hz", "kHz", ".3f"), Column("upper", "Hz", "kHz", ".3f"),
-            Column("width", "Hz", "kHz", ".2f"),
-        )  # fmt: skip
-        rows = [
-            (
-                f"{'' if gap.waves == 'all' else f'{gap.waves} '}{gap.between[0]}-{gap.between[1]}",
-                _where(gap),
-                Uncertain(gap.lower, gap.lower_error),
-                Uncertain(gap.upper, gap.upper_error),
-                Uncertain(
-                    gap.width, gap.lower_error + gap.upper_error, "" if gap.certain else " (uncertain)"
-                ),
-            )
-            for gap in gaps
+        rows = [(_bands_of(gap), _where(gap), *_edges_of(gap)) for gap in gaps]
+        own = Table(
+            "band gaps", ("bands", "where", *EDGES), rows, [k for k, gap in enumerate(gaps) if gap.complete]
+        )
+        others: list[tuple[Cell, ...]] = [
+            (name, _bands_of(gap), *_edges_of(gap)) for name, every in self.further.items() for gap in every
         ]
-        return [Table("band gaps", columns, rows, [k for k, gap in enumerate(gaps) if gap.complete])]
+        others += [
+            (name, "no complete gap", None, None, None) for name, every in self.further.items() if not every
+        ]
+        title = "complete band gaps of the plate's other lattices"
+        return [own, Table(title, ("lattice", "bands", *EDGES), others)] if others else [own]
 
     @figure(
         "dispersion",
@@ -240,6 +260,7 @@ class Bands(Result):
         named = data["character"].dims, np.array(names)[data["character"].values]
         return {
             "gaps": self.gaps, "bands": data[along].assign(character=named), "modes": mode_names(data),
+            **({"further_lattices": dict(self.further)} if self.further else {}),
         }  # fmt: skip
 
 

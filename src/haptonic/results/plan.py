@@ -61,9 +61,14 @@ class StudyPlan(Result):
             width, height = (1e3 * lines[-1] for lines in (layout.x, layout.y))
             drives = len(self.plate.actuators) + len(self.plate.forces)
             sentences.append(
-                f"A plate of {width:.4g} x {height:.4g} mm with {layout.parts}, "
+                f"A plate of {width:.4g} x {height:.4g} mm with {layout.parts}"
+                f"{f' in {len(layout.cells)} lattices' if len(layout.cells) > 1 else ''}, "
                 f"{_counted(len(layout.regions), 'region')} of plain plate and {_counted(drives, 'drive')}."
             )
+            carriers = self.plate.carriers(self.carrier or 0.0)
+            if len(carriers) > 1:
+                shown = " and ".join(format_quantity(carrier, "Hz") for carrier in carriers)
+                sentences.append(f"The drives have {len(carriers)} carriers, {shown}, and act separately.")
             sentences += border_text(layout)
         return sentences
 
@@ -90,8 +95,7 @@ class StudyPlan(Result):
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]
 
-    @staticmethod
-    def _of_the_plate(plate: Plate) -> list[Table]:
+    def _of_the_plate(self, plate: Plate) -> list[Table]:
         layout = plate.layout
         boxes = {name: [layout.bounds(tile) for tile in layout.of(name)] for name in layout.regions}
         regions: list[tuple[Cell, ...]] = [
@@ -105,6 +109,8 @@ class StudyPlan(Result):
         ]
         wide = [Column(name, "m", "mm", ".4g") for name in ("x", "y")]
         tables = [Table("regions of plain plate", ("region", "tiles", *wide), regions)] if regions else []
+        if len(layout.cells) > 1:
+            tables.insert(0, _lattices(layout))
         rows: list[tuple[Cell, ...]] = [
             (
                 patch.name,
@@ -115,6 +121,12 @@ class StudyPlan(Result):
             for patch in plate.actuators
         ]
         columns: list[Column | str] = ["patch", "size / mm", *wide, Column("voltage", "V", form=".4g")]
+        if len(plate.carriers(self.carrier or 0.0)) > 1:
+            columns.append(Column("carrier", "Hz", "kHz", "g"))
+            rows = [
+                (*row, patch.carrier or self.carrier)
+                for row, patch in zip(rows, plate.actuators, strict=True)
+            ]
         return [*tables, Table("patches, by their centres on the plate", columns, rows)] if rows else tables
 
     def remarks(self) -> list[str]:
@@ -138,6 +150,29 @@ class StudyPlan(Result):
     def _plan(self, *, ax: Axes | None = None) -> Figure:
         assert self.plate is not None
         return plots.plate_plan(self.plate, ax=ax)
+
+
+def _lattices(layout: Layout) -> Table:
+    """Lattices of a plate with the sizes in which they differ."""
+    values = {
+        name: {path: (value, key) for path, value, key in leaves(cell, "cell.") if key}
+        for name, cell in layout.cells.items()
+    }
+    paths = dict.fromkeys(path for sizes in values.values() for path in sizes)
+    differ = [path for path in paths if len({sizes.get(path, (None,))[0] for sizes in values.values()}) > 1]
+    rows: list[tuple[Cell, ...]] = [
+        (
+            name,
+            len(layout.of(name)),
+            ", ".join(
+                f"{path.removeprefix('cell.')} {format_quantity(sizes[path][0], sizes[path][1].unit)}"
+                for path in differ
+                if path in sizes
+            ),
+        )
+        for name, sizes in values.items()
+    ]
+    return Table("lattices of the plate", ("lattice", "tiles", "sizes that differ"), rows)
 
 
 def _of_the_file(cell: UnitCell) -> Table:

@@ -91,8 +91,8 @@ class PlateSettings:
         **meant("cell", "lattice", "cells"),
         **meant("map", "layout", "pattern"),
         **absent(
-            "carrier", "frequency", cause="a study has one carrier, at its top",
-            next_step="write carrier at the top of the study",
+            "carrier", "frequency", cause="a carrier belongs to the study or to a drive",
+            next_step="write carrier at the top of the study, or in a [[plate.actuator]]",
         ),
         **absent(
             "thickness", "material", cause="a plate has the thickness and the material of the study's cell",

@@ -293,3 +293,21 @@ def _position_text(centre: tuple[float, float]) -> str:
 
 def _refused(code: str, at: str, given: str, allowed: str, cause: str, next_step: str) -> StudyError:
     return StudyError(code, argument=at, given=given, allowed=allowed, cause=cause, next_step=next_step)
+
+
+def check_carriers(plate: Plate, carrier: float | None) -> None:
+    """Refuse a plate whose drives all have a carrier other than the study's, Hz.
+
+    Raises
+    ------
+    StudyError : the argument is ``carrier``
+    """
+    own = [drive.carrier for drive in plate.drives if drive.carrier is not None]
+    if own and (carrier is None or (len(own) == len(plate.drives) and carrier not in own)):
+        every = ", ".join(format_quantity(frequency, "Hz") for frequency in dict.fromkeys(own))
+        raise _refused(
+            "conflict", "carrier", "nothing" if carrier is None else format_quantity(carrier, "Hz"),
+            f"the frequency of a drive: {every}",
+            "results are about the study's carrier, and no actuator or force has it",
+            f'write carrier = "{format_quantity(own[0], "Hz")}" at the top of the study',
+        )  # fmt: skip

@@ -12,12 +12,13 @@ from functools import cached_property
 from types import FrameType
 from typing import Annotated, Any, ClassVar, Self
 
-from haptonic.bloch.settings import CARRIER, BandSettings, LayersSettings, WaveguideSettings
+from haptonic.bloch.settings import BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import (
+    CARRIER,
     Aliases,
     absent,
     caller,
@@ -46,7 +47,7 @@ from haptonic.plate.layout.parts import Plate
 from haptonic.study.doubts import doubts_of
 from haptonic.study.experiment_tables import ProtocolSettings
 from haptonic.study.plate_tables import PlateSettings
-from haptonic.study.plating import plate_of
+from haptonic.study.plating import check_carriers, plate_of
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
@@ -129,6 +130,8 @@ class Description:
     def __post_init__(self) -> None:
         try:
             plate = None if self.finite_plate is None else self.mounted_plate()
+            if plate is not None:
+                check_carriers(plate, self.carrier)
             if self.ribbon_settings is not None:
                 self.ribbon_settings.ribbon(self.cell)
         except HaptonicError as error:
@@ -169,14 +172,27 @@ class Description:
         except StudyError as error:
             raise handed_on(error, at) from None
 
-    def mounted_plate(self) -> Plate:
-        """Build the finite plate of the study.
+    def mounted_plate(self, carrier: float | None = None) -> Plate:
+        """Build the finite plate of the study, with the drives of one carrier.
+
+        carrier : Hz, by default the study's; drives with another one of their own have no amplitude
 
         Raises
         ------
         StudyError : the study has no [plate]
         """
-        return plate_of(self.finite_plate, self.cell)
+        plate = plate_of(self.finite_plate, self.cell)
+        if self.carrier is None:
+            return plate
+        return plate.driven_at(self.carrier if carrier is None else carrier, self.carrier)
+
+    @property
+    def carriers(self) -> tuple[float, ...]:
+        """Different carriers of the plate's drives, Hz, the study's first; without a plate only that one."""
+        if self.carrier is None:
+            return ()
+        others = plate_of(self.finite_plate, self.cell).carriers(self.carrier) if self.finite_plate else ()
+        return tuple(dict.fromkeys((self.carrier, *others)))
 
     def within(self, budget: float | str | None, argument: str = "budget") -> Self:
         """The study with another budget for the meshes of its cells; s, or a text such as "10 min".

@@ -10,9 +10,10 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from haptonic.bloch.settings import CARRIER, BandSettings
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.fields import (
+    CARRIER,
     Aliases,
     ByPattern,
     absent,

@@ -287,6 +287,17 @@ class Layout:
         """(row, column) of every tile of that name."""
         return [tile for tile, own in self.there.items() if own == name]
 
+    def beside(self, names: Sequence[str]) -> list[str]:
+        """Names of the lattices with a tile that shares a side with a tile of given regions."""
+        sides = [
+            (i + down, j + along)
+            for name in names
+            for i, j in self.of(name)
+            for down, along in STEPS.values()
+        ]
+        near = {self.at(tile) for tile in sides}
+        return [name for name in self.cells if name in near]
+
     def at(self, tile: Tile) -> str | None:
         """Name of a tile (row, column); None outside the plate."""
         i, j = tile

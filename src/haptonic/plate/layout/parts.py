@@ -7,17 +7,17 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, ClassVar
 
 import numpy as np
 
 from haptonic.fields import (
+    CARRIER,
     LARGEST,
     Aliases,
     Name,
     Quantity,
-    absent,
     described,
     meant,
     needed,
@@ -39,11 +39,10 @@ Phase = Annotated[float, Quantity("rad", at_least=-2 * math.pi, at_most=2 * math
 CENTRE = "From the lower left corner of the smallest rectangle around the region, else around the plate."
 
 
-ONE_CARRIER = {
-    "cause": "all actuators and forces of a plate work at one frequency, and a study has one carrier",
-    "next_step": "write carrier at the top of the study; for another frequency use "
-    '`haptonic plate STUDY --at "40 kHz"`, or a second study',
-}
+Carrier = Annotated[float, CARRIER]
+OWN_CARRIER = (
+    "Its frequency if it is not the study's carrier; drives of different frequencies act separately."
+)
 
 
 @described("plate.actuator.bond")
@@ -62,7 +61,7 @@ class Actuator:
     """
 
     aliases: ClassVar[Aliases] = {
-        **absent("carrier", "frequency", "f", **ONE_CARRIER),
+        **meant("carrier", "frequency", "f", "drive_frequency"),
         **meant("centre", "center", "position", "at", "place", "x", "y"),
         **meant(
             "size", "width", "length", "height", "thickness", "diameter", "radius",
@@ -85,6 +84,7 @@ class Actuator:
         1.0, "Amplitude between the electrodes on its two faces."
     )
     phase: Phase = setting(0.0, "Phase of the voltage.")
+    carrier: Carrier | None = setting(None, OWN_CARRIER, title="Carrier of the patch", examples=["76 kHz"])
     region: Name | None = setting(
         None, "Region of plain plate under the whole patch; by default any.", examples=["WG1"]
     )
@@ -112,7 +112,7 @@ class Force:
     """Force normal to the flat face, at a point or spread evenly over a rectangle."""
 
     aliases: ClassVar[Aliases] = {
-        **absent("carrier", "frequency", "f", **ONE_CARRIER),
+        **meant("carrier", "frequency", "f", "drive_frequency"),
         **meant("centre", "center", "position", "at", "place", "x", "y"),
         **meant("force", "amplitude", "f0"),
     }
@@ -124,6 +124,7 @@ class Force:
         1.0, "Amplitude of its total."
     )
     phase: Phase = setting(0.0, "Phase of the force.")
+    carrier: Carrier | None = setting(None, OWN_CARRIER, title="Carrier of the force", examples=["76 kHz"])
     region: Name | None = setting(
         None, "Or lattice, that all of the force lies on; else any.", examples=["WG1"]
     )
@@ -190,6 +191,32 @@ class Plate:
     forces: tuple[Force, ...] = ()
     finger: Finger | None = None
     loss_factor: float = 0.0
+
+    @property
+    def drives(self) -> tuple[Actuator | Force, ...]:
+        """Actuators, then forces."""
+        return (*self.actuators, *self.forces)
+
+    def carriers(self, usual: float) -> tuple[float, ...]:
+        """Different frequencies of the drives with an amplitude, Hz; ``usual`` is that of all without one."""
+        return tuple(dict.fromkeys(drive.carrier or usual for drive in self.drives if drive.amplitude))
+
+    def driven_at(self, carrier: float, usual: float) -> Plate:
+        """The plate with the drives of one carrier, Hz; all others get no amplitude.
+
+        usual : frequency of drives without a carrier of their own
+        """
+
+        def acts(drive: Actuator | Force) -> bool:
+            return (drive.carrier or usual) == carrier
+
+        return replace(
+            self,
+            actuators=tuple(
+                patch if acts(patch) else replace(patch, voltage=0.0) for patch in self.actuators
+            ),
+            forces=tuple(force if acts(force) else replace(force, force=0.0) for force in self.forces),
+        )
 
     @property
     def rigid_modes(self) -> int:

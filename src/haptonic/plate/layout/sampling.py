@@ -10,7 +10,7 @@ from haptonic.arrays import Array, Bools
 from haptonic.errors import ResourceError, StudyError
 from haptonic.later import psutil
 from haptonic.plate.layout.grid import Layout
-from haptonic.plate.layout.parts import Actuator, Force, Plate
+from haptonic.plate.layout.parts import Actuator, Plate
 from haptonic.response import Reference
 from haptonic.units import format_quantity
 
@@ -19,13 +19,9 @@ BYTES = 30.0  # of a point at a line: complex numbers of double and of single pr
 ON_LINE = 1e-6  # of the smallest tile, within which a point lies on a line between tiles
 
 
-def drives_of(plate: Plate) -> list[Actuator | Force]:
-    return [*plate.actuators, *plate.forces]
-
-
 def driven_regions(plate: Plate) -> tuple[str, ...]:
     """Regions of plain plate with an actuator or a force of nonzero amplitude, actuators first."""
-    layout, drives = plate.layout, drives_of(plate)
+    layout, drives = plate.layout, plate.drives
     moving = [drive for drive in drives if drive.amplitude] or drives
     names = [layout.at(layout.under((*drive.centre, *drive.centre))[0]) for drive in moving]
     return tuple(dict.fromkeys(name for name in names if name is not None and name not in layout.cells))
@@ -38,7 +34,7 @@ def driven_region(plate: Plate) -> str | None:
 
 def reference_of(plate: Plate) -> tuple[Reference, float]:
     """Reference of the response: name and unit of the first drive, and its amplitude."""
-    moving = [drive for drive in drives_of(plate) if drive.amplitude]
+    moving = [drive for drive in plate.drives if drive.amplitude]
     if not moving:
         raise StudyError.missing(
             argument="plate.actuator",
@@ -54,7 +50,7 @@ def reference_of(plate: Plate) -> tuple[Reference, float]:
 def unit_drives(plate: Plate) -> dict[str, complex]:
     """Complex amplitudes of all drives by name, for a unit of the first that drives the plate."""
     _, unit = reference_of(plate)
-    return {drive.name: drive.amplitude / unit for drive in drives_of(plate)}
+    return {drive.name: drive.amplitude / unit for drive in plate.drives}
 
 
 def check_grid(plate: Plate, spacing: float, lines: int, at: str = "plate.response.grid") -> None:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from haptonic.later import xarray as xr
 from haptonic.plate.layout.sampling import reference_of
+from haptonic.plots.text import gap_text
 from haptonic.results.table import Cell, Column, Table
 from haptonic.units import hz_text
 
 if TYPE_CHECKING:
-    from haptonic.results.plate.value import PlateResult
+    from haptonic.results.plate.value import CarrierAnswer, PlateResult
 
 MODES = (
     Column("frequency", shown="kHz", form=".3f"),
@@ -20,6 +22,25 @@ MODES = (
     Column("rise", shown="ms", form=".2f", of="rise_time"),
     Column("{}", shown="%", form=".1f", of="strain_energy"),
 )
+
+
+def carriers_table(answers: Sequence[CarrierAnswer]) -> list[Table]:
+    """Confinement at each carrier, with its own drives; no table for a single carrier."""
+    rows: list[tuple[Cell, ...]] = []
+    for answer in answers:
+        around = "; ".join(
+            f"{name}: {gap_text(gap) if gap else 'no gap'}" for name, gap in answer.around.items()
+        )
+        pair, level = answer.least_contrast or (None, None)
+        rows.append((answer.carrier, ", ".join(answer.drives), around, level, pair))
+    columns = (
+        Column("carrier", "Hz", "kHz", "g"),
+        "drives",
+        "gap of the lattices around",
+        Column("least contrast", "dB", form=".1f"),
+        "between",
+    )
+    return [Table("each carrier with its own drives alone", columns, rows)] if rows else []
 
 
 def lines_table(result: PlateResult) -> Table:

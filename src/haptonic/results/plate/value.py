@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
@@ -24,7 +24,7 @@ from haptonic.response.measures import along
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text
-from haptonic.results.plate.tables import lines_table, modes_table, power_table
+from haptonic.results.plate.tables import carriers_table, lines_table, modes_table, power_table
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
 from haptonic.units import hz_text
@@ -51,6 +51,40 @@ def _compares(result: PlateResult) -> bool:
     return _has_spectrum(result) and bool(compared(result.response, result.driven))
 
 
+@dataclass(frozen=True, eq=False)
+class CarrierAnswer:
+    """Vibration at one of several carriers (Hz), with only the drives that have it.
+
+    around : gap at the carrier of each lattice beside the driven regions, by name
+    """
+
+    carrier: float
+    around: Mapping[str, Gap | None]
+    result: PlateResult
+
+    @property
+    def drives(self) -> list[str]:
+        """Names of the active drives."""
+        return [drive.name for drive in self.result.plate.drives if drive.amplitude]
+
+    @property
+    def least_contrast(self) -> tuple[str, float] | None:
+        """Smallest contrast of the driven region, dB, with the names of both; None without a region."""
+        levels = self.result.contrasts(self.result.response)
+        return min(
+            ((pair, float(level[0])) for pair, level in levels.items()), key=lambda e: e[1], default=None
+        )
+
+    def facts(self) -> dict[str, Any]:
+        """Values for JSON."""
+        gaps = {name: gap and (gap.lower, gap.upper) for name, gap in self.around.items()}
+        levels = self.result.contrasts(self.result.response)
+        return {
+            "carrier_hz": self.carrier, "drives": self.drives, "driven": self.result.driven, "gaps_hz": gaps,
+            "contrast_db": {pair: float(level[0]) for pair, level in levels.items()},
+        }  # fmt: skip
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class PlateResult(Result):
     """Response of a plate per unit of its reference, with energies, impedances and modes.
@@ -59,6 +93,7 @@ class PlateResult(Result):
     response : velocity of the flat face; marked : response at the frequencies of the maps
     lines : dataset on the response's frequencies; modes : dataset of the modes near the carrier
     body : displacement of the whole plate at the carrier, on a coarse mesh
+    answers : for each carrier, if the drives have several; everything else is for the study's carrier
     """
 
     title = "Plate"
@@ -72,6 +107,7 @@ class PlateResult(Result):
     lines: xr.Dataset
     modes: xr.Dataset
     body: xr.Dataset
+    answers: tuple[CarrierAnswer, ...] = ()
 
     @property
     def driven(self) -> str | None:
@@ -114,6 +150,17 @@ class PlateResult(Result):
         if ax is not None:
             return plots.map_at(shown, frequency or self.resonance, layout, gap, drive=drive, ax=ax)
         return plots.maps(shown, lines, layout, gap, drive=drive)
+
+    @figure(
+        "carriers",
+        "Simulated normal displacement of the flat face at each carrier, with its own drives alone.",
+        when=lambda result: result.answers,
+    )
+    def _carriers(self) -> Figure:
+        driven = {" and ".join(answer.drives): answer.result for answer in self.answers}
+        return plots.maps_of_drives(
+            {name: (r.response, r.drive, r._gap_edges) for name, r in driven.items()}, self.plate.layout
+        )
 
     @figure("velocity", "Simulated velocity of the regions.", when=_has_spectrum)
     def _velocity(self, *, ax: Axes | None = None) -> Figure:
@@ -188,7 +235,7 @@ class PlateResult(Result):
         return [f"the plate has no support: {self.plate.rigid_modes} rigid-body motions are free"]
 
     def tables(self) -> list[Table]:
-        tables = [lines_table(self), power_table(self)]
+        tables = [*carriers_table(self.answers), lines_table(self), power_table(self)]
         return [*tables, modes_table(self.modes)] if self.modes.sizes["mode"] else tables
 
     @property
@@ -250,6 +297,7 @@ class PlateResult(Result):
             "maps": split(self.maps, "frequency"),
             "modes": split(self.modes.drop_dims("point"), "mode"),
             "guide_modes": self._guide_modes(),
+            **({"carriers": [answer.facts() for answer in self.answers]} if self.answers else {}),
         }
 
 
