@@ -159,7 +159,7 @@ class TestWaves:
     @pytest.mark.nightly
     def test_a_plate_in_two_bases_has_the_same_waves(self, study, monkeypatch):
         """Triangular, and rectangles of two pillars: guides alike, a row of these fades as two of those."""
-        monkeypatch.setattr("haptonic.vibrometry.theory.FADING", 2)
+        monkeypatch.setattr("haptonic.vibrometry.theory.DECAYS", 2)
         monkeypatch.setattr("haptonic.vibrometry.theory.STEPS", 1)
         monkeypatch.setattr("haptonic.vibrometry.theory.REACH", (0.97, 0.97))
         pillar, settings = Pillar(3.5e-3, 14.7e-3), study.bands_settings

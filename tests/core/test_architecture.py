@@ -1,6 +1,8 @@
 """The layout shows the flow: which part may import which, held by reading the sources."""
 
 import ast
+import contextlib
+import importlib
 import sys
 from functools import cache
 from pathlib import Path
@@ -10,6 +12,7 @@ from sources import tree_of
 
 SOURCE = Path(haptonic.__file__).parent
 FILES = sorted(SOURCE.rglob("*.py"))
+TESTS = Path(__file__).parents[1]
 
 BASE = {
     "arrays",
@@ -304,3 +307,47 @@ def test_types_of_arrays_are_named_once():
         if what in KNOWN and what != "NDArray[Any]"
     ]
     assert again == []
+
+
+def patched_names():
+    """(place, dotted name) of every attribute of the package that a test replaces by name."""
+    for path in sorted(TESTS.rglob("*.py")):
+        tree = tree_of(path)
+        modules = {}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Import):
+                modules |= {
+                    a.asname: a.name for a in node.names if a.asname and a.name.startswith("haptonic")
+                }
+            elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("haptonic"):
+                modules |= {name.asname or name.name: f"{node.module}.{name.name}" for name in node.names}
+        for node in ast.walk(tree):
+            is_patch = isinstance(node, ast.Call) and ast.unparse(node.func).endswith("patch.setattr")
+            if not is_patch or any(word.arg == "raising" for word in node.keywords):
+                continue
+            first, second = node.args[:2]
+            place = f"{path.name}:{node.lineno}"
+            if isinstance(first, ast.Constant) and str(first.value).startswith("haptonic."):
+                yield place, str(first.value)
+            elif isinstance(first, ast.Name) and first.id in modules and isinstance(second, ast.Constant):
+                yield place, f"{modules[first.id]}.{second.value}"
+
+
+def test_names_that_tests_replace_exist():
+    # a nightly test with an old name would fail a night later than the change
+    unknown = [(place, name) for place, name in patched_names() if not is_there(name)]
+    assert not unknown
+
+
+def is_there(name):
+    """True if a dotted name is a module of the package or an attribute in one."""
+    parts = name.split(".")
+    for count in range(len(parts), 0, -1):
+        with contextlib.suppress(ImportError):
+            found = importlib.import_module(".".join(parts[:count]))
+            for part in parts[count:]:
+                if not hasattr(found, part):
+                    return False
+                found = getattr(found, part)
+            return True
+    return False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -32,6 +33,7 @@ from haptonic.units import hz_text
 FINER = 5  # places of a map along a step of points that lie on no grid
 MOST_PLACES = 800  # along either side of such a map
 LOW = 0.45  # height over width of a map, below which maps are one above another
+BAR_LETTERS = 26  # in a line below the scale of one of several maps
 NEAR = 0.75  # of a step, to which a point is shown: the corner of a square around it
 
 
@@ -88,7 +90,10 @@ def maps_compared(
     stacked = slender < LOW and len(rows) == 1  # side by side, the maps of a wide plate would be low strips
     grid = (len(frequencies), 1) if stacked else (len(rows), len(frequencies))
     seen = [_seen(response.at(asked), drive, gap) for response in rows.values() for asked in frequencies]
-    figure, panels = _many(grid, stacked, slender, seen, layout)
+    figure, panels = _many(grid, stacked, slender)
+    _painted(panels.ravel().tolist(), seen, layout)
+    for axes in panels.ravel():
+        axes.label_outer()
     if not stacked:
         for row, name in zip(panels, rows, strict=True):
             row[0].set_ylabel(f"{name}\ny (mm)" if name else "y (mm)")
@@ -97,34 +102,32 @@ def maps_compared(
 
 @style.drawn
 def maps_of_drives(driven: Mapping[str, tuple[FrequencyResponse, float, Gap]], layout: Layout) -> Figure:
-    """Maps of responses to different drives, side by side, on one scale of displacement; see `maps`.
+    """Maps of responses to different drives, side by side, each on its own scale; see `maps`.
 
     driven : by the names of the drives, the response at one frequency, the amplitude to multiply it by, and
         the edges of the gap around it, Hz
     """
-    seen = [
-        _seen(response, drive, gap).times_drive(f"{name} alone")
-        for name, (response, drive, gap) in driven.items()
-    ]
     slender = _slenderness(next(iter(driven.values()))[0], layout)
     stacked = slender < LOW
-    grid = (len(seen), 1) if stacked else (1, len(seen))
-    return _many(grid, stacked, slender, seen, layout)[0]
+    figure, panels = _many((len(driven), 1) if stacked else (1, len(driven)), stacked, slender)
+    for axes, (name, (response, drive, gap)) in zip(panels.ravel(), driven.items(), strict=True):
+        seen = replace(_seen(response, drive, gap), heading=f"{name} alone")
+        ((image, _),) = _painted([axes], [seen], layout)
+        axes.label_outer()
+        bar = image.colorbar
+        assert bar is not None
+        bar.set_label(textwrap.fill(bar.ax.get_xlabel(), BAR_LETTERS))
+    return figure
 
 
-def _many(
-    grid: tuple[int, int], stacked: bool, slender: float, seen: Sequence[Seen], layout: Layout | None
-) -> tuple[Figure, NDArray[np.object_]]:
-    """A figure with a grid of maps, and its axes (rows, columns); ``stacked`` maps have its whole width."""
+def _many(grid: tuple[int, int], stacked: bool, slender: float) -> tuple[Figure, NDArray[np.object_]]:
+    """A figure for a grid of maps, and its axes (rows, columns); ``stacked`` maps have its whole width."""
     across = 1 if stacked else max(grid[1], 2)
     tall = min(0.85 / across * slender, 1.1)
     figure = style.suited(
         grid[0] * tall, 5.5 * grid[0] + 4, min(1.0, 0.2 + 0.4 * grid[1]) if not stacked else 1.0
     )
     panels = figure.subplots(*grid, sharex=True, sharey=True, squeeze=False)
-    _painted(panels.ravel().tolist(), seen, layout)
-    for axes in panels.ravel():
-        axes.label_outer()
     return figure, panels
 
 
@@ -163,12 +166,6 @@ class Seen:
     origin: str
     gap: Gap
     heading: str = ""
-
-    def times_drive(self, heading: str) -> Seen:
-        """The vibration itself, in place of that per unit of the drive, under a heading."""
-        assert self.drive is not None
-        units = self.units.rpartition("/")[0]
-        return replace(self, shape=self.drive * self.shape, units=units, drive=None, heading=heading)
 
     @property
     def largest(self) -> float:
