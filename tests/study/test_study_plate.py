@@ -329,7 +329,7 @@ class TestTwoCarriers:
         named, plate = study.mounted_plate(), study.finite_plate
         placed = remade(plate, actuator=named.actuators, force=named.forces, finger=named.finger)
         assert remade(study, finite_plate=placed).mounted_plate() == named
-        assert [one.region for one in placed.actuator] == [None, None]
+        assert [patch.region for patch in placed.actuator] == [None, None, None]
 
     def test_antiphase_is_exact(self):
         arm, foot, _ = load(STUDIES / "two_carriers.toml").mounted_plate().actuators

@@ -40,9 +40,7 @@ CENTRE = "From the lower left corner of the smallest rectangle around the region
 
 
 Carrier = Annotated[float, CARRIER]
-OWN_CARRIER = (
-    "Its frequency if it is not the study's carrier; drives of different frequencies act separately."
-)
+OWN_CARRIER = "Frequency of the drive, if not the study's. Drives of different frequencies act separately."
 
 
 @described("plate.actuator.bond")
