@@ -6,6 +6,8 @@ import pytest
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import common_gap
 from haptonic.fields import remade
+from haptonic.report.chapter import Results
+from haptonic.report.chapters.plate import chapter
 from haptonic.study import loads
 
 STUDY = """
@@ -114,3 +116,10 @@ def test_a_common_gap_is_inside_all():
     assert common_gap([low]) == low
     assert common_gap([low, None]) is None
     assert common_gap([]) is None
+
+
+def test_the_chapter_of_the_report_names_each_carrier(study, result):
+    made = chapter(Results(study, {"plate": result}))
+    assert [finding.split(",")[0] for finding in made.findings[:2]] == ["F1 at 20 kHz", "F2 at 30 kHz"]
+    assert [picture.name for picture in made.pictures].count("carriers") == 1
+    assert "each carrier" in made.tables[0].title

@@ -12,8 +12,8 @@ from haptonic.plate.vibration.modes import has_one_lobe
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text
-from haptonic.results.plate.tables import lines_table, modes_table
-from haptonic.results.plate.value import ERRORS, PlateResult
+from haptonic.results.plate.tables import carriers_table, lines_table, modes_table
+from haptonic.results.plate.value import ERRORS, CarrierAnswer, PlateResult
 from haptonic.units import hz_text, in_percent
 
 TITLE = "Plate"
@@ -31,6 +31,7 @@ def chapter(results: Results) -> Chapter | Absent:
         "plan": "Map of tiles with pillars, regions, actuators and supports.",
         "maps": "; ".join(_in_words(line) for line in split(result.maps, "frequency")),
         "contrast": "Level of the driven region above the others against frequency.",
+        "carriers": "Map of the plate at each carrier, with its own drives alone.",
         "velocity": "Root mean square velocity of each region against frequency.",
     }
     return Chapter(
@@ -47,7 +48,8 @@ def chapter(results: Results) -> Chapter | Absent:
         findings=tuple(_findings(result)),
         pictures=(*results.pictures(result, words), _swinging(result)),
         tables=tuple(
-            table.labelled("simulated") for table in (lines_table(result), modes_table(_nearest(result)))
+            table.labelled("simulated")
+            for table in (*carriers_table(result.answers), lines_table(result), modes_table(_nearest(result)))
         ),
     )
 
@@ -71,7 +73,7 @@ def _in_words(line: xr.Dataset) -> str:
 
 
 def _findings(result: PlateResult) -> list[str]:
-    findings: list[str] = []
+    findings: list[str] = [_of_carrier(answer) for answer in result.answers]
     gap = result.gap
     lines = split(result.maps, "frequency")
     # the maps in the gap first: these are the findings that a folded chapter shows
@@ -103,6 +105,18 @@ def _findings(result: PlateResult) -> list[str]:
             "energy is in the mirrors, which have the loss factor of the plate."
         )
     return findings
+
+
+def _of_carrier(answer: CarrierAnswer) -> Finding:
+    """Sentence on one of several carriers."""
+    drives, frequency = " and ".join(answer.drives), hz_text(answer.carrier, form="g")
+    missing = [name for name, gap in answer.around.items() if gap is None]
+    gaps = (
+        f"{' and '.join(missing)} without a gap there" if missing else "in the gap of the lattices around it"
+    )
+    level = answer.least_contrast
+    contrast = f"; {level[0]} {level[1]:.1f} dB" if level else ""
+    return Finding(f"{drives} at {frequency}, {gaps}{contrast}.", "carriers")
 
 
 def _place(frequency: float, gap: Gap | None) -> str:
