@@ -26,7 +26,9 @@ def blocks(document: str, language: str) -> list[str]:
 def new_studies(document: str) -> dict[str, str]:
     """Template of each file that the page's commands write with `haptonic new TEMPLATE FILE`."""
     text = (ROOT / document).read_text("utf-8")
-    return {file: name for name, file in re.findall(r"^haptonic new ([\w-]+) (\S+\.toml)", text, re.MULTILINE)}
+    return {
+        file: name for name, file in re.findall(r"^haptonic new ([\w-]+) (\S+\.toml)", text, re.MULTILINE)
+    }
 
 
 def write_studies(document: str) -> None:
@@ -64,7 +66,7 @@ def test_the_printed_commands_exist(document):
     targets = set(re.findall(r"^(\w+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
     known = {name.split()[0] for name in [*NAMES, *commands.NAMES]}
     for line in lines:
-        program, what, *rest = shlex.split(line, comments=True)
+        program, what, *_ = shlex.split(line, comments=True)
         assert what in (targets if program == "make" else known), line
 
 
