@@ -27,8 +27,8 @@ def reported(result: FrictionResult) -> list[str]:
     summary = result.found
     sentences = list(summary.conclusions)
     for guide, estimate in summary.reductions.items():
-        found = change(estimate.value, estimate.low, estimate.high)
-        sentences.append(f"{guide}: {found}{_note(estimate)}.")
+        effect = change(estimate.value, estimate.low, estimate.high)
+        sentences.append(f"{guide}: {effect}{_note(estimate)}.")
     if summary.driven:
         sentences.append(f"Driven: {summary.driven}, {summary.chosen}.")
     for guide, estimate in summary.stopped.items():
