@@ -11,7 +11,7 @@ import pytest
 from daily import daily
 from haptonic.analyses import NAMES
 from haptonic.cli import commands
-from haptonic.study import load
+from haptonic.study import load, templates
 
 ROOT = Path(__file__).parent.parent
 BLOCK = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
@@ -21,6 +21,20 @@ def blocks(document: str, language: str) -> list[str]:
     found = [text for kind, text in BLOCK.findall((ROOT / document).read_text("utf-8")) if kind == language]
     assert found, f"{document} has no {language} block"
     return found
+
+
+def new_studies(document: str) -> dict[str, str]:
+    """Template of each file that the page's commands write with `haptonic new TEMPLATE FILE`."""
+    text = (ROOT / document).read_text("utf-8")
+    return {
+        file: name for name, file in re.findall(r"^haptonic new ([\w-]+) (\S+\.toml)", text, re.MULTILINE)
+    }
+
+
+def write_studies(document: str) -> None:
+    """Write these studies into the working directory, as their reader does."""
+    for file, name in new_studies(document).items():
+        Path(file).write_text(templates()[name], "utf-8")
 
 
 PRINTED = {
@@ -40,7 +54,7 @@ PRINTED = {
 def test_printed_python_runs_and_says_what_it_should(document, tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "studies").symlink_to(ROOT / "studies")
+    write_studies(document)
     for text in blocks(document, "python"):
         exec(compile(text, document, "exec"), {})
     assert capsys.readouterr().out == PRINTED[document]
@@ -52,10 +66,30 @@ def test_the_printed_commands_exist(document):
     targets = set(re.findall(r"^(\w+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
     known = {name.split()[0] for name in [*NAMES, *commands.NAMES]}
     for line in lines:
-        program, what, *rest = shlex.split(line, comments=True)
+        program, what, *_ = shlex.split(line, comments=True)
         assert what in (targets if program == "make" else known), line
-        for word in rest:
-            assert not word.endswith(".toml") or (ROOT / word).exists(), line
+
+
+USER_PAGES = sorted(
+    f"docs/{name}.md"
+    for caption, names in re.findall(
+        r":caption: ([\w -]+)\n.*?\n\n(.*?)```", (ROOT / "docs/index.md").read_text("utf-8"), re.DOTALL
+    )
+    if caption != "Developers"
+    for name in names.split()
+)
+
+
+@pytest.mark.parametrize("document", USER_PAGES)
+def test_a_reader_of_a_page_has_the_studies_that_it_names(document):
+    """An installation has no folder of studies: a page writes its studies itself, or takes the reader's."""
+    page = (ROOT / document).read_text("utf-8")
+    assert not re.findall(r"\bstudies/\S*", page)
+    theirs = {*new_studies(document), "my.toml", "other.toml", "study.toml"}
+    for line in re.findall(r"^haptonic .*", page, re.MULTILINE):
+        _program, what, *rest = shlex.split(line, comments=True)
+        files = {Path(word).name for word in rest if word.endswith(".toml") and what != "new"}
+        assert files <= theirs, line
 
 
 def test_pictures_of_the_pages_show_no_formula_s_code():

@@ -19,7 +19,7 @@ from haptonic.response.measures import along
 from haptonic.results.plain import attributes, named, plain, split
 from haptonic.results.result import Result
 from haptonic.results.table import Column, Table
-from haptonic.units import Hertz, In
+from haptonic.units import Hertz, In, share_text
 from hostile import names
 
 UNITS = {
@@ -142,3 +142,13 @@ class TestTable:
         assert made.head == ("frequency / kHz", "rms of WG1 / (m/s/V)", "rms of {} / (m/s/V)", "share / %")
         assert made.texts[0] == ("1.00 ± 0.01", "1", "2", "50 (40 to 60)")
         assert made.to_dataframe()["error of frequency (Hz)"].tolist() == [10.0, 20.0]
+
+    def test_a_share_has_the_digits_of_its_sentence(self):
+        data = self.DATA.assign(low=("line", [0.49, 0.0]), high=("line", [0.515, 0.74])).fillna(0.56)
+        share = Column("share", shown="%", form=".0f", ends=("low", "high"))
+        assert Table.of("lines", data, "line", (share,)).texts == [
+            ("50.0 (49.0 to 51.5)",),
+            ("56 (0 to 74)",),
+        ]
+        assert share_text(0.5, 0.49, 0.515) == "50.0 % (49.0 to 51.5 %)"
+        assert share_text(0.56, 0.0, 0.74) == "56 % (0 to 74 %)"

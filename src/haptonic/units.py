@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 LONGEST_TEXT = 80
 MOST_DECIMALS = 6  # of a number with the bound of its error
+NARROW = 0.04  # interval of a share that is printed with a decimal
 LARGEST_EXPONENT = 400  # beyond the range of floats, while powers of ten of this size are still cheap
 
 PREFIXES = {"n": -9, "µ": -6, "m": -3, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
@@ -223,6 +224,21 @@ def in_percent(*shares: SupportsFloat, form: str = "z.0f") -> str:
     return f"{' to '.join(format(100 * float(share), form) for share in shares)} %"
 
 
+def share_form(low: float, high: float) -> str:
+    """Format of a share in percent and of the ends of its interval, for `in_percent`.
+
+    Whole percent, or one decimal if the interval is narrower than four percent: `uncertain` rounds so too.
+    """
+    return "z.1f" if abs(high - low) < NARROW else "z.0f"
+
+
+def share_text(value: float, low: float = math.nan, high: float = math.nan) -> str:
+    """A share with its interval, ``80 % (70 to 90 %)``; without finite ends the share alone."""
+    form = share_form(low, high)
+    interval = f" ({in_percent(low, high, form=form)})" if math.isfinite(low) and math.isfinite(high) else ""
+    return in_percent(value, form=form) + interval
+
+
 def uncertain(value: float, bound: float) -> str:
     """Value and bound of its error, ``52.51 ± 0.05``, both in the unit of the text.
 
@@ -230,6 +246,7 @@ def uncertain(value: float, bound: float) -> str:
     """
     if not (math.isfinite(bound) and bound > 0):
         return f"{value:.3f}"
+    bound = max(bound, 10.0**-MOST_DECIMALS)  # never printed as zero
     power = math.floor(math.log10(bound) + 1e-9)
     power -= bound < 2 * 10.0**power  # for 1.02, one digit would double the bound
     digit = math.ceil(bound / 10.0**power - 1e-9)

@@ -18,6 +18,7 @@ from haptonic.units import uncertain
         (72050.5, 101.6, "72.05 ± 0.11"),
         (60214.6, 2300.0, "60 ± 3"),
         (7658.0, 0.0, "7.658"),
+        (7658.0, 1e-9, "7.658000 ± 0.000001"),
     ],
 )
 def test_a_frequency_with_its_bound(frequency, error, text):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from haptonic.units import share_form, share_text
+
 AVERAGES = {
     "reduction": "1 - (friction on) / (friction off), each first averaged over the participants: a person "
     "whose friction is high counts for more",
@@ -20,9 +22,8 @@ def averages() -> str:
     )
 
 
-def change(value: float, low: float = math.nan, high: float = math.nan, digits: int = 0) -> str:
+def change(value: float, low: float = math.nan, high: float = math.nan) -> str:
     """Text for a reduction (0.55 for 55 %) and its interval: friction "falls by ..." or "rises by ..."."""
-    word, ends = ("falls", (low, high)) if round(100 * value, digits) >= 0 else ("rises", (-high, -low))
-    numbers = [f"{100 * share + 0.0:.{digits}f}" for share in (abs(value), *ends)]
-    interval = f" ({numbers[1]} to {numbers[2]} %)" if math.isfinite(low) and math.isfinite(high) else ""
-    return f"friction {word} by {numbers[0]} %{interval}"
+    if float(format(100 * value, share_form(low, high))) >= 0:
+        return f"friction falls by {share_text(value, low, high)}"
+    return f"friction rises by {share_text(-value, -high, -low)}"

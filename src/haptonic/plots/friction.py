@@ -179,7 +179,7 @@ def trial_sheet(trials: xr.Dataset, traces: xr.Dataset, *, origin: str) -> Figur
         guide = f"{int(trial['trial'])}: {trial['waveguide'].values} {trial['actuation'].values}{number}"
         axes.text(x + 0.03, y + 0.9, guide, fontsize=6.5, va="center")
         if reason:
-            axes.text(x + 0.03, y + 0.06, reason, fontsize=6, va="center", color=style.RED)
+            axes.text(x + 0.03, y + 0.06, reason, fontsize=6, va="center", color=style.CARRIER)
     axes.set_xlim(0, COLUMNS)
     axes.set_ylim(0, rows)
     axes.set_axis_off()

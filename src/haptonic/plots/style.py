@@ -41,7 +41,7 @@ FINE = 0.94  # type of ticks and legends over that of labels
 INK = "#222222"
 PALE_INK = "#8a8a8a"
 GAP = "#f3d9a4"
-GAP_EDGE = "#a8741a"
+GAP_EDGE = "#855a12"  # also the colour of its text: contrast 6 on white
 CARRIER = "#b3123f"
 BEYOND = "#e4e4e4"  # where nothing was computed
 

@@ -14,7 +14,7 @@ from haptonic.results.feel.requirements import Requirement, drive_in_gap
 from haptonic.results.feel.value import MARKS, Feel
 from haptonic.results.plain import split
 from haptonic.results.plate.value import PlateResult
-from haptonic.units import hz_text, in_percent
+from haptonic.units import hz_text, in_percent, share_form
 
 LIGHTS = 3
 VERDICTS = {"red": "not met", "amber": "uncertain", "green": "met"}  # the worst first
@@ -106,13 +106,10 @@ def _reduction(results: Results) -> list[Number]:
     feel = results.of(Feel)
     if feel is None:
         return []
-    felt = feel.friction.reductions()
-    return [
-        Number(
-            in_percent(reduction.value),
-            f"less friction on {name}",
-            f"plausible {in_percent(reduction.low, reduction.high)}, at {feel.at_drive}",
-        )
-        for name, reduction in felt.items()
-        if name in feel.friction.driven
-    ][:1]
+    for name, reduction in feel.friction.reductions().items():
+        if name in feel.friction.driven:
+            form = share_form(reduction.low, reduction.high)
+            plausible = in_percent(reduction.low, reduction.high, form=form)
+            note = f"plausible {plausible}, at {feel.at_drive}"
+            return [Number(in_percent(reduction.value, form=form), f"less friction on {name}", note)]
+    return []

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,9 +9,9 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.bloch.bands import certain_gaps
 from haptonic.later import xarray as xr
+from haptonic.units import uncertain
 
 FEWEST = 4  # designs that a fit with a spread needs
-MOST_DECIMALS = 4
 
 
 @dataclass(frozen=True)
@@ -24,9 +23,7 @@ class Power:
     error: float
 
     def __str__(self) -> str:
-        first_digit = -math.floor(math.log10(self.error)) if self.error > 0 else MOST_DECIMALS
-        decimals = min(max(first_digit, 2), MOST_DECIMALS)
-        return f"{self.exponent:.{decimals}f} ± {self.error:.{decimals}f}"
+        return uncertain(self.exponent, self.error)
 
 
 @dataclass(frozen=True)

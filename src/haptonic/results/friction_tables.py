@@ -12,7 +12,7 @@ from haptonic.friction.signals.record import EVERYBODY
 from haptonic.friction.statistics import IntervalEstimate, Test
 from haptonic.friction.statistics.summary import Condition
 from haptonic.results.table import Cell, Table
-from haptonic.units import in_percent
+from haptonic.units import in_percent, share_form, share_text
 
 if TYPE_CHECKING:
     from haptonic.results.friction import FrictionResult
@@ -27,26 +27,27 @@ def reported(result: FrictionResult) -> list[str]:
     summary = result.found
     sentences = list(summary.conclusions)
     for guide, estimate in summary.reductions.items():
-        note = f" ({estimate.note})" if estimate.note else ", 95 % interval" * math.isfinite(estimate.low)
-        sentences.append(f"{guide}: {change(estimate.value, estimate.low, estimate.high, digits=1)}{note}.")
+        effect = change(estimate.value, estimate.low, estimate.high)
+        sentences.append(f"{guide}: {effect}{_note(estimate)}.")
     if summary.driven:
         sentences.append(f"Driven: {summary.driven}, {summary.chosen}.")
     for guide, estimate in summary.stopped.items():
-        sentences.append(f"Share of the reduction that does not reach {guide}: {_percent(estimate)}.")
-        sentences.append(f"Bootstrap estimate of this share: {_percent(summary.stopped_here[guide])}.")
+        sentences.append(f"Share of the reduction that does not reach {guide}: {_estimated(estimate)}.")
+        sentences.append(f"Bootstrap estimate of this share: {_estimated(summary.stopped_here[guide])}.")
     for same in summary.equivalences:
+        form = share_form(same.low, same.high)
         proof = same.note or (
-            f"90 % interval {in_percent(same.low, same.high, form='.1f')}; one-sided test against the "
+            f"90 % interval {in_percent(same.low, same.high, form=form)}; one-sided test against the "
             f"noticeable {in_percent(WEBER_FRACTION)}: p = {same.p_above:.2g}"
         )
         sentences.append(
-            f"{same.waveguide}, idle: reduction {in_percent(same.mean, form='.1f')} as the mean of "
+            f"{same.waveguide}, idle: reduction {in_percent(same.mean, form=form)} as the mean of "
             f"participants; {proof}."
         )
     if summary.equivalences:
         sentences.append(averages())
     if summary.drift:
-        sentences.append(f"Drift over a session with the vibration off: {_percent(summary.drift)}.")
+        sentences.append(f"Drift over a session with the vibration off: {_estimated(summary.drift)}.")
     sentences += notes_of((*summary.tests, *summary.each))
     sentences += [f"assumed: {text}" for text in result.guessed]
     if not result.excluded:
@@ -150,12 +151,12 @@ def _spread(pair: tuple[float, float], digits: int) -> str:
     return mean if mean == "-" else f"{mean} ± {deviation}"
 
 
-def _percent(estimate: IntervalEstimate) -> str:
-    interval = (
-        f", 95 % interval {in_percent(estimate.low, estimate.high, form='.1f')}"
-        if math.isfinite(estimate.low)
-        else ""
-    )
-    return (
-        f"{in_percent(estimate.value, form='.1f')}{interval}{f' ({estimate.note})' if estimate.note else ''}"
-    )
+def _estimated(estimate: IntervalEstimate) -> str:
+    """Share with its interval, and the reason if it has none."""
+    return f"{share_text(estimate.value, estimate.low, estimate.high)}{_note(estimate)}"
+
+
+def _note(estimate: IntervalEstimate) -> str:
+    if estimate.note:
+        return f" ({estimate.note})"
+    return ", 95 % interval" * math.isfinite(estimate.low)

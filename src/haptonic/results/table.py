@@ -12,7 +12,7 @@ from functools import cache
 from haptonic import names
 from haptonic.errors import HaptonicError
 from haptonic.later import pandas as pd, xarray as xr
-from haptonic.units import frequency_scale, to_si, uncertain
+from haptonic.units import frequency_scale, share_form, to_si, uncertain
 
 NOTHING = "-"  # text of an empty cell
 
@@ -130,8 +130,9 @@ class Column:
             case Ranged(low, high, None):
                 return f"{self._number(low * scale)} to {self._number(high * scale)}"
             case Ranged(low, high, value):
-                ends = f"{self._number(low * scale)} to {self._number(high * scale)}"
-                return f"{self._number((value or 0.0) * scale)} ({ends})"
+                rounded = replace(self, form=share_form(low, high)) if self.shown == "%" else self
+                ends = f"{rounded._number(low * scale)} to {rounded._number(high * scale)}"
+                return f"{rounded._number((value or 0.0) * scale)} ({ends})"
             case int():
                 return str(cell)
         return self._number(cell * scale)

@@ -14,7 +14,7 @@ from haptonic.friction.lubrication.parameters import Fingertip, Touch
 from haptonic.friction.lubrication.perception import Margin, rise_time, time_constant
 from haptonic.later import xarray as xr
 from haptonic.response import Reference
-from haptonic.units import in_percent
+from haptonic.units import share_text
 
 ENDS: tuple[End, ...] = ("value", "low", "high")
 CURVE = 41  # drives in the curve of reduction against drive
@@ -30,7 +30,7 @@ class Reduction:
     high: float
 
     def __str__(self) -> str:
-        return f"{in_percent(self.value)} ({in_percent(self.low, self.high)})"
+        return share_text(self.value, self.low, self.high)
 
 
 @dataclass(frozen=True, eq=False)

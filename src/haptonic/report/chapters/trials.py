@@ -6,10 +6,10 @@ import math
 from collections.abc import Mapping
 
 from haptonic.friction.phrases import averages, change
-from haptonic.friction.statistics import IntervalEstimate, Test
+from haptonic.friction.statistics import Test
 from haptonic.report.chapter import Absent, Chapter, Finding, Results, Table
 from haptonic.results.friction import FrictionResult
-from haptonic.units import in_percent
+from haptonic.units import in_percent, share_text
 
 TITLE = "Friction trials"
 WORDS = {
@@ -62,7 +62,7 @@ def _reductions(result: FrictionResult, published: Mapping[str, float] | None) -
         reference = measured("driven" if guide == summary.driven else "idle")
         findings.append(f"{guide}: {change(estimate.value, estimate.low, estimate.high)}{reference}.")
     for guide, estimate in summary.stopped.items():
-        share = _percent(estimate)
+        share = share_text(estimate.value, estimate.low, estimate.high)
         findings.append(f"{share} of the driven reduction does not reach {guide}{measured('stopped')}.")
     return findings
 
@@ -97,8 +97,3 @@ def _tests(tests: tuple[Test, ...], origin: str) -> Table:
     return Table(
         f"{origin} difference of friction: the published test, and tests over participants.", head, rows
     )
-
-
-def _percent(estimate: IntervalEstimate) -> str:
-    interval = f" ({in_percent(estimate.low, estimate.high)})" if math.isfinite(estimate.low) else ""
-    return f"{in_percent(estimate.value)}{interval}"

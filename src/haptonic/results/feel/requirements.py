@@ -67,9 +67,8 @@ def _idle(name: str, felt: Reduction) -> Requirement:
 def _time(rise: float, constant: float) -> Requirement:
     colour: Colour = "green" if rise <= CUE_THRESHOLD else "amber" if constant <= CUE_THRESHOLD else "red"
     reason = f"10 to 90 % in {_milliseconds(rise)}, time constant {_milliseconds(constant)}"
-    return Requirement(
-        colour, "the vibration builds up in time", f"{reason}, wanted {_milliseconds(CUE_THRESHOLD)}"
-    )
+    wanted = f"wanted {_milliseconds(CUE_THRESHOLD)} or less"
+    return Requirement(colour, "the vibration builds up in time", f"{reason}, {wanted}")
 
 
 def drive_in_gap(frequency: float, gap: Gap | None) -> Requirement:
