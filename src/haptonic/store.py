@@ -142,6 +142,9 @@ class Store:
 
     root: Path
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "root", Path(self.root))
+
     @classmethod
     def default(cls) -> Store:
         """The store in ``$HAPTONIC_STORE``, or else in the user's cache folder.

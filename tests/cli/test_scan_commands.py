@@ -15,7 +15,7 @@ import xarray as xr
 from matplotlib.text import Text
 
 from daily import daily
-from five_parts import assert_five_parts
+from five_parts import assert_five_parts, refused
 from haptonic.analyses import scanning
 from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan
 from haptonic.errors import HaptonicWarning
@@ -94,6 +94,21 @@ def recorded(study, truth, store, tmp_path_factory):
         made = study.simulate_scan(seed=3, response=truth, store=store)
     write_files(out, made.files, overwrite=False)
     return out
+
+
+class TestResponseInMemory:
+    def test_it_is_analysed_as_its_file_is(self, study, truth, answer, store):
+        of_file, of_value = study.scan(path=answer, store=store), study.scan(response=truth, store=store)
+        assert np.array_equal(of_value.response.values, of_file.response.values)
+        assert set(of_value.contrasts) == set(of_file.contrasts)
+        for name, level in of_file.contrasts.items():
+            np.testing.assert_allclose(of_value.contrasts[name], level, rtol=1e-5)
+        assert of_value.report.path == "a response"
+
+    @pytest.mark.parametrize("both", [False, True])
+    def test_a_file_or_a_response_is_needed_not_both(self, study, truth, answer, both):
+        given = {"path": answer, "response": truth} if both else {}
+        refused(lambda: study.scan(**given), "response=response", code="missing", argument="path")
 
 
 def deviation(result, truth: dict) -> float:

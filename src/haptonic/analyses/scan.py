@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -16,13 +16,13 @@ from haptonic.analyses.support import every_cell
 from haptonic.analyses.verdict import compared, cost_of
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
-from haptonic.response import read
+from haptonic.response import FrequencyResponse, read
 from haptonic.results.cost import BASE, Cost
 from haptonic.results.scan.value import ScanResult
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 from haptonic.units import to_si
-from haptonic.vibrometry import read_scan
+from haptonic.vibrometry.readers import Scan, read_scan
 
 PROGRESS = "estimating"  # folder for the state of an estimation, from which it can continue
 ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s for maps and pictures; s per byte that is read and estimated
@@ -55,9 +55,15 @@ def frequency_or_points(text: str) -> float | str:
 
 @dataclass(frozen=True, kw_only=True)
 class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
-    """Options: the file and its analysis."""
+    """Options: the file and its analysis.
 
-    path: Path = option(help="Scan file, or a folder with one CSV a point.", metavar="PATH", place="before")
+    response : a response in place of a file, in Python only
+    """
+
+    path: Path | None = option(
+        None, "Scan file, or a folder with one CSV a point.", metavar="PATH", place="before"
+    )
+    response: FrequencyResponse | None = field(default=None)
     against: Path | None = option(
         None, "Compare with a model: a study; or, after STUDY, its computed response (.nc).",
         metavar="MODEL",
@@ -89,7 +95,15 @@ class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
 
 def check(study: Description | None, options: ScanOptions) -> None:
     """Refuse a scan without a file, and options that need a study or a plate."""
-    source(options.path, "scan")
+    if (options.path is None) == (options.response is None):
+        raise ScanError.missing(
+            argument="path", given="nothing" if options.path is None else "a file and a response",
+            allowed="the path of a scan file, or response = a FrequencyResponse",
+            cause="both or neither of the two were given",
+            next_step='write study.scan(path="measured.uff"), or study.scan(response=response)',
+        )  # fmt: skip
+    if options.path is not None:
+        source(options.path, "scan")
     against = options.against
     if against and study is None and not options.model_is_a_study:
         raise ScanError.missing(
@@ -130,20 +144,23 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     state = runner.folder / PROGRESS if runner.folder else None
     runner.progress(0, 0, "reading")
     at = options.at if isinstance(options.at, int | float) else None
-    content = read_scan(
-        options.path, unit=options.unit, reference=options.reference,
-        origin="simulated" if options.simulated else "measured", length_unit=options.length_unit,
-        frequency_unit=options.frequency_unit, variables=options.variables or {},
-        phase_unit=options.phase_unit, points_in=options.points_in, estimator=options.estimator,
-        at=None if at is not None else options.at,
-    )  # fmt: skip
-    result = compute_scan(
-        content, options, on, at=at, state=state, store=runner.store, progress=runner.progress
-    )
+    scan = Scan.of(options.response) if options.response else _read(options)
+    result = compute_scan(scan, options, on, at=at, state=state, store=runner.store, progress=runner.progress)
     verdict = None
     if study is not None and options.against:
         verdict = compared(study, result.response, computed, runner)
     return replace(result, verdict=verdict, state=state)
+
+
+def _read(options: ScanOptions) -> Scan:
+    assert options.path is not None
+    return read_scan(
+        options.path, unit=options.unit, reference=options.reference,
+        origin="simulated" if options.simulated else "measured", length_unit=options.length_unit,
+        frequency_unit=options.frequency_unit, variables=options.variables or {},
+        phase_unit=options.phase_unit, points_in=options.points_in, estimator=options.estimator,
+        at=None if isinstance(options.at, int | float) else options.at,
+    )  # fmt: skip
 
 
 def _need_plate(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
@@ -159,7 +176,7 @@ def _need_plate(study: Description, options: ScanOptions, runner: Runner) -> OnP
 
 def cost(study: Description | None, options: ScanOptions) -> Cost:
     """Estimated cost of reading the files, and of the comparison with a model."""
-    size = size_of(options.path)
+    size = 0 if options.path is None else size_of(options.path)
     read = Cost(ANALYSED + BYTE_OF_SCAN * size, BASE + HELD * size)
     if options.model_is_a_study:
         assert options.against is not None

@@ -116,7 +116,9 @@ def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
         option = option_of(field)
         if option is None:
             continue
-        kind = kinds[field.name]
+        kind, is_file = kinds[field.name], option.place == "before"
+        if is_file:  # what a command analyses is needed; in Python a value may replace it
+            kind = Path
         if option.unit or option.read:
             kind = str if field.default is MISSING else str | None
         metavar = option.metavar or (field.name.upper() if option.place != "option" else None)
@@ -127,7 +129,13 @@ def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
             else typer.Argument(**words)
         )
         text = option.unit or option.read  # None means "not given"; the record knows its default
-        default = inspect.Parameter.empty if field.default is MISSING else None if text else field.default
+        default = (
+            inspect.Parameter.empty
+            if field.default is MISSING or is_file
+            else None
+            if text
+            else field.default
+        )
         yield (
             option.place,
             inspect.Parameter(

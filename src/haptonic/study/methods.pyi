@@ -8,6 +8,7 @@ import haptonic.analyses.export
 import haptonic.analyses.reproduce
 import haptonic.plate.vibration.settings
 import haptonic.progress
+import haptonic.response.value
 import haptonic.results.bands
 import haptonic.results.comparison
 import haptonic.results.design
@@ -219,7 +220,8 @@ class Methods:
         corners: typing.Any = ...,
         mirrored: bool = ...,
         frequency_unit: str | None = ...,
-        path: str | pathlib.Path,
+        path: str | pathlib.Path | None = ...,
+        response: haptonic.response.value.FrequencyResponse | None = ...,
         against: str | pathlib.Path | None = ...,
         at: typing.Any = ...,
         unit: str | None = ...,

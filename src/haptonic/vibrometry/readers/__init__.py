@@ -62,6 +62,11 @@ class Scan:
             )
         return self.content
 
+    @classmethod
+    def of(cls, response: FrequencyResponse) -> Scan:
+        """A response that was not read from a file."""
+        return cls(response, ReadReport("a response", "in memory", response.dataset.sizes["point"]))
+
     @property
     def records(self) -> TimeScan:
         """The time records.
