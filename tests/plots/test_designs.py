@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from seeing import Drawn, assert_readable
 
+from daily import daily
 from haptonic import plots
 from haptonic.design.parameters import UNITS
 from haptonic.plots import style
@@ -59,7 +60,9 @@ def bars(axes, colour: str) -> list[Rectangle]:
     ]
 
 
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize(
+    "name", daily(PICTURES, "search", "front", "front that holds nothing", "tolerance of all")
+)
 class TestEveryPicture:
     def test_no_text_lies_on_another_or_leaves_the_picture(self, drawn, name):
         assert_readable(drawn[name])

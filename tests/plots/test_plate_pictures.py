@@ -15,6 +15,7 @@ from PIL import Image
 from plates_made_up import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, prototype, turned, vibration
 from seeing import Drawn, artists, assert_readable, shown_texts
 
+from daily import daily
 from haptonic import plots
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.parts import Plate
@@ -70,6 +71,9 @@ PICTURES = {
     "plan, two rows": lambda: plots.plate_plan(replace(plate(), layout=prototype(rows=2), actuators=(LOW,))),
     "friction": lambda: plots.friction_map(FRICTION, prototype(), title="58.8 kHz, simulated"),
 }
+# one of each kind, of the fullest and of the least usual shape
+DAILY = ("maps", "maps, compared", "contrast", "velocity, seven", "impedance", "plan, busy", "plan, notched",
+         "friction")  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -86,7 +90,7 @@ def segments(figure: Figure, gid: str) -> set:
     }
 
 
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize("name", daily(PICTURES, *DAILY))
 class TestEveryPicture:
     def test_no_text_lies_on_another_or_leaves_the_picture(self, drawn, name):
         assert_readable(drawn[name])
