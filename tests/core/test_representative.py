@@ -154,6 +154,7 @@ def test_the_images_of_the_zone_fill_the_period_evenly():
 
 
 @given(st.sampled_from(sorted(DAILY)), phases, st.integers(0, 23), whole_steps)
+@settings(max_examples=6)
 def test_equivalent_wavevectors_have_the_same_frequencies(name, kappa, which, steps):
     the_model = model(name)
     signed = signed_operations(the_model.cell.point_group)

@@ -122,7 +122,7 @@ class TestLimits:
         plate = replace(CELL, pillar=None)
         assert brief_of(plate, {"cell.pitch": (5 * MM, 9 * MM)}).limits(np.array([0.5])) == {}
 
-    @settings(max_examples=20)
+    @settings(max_examples=10)
     @given(st.lists(st.floats(0, 1), min_size=9, max_size=9), st.sampled_from(sorted(LATTICES)))
     def test_what_meets_the_limits_is_a_body(self, share, lattice):
         """Whatever the optimiser may try can be meshed."""
