@@ -263,7 +263,6 @@ def test_estimates_hold_of_a_first_mesh(seed, number, order):
     assert_the_truth_is_within(question, first)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "number", [7, *(pytest.param(number, marks=pytest.mark.nightly) for number in (6, 8, 10))]
 )

@@ -32,7 +32,6 @@ def own_cell(name: str) -> UnitCell:
     return UnitCell(lattice, thickness, material, Pillar(diameter, height))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "kappa"),
     [

@@ -91,7 +91,6 @@ class TestStrokes:
 
 
 class TestExperiment:
-    @pytest.mark.slow
     def test_the_published_experiment(self):
         """Three people, 240 strokes each: what went in comes out within its own intervals."""
         truth = Truth(Participants(effect_between=0.03))
