@@ -17,6 +17,7 @@ from typer.testing import CliRunner
 
 from haptonic.cli.app import app
 from quick import QUICK_CELL
+from unseen_pictures import leave_pictures_empty
 
 QUICK = (
     QUICK_CELL
@@ -112,7 +113,7 @@ def haptonic(store_folder: Path) -> Callable[..., Ran]:
     return run
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def inside(store_folder: Path) -> Callable[..., Ran]:
     """Run the program in this process, which takes two seconds less; no exception but an exit is caught."""
 
@@ -126,24 +127,7 @@ def inside(store_folder: Path) -> Callable[..., Ran]:
 
 @pytest.fixture
 def empty_pictures(monkeypatch: pytest.MonkeyPatch) -> dict[str, Figure]:
-    """Pictures are drawn and named but neither arranged nor rendered, most of the work of a small question.
-
-    What was drawn is given by name; pictures themselves are tried in ``tests/plots``.
-    """
-    drawn: dict[str, Figure] = {}
-
-    def save(figure: Figure, folder: Path, name: str) -> None:
-        drawn[name] = figure
-        for kind in ("svg", "png"):
-            (folder / f"{name}.{kind}").touch()
-
-    monkeypatch.setattr("haptonic.plots.save", save)
-    monkeypatch.setattr("haptonic.results.pictures.shown_by", lambda result: None)  # nor stored for others
-    monkeypatch.setattr("haptonic.plots.style.arrange", lambda figure: None)
-    monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")  # in pages
-    for moving in ("animated", "moving_modes"):
-        monkeypatch.setattr(f"haptonic.plots.{moving}", lambda *_, **__: b"")
-    return drawn
+    return leave_pictures_empty(monkeypatch)
 
 
 @pytest.fixture

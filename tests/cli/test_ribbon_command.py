@@ -1,13 +1,12 @@
 """The command about ribbons, from the outside."""
 
-import json
-
 import numpy as np
 import pytest
 import xarray as xr
 
 from haptonic.results.ribbon import RibbonWaves
 from quick import QUICK_CELL
+from unseen_pictures import leave_pictures_empty
 
 FINER = QUICK_CELL.replace("order = 2", "order = 3").replace("foot_rings = 0", "foot_rings = 1")
 RIBBON = """
@@ -28,13 +27,15 @@ FILES = {"ribbon.nc", "ribbon.svg", "ribbon.png", "field.svg", "field.png"}
 
 
 @pytest.fixture(scope="module")
-def ran(haptonic, tmp_path_factory):
+def ran(inside, tmp_path_factory):
     """What the command says to machines, and the folder that it writes."""
     folder = tmp_path_factory.mktemp("ribbon")
     (folder / "guide.toml").write_text(FINER + RIBBON, "utf-8")
-    told = haptonic("ribbon", folder / "guide.toml", "--json", "--out", folder / "out")
+    with pytest.MonkeyPatch.context() as patch:
+        leave_pictures_empty(patch)
+        told = inside("ribbon", folder / "guide.toml", "--json", "--out", folder / "out")
     assert told.code == 0, told.err
-    return json.loads(told.out), folder / "out"
+    return told.json, folder / "out"
 
 
 def test_ribbon_writes_its_files_and_says_what_is_held(ran):

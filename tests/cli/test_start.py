@@ -43,9 +43,7 @@ def squeezed(text: str) -> str:
 
 
 class TestTemplates:
-    @pytest.mark.parametrize(
-        "name", daily(TEMPLATES, "bare-cell", "coated-inclusion", "my-scan", "my-trials")
-    )
+    @pytest.mark.parametrize("name", daily(TEMPLATES, "coated-inclusion", "my-scan", "my-trials"))
     @pytest.mark.usefixtures("empty_pictures")
     def test_its_first_command_answers(self, inside, tmp_path, name):
         """As written by `haptonic new`, then on a coarse mesh."""

@@ -16,6 +16,7 @@ from trial_folders import channels, edited, made_up, written
 
 MADE = made_up(trials=4)
 TRUE = measured(MADE)["friction"].values
+FEW, FEW_TRUE = MADE[:8], TRUE[:8]  # of one person
 PLAIN = Sensor()
 ALMOST_DEPENDENT = np.eye(6)
 ALMOST_DEPENDENT[0] = ALMOST_DEPENDENT[1] + 1e-9 * ALMOST_DEPENDENT[0]
@@ -55,9 +56,9 @@ class TestFormats:
     @pytest.mark.parametrize("kind", ["csv", "h5", "hdf5", "mat", "tdms"])
     @pytest.mark.parametrize("per", ["trial", "block"])
     def test_every_format_gives_the_same_trials(self, tmp_path, kind, per):
-        found = friction_in(written(tmp_path / "a", MADE, kind=kind, per=per))
-        assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
-        assert found["trial"].values.tolist() == [label.trial for label, _ in MADE]
+        found = friction_in(written(tmp_path / "a", FEW, kind=kind, per=per))
+        assert found["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
+        assert found["trial"].values.tolist() == [label.trial for label, _ in FEW]
         assert found.attrs["origin"] == "measured"
 
     def test_workers_change_nothing(self, tmp_path):
@@ -68,48 +69,48 @@ class TestFormats:
         assert seen[-1] == (len(MADE), len(MADE))
 
     def test_groups_of_one_hdf5_file(self, tmp_path):
-        folder = written(tmp_path / "a", MADE)
+        folder = written(tmp_path / "a", FEW)
         with h5py.File(folder / "all.h5", "w") as file:
             file.attrs["sample_rate"] = 1000.0
-            for row, (_, record) in enumerate(MADE):
+            for row, (_, record) in enumerate(FEW):
                 for name, values in channels([record]).items():
                     if name != "time":
                         file[f"trial {row}/{name}"] = values
         table = edited(folder, lambda t: t.assign(file="all.h5", group=[f"trial {n}" for n in range(len(t))]))
-        assert friction_in(table)["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert friction_in(table)["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         missing = edited(folder, lambda t: t.assign(group=["trial 0", "nowhere", *t["group"][2:]]))
         found = friction_in(missing)
         assert counts(found) == {"unreadable record": 1}
         assert "nowhere" in str(found["detail"].values[1])
 
     def test_a_program_with_decimal_commas(self, tmp_path):
-        folder = written(tmp_path / "a", MADE)
+        folder = written(tmp_path / "a", FEW)
         for path in folder.glob("P*.csv"):
             pd.read_csv(path).to_csv(path, sep=";", decimal=",", index=False)
-        assert friction_in(folder)["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert friction_in(folder)["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
 
     def test_a_single_table_of_samples(self, tmp_path):
         parts = []
-        for label, record in MADE[:12]:
+        for label, record in FEW:
             part = pd.DataFrame(channels([record])).rename(columns={"Fz": "normal", "Fy": "tangential"})
             parts.append(part.assign(**{name: getattr(label, name) for name in label.__dataclass_fields__}))
         pd.concat(parts).assign(origin="simulated").to_csv(tmp_path / "all.csv", index=False)
         found = friction_in(tmp_path / "all.csv")
-        assert found["friction"].values == pytest.approx(TRUE[:12], rel=1e-9)
+        assert found["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         assert found.attrs["origin"] == "simulated"
 
     def test_a_table_of_trials_that_were_measured_elsewhere(self, tmp_path):
-        table = measured(MADE).to_dataframe()[
+        table = measured(FEW).to_dataframe()[
             ["participant", "block", "trial", "waveguide", "actuation", "friction"]
         ]
         table.to_csv(tmp_path / "done.csv", index=False)
-        assert friction_in(tmp_path / "done.csv")["friction"].values == pytest.approx(TRUE)
+        assert friction_in(tmp_path / "done.csv")["friction"].values == pytest.approx(FEW_TRUE)
 
 
 class TestOrigin:
     @pytest.mark.parametrize("kind", ["csv", "h5", "tdms"])
     def test_simulated_travels_from_the_file(self, tmp_path, kind):
-        folder = written(tmp_path / "a", MADE, kind=kind)
+        folder = written(tmp_path / "a", FEW, kind=kind)
         name = sorted(folder.glob(f"P*.{kind}"))[-1]
         if kind == "csv":
             pd.read_csv(name).assign(origin="simulated").to_csv(name, index=False)
@@ -125,7 +126,7 @@ class TestOrigin:
         assert friction_in(folder).attrs["origin"] == "simulated"
 
     def test_simulated_travels_from_the_table(self, tmp_path):
-        folder = written(tmp_path / "a", MADE, origin="measured")
+        folder = written(tmp_path / "a", FEW, origin="measured")
         assert friction_in(folder).attrs["origin"] == "measured"
         one = edited(folder, lambda t: t.assign(origin=["simulated", *t["origin"][1:]]))
         assert friction_in(one).attrs["origin"] == "simulated"
@@ -155,23 +156,23 @@ class TestSensor:
             scaled = found | {"Fz": scale * found["Fz"], "Fy": scale * found["Fy"]}
             return renamed(**names)(scaled)
 
-        read = analysed(written(tmp_path / "a", MADE, change=change), PLAIN, Rules())
-        assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        read = analysed(written(tmp_path / "a", FEW, change=change), PLAIN, Rules())
+        assert read.trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         assert any("was taken as normal" in text for text in read.remarks)
 
     def test_the_sign_of_a_sensor_below_the_plate_is_found_and_reported(self, tmp_path):
-        folder = written(tmp_path / "a", MADE, change=lambda found: found | {"Fz": -found["Fz"]})
+        folder = written(tmp_path / "a", FEW, change=lambda found: found | {"Fz": -found["Fz"]})
         read = analysed(folder, PLAIN, Rules())
-        assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert read.trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         assert "sign was turned" in " ".join(read.remarks)
         named = analysed(folder, Sensor(normal="-Fz", tangential="Fy"), Rules())
-        assert named.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert named.trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         assert "sign" not in " ".join(named.remarks)
         plain = analysed(folder, Sensor(normal="Fz"), Rules())
-        assert plain.trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        assert plain.trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         assert "sign was turned" in " ".join(plain.remarks)
         refused(
-            lambda: friction_in(written(tmp_path / "b", MADE), Sensor(normal="-Fz")),
+            lambda: friction_in(written(tmp_path / "b", FEW), Sensor(normal="-Fz")),
             "leave the minus out",
             code="too-few",
             argument="trials",
@@ -181,13 +182,13 @@ class TestSensor:
         def change(found):
             return {"A": 1e3 * found["Fz"], "B": 1e3 * found["Fy"], "C": 1e3 * found["position"]}
 
-        folder = written(tmp_path / "a", MADE, change=change)
+        folder = written(tmp_path / "a", FEW, change=change)
         said = Sensor(
             normal="A", tangential="B", position="C", force_unit="mN", position_unit="mm", rate=1000.0
         )
         found = friction_in(folder, said)
-        assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
-        assert found["speed"].values == pytest.approx(measured(MADE)["speed"].values)
+        assert found["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
+        assert found["speed"].values == pytest.approx(measured(FEW)["speed"].values)
         refused(
             lambda: friction_in(folder, Sensor(normal="A", tangential="B")),
             "neither times nor a rate",
@@ -207,24 +208,24 @@ class TestSensor:
                 f"G{n}": volts[n] for n in range(6)
             }
 
-        folder = written(tmp_path / "a", MADE, change=change)
+        folder = written(tmp_path / "a", FEW, change=change)
         calibration, opposite = str(tmp_path / "m.csv"), str(tmp_path / "opposite.csv")
         pd.DataFrame(-matrix).to_csv(opposite, header=False, index=False)
         assert read_calibration(tmp_path / "m.csv") == pytest.approx(matrix)
         read = analysed(folder, Sensor(calibration=calibration), Rules())
-        assert read.trials["friction"].values == pytest.approx(TRUE, rel=1e-6)
+        assert read.trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-6)
         assert "G0, G1, G2, G3, G4, G5" in " ".join(read.remarks)
         commas = {f"G{n}": f"G, {n}" for n in range(6)}
         named = written(
-            tmp_path / "b", MADE,
+            tmp_path / "b", FEW,
             change=lambda found: {commas.get(name, name): one for name, one in change(found).items()},
         )  # fmt: skip
         sensor = Sensor(calibration=calibration, gauges=",".join(commas.values()))
-        assert friction_in(named, sensor)["friction"].values == pytest.approx(TRUE, rel=1e-6)
+        assert friction_in(named, sensor)["friction"].values == pytest.approx(FEW_TRUE, rel=1e-6)
         again = Sensor(calibration=calibration, gauges=",".join([*list(commas.values())[:5], "G, 0"]))
         refused(lambda: friction_in(named, again), code="malformed", argument="trials.sensor.gauges")
         turned = analysed(folder, Sensor(calibration=opposite), Rules())
-        assert turned.trials["friction"].values == pytest.approx(TRUE, rel=1e-6)
+        assert turned.trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-6)
         assert "sign was turned" in " ".join(turned.remarks)
         refused(
             lambda: Sensor(calibration=calibration, normal="G1"),
@@ -272,8 +273,8 @@ class TestSensor:
         assert read_calibration(tmp_path / "m.csv") == pytest.approx(np.diag(np.arange(1.0, 7)))
 
     def test_a_force_at_the_end_of_the_range_is_saturated(self, tmp_path):
-        folder = written(tmp_path / "a", MADE)
-        largest = np.array([max(record.normal) for _, record in MADE])
+        folder = written(tmp_path / "a", FEW)
+        largest = np.array([max(record.normal) for _, record in FEW])
         limit = float(np.median(largest))
         found = friction_in(folder, Sensor(largest_force=limit))
         assert ((found["excluded"].values == "saturated channel") == (largest >= limit)).all()
@@ -297,7 +298,7 @@ def spoiled(name, change):
 
 @pytest.mark.parametrize("sensor", [PLAIN, dataclasses.replace(PLAIN, rate=1000.0)], ids=["times", "rate"])
 def test_rows_that_repeat_the_row_above_them_are_left_out(tmp_path, sensor):
-    folder, rng = written(tmp_path / "a", MADE[:8]), np.random.default_rng(1)
+    folder, rng = written(tmp_path / "a", FEW), np.random.default_rng(1)
     once = friction_in(folder, sensor)
     for path in folder.glob("P*.csv"):
         names, *rows = path.read_text().splitlines()
@@ -330,7 +331,7 @@ class TestOmissions:
         ],
     )
     def test_what_cannot_be_used(self, tmp_path, spoil, reason, word):
-        folder = written(tmp_path / "a", MADE[:8])
+        folder = written(tmp_path / "a", FEW)
         name = spoil(folder)
         found = friction_in(folder)
         assert counts(found) == {reason: 1}
@@ -341,7 +342,7 @@ class TestOmissions:
         assert word in detail
         assert (name in detail) == (reason == "unreadable record")
         rest = np.delete(found["friction"].values, row)
-        assert rest == pytest.approx(np.delete(TRUE[:8], row), rel=1e-9)
+        assert rest == pytest.approx(np.delete(FEW_TRUE, row), rel=1e-9)
 
     @pytest.mark.parametrize(
         ("channel", "sensor"),
@@ -352,7 +353,7 @@ class TestOmissions:
     )  # fmt: skip
     def test_a_channel_that_is_shorter_than_the_others(self, tmp_path, channel, sensor):
         """A force across that was cut ended in a traceback, as did others where a largest force was given."""
-        folder = written(tmp_path / "a", MADE[:8], kind="h5")
+        folder = written(tmp_path / "a", FEW, kind="h5")
         name = sorted(folder.glob("P*.h5"))[3].name
         with h5py.File(folder / name, "r+") as file:
             values = file[channel][:-100]
@@ -365,7 +366,7 @@ class TestOmissions:
         assert counts(found) == {"unreadable record": 1}
         (row,) = np.flatnonzero(found["excluded"].values)
         assert f"{name}: channel {channel}" in str(found["detail"].values[row])
-        assert np.delete(found["friction"].values, row) == pytest.approx(np.delete(TRUE[:8], row), rel=1e-9)
+        assert np.delete(found["friction"].values, row) == pytest.approx(np.delete(FEW_TRUE, row), rel=1e-9)
 
     def test_times_beyond_the_end_of_a_block(self, tmp_path):
         folder = written(tmp_path / "a", MADE, per="block", kind="h5")
@@ -376,7 +377,7 @@ class TestOmissions:
     @pytest.mark.parametrize("name", ["x" * 60_000, "x" * 300, "folder/" * 2000 + "x", "a\x01b", "missing"])
     def test_a_name_that_no_file_has(self, tmp_path, name):
         """One of 60,000 characters ended in a traceback."""
-        folder = written(tmp_path / "a", MADE[:8], kind="h5")
+        folder = written(tmp_path / "a", FEW, kind="h5")
         edited(folder, lambda t: t.assign(file=t["file"].where(t.index != 3, name)))
         found = friction_in(folder)
         assert counts(found) == {"unreadable record": 1}

@@ -11,6 +11,7 @@ from typing import NoReturn
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from daily import daily
 from haptonic.bloch.resolution import Resolution
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.plate.body.reduction import BLOCK, STEPS
@@ -68,7 +69,7 @@ def imported() -> None:
             ask(study)
 
 
-@pytest.mark.parametrize("asked", ASKS)
+@pytest.mark.parametrize("asked", daily(ASKS, "a band", "a finger at one frequency"))
 @settings(max_examples=2, deadline=None)
 @given(grid=st.sampled_from([1e-9, 1e-7, 1e-5, 2e-3]), rows=st.integers(3, 220), columns=st.integers(3, 220))
 def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, columns: int) -> None:
@@ -90,7 +91,7 @@ def test_it_is_refused_at_once_or_begun(asked: str, grid: float, rows: int, colu
     assert not light or begun
 
 
-@pytest.mark.parametrize("asked", ["a band", "one frequency", "a finger"])
+@pytest.mark.parametrize("asked", daily(["a band", "one frequency", "a finger"], "one frequency", "a finger"))
 @given(order=st.integers(2, 10), rings=st.integers(0, 4), free=st.floats(1e9, 40e9))
 @settings(max_examples=8, deadline=None)
 def test_a_mesh_that_somebody_chose_is_held_or_refused_with_one_that_is(
