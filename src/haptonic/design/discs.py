@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 import numpy as np
 
@@ -25,6 +26,7 @@ def stacks_of(cell: UnitCell) -> dict[str, Stack]:
     }
 
 
+@lru_cache(maxsize=64)
 def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
     """Numbers of discs that can vary, each with the paths of the equal numbers that move with it."""
     groups: dict[tuple[object, ...], list[str]] = {}
