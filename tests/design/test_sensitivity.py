@@ -16,6 +16,7 @@ from haptonic.design.discs import with_shared
 from haptonic.design.parameters import UNITS, values_of
 from haptonic.design.sensitivity import sensitivity
 from haptonic.errors import GeometryError, StudyError
+from haptonic.fields.keys import pattern_of
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
 from haptonic.superelement import TiledMesh
@@ -126,7 +127,9 @@ def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
         expected = five_points(lambda x, p=path: exact_hertz(name, {p: x}, kappa, modes.omega), here, step)
         # where a length hardly counts, rounding of the frequency is what limits the difference
         floor = 1e-11 * found.frequency / step
-        assert slope == pytest.approx(np.full(together, expected), rel=2e-6, abs=floor), path
+        # nodes between discs are interpolated in a table, which is not smooth enough for the fourth order
+        close = 1e-5 if CELLS[name].disc else 2e-6
+        assert slope == pytest.approx(np.full(together, expected), rel=close, abs=floor), path
 
 
 @pytest.mark.parametrize("path", ["cell.pitch", "cell.pitch_y"])
@@ -187,7 +190,8 @@ def test_values_put_back_change_nothing_and_each_changes_what_it_names(name):
     values = values_of(there)
     assert there.with_numbers(values) == there
     assert there.with_numbers({}) == there
-    assert list(values) == [path for path in UNITS if path in values]
+    order = [list(UNITS).index(pattern_of(path)) for path in values]
+    assert order == sorted(order)
     for path in values:
         other = there.with_numbers(with_shared(there, {path: values[path] * 1.01}))
         assert values_of(other) == {**values, path: values[path] * 1.01}
