@@ -77,13 +77,14 @@ def test_a_disc_of_a_site_is_named_by_its_path():
         loads(SITES.replace('"4 mm"\nempty', '"9 mm"\nempty'))
 
 
-CAPPED = """
+HOLLOW = '{ diameter = "2 mm", low = "-1.5 mm", high = "-1 mm", empty = true },'
+CAPPED = f"""
 material = "steel"
-cell = { pitch = "7 mm", thickness = "1.5 mm", disc = [
-  { diameter = "2.5 mm", low = "0 mm", high = "3 mm" },
-  { diameter = "4.5 mm", low = "3 mm", high = "4 mm" },
-  { diameter = "2 mm", low = "-1.5 mm", high = "-1 mm", empty = true },
-] }
+cell = {{ pitch = "7 mm", thickness = "1.5 mm", disc = [
+  {{ diameter = "2.5 mm", low = "0 mm", high = "3 mm" }},
+  {{ diameter = "4.5 mm", low = "3 mm", high = "4 mm" }},
+  {HOLLOW}
+] }}
 """
 
 
@@ -105,3 +106,14 @@ def test_designs_and_tolerances_vary_discs_that_keep_their_order(table):
         with refusing(StudyError, "conflict", f"{table}[1].parameter") as refusal:
             reading(number)
         assert advice in refusal.value.next_step
+
+
+def test_another_lattice_of_a_plate_changes_a_disc():
+    plate = """
+[plate]
+map = "oxo"
+tiles = { o = "lattice", x = "low" }
+cell = [{ name = "low", change = { "cell.disc[2].diameter" = "4 mm" } }]
+"""
+    cells = loads(CAPPED.replace(HOLLOW, "") + plate).mounted_plate().layout.cells
+    assert [cells[name].disc[1].diameter for name in ("lattice", "low")] == [4.5e-3, 4e-3]
