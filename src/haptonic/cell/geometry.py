@@ -246,7 +246,7 @@ class UnitCell(TileShape):
         return None
 
     def ways(self, numbers: Iterable[int]) -> Iterator[float]:
-        """Widths of the gaps between what stands on some sites and on their neighbours, m."""
+        """Widths of the gaps between parts above the plate, of some sites and of their neighbours, m."""
         steps = np.array(list(product((-1, 0, 1), repeat=2)))
         borders = [None if feature is None else feature.raised for feature in self.features]
         for number, (beside, other) in product(numbers, enumerate(borders)):
