@@ -97,7 +97,7 @@ def test_gaps_are_those_between_fine_polygons(pillar, other, angle, away):
     from scipy.spatial import cKDTree
 
     place = away * MM * np.array([math.cos(angle), math.sin(angle)])
-    found = pillar.gap_to(other, place[None])
+    found = float(pillar.raised.gap_to(other.raised, place[None])[0])
     here, there = pillar.radius * fine(pillar.outline), place + other.radius * fine(other.outline)
     nearest = float(cKDTree(here).query(there)[0].min())
     if found > 0:

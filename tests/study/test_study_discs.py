@@ -77,8 +77,43 @@ def test_a_disc_of_a_site_is_named_by_its_path():
         loads(SITES.replace('"4 mm"\nempty', '"9 mm"\nempty'))
 
 
+HOLLOW = '{ diameter = "2 mm", low = "-1.5 mm", high = "-1 mm", empty = true },'
+CAPPED = f"""
+material = "steel"
+cell = {{ pitch = "7 mm", thickness = "1.5 mm", disc = [
+  {{ diameter = "2.5 mm", low = "0 mm", high = "3 mm" }},
+  {{ diameter = "4.5 mm", low = "3 mm", high = "4 mm" }},
+  {HOLLOW}
+] }}
+"""
+
+
 @pytest.mark.parametrize("table", ["design.vary", "tolerance.of"])
-def test_designs_and_tolerances_name_no_disc(table):
-    more = 'from = "3 mm"\nto = "4 mm"' if table == "design.vary" else 'spread = "0.1 mm"'
-    with refusing(StudyError, "unsupported", f"{table}[1].parameter"):
-        loads(f'{HOLE}[[{table}]]\nparameter = "cell.disc[1].diameter"\n{more}\n')
+def test_designs_and_tolerances_vary_discs_that_keep_their_order(table):
+    def reading(number):
+        more = 'from = "3.5 mm"\nto = "5 mm"' if table == "design.vary" else 'spread = "0.1 mm"'
+        return loads(f'{CAPPED}[[{table}]]\nparameter = "{number}"\n{more}\n')
+
+    for number in ("cell.disc[2].diameter", "cell.disc[1].high", "cell.disc[2].high", "cell.disc[3].high"):
+        reading(number)
+    fixed = {
+        "cell.disc[2].low": "cell.disc[1].high",
+        "cell.disc[1].low": "other end",
+        "cell.disc[3].low": "other end",
+        "cell.thickness": "leave cell.disc[3].low out",
+    }
+    for number, advice in fixed.items():
+        with refusing(StudyError, "conflict", f"{table}[1].parameter") as refusal:
+            reading(number)
+        assert advice in refusal.value.next_step
+
+
+def test_another_lattice_of_a_plate_changes_a_disc():
+    plate = """
+[plate]
+map = "oxo"
+tiles = { o = "lattice", x = "low" }
+cell = [{ name = "low", change = { "cell.disc[2].diameter" = "4 mm" } }]
+"""
+    cells = loads(CAPPED.replace(HOLLOW, "") + plate).mounted_plate().layout.cells
+    assert [cells[name].disc[1].diameter for name in ("lattice", "low")] == [4.5e-3, 4e-3]

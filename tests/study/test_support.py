@@ -64,7 +64,7 @@ def test_each_analysis_supports_every_feature_of_pillars(feature):
 @pytest.mark.parametrize("faces", ["one", "both"])
 @pytest.mark.parametrize("feature", STACKS)
 def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
-    """Designs and tolerances are for pillars; finite plates for what leaves their lower face whole."""
+    """Only finite plates refuse discs: those that open their lower face."""
     of_sites = Site(disc=STACKS[feature]), Site()
     for each in (
         UnitCell(SQUARE, 1.5 * MM, material("aluminium-2017a"), disc=STACKS[feature], faces=faces),
@@ -81,7 +81,7 @@ def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
                 refused.add(name)
         opens_below = feature == "hole" or (feature == "blind hole" and each.faces == "both")
         of_plates = PLATES if opens_below else set()
-        assert refused - {"layers"} == {"design", "tolerance"} | of_plates
+        assert refused - {"layers"} == of_plates
 
 
 def test_each_analysis_answers_for_solids_or_refuses_them(tmp_path):

@@ -11,8 +11,9 @@ from haptonic.analyses.designing.search import compute_design
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import pillars_only
+from haptonic.analyses.support import made_of_parts
 from haptonic.design.brief import Brief
+from haptonic.design.discs import with_shared
 from haptonic.design.quick import QUICK
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
@@ -97,7 +98,7 @@ def compute(study: Description, options: DesignOptions, runner: Runner) -> Desig
     return replace(
         design,
         own={path: values[path] for path in design.values},
-        study=study.without_plate().with_parameters(design.values).to_toml(),
+        study=study.without_plate().with_parameters(with_shared(study.cell, design.values)).to_toml(),
         front=front(study, design, runner) if options.pareto else None,
     )
 
@@ -124,7 +125,7 @@ ANALYSIS = Analysis(
     name="design",
     result=Design,
     compute=compute,
-    supports=pillars_only,
+    supports=made_of_parts,
     cost=cost,
     planned=lambda study: study.carrier is not None and bool(study.design_settings.vary),
     options=DesignOptions,

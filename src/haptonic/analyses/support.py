@@ -55,22 +55,6 @@ def made_of_parts(cell: UnitCell, options: Any) -> HaptonicError | None:
     )
 
 
-def pillars_only(cell: UnitCell, options: Any) -> HaptonicError | None:
-    """Error for a cell with discs, or from a CAD file."""
-    if (refused := made_of_parts(cell, options)) is not None:
-        return refused
-    if not cell.disc_tables:
-        return None
-    table = next(iter(cell.disc_tables))
-    return StudyError.unsupported(
-        argument=f"cell.{table}disc",
-        given="a cell with discs",
-        allowed="pillars, or plain plate",
-        cause="this analysis varies, draws or cuts pillars only",
-        next_step="compute its bands, a sweep, layers, a ribbon or a plate, or replace it by [cell.pillar]",
-    )
-
-
 def whole_lower_face(cell: UnitCell, options: Any) -> HaptonicError | None:
     """Error for a hole in the face that a finger touches, or for something below that face."""
     if cell.solid is not None and not cell.solid_period.whole_below:

@@ -12,7 +12,7 @@ from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.support import pillars_only
+from haptonic.analyses.support import made_of_parts
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
 from haptonic.design.parameters import values_of
@@ -143,7 +143,7 @@ ANALYSIS = Analysis(
     name="tolerance",
     result=Tolerance,
     compute=compute,
-    supports=pillars_only,
+    supports=made_of_parts,
     cost=cost,
     planned=lambda study: study.carrier is not None and bool(study.tolerance_settings.of),
     check=check,

@@ -246,13 +246,13 @@ class UnitCell(TileShape):
         return None
 
     def ways(self, numbers: Iterable[int]) -> Iterator[float]:
-        """Widths of the gaps between the pillars of some sites and their neighbours, m."""
+        """Widths of the gaps between parts above the plate, of some sites and of their neighbours, m."""
         steps = np.array(list(product((-1, 0, 1), repeat=2)))
-        for number, (beside, other) in product(numbers, enumerate(self.pillars)):
-            pillar = self.pillars[number]
-            if pillar is not None and other is not None:
+        borders = [None if feature is None else feature.raised for feature in self.features]
+        for number, (beside, other) in product(numbers, enumerate(borders)):
+            if (border := borders[number]) is not None and other is not None:
                 away = (self.shares[beside] - self.shares[number] + steps) @ self.vectors
-                yield pillar.gap_to(other, away[away.any(axis=1)])
+                yield float(border.gap_to(other, away[away.any(axis=1)]).min())
 
     @cached_property
     def features(self) -> tuple[Feature | None, ...]:

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.arrays import Array
 from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.fields import LARGEST, Quantity, problem, setting, size
@@ -118,14 +117,10 @@ class Sectioned:
         """Like `widest`, without a fillet, m."""
         return self.radius
 
-    def gap_to(self, other: Sectioned, away: Array) -> float:
-        """Width of the narrowest gap between this body and equal others, m.
-
-        The axes of the others are ``away`` (n, 2) from its own. Fillets are not included. Negative for an
-        overlap.
-        """
-        outline, beside = (Scaled(prism.outline, prism.broadest) for prism in (self, other))
-        return float(outline.gap_to(beside, away).min())
+    @property
+    def raised(self) -> Scaled:
+        """Its widest section, without a fillet."""
+        return Scaled(self.outline, self.broadest)
 
     def has_symmetry(self, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) of space that keeps the normal leaves it unchanged."""

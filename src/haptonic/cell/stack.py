@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
@@ -45,9 +44,14 @@ class Stack:
     @cached_property
     def heights(self) -> Array:
         """(storeys + 1,) ends of the storeys above the plate's lower face, m, ascending."""
+        return _distinct(self._ends, self.thickness)
+
+    @cached_property
+    def _ends(self) -> Array:
+        """(2 + 2 discs,) heights of the lowest level, of the plate's top and of both ends of each disc, m."""
         floor = 0.5 * self.thickness if self.mirrored else 0.0
-        ends = [end for disc in self.discs for end in disc.ends(self.thickness) if end > floor]
-        return _distinct([floor, self.thickness, *ends], self.thickness)
+        ends = [end for disc in self.discs for end in disc.ends(self.thickness)]
+        return np.maximum([floor, self.thickness, *ends], floor)
 
     @cached_property
     def borders(self) -> tuple[Scaled, ...]:
@@ -59,7 +63,8 @@ class Stack:
                 borders.append(Scaled(disc.outline, disc.radius))
         return tuple(borders)
 
-    def _border_of(self, disc: Disc) -> int:
+    def border_of(self, disc: Disc) -> int:
+        """Number of the border that a disc has, counted from the innermost."""
         scale = self._widest_disc.radius
         return next(n for n, border in enumerate(self.borders) if _is_border_of(border, disc, scale))
 
@@ -87,7 +92,7 @@ class Stack:
             region = VOID if disc.empty else 0
             if disc.material is not None:
                 region = 1 + self.solids.index(disc.material)
-            grid[(middles > low) & (middles < high), : self._border_of(disc) + 1] = region
+            grid[(middles > low) & (middles < high), : self.border_of(disc) + 1] = region
         return tuple(tuple(int(region) for region in row) for row in grid)
 
     @cached_property
@@ -109,6 +114,24 @@ class Stack:
         juts_out = solid.sum(axis=0) == 1
         ends_at_surface = (solid[0] == solid[1]) & (solid[2] == solid[3]) & (solid[0] != solid[2])
         return np.asarray(~(upright | level | juts_out | ends_at_surface).T)
+
+    def layers(self, like: Stack) -> Array:
+        """(storeys,) thicknesses of the storeys of a stack with as many discs, for the ends in this one, m.
+
+        They are negative where two ends have another order than in the other stack.
+        """
+        order = np.argsort(like._ends, kind="stable")
+        apart = np.diff(like._ends[order]) > SAME * like.thickness
+        return np.asarray(np.diff(self._ends[order])[apart])
+
+    def rings(self, like: Stack) -> Array:
+        """(borders - 1,) smallest widths between neighbouring borders of such a stack, m; see `layers`."""
+        angle = 2 * np.pi * np.arange(TURNS) / TURNS
+        directions = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        border = [like.border_of(disc) for disc in like.discs]
+        discs = [self.discs[border.index(number)] for number in range(len(like.borders))]
+        reach = [disc.radius * radii(disc.outline, directions) for disc in discs]
+        return np.asarray(np.diff(reach, axis=0).min(axis=1))
 
     def check(self, table: str) -> None:
         """Refuse discs that form no body with the plate, or one that changes nothing.
@@ -150,11 +173,11 @@ class Stack:
                     'give its image in the upper half, or write faces = "one"',
                     at=f"{table}disc[{number}].high",
                 )
-        short = int(np.diff(self.heights).argmin())
-        if np.diff(self.heights)[short] < LEAST_APART * self.thickness:
+        thinnest = float(np.diff(self.heights).min())
+        if thinnest < LEAST_APART * self.thickness:
             raise problem(
                 "out-of-range",
-                f"ends that are {format_quantity(float(np.diff(self.heights)[short]), 'm', digits=3)} apart",
+                f"ends that are {format_quantity(thinnest, 'm', digits=3)} apart",
                 f"equal ends, or ends at least {format_quantity(LEAST_APART * self.thickness, 'm')} apart",
                 "a layer as thin as that has no mesh",
                 "make the two ends equal, or the layer thicker",
@@ -163,21 +186,18 @@ class Stack:
 
     def _check_borders(self, table: str) -> None:
         """Refuse borders that cross or touch, or are nearly the same."""
-        angle = 2 * np.pi * np.arange(TURNS) / TURNS
-        directions = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-        least = LEAST_APART * self.borders[-1].half_width
-        for inner, outer in pairwise(self.borders):
-            reach = [border.half_width * radii(border.outline, directions) for border in (inner, outer)]
-            if (reach[1] - reach[0]).min() < least:
-                raise problem(
-                    "out-of-range",
-                    f"sections of {format_quantity(2 * inner.half_width, 'm')} and "
-                    f"{format_quantity(2 * outer.half_width, 'm')} whose outlines cross or nearly touch",
-                    f"equal sections, or one at least {format_quantity(least, 'm', digits=3)} inside another",
-                    "discs of a stack lie inside each other, seen from above",
-                    "make the inner one smaller, or the two equal",
-                    at=f"{table}disc",
-                )
+        least, widths = LEAST_APART * self.borders[-1].half_width, self.rings(self)
+        if widths.min(initial=np.inf) < least:
+            inner, outer = self.borders[widths.argmin() : widths.argmin() + 2]
+            raise problem(
+                "out-of-range",
+                f"sections of {format_quantity(2 * inner.half_width, 'm')} and "
+                f"{format_quantity(2 * outer.half_width, 'm')} whose outlines cross or nearly touch",
+                f"equal sections, or one at least {format_quantity(least, 'm', digits=3)} inside another",
+                "discs of a stack lie inside each other, seen from above",
+                "make the inner one smaller, or the two equal",
+                at=f"{table}disc",
+            )
 
     def _check_joined(self, table: str) -> None:
         """Refuse parts without contact to the rest, or with contact along an edge only."""
@@ -285,9 +305,12 @@ class Stack:
         """A copy turned anticlockwise about its axis, rad."""
         return replace(self, discs=tuple(disc.turned(angle) for disc in self.discs))
 
-    def gap_to(self, other: Feature, away: Array) -> float:
-        """Width of the narrowest gap between this stack and equal others; see `Pillar.gap_to`."""
-        return float(self.borders[-1].gap_to(Scaled(other.outline, other.broadest), away).min())
+    @property
+    def raised(self) -> Scaled | None:
+        """Border of the widest part above the plate; None without such a part."""
+        above = np.array(self.grid[self.in_plate :]).reshape(-1, len(self.borders) + 1)
+        annuli = np.flatnonzero((above != VOID).any(axis=0))
+        return self.borders[annuli[-1]] if len(annuli) else None
 
 
 Feature = Pillar | Stack
@@ -310,7 +333,7 @@ def radii(outline: Outline, way: Array) -> Array:
     return np.asarray(np.interp(angles, angle, distance, period=2 * np.pi))
 
 
-def _distinct(values: list[float], scale: float) -> Array:
+def _distinct(values: Array, scale: float) -> Array:
     """Values in ascending order; those that differ only by rounding are listed once."""
     ordered: Ints | Array = np.sort(values)
     return np.asarray(ordered[np.append(True, np.diff(ordered) > SAME * scale)])

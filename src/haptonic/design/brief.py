@@ -13,7 +13,9 @@ from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.cell.checks import LEAST_CLEARANCE
 from haptonic.cell.sites import MOST_POINTED
+from haptonic.cell.stack import LEAST_APART, Stack
 from haptonic.cell.tile import inradius, room_in
+from haptonic.design.discs import with_shared
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import StudyError
@@ -22,6 +24,7 @@ from haptonic.lattice import LEAST_SIDE
 from haptonic.materials import IsotropicMaterial
 
 LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
+LEAST_BETWEEN = 2 * LEAST_APART  # between the ends or the borders of discs, as in `Stack.check`
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
 SLACK = 1e-6  # by which a design may miss a limit
 MARGIN = 1e-3  # by which a starting point meets its limits
@@ -62,7 +65,11 @@ class Brief:
         ------
         GeometryError : sizes that do not form a body
         """
-        return self.cell.with_numbers({**self.held, **dict(zip(self.paths, self.values(share), strict=True))})
+        return self.made(dict(zip(self.paths, self.values(share), strict=True)))
+
+    def made(self, values: Mapping[str, float]) -> UnitCell:
+        """The cell with these values (SI) of the parameters; for errors see `at`."""
+        return self.cell.with_numbers(with_shared(self.cell, {**self.held, **values}))
 
     def values(self, share: Array) -> list[float]:
         """Values of the parameters (SI) at a position in the box."""
@@ -87,34 +94,69 @@ class Brief:
         Each is a share of a length of the design, so that they can be compared.
         """
         values = {**self.held, **dict(zip(self.paths, self.values(share), strict=True))}
-        cell = with_numbers(self.cell, values, "cell.", checked=False)
+        cell = with_numbers(self.cell, with_shared(self.cell, values), "cell.", checked=False)
         room: dict[str, float] = {}
         if self.allowed.finger_force is not None:
             assert isinstance(self.cell.material, IsotropicMaterial)
             room["finger"] = cell.thickness / self.allowed.least_thickness(self.cell.material) - 1
-        tables = cell.pillar_tables
+        tables: dict[str, list[int]] = {}
+        for number, feature in enumerate(cell.features):
+            if feature is not None:
+                tables.setdefault(cell.table_of(number), []).append(number)
         if tables:
             room |= _of_lattice(cell)
         for path, numbers in tables.items():
-            limits_of_pillar = self._of_pillar(cell, numbers)
-            suffix = f" of {path.removesuffix('.pillar')}" if len(tables) > 1 else ""
-            room |= {f"{name}{suffix}": value for name, value in limits_of_pillar.items()}
+            feature = cell.features[numbers[0]]
+            of_feature = self._of_stack if isinstance(feature, Stack) else self._of_pillar
+            suffix = f" of {path.removesuffix('.')}" if len(tables) > 1 else ""
+            room |= {f"{name}{suffix}": value for name, value in of_feature(cell, numbers).items()}
+        return room
+
+    def _gap(self, cell: UnitCell, numbers: Sequence[int]) -> float:
+        """Room left to the gap between a pillar or stack and its neighbours, in shares of their distance."""
+        feature = cell.features[numbers[0]]
+        assert feature is not None
+        # distance across its tile where the tile is narrowest for its outline
+        pitch = 2 * min(room_in(cell.outlines[number], feature.outline) for number in numbers)
+        gaps = [1 - (2 * feature.broadest + LEAST_GAP * cell.lattice.pitch) / pitch]
+        if self.allowed.tool is not None:
+            gaps += [(gap - self.allowed.tool) / pitch for gap in cell.ways(numbers)]
+        return min(gaps)
+
+    def _of_stack(self, cell: UnitCell, numbers: Sequence[int]) -> dict[str, float]:
+        """Room left to limits of a stack: its discs keep their order, and the parts above can be cut."""
+        stack, given = cell.features[numbers[0]], self.cell.features[numbers[0]]
+        assert isinstance(stack, Stack)
+        assert isinstance(given, Stack)
+        room = {"gap between discs": self._gap(cell, numbers)}
+        for name, apart, whole in (
+            ("layers of the discs", stack.layers(given), cell.thickness),
+            ("rings of the discs", stack.rings(given), stack.radius),
+        ):
+            if len(apart):
+                room[name] = float(apart.min()) / whole - LEAST_BETWEEN
+        for disc in stack.discs:
+            room |= disc.form.room()
+        widths = [2 * disc.radius for disc in stack.discs if not disc.empty and disc.high]
+        if self.allowed.slenderness is not None and widths:
+            room["slenderness"] = 1 - stack.height / (self.allowed.slenderness * min(widths))
+        if self.allowed.reach is not None:
+            room["reach of the tool"] = 1 - stack.height / self.allowed.reach
+        holes = [2 * disc.radius for disc in stack.discs if disc.empty]
+        if self.allowed.tool is not None and holes:
+            room["width of a hole"] = min(holes) / self.allowed.tool - 1
         return room
 
     def _of_pillar(self, cell: UnitCell, numbers: Sequence[int]) -> dict[str, float]:
         """Room left to limits of a pillar: it is a body, stays on the tiles of its sites, and can be cut."""
         pillar, lattice = cell.pillars[numbers[0]], cell.lattice
         assert pillar is not None
-        # distance across its tile where the tile is narrowest for its outline
         pitch = 2 * min(room_in(cell.outlines[number], pillar.outline) for number in numbers)
         across = 2 * pillar.radius
-        gaps = [1 - 2 * pillar.broadest / pitch - LEAST_GAP * lattice.pitch / pitch]
-        if self.allowed.tool is not None:
-            gaps += [(gap - self.allowed.tool) / pitch for gap in cell.ways(numbers)]
         foot = pillar.arc.centre[0] if pillar.arc is not None else pillar.radius
         top, upper = 2 * pillar.half_width(pillar.height, -1), 2 * pillar.stages[-1][2]
         room = {
-            "gap between pillars": min(gaps),
+            "gap between pillars": self._gap(cell, numbers),
             "fillet": 1 - 2 * foot / pitch - LEAST_GAP * lattice.pitch / pitch,
             "tip": min(upper, top) / across - LEAST_TIP,
         } | pillar.form.room()

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pydantic import field_validator
 
 from haptonic.cell import UnitCell
+from haptonic.design.discs import DISC, ends_at_lower_face, moving_together
 from haptonic.fields import ByPattern, OfNumber, described, problem, table
 from haptonic.fields.keys import pattern_of
 
@@ -16,20 +17,19 @@ UNITS = ByPattern({
     for path, key in sorted(table(UnitCell, "cell.").items(), key=lambda row: row[0].startswith("material."))
     # the bands are lossless; designs follow one mesh, so lattices and sites keep their symmetry
     if key.quantity and key.kind != "quantities" and not path.endswith("material.loss_factor")
-    and ".pillar.point[]" not in path and not path.endswith(".pillar.turn")
-    and ".disc[]" not in path  # their borders and ends must not cross
-    and not path.startswith("cell.solid.")
+    and ".point[]" not in path and not path.endswith(".turn") and not path.startswith("cell.solid.")
 })  # fmt: skip
 """Every number of a cell that its bands depend on, and its SI unit; those of the material are last."""
 
 COORDINATE = re.compile(
     r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?|cell(\.site\[\d+\])?\."
-    r"(pillar\.(turn|point\[\d+\]\.[xy])|disc\[\d+\]\..*)"
+    r"(pillar|disc\[\d+\])\.(turn|point\[\d+\]\.[xy])"
 )
-PILLAR = ".pillar."
+FEATURE = re.compile(r"\.(pillar|disc\[\d+\])\.")
+"""Part of the path of every number of a pillar or a disc."""
 HEIGHT = ".pillar.height"
 FILLET = ".pillar.fillet"
-"""Paths of the numbers of a pillar, whether of all sites or of one.
+"""Ends of paths of numbers of a pillar, whether of all sites or of one.
 
 A fillet's radius may vary, but not to zero: a sharp edge needs another mesh.
 """
@@ -56,9 +56,8 @@ class OfCell(OfNumber):
             raise problem(
                 "unsupported",
                 path,
-                "sizes and angles of the cell and of its pillars, and constants of the material",
-                "a coordinate or the turn of a section changes the symmetry, and with it mesh and zone, and "
-                "discs have no derivatives here",
+                "sizes and angles of the cell, of its pillars and discs, and constants of materials",
+                "a coordinate or the turn of a section changes the symmetry, and with it mesh and zone",
                 "vary it in a [[sweep]]; for a lattice given by its name, cell.pitch, cell.pitch_y, "
                 "cell.pitch_2 and cell.angle can be named here",
             )
@@ -69,9 +68,13 @@ def values_of(cell: UnitCell) -> dict[str, float]:
     """All numbers of a cell that can be varied, in SI units, in the order of `UNITS`.
 
     A sharp edge cannot be varied into a fillet, nor a sharp corner into a round one; an absent step cannot be
-    varied. Some sections have no draft, see `Pillar`.
+    varied. Some sections have no draft, see `Pillar`. For discs see `haptonic.design.discs`.
     """
-    numbers = cell.numbers()
+    together = moving_together(cell)
+    numbers = {path: value for path, value in cell.numbers().items()
+               if path in together or not DISC.fullmatch(path)}  # fmt: skip
+    if any(ends_at_lower_face(cell)):
+        del numbers["cell.thickness"]
     for number, pillar in enumerate(cell.pillars):
         if pillar is not None:
             absent = [name for name in ("fillet", "corner_radius") if not getattr(pillar, name)]

@@ -24,6 +24,8 @@ from haptonic.bloch.exact import ExactModes
 from haptonic.cell import HexMesh, PlacedTile, TileShape, UnitCell, mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.sectors import sectors
+from haptonic.cell.stack import Stack
+from haptonic.design.discs import with_shared
 from haptonic.design.parameters import UNITS, values_of
 from haptonic.errors import GeometryError
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
@@ -94,12 +96,19 @@ def eigenvalue_derivatives(
     return derivatives
 
 
-def _regions(cell: UnitCell, number: int, table: str) -> set[bool]:
-    """Regions of a tile, False for plate and True for pillar, whose material is in a table of the study."""
-    pillar = cell.pillars[number]
+def _regions(cell: UnitCell, number: int, table: str) -> set[int]:
+    """Numbers of the regions of a tile, see `TileShape.solids`, whose material is in a table of the study."""
+    feature, below = cell.features[number], cell.table_of(number)
+    if isinstance(feature, Stack):
+        of_disc = {
+            f"{below}disc[{n}].material": disc.material for n, disc in enumerate(feature.discs, start=1)
+        }
+        own = {at: 1 + feature.solids.index(solid) for at, solid in of_disc.items() if solid is not None}
+    else:
+        own = {f"{below}pillar.material": 1} if feature is not None and feature.material is not None else {}
     if table == "material":
-        return {False, True} if pillar is None or pillar.material is None else {False}
-    return {True} if pillar is not None and table == f"{cell.pillar_path(number)}.material" else set()
+        return {0} if isinstance(feature, Stack) or own else {0, 1}
+    return {own[table]} if table in own else set()
 
 
 def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
@@ -112,7 +121,7 @@ def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
     here = values_of(cell)[path]
     step = STEP * (1.0 if UNITS[path] == "rad" else here)
     try:
-        ahead, behind = (cell.with_numbers({path: here + sign * step}) for sign in (1, -1))
+        ahead, behind = (cell.with_numbers(with_shared(cell, {path: here + sign * step})) for sign in (1, -1))
     except GeometryError as error:
         raise GeometryError.conflict(
             argument=path,
@@ -138,11 +147,11 @@ def _velocities(
         assert len(tile.corners) == plan.sides, "a tile keeps its sides"
         mesh = mesh_cell(tile, plan)
         meshes.append((mesh.points, through_levels(tile, mesh, shared.levels)))
-        ends.append(sectors(tile, plan.blocks)[0].place)
+        ends.append(np.concatenate([around.place for around in sectors(tile, plan.blocks)]))
     (here, map_ahead), (there, map_behind) = meshes
     if np.abs(ends[0] - ends[1]).max() > SAME_BLOCKS:
         raise GeometryError.unsupported(
-            argument="cell.pillar.section",
+            argument="cell.pillar.section" if tile.stack is None else "cell.disc.section",
             given="a size near which the mesh changes its blocks",
             allowed="a design around which one mesh can be followed",
             cause="the corners of the section are equally near to two ends of blocks",
@@ -161,19 +170,19 @@ def _on_rim(shared: FoldedMesh, of_trace: Array, trace: Fields) -> Fields:
 
 @dataclass(frozen=True)
 class _Energies:
-    """Modes at the quadrature points of every family of elements, plate and pillar separately.
+    """Modes at the quadrature points of every family of elements, each region separately.
 
     gradient : (points, 3, 3, k)
     stress : the same, times volume
     momentum : (points, 3, k) density times volume times displacement
 
     solids : material of each part
-    in_pillar : True for parts of the pillar
+    regions : number of this material, see `TileShape.solids`
     """
 
     frames: tuple[_Frame, ...]
     solids: tuple[Material, ...]
-    in_pillar: tuple[bool, ...]
+    regions: tuple[int, ...]
     fields: Fields
     gradient: tuple[Fields, ...]
     stress: tuple[Fields, ...]
@@ -183,18 +192,17 @@ class _Energies:
     @classmethod
     def of(cls, mesh: HexMesh, tile: TileShape, fields: Fields, values: Array) -> _Energies:
         parts = [
-            (family.nodes[family.in_pillar == in_pillar], in_pillar)
+            (family.nodes[family.region == region], int(region))
             for family in mesh.topology.families
-            for in_pillar in (False, True)
-            if (family.in_pillar == in_pillar).any()
+            for region in np.unique(family.region)
         ]
         frames = tuple(_Frame.of(mesh.points, nodes) for nodes, _ in parts)
-        solids = tuple(tile.pillar_material if in_pillar else tile.material for _, in_pillar in parts)
+        solids = tuple(tile.solids[region] for _, region in parts)
         gradient = tuple(frame.gradient(fields) for frame in frames)
         return cls(
             frames=frames,
             solids=solids,
-            in_pillar=tuple(in_pillar for _, in_pillar in parts),
+            regions=tuple(region for _, region in parts),
             fields=fields,
             gradient=gradient,
             stress=tuple(
@@ -229,11 +237,11 @@ class _Energies:
             total += _product(frame.gradient(change), s) - self.values * _product(moved, p)
         return total + total.conj().T
 
-    def by_constant(self, constant: str, regions: set[bool]) -> Fields:
+    def by_constant(self, constant: str, regions: set[int]) -> Fields:
         """Derivative with respect to a constant of the material of some regions."""
         total = np.zeros((self.fields.shape[2],) * 2, dtype=complex)
         for part, (frame, solid) in enumerate(zip(self.frames, self.solids, strict=True)):
-            if self.in_pillar[part] not in regions:
+            if self.regions[part] not in regions:
                 continue
             assert isinstance(solid, IsotropicMaterial)
             gradient = self.gradient[part]

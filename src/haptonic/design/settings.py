@@ -29,7 +29,9 @@ class DesignLimits:
         setting(None, "Largest height of a pillar over its diameter.")
     )
     tool: Length | None = setting(
-        None, "Diameter of the end mill: the least gap between two pillars.", title="End mill"
+        None,
+        "Diameter of the end mill: the least gap between two pillars, and the least width of a hole.",
+        title="End mill",
     )
     reach: Length | None = setting(
         None, "Largest depth of the end mill's cut: the largest height of a pillar."

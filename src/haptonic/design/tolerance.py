@@ -23,7 +23,9 @@ from pydantic import Field
 
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
-from haptonic.design.parameters import PILLAR, OfCell, values_of
+from haptonic.design.discs import is_divided_alike, with_shared
+from haptonic.design.parameters import FEATURE, OfCell, values_of
+from haptonic.errors import GeometryError
 from haptonic.fields import FASTEST, Quantity, described, needed, once, problem, setting
 from haptonic.units import format_quantity
 
@@ -44,7 +46,7 @@ class Spread(OfCell):
         "normal", "Normal ones are cut off at three deviations."
     )
     per: Literal["batch", "pillar"] = setting(
-        "batch", "batch: all pillars of a plate vary together; pillar: each varies by itself."
+        "batch", "batch: all pillars or discs of a plate vary together; pillar: each varies by itself."
     )
 
     def __post_init__(self) -> None:
@@ -57,11 +59,11 @@ class Spread(OfCell):
                 "give a positive one, or leave it out",
                 at="spread",
             )
-        if self.per == "pillar" and PILLAR not in self.parameter:
+        if self.per == "pillar" and not FEATURE.search(self.parameter):
             raise problem(
                 "conflict",
                 self.parameter,
-                'per = "batch" for a number that is not of the pillar',
+                'per = "batch" for a number that is not of a pillar or disc',
                 "pillars of one plate have it in common",
                 'write per = "batch"',
                 at="per",
@@ -119,15 +121,22 @@ def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitC
 
     Raises
     ------
-    GeometryError : a spread so large that some designs are not possible
+    GeometryError : a spread so large that some designs are not possible, or ends or borders of discs cross
     """
     values, names = values_of(cell), [spread.parameter for spread in spreads]
     places = REACH * (2 * _sobol(len(spreads), count) - 1)
     rows = places * [spread.half_range for spread in spreads]
-    return [
-        cell.with_numbers({name: values[name] + float(d) for name, d in zip(names, row, strict=True)})
-        for row in rows
-    ]
+    changes = [{name: values[name] + float(d) for name, d in zip(names, row, strict=True)} for row in rows]
+    designs = [cell.with_numbers(with_shared(cell, change)) for change in changes]
+    if not all(is_divided_alike(cell, design) for design in designs):
+        raise GeometryError.conflict(
+            argument="cell.disc",
+            given="in another order, from below or from the axis",
+            allowed="ends and borders in the order of the study",
+            cause="some spreads exceed the distance of two ends or borders",
+            next_step="give smaller spreads",
+        )
+    return designs
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from haptonic.cell import UnitCell
+from haptonic.design.discs import reason_fixed
 from haptonic.design.parameters import FILLET, values_of
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
@@ -30,6 +31,13 @@ def check_varied(
     varied |= {f"tolerance.of[{i}]": spread.parameter for i, spread in enumerate(tolerance.of, start=1)}
     for at, path in varied.items():
         if path not in values:
+            if (fixed := reason_fixed(cell, path)) is not None:
+                cause, next_step = fixed
+                raise problem(
+                    "conflict",
+                    path, "a number that leaves the order of the discs as it is", cause, next_step,
+                    at=f"{at}.parameter",
+                )  # fmt: skip
             cause = "the cell of this study does not have it"
             next_step = "give it in [cell] first, or leave this table out"
             at = f"{at}.parameter"

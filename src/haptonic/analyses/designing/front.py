@@ -11,7 +11,7 @@ import numpy as np
 from haptonic.analyses.designing.tasks import front_dataset, front_task, visits_of
 from haptonic.analyses.runner import Runner
 from haptonic.design.brief import Brief
-from haptonic.design.parameters import PILLAR, UNITS
+from haptonic.design.parameters import FEATURE, UNITS
 from haptonic.design.quick import QUICK
 from haptonic.gate import declared
 from haptonic.jobs import Task
@@ -30,7 +30,7 @@ def compute_front(
     for pitch, at_pitch in briefs.items():
         scale = pitch / best["cell.pitch"]
         scaled = np.array(
-            [best[p] * (scale if PILLAR in p and UNITS[p] == "m" else 1.0) for p in at_pitch.paths]
+            [best[p] * (scale if FEATURE.search(p) and UNITS[p] == "m" else 1.0) for p in at_pitch.paths]
         )
         low, high = at_pitch.box.T
         share = at_pitch.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))

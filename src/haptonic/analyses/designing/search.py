@@ -163,7 +163,7 @@ class _Search:
     def _at_accuracy(self, visit: Visited) -> list[_Refined]:
         """Complete gap of a design; empty without a gap, or if it cannot be computed."""
         values, designs = _round_to_micrometres(self.brief, visit), []
-        task = tasks.gap_task(self.brief.cell.with_numbers(values), self.settings, visit.band)
+        task = tasks.gap_task(self.brief.made(values), self.settings, visit.band)
         for data in self._run("refine", tasks.gap_dataset, [task], [visit.share]):
             for gap in gaps_of(data):
                 if gap.complete and gap.between[0] == visit.band:

@@ -1,0 +1,90 @@
+"""Numbers of discs that a designer can change: those that leave the grid of their stack as it is.
+
+A design follows one mesh. Discs that share an end, a border or a material go on sharing it, so that such
+equal numbers count as one and move together. An end at a face of the plate stays there.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+
+import numpy as np
+
+from haptonic.cell import UnitCell
+from haptonic.cell.outlines.outline import SAME
+from haptonic.cell.stack import Stack
+
+DISC = re.compile(r"cell\.(?P<table>(?:site\[\d+\]\.)?)disc\[(?P<number>\d+)\]\.(?P<name>.+)")
+
+
+def stacks_of(cell: UnitCell) -> dict[str, Stack]:
+    """Stacks of discs, by the path of their site or cell, below [cell]."""
+    return {
+        table: Stack(discs, cell.thickness, cell.is_mirrored) for table, discs in cell.disc_tables.items()
+    }
+
+
+@lru_cache(maxsize=64)
+def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
+    """Numbers of discs that can vary, each with the paths of the equal numbers that move with it."""
+    groups: dict[tuple[object, ...], list[str]] = {}
+    stacks = stacks_of(cell)
+    for path, value in cell.numbers().items():
+        if (named := DISC.fullmatch(path)) is None:
+            continue
+        table, name = named["table"], named["name"]
+        stack = stacks[table]
+        disc = stack.discs[int(named["number"]) - 1]
+        if name in ("low", "high"):
+            level = _level(stack, disc.ends(stack.thickness)[name == "high"])
+            if level not in (None, 0, stack.in_plate):
+                groups.setdefault((table, "level", level), []).append(path)
+        elif name.startswith("material."):
+            groups.setdefault((table, name, disc.material), []).append(path)
+        elif value:  # a sharp corner cannot vary into a round one
+            groups.setdefault((table, name, disc.section, stack.border_of(disc)), []).append(path)
+    return {first: tuple(others) for first, *others in groups.values()}
+
+
+def with_shared(cell: UnitCell, values: Mapping[str, float]) -> dict[str, float]:
+    """New values of numbers of a cell, and of the numbers of discs that move with them."""
+    together = moving_together(cell)
+    others = {other: value for path, value in values.items() for other in together.get(path, ())}
+    return {**values, **others}
+
+
+def ends_at_lower_face(cell: UnitCell) -> Iterator[str]:
+    """Paths of ends that are given as numbers, at the lowest level of the mesh: the thickness is fixed."""
+    for table, stack in stacks_of(cell).items():
+        for number, disc in enumerate(stack.discs, start=1):
+            if disc.low is not None and _level(stack, stack.thickness + disc.low) == 0:
+                yield f"cell.{table}disc[{number}].low"
+
+
+def reason_fixed(cell: UnitCell, path: str) -> tuple[str, str] | None:
+    """Cause and next step for a number of the cell that discs keep from varying; None for another path."""
+    if path not in cell.numbers():
+        return None
+    for first, others in moving_together(cell).items():
+        if path in others:
+            return f"it equals {first}, and the two move together", f"name {first} instead"
+    if path == "cell.thickness":
+        low = next(ends_at_lower_face(cell))
+        return f"{low} is a number that would not follow the lower face", f"leave {low} out of the disc"
+    if path.endswith((".low", ".high")):
+        return "this end lies at a face or below the middle of the plate", "vary the other end, or a diameter"
+    return None
+
+
+def is_divided_alike(cell: UnitCell, other: UnitCell) -> bool:
+    """True if the discs of two cells form the same grids of storeys and annuli."""
+    grids = [[(stack.grid, stack.in_plate) for stack in stacks_of(each).values()] for each in (cell, other)]
+    return grids[0] == grids[1]
+
+
+def _level(stack: Stack, end: float) -> int | None:
+    """Number of the level of an end above the plate's lower face, m; None below the lowest level."""
+    near = np.flatnonzero(np.abs(stack.heights - end) <= SAME * stack.thickness)
+    return int(near[0]) if len(near) else None
