@@ -154,12 +154,8 @@ class Store:
         ResourceError : the variable is not a possible folder
         """
         chosen = os.environ.get("HAPTONIC_STORE")
-        root = (
-            target(chosen, "HAPTONIC_STORE")
-            if chosen
-            else platformdirs.user_cache_path("haptonic", appauthor=False)
-        )
-        return cls(root.absolute())
+        usual = platformdirs.user_cache_path("haptonic", appauthor=False)
+        return cls((target(chosen, "HAPTONIC_STORE") if chosen else usual).absolute())
 
     def path(self, key: str, kind: str = "nc") -> Path:
         """Path of the file for this key, with the ending ``kind``."""
