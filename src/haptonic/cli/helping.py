@@ -14,6 +14,14 @@ from haptonic import analyses
 from haptonic.cli import commands
 
 GROUPS = {"simulate": "Simulate a measurement whose truth is known."}  # first word of names with two words
+# first words of the commands, in the order of the help
+PANELS = {
+    "Start": ("new", "plan", "bands", "reproduce"),
+    "Design": ("design", "sweep", "tolerance", "layers", "waveguide", "ribbon", "compare"),
+    "Plate": ("plate", "feel", "export"),
+    "Measurements": ("chirp", "scan", "verdict", "protocol", "friction", "simulate"),
+    "Files and help": ("keys", "materials", "schema", "verify", "doctor"),
+}
 
 
 class _Worded:
@@ -50,7 +58,11 @@ class Listed(Worded):
     def __init__(self, table: Mapping[str, str] | None = None, before: str = "", **settings: Any) -> None:
         table = analyses.NAMES | commands.NAMES if table is None else table
         first = {name.split()[0]: GROUPS.get(name.split()[0], text) for name, text in table.items()}
-        alone = {name: TyperCommand(name, help=text) for name, text in first.items()}
+        panels = {name: panel for panel, inside in PANELS.items() for name in inside if name in first}
+        alone = {
+            name: TyperCommand(name, help=first[name], rich_help_panel=panels.get(name))
+            for name in dict.fromkeys((*panels, *first))
+        }
         super().__init__(**settings | {"commands": alone})
         self._table, self._before = table, before
 
