@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -15,6 +16,9 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
+from haptonic import analyses
+from haptonic.cli import commands
+from haptonic.cli.helping import PANELS
 from haptonic.results.bands import counted
 from interrupts import hear_interrupts
 
@@ -235,6 +239,7 @@ def test_doctor_checks_the_physics(haptonic):
     assert ran.code == 0, ran.err
     assert ran.json["healthy"] is True
     assert 0 < ran.json["physics_error"] < 1e-4
+    assert len(f"{ran.json['physics_error']}") <= len("5.6e-05")
     assert ran.json["solver"]
     assert ran.json["threads"] >= 1
 
@@ -243,6 +248,15 @@ def test_keys_come_from_the_schema(inside):
     found = {key["path"]: key for key in inside("keys", "--json").json["keys"]}
     assert found["cell.pillar.diameter"]["unit"] == "m"
     assert found["bands.accuracy"]["default"] == "0.002"
+
+
+def test_help_has_every_command_in_one_panel(inside):
+    out = inside("--help").out
+    titles = re.findall(r"─ ([A-Z][a-z ]+?) ─", out)
+    assert titles == ["Options", *PANELS]
+    commands_in_help = re.findall(r"^│ ([a-z]+) ", out, re.MULTILINE)
+    assert commands_in_help[0] == "new"
+    assert sorted(commands_in_help) == sorted({name.split()[0] for name in analyses.NAMES | commands.NAMES})
 
 
 def test_help_and_version(inside):

@@ -57,7 +57,7 @@ def examined() -> dict[str, Any]:
         "memory_gb": round(memory.total / 1e9, 1),
         "memory_free_gb": round(memory.available / 1e9, 1),
         "store": str(Store.default().root),
-        "physics_error": float(error),
+        "physics_error": float(f"{error:.2g}"),  # two digits: a size, not a result
         "physics_seconds": round(time.perf_counter() - start, 2),
         "healthy": bool(error < TOLERANCE),
     }
