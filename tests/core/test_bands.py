@@ -517,7 +517,7 @@ def test_characters_at_the_middle_of_xm_are_those_of_the_paper():
     names = [NAMES[k] for k in characters(model().fine.tiling, solution.fields).name[:8]]
     bending = "pillar bending"
     assert names == [
-        f"{bending} 1", f"{bending} 1", "traction", f"{bending} 2", "torsion", f"{bending} 2",
+        f"{bending} 1", f"{bending} 1", "longitudinal", f"{bending} 2", "torsion", f"{bending} 2",
         f"{bending} 3", f"{bending} 3",
     ]  # fmt: skip
     data = dataset()

@@ -9,7 +9,7 @@ from coarse import reference_cell
 from hypothesis import given, settings, strategies as st
 
 from haptonic.bloch import Resolution
-from haptonic.bloch.character import FLEXURAL, IN_PLANE, TRACTION, characters
+from haptonic.bloch.character import FLEXURAL, IN_PLANE, LONGITUDINAL, characters
 from haptonic.bloch.model import BlochModel
 
 PITCH = 7e-3
@@ -38,10 +38,10 @@ def test_long_waves_belong_to_the_plate(diameter, height, thickness, angle):
 @settings(max_examples=3, deadline=None)
 @given(height=st.floats(0.5, 3.0), thickness=st.floats(0.05, 0.3), length=st.floats(0.1, np.pi))
 def test_pillars_that_rise_with_the_plate_are_not_stretched(height, thickness, length):
-    """Tall ones tilt as well, and so move against their feet: still the lowest wave is no traction."""
+    """Tall ones tilt as well, and so move against their feet: still the lowest wave is not longitudinal."""
     cell = reference_cell()
     pillar = replace(cell.pillar, diameter=0.6 * PITCH, height=height * PITCH)
     cell = replace(cell, thickness=thickness * PITCH, pillar=pillar)
     model = BlochModel.of(cell, Resolution(2, 0), 6)
     solution = model.solve(np.array([length, 0.0]))
-    assert characters(model.fine.tiling, solution.fields).name[0] != TRACTION
+    assert characters(model.fine.tiling, solution.fields).name[0] != LONGITUDINAL

@@ -16,12 +16,12 @@ NAMES = (
     "pillar bending 3",
     "pillar bending 4+",
     "torsion",
-    "traction",
+    "longitudinal",
     "plate flexural",
     "plate in-plane",
     "rigid body",
 )
-BENDING, TORSION, TRACTION, FLEXURAL, IN_PLANE, RIGID = 0, 4, 5, 6, 7, 8
+BENDING, TORSION, LONGITUDINAL, FLEXURAL, IN_PLANE, RIGID = 0, 4, 5, 6, 7, 8
 PILLAR_LEADS = 0.5  # share of the kinetic energy above which a mode is a pillar mode
 # Largest ratio of the mean square velocities of pillar and plate at which the pillar moves with the plate: 1
 # for a travelling wave, 2 at the antinode of a standing one.
@@ -70,9 +70,9 @@ def characters(tiling: Tiling, fields: Complex) -> Character:
         nodes = np.array([pillar.bending_nodes(fields) for pillar in measures.sections])
         most = motions.sum(axis=1).argmax(axis=0)
         bending = BENDING + np.minimum(nodes[most, np.arange(len(most))], 3)
-        of_pillar = np.choose(kind, [bending, np.full_like(kind, TRACTION), np.full_like(kind, TORSION)])
+        of_pillar = np.choose(kind, [bending, np.full_like(kind, LONGITUDINAL), np.full_like(kind, TORSION)])
         rising = sum(pillar.rising(fields) for pillar in measures.sections)
-        unstretched = (of_pillar == TRACTION) & (rising > 0.5 * total[1])
+        unstretched = (of_pillar == LONGITUDINAL) & (rising > 0.5 * total[1])
         carried = _carried(tiling, fields, kinetic, in_pillar, unstretched)
         name = np.where((in_pillar > PILLAR_LEADS) & ~carried, of_pillar, name)
     return Character(vertical, pillar_strain, in_pillar, np.where(moving, name, RIGID))

@@ -36,7 +36,7 @@ CURVE_STYLES = {
     "pillar bending 3": CurveStyle(style.SKY, style.DASHED, "v"),
     "pillar bending 4+": CurveStyle("#7a4b00", style.DASH_DOT_DOTTED, "P"),
     "torsion": CurveStyle(style.GREEN, style.DASH_DOTTED, "D"),
-    "traction": CurveStyle(style.PURPLE, style.DOTTED, "^"),
+    "longitudinal": CurveStyle(style.PURPLE, style.DOTTED, "^"),
     "plate flexural": CurveStyle(style.INK, style.SOLID, ""),
     "plate in-plane": CurveStyle(style.ORANGE, style.DASHED, "X"),
 }
