@@ -27,6 +27,7 @@ from haptonic.report.chapters import IN_ORDER, comparison, dispersion, mirror, s
 from haptonic.report.first import first_screen
 from haptonic.report.page import MESH, _appendix, page
 from haptonic.report.trend import fitted_power, trend_of
+from haptonic.results.bands import Bands
 from haptonic.results.references import References
 from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study import Study
@@ -347,6 +348,21 @@ class TestWords:
         made = dispersion.chapter(results(bands=bands.assign_attrs(carrier_hz=carrier)))
         assert said in " ".join(made.findings)
 
+    @pytest.mark.parametrize(
+        ("carrier", "step"),
+        [
+            (None, "run `haptonic design`"),
+            (30e3, "so none around 30 kHz: change"),
+            (500e3, "500 kHz, lies above"),
+        ],
+    )
+    def test_without_a_gap_there_is_a_next_step(self, carrier, step):
+        bands = reference_bands().isel(gap=slice(0, 0))
+        words = Bands(bands.assign_attrs({} if carrier is None else {"carrier_hz": carrier})).summary()[0]
+        assert words.startswith("The computed bands have no complete gap")
+        assert step in words
+        assert "bands.count" in words
+
     def test_a_carrier_within_the_error_of_an_edge_is_not_called_safe(self):
         bands = reference_bands()
         carrier = float(bands["gap_upper"][0]) - 0.5 * float(bands["gap_upper_error"][0])
@@ -374,7 +390,7 @@ class TestComparison:
     def test_texts_and_numbers_of_bands(self):
         rows = self.rows()
         assert rows["Bands below and above the gap"][2:4] == ("6 and 7", "none")
-        assert rows["M3"][1:4] == ("traction", "traction", "none")
+        assert rows["M3"][1:4] == ("traction", "longitudinal", "none")
         assert rows["M1 and M2"][1:4] == ("paired by flexural mode", "pillar bending 1", "none")
         assert rows["M5"][1:4] == ("expansion", "torsion", "differs")
 

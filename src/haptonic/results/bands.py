@@ -152,7 +152,7 @@ class Bands(Result):
             + ("." if gap.certain else "; it is not wider than the errors of its edges, so it may not exist.")
             for gap in complete
         ]
-        sentences += [] if complete else ["The computed bands have no complete gap."]
+        sentences += [] if complete else [self._without_gap()]
         sentences += [
             f"Gap of {gap.waves} waves alone from {gap_text(gap)}, between their bands {gap.between[0]} and "
             f"{gap.between[1]}."
@@ -161,6 +161,21 @@ class Bands(Result):
         ]
         checked, missed = (int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed"))
         return [*sentences, *self._about_carrier(complete), counted(checked, missed)]
+
+    def _without_gap(self) -> str:
+        carrier = self.dataset.attrs.get("carrier_hz")
+        highest = float(self.frequency[:, -1].min())  # above it, bands are missing
+        known = f"The computed bands have no complete gap below {hz_text(highest, form='.3g')}"
+        if carrier is not None:
+            above = carrier > highest
+            shown = format_quantity(carrier, "Hz")
+            known += f", and the carrier, {shown}, lies above" if above else f", so none around {shown}"
+            if above:
+                return f"{known}: compute more bands (key bands.count)."
+        return (
+            f"{known}: change the sizes of the cell, run `haptonic design`, or compute more bands "
+            "(key bands.count)."
+        )
 
     def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
         carrier = self.dataset.attrs.get("carrier_hz")
