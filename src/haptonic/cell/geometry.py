@@ -28,6 +28,7 @@ from haptonic.cell.sites import (
     shares_of,
     site_map,
     site_tile,
+    steps_between,
 )
 from haptonic.cell.solid import Solid, SolidPeriod
 from haptonic.cell.stack import Feature, Stack
@@ -247,12 +248,11 @@ class UnitCell(TileShape):
 
     def ways(self, numbers: Iterable[int]) -> Iterator[float]:
         """Widths of the gaps between parts above the plate, of some sites and of their neighbours, m."""
-        steps = np.array(list(product((-1, 0, 1), repeat=2)))
         borders = [None if feature is None else feature.raised for feature in self.features]
         for number, (beside, other) in product(numbers, enumerate(borders)):
             if (border := borders[number]) is not None and other is not None:
-                away = (self.shares[beside] - self.shares[number] + steps) @ self.vectors
-                yield float(border.gap_to(other, away[away.any(axis=1)]).min())
+                away = steps_between(self.shares[[number, beside]], self.vectors)
+                yield float(border.gap_to(other, away).min())
 
     @cached_property
     def features(self) -> tuple[Feature | None, ...]:

@@ -373,3 +373,13 @@ def apart(shares: Array, vectors: Array, least: float) -> tuple[int, int] | None
             if np.linalg.norm(steps @ vectors, axis=1).min() < least:
                 return first, second
     return None
+
+
+def steps_between(shares: Array, vectors: Array) -> Array:
+    """(n, 2) vectors, m, from the first of two sites to the second one in this and the adjacent cells.
+
+    shares : (2, 2) positions in shares of the translations; a site has no vector to itself
+    """
+    steps = np.array(list(product((-1, 0, 1), repeat=2)))
+    away: Array = (shares[1] - shares[0] + steps) @ vectors
+    return away[away.any(axis=1)]

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from haptonic import plots
 from haptonic.cell import UnitCell
+from haptonic.cell.sites import steps_between
 from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
 from haptonic.plate import Layout, Plate
@@ -90,7 +94,7 @@ class StudyPlan(Result):
                 ("command", "processor time", "memory"),
                 costs,
             ),
-            Table("sizes of the cell", ("size", "value"), sizes),
+            Table("sizes of the cell", ("size", "value"), [*sizes, *_of_the_neighbours(self.cell)]),
             *([_of_the_file(self.cell)] if self.cell.solid else []),
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]
@@ -173,6 +177,22 @@ def _lattices(layout: Layout) -> Table:
         for name, sizes in values.items()
     ]
     return Table("lattices of the plate", ("lattice", "tiles", "sizes that differ"), rows)
+
+
+def _of_the_neighbours(cell: UnitCell) -> list[tuple[Cell, ...]]:
+    """Rows on the sites: the pitch is the period, and pillars are closer if a period has several."""
+    filled = [number for number, feature in enumerate(cell.features) if feature is not None]
+    if not filled:
+        return []
+    away = np.vstack(
+        [steps_between(cell.shares[[*pair]], cell.vectors) for pair in product(filled, repeat=2)]
+    )
+    nearest = float(np.hypot(*away.T).min())
+    what = cell.parts.replace(" and ", " or ")
+    return [
+        (f"{what} in a period", len(filled)),
+        (f"distance of nearest {what}, between axes", format_quantity(float(f"{nearest:.4g}"), "m")),
+    ]
 
 
 def _of_the_file(cell: UnitCell) -> Table:
