@@ -13,7 +13,7 @@ from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text
 from haptonic.results.plate.tables import carriers_table, lines_table, modes_table
-from haptonic.results.plate.value import ERRORS, CarrierAnswer, PlateResult
+from haptonic.results.plate.value import CarrierAnswer, PlateResult
 from haptonic.units import hz_text, in_percent
 
 TITLE = "Plate"
@@ -41,7 +41,7 @@ def chapter(results: Results) -> Chapter | Absent:
             f"The plate has {result.plate.layout.parts}. Its model consists of condensed tiles with "
             f"{result.lines.attrs['unknowns']} unknowns, reduced to {result.lines.attrs['basis']} vectors. "
             "The residual in the unreduced equations bounds the error of the field at every frequency by "
-            f"{float(result.lines['solver_error'].max()):.0e}. {ERRORS} The loss factor of the plate, "
+            f"{float(result.lines['solver_error'].max()):.0e}. {result.errors} The loss factor of the plate, "
             f"{result.plate.loss_factor:g}, is assumed.",
             *border_text(result.plate.layout),
         ),

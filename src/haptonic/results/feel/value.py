@@ -26,8 +26,8 @@ from haptonic.units import format_quantity, hz_text, in_percent
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # readable without colours
 COLUMNS = (
     Column("region"),
-    Column("amplitude", shown="um", form=".3g"),
-    Column("without finger", shown="um", form=".3g", of="amplitude_without_finger"),
+    Column("amplitude", shown="µm", form=".3g"),
+    Column("without finger", shown="µm", form=".3g", of="amplitude_without_finger"),
     Column("reduction", shown="%", form=".0f", ends=("low", "high")),
     Column("noticed from", form=".3g", of="drive_to_be_felt"),
 )

@@ -49,7 +49,7 @@ def lines_table(result: PlateResult) -> Table:
         Column("frequency", shown="kHz", form=".3f"),
         Column("{}", form=".3g", of="rms"),
         Column("{}", form=".1f", of="contrast"),
-        Column("finger {}", shown=result.response.units.replace("m/s", "um"), form=".3g", of="finger"),
+        Column("finger {}", shown=result.response.units.replace("m/s", "µm"), form=".3g", of="finger"),
         Column("power", form=".3g", of="given"),
     )
     return Table.of(

@@ -221,11 +221,11 @@ class PlateResult(Result):
             *([contrast] if levels else []),
             *border_text(self.plate.layout),
             f"Largest solver error of the field: {float(self.lines['solver_error'].max()):.1e}, of "
-            f"{self.lines.attrs['unknowns']} unknowns{method}. {self._errors} Simulated.",
+            f"{self.lines.attrs['unknowns']} unknowns{method}; it excludes the discretisation. Simulated.",
         ]
 
     @property
-    def _errors(self) -> str:
+    def errors(self) -> str:
         """Meaning of the solver error, and the errors that it does not include."""
         return ERRORS + OF_FILES * any(cell.solid for cell in self.plate.layout.cells.values())
 
