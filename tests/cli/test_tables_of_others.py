@@ -38,7 +38,7 @@ def counted(tables: int, path: Path) -> Counter[str]:
     return counts
 
 
-@pytest.mark.parametrize("tables", [100, pytest.param(NIGHTLY, marks=pytest.mark.nightly)])
+@pytest.mark.parametrize("tables", [200, pytest.param(NIGHTLY, marks=pytest.mark.nightly)])
 def test_none_of_many_is_wrong_and_most_of_the_whole_ones_are_read(tmp_path, tables):
     counts = counted(tables, tmp_path / "theirs.txt")
     assert not [kind for kind in counts if "wrong" in kind], counts

@@ -35,6 +35,8 @@ def test_the_shown_bound_is_never_smaller_than_the_bound_nor_much_larger(frequen
 def test_expressions_in_words():
     assert readable("cell.pillar.diameter / cell.pitch") == "pillar diameter / pitch"
     assert readable("material.youngs_modulus") == "Young's modulus"
+    assert readable("cell.disc[2].diameter / cell.pitch") == "disc 2 diameter / pitch"
+    assert readable("cell.site[1].disc[2].low") == "disc 2 low of site 1"
     assert readable("material.youngs_modulus / material.density") == "Young's modulus / density"
     assert readable("material.poisson_ratio * cell.pitch_y") == "Poisson ratio * pitch along y"
     assert readable("cell.pillar.step.diameter") == "pillar step diameter"

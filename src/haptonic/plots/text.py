@@ -22,7 +22,8 @@ _PROPERLY = {
     "cell.pitch_2": "second pitch",
 }
 _PROPER = re.compile(rf"\b(?:{'|'.join(map(re.escape, _PROPERLY))})\b")
-_OF_SITE = re.compile(r"\bcell\.site\[(\d*)\]\.([\w.]*\w)")
+_OF_SITE = re.compile(r"\bcell\.site\[(\d*)\]\.([\w.\[\]]*\w)")
+_OF_DISC = re.compile(r"\bdisc\[(\d*)\]\.")
 
 
 def uncertain_hertz(frequency: float, error: float) -> str:
@@ -53,6 +54,7 @@ def readable(expression: str) -> str:
     """A swept expression in words: ``cell.pillar.diameter / cell.pitch`` is ``pillar diameter / pitch``."""
     expression = _OF_SITE.sub(r"\2 of site \1", expression)
     plain = re.sub(r"\b(?:cell|material)\.", "", _PROPER.sub(lambda name: _PROPERLY[name[0]], expression))
+    plain = _OF_DISC.sub(lambda disc: f"disc {disc[1]} " if disc[1] else "disc ", plain)
     return re.sub(r"(?<=[A-Za-z])[._](?=[A-Za-z])", " ", plain)
 
 
