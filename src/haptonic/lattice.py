@@ -146,9 +146,8 @@ class Lattice:
         alias="pitch",
         default=None,
         title="Pitch",
-        description="Period of the lattice; along x for a rectangular or a centred one. A honeycomb has two "
-        "pillars in a period, at 0.577 pitch from each other; kagome and Lieb have three, at half a pitch. "
-        "Required unless a1 and a2 are given.",
+        description="Period of the lattice, along x if it is rectangular or centred. Neighbours in a "
+        "honeycomb are at 0.577 of it, in kagome and Lieb at half of it. Required unless a1 and a2 are given.",
     )
     pitch_y: Annotated[float, size(100e-9, 100e-3)] | None = setting(
         None,

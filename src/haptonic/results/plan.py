@@ -59,7 +59,7 @@ class StudyPlan(Result):
         return stamped(data, self.inputs)
 
     def summary(self) -> list[str]:
-        sentences = [sentence_of(self.study, self.cell, self.carrier)]
+        sentences = [sentence_of(self.study, self.cell, self.carrier), *neighbours_text(self.cell)]
         if self.plate:
             layout = self.plate.layout
             width, height = (1e3 * lines[-1] for lines in (layout.x, layout.y))
@@ -94,7 +94,7 @@ class StudyPlan(Result):
                 ("command", "processor time", "memory"),
                 costs,
             ),
-            Table("sizes of the cell", ("size", "value"), [*sizes, *_of_the_neighbours(self.cell)]),
+            Table("sizes of the cell", ("size", "value"), sizes),
             *([_of_the_file(self.cell)] if self.cell.solid else []),
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]
@@ -179,20 +179,16 @@ def _lattices(layout: Layout) -> Table:
     return Table("lattices of the plate", ("lattice", "tiles", "sizes that differ"), rows)
 
 
-def _of_the_neighbours(cell: UnitCell) -> list[tuple[Cell, ...]]:
-    """Rows on the sites: the pitch is the period, and pillars are closer if a period has several."""
+def neighbours_text(cell: UnitCell) -> list[str]:
+    """Sentence on several parts in a period, which are nearer to each other than the pitch; else empty."""
     filled = [number for number, feature in enumerate(cell.features) if feature is not None]
-    if not filled:
+    if len(filled) < 2:
         return []
     away = np.vstack(
         [steps_between(cell.shares[[*pair]], cell.vectors) for pair in product(filled, repeat=2)]
     )
-    nearest = float(np.hypot(*away.T).min())
-    what = cell.parts.replace(" and ", " or ")
-    return [
-        (f"{what} in a period", len(filled)),
-        (f"distance of nearest {what}, between axes", format_quantity(float(f"{nearest:.4g}"), "m")),
-    ]
+    nearest = format_quantity(float(f"{np.hypot(*away.T).min():.4g}"), "m")
+    return [f"A period contains {len(filled)} {cell.parts}; the nearest are {nearest} apart, between axes."]
 
 
 def _of_the_file(cell: UnitCell) -> Table:
