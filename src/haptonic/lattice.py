@@ -146,8 +146,8 @@ class Lattice:
         alias="pitch",
         default=None,
         title="Pitch",
-        description="Period of the lattice, along x if it is rectangular or centred. Neighbours in a "
-        "honeycomb are at 0.577 of it, in kagome and Lieb at half of it. Required unless a1 and a2 are given.",
+        description="Period of the lattice, along x if it is rectangular or centred. Neighbours are at 0.577 "
+        "of it in a honeycomb, at half of it in kagome and Lieb. Required unless a1 and a2 are given.",
     )
     pitch_y: Annotated[float, size(100e-9, 100e-3)] | None = setting(
         None,
