@@ -105,6 +105,10 @@ class TestResponseInMemory:
             np.testing.assert_allclose(of_value.contrasts[name], level, rtol=1e-5)
         assert of_value.report.path == "a response"
 
+    @pytest.mark.parametrize("option", [{"unit": "mm/s/V"}, {"simulated": True}], ids=str)
+    def test_an_option_of_files_is_refused(self, study, truth, option):
+        refused(lambda: study.scan(response=truth, **option), code="conflict", argument=next(iter(option)))
+
     @pytest.mark.parametrize("both", [False, True])
     def test_a_file_or_a_response_is_needed_not_both(self, study, truth, answer, both):
         given = {"path": answer, "response": truth} if both else {}

@@ -10,7 +10,6 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps, response
 from haptonic.analyses.needs import (
     checked_fineness,
-    gap_of_plate,
     gaps_around,
     has_plate,
     need_carrier,
@@ -63,7 +62,8 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     ResourceError : a grid or a plate that is too large for this machine, refused before the computation
     """
     at = options.at
-    plate = study.mounted_plate(at if at in study.carriers else None)
+    carriers = study.carriers
+    plate = study.mounted_plate(at if at in carriers else None)
     carrier = need_carrier(study) if at is None else at
     settings = options.settings or response_settings(study)
     if at is not None:
@@ -77,21 +77,17 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     }  # fmt: skip
     if at is not None:
         return compute_plate(plate, settings, carrier=carrier, gap=None, **means)
-    gap = gap_of_plate(study, plate, carrier, runner)
-    result = compute_plate(plate, settings, carrier=carrier, gap=gap, **means)
-    if len(study.carriers) == 1:
+    plates = {each: study.mounted_plate(each) for each in carriers}
+    around = {each: gaps_around(study, driven, each, runner) for each, driven in plates.items()}
+    shared = {each: common_gap(beside.values()) for each, beside in around.items()}
+    result = compute_plate(plate, settings, carrier=carrier, gap=shared[carrier], **means)
+    if len(carriers) == 1:
         return result
-    answers = []
-    for each in study.carriers:
-        driven, around = (
-            study.mounted_plate(each),
-            gaps_around(study, study.mounted_plate(each), each, runner),
-        )
-        alone = compute_plate(
-            driven, settings.single(each), carrier=each, gap=common_gap(around.values()), **means
-        )
-        answers.append(CarrierAnswer(each, around, alone))
-    return replace(result, answers=tuple(answers))
+    alone = {
+        each: compute_plate(driven, settings.single(each), carrier=each, gap=shared[each], **means)
+        for each, driven in plates.items()
+    }
+    return replace(result, answers=tuple(CarrierAnswer(each, around[each], alone[each]) for each in carriers))
 
 
 def compute_plate(
@@ -156,8 +152,8 @@ def cost(study: Description, options: PlateOptions) -> Cost:
     plate, settings = study.mounted_plate(), response_settings(study)
     if options.at is not None:
         return response(study, plate, settings.single(options.at))
-    total = gaps(study) + response(study, plate, settings)
-    for carrier in study.carriers if len(study.carriers) > 1 else ():
+    total, carriers = gaps(study) + response(study, plate, settings), study.carriers
+    for carrier in carriers if len(carriers) > 1 else ():
         total += response(study, plate, settings.single(carrier))
     return total
 

@@ -24,6 +24,10 @@ from haptonic.study.schema import Description
 from haptonic.units import to_si
 from haptonic.vibrometry.readers import Scan, read_scan
 
+OF_FILES = (
+    "unit", "length_unit", "frequency_unit", "phase_unit", "points_in", "variables", "reference", "simulated",
+)  # fmt: skip
+"""Options that describe a file."""
 PROGRESS = "estimating"  # folder for the state of an estimation, from which it can continue
 ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s for maps and pictures; s per byte that is read and estimated
 HELD = 4.0  # memory for a file, relative to its size
@@ -104,6 +108,13 @@ def check(study: Description | None, options: ScanOptions) -> None:
         )  # fmt: skip
     if options.path is not None:
         source(options.path, "scan")
+    elif given := [name for name in OF_FILES if getattr(options, name)]:
+        raise ScanError.conflict(
+            argument=given[0], given=f"{shown(str(getattr(options, given[0])))}, together with a response",
+            allowed="it with the path of a file",
+            cause="a response has its units, points and origin already",
+            next_step="leave it out",
+        )  # fmt: skip
     against = options.against
     if against and study is None and not options.model_is_a_study:
         raise ScanError.missing(

@@ -33,7 +33,7 @@ from haptonic.units import hz_text
 FINER = 5  # places of a map along a step of points that lie on no grid
 MOST_PLACES = 800  # along either side of such a map
 LOW = 0.45  # height over width of a map, below which maps are one above another
-BAR_LETTERS = 26  # in a line below the scale of one of several maps
+LETTERS = 26  # in a line above or below one of several maps
 NEAR = 0.75  # of a step, to which a point is shown: the corner of a square around it
 
 
@@ -111,12 +111,12 @@ def maps_of_drives(driven: Mapping[str, tuple[FrequencyResponse, float, Gap]], l
     stacked = slender < LOW
     figure, panels = _many((len(driven), 1) if stacked else (1, len(driven)), stacked, slender)
     for axes, (name, (response, drive, gap)) in zip(panels.ravel(), driven.items(), strict=True):
-        seen = replace(_seen(response, drive, gap), heading=f"{name} alone")
+        seen = replace(_seen(response, drive, gap), heading=textwrap.fill(label(f"{name} alone"), LETTERS))
         ((image, _),) = _painted([axes], [seen], layout)
         axes.label_outer()
         bar = image.colorbar
         assert bar is not None
-        bar.set_label(textwrap.fill(bar.ax.get_xlabel(), BAR_LETTERS))
+        bar.set_label(textwrap.fill(bar.ax.get_xlabel(), LETTERS))
     return figure
 
 

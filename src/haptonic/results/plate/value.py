@@ -68,20 +68,22 @@ class CarrierAnswer:
         return [drive.name for drive in self.result.plate.drives if drive.amplitude]
 
     @property
+    def contrasts(self) -> dict[str, float]:
+        """Level of the driven region over each of the others, and over all the rest, dB."""
+        levels = self.result.contrasts(self.result.response)
+        return {pair: float(level[0]) for pair, level in levels.items()}
+
+    @property
     def least_contrast(self) -> tuple[str, float] | None:
         """Smallest contrast of the driven region, dB, with the names of both; None without a region."""
-        levels = self.result.contrasts(self.result.response)
-        return min(
-            ((pair, float(level[0])) for pair, level in levels.items()), key=lambda e: e[1], default=None
-        )
+        return min(self.contrasts.items(), key=lambda pair: pair[1], default=None)
 
     def facts(self) -> dict[str, Any]:
         """Values for JSON."""
         gaps = {name: gap and (gap.lower, gap.upper) for name, gap in self.around.items()}
-        levels = self.result.contrasts(self.result.response)
         return {
             "carrier_hz": self.carrier, "drives": self.drives, "driven": self.result.driven, "gaps_hz": gaps,
-            "contrast_db": {pair: float(level[0]) for pair, level in levels.items()},
+            "contrast_db": self.contrasts,
         }  # fmt: skip
 
 
@@ -157,10 +159,9 @@ class PlateResult(Result):
         when=lambda result: result.answers,
     )
     def _carriers(self) -> Figure:
-        driven = {" and ".join(answer.drives): answer.result for answer in self.answers}
-        return plots.maps_of_drives(
-            {name: (r.response, r.drive, r._gap_edges) for name, r in driven.items()}, self.plate.layout
-        )
+        alone = [(" and ".join(answer.drives), answer.result) for answer in self.answers]
+        driven = {drives: (each.response, each.drive, each._gap_edges) for drives, each in alone}
+        return plots.maps_of_drives(driven, self.plate.layout)
 
     @figure("velocity", "Simulated velocity of the regions.", when=_has_spectrum)
     def _velocity(self, *, ax: Axes | None = None) -> Figure:
