@@ -192,10 +192,27 @@ class TestPutAndGet:
         assert found is not None
         np.testing.assert_array_equal(found.frequency.values.view(np.int64), array.view(np.int64))
 
-    def test_other_programs_can_read_the_file(self, tmp_path: Path) -> None:
-        store = Store(tmp_path)
-        store.put(KEY, gaps())
-        xr.testing.assert_identical(xr.load_dataset(store.path(KEY), engine="h5netcdf"), gaps())
+    def test_xarray_reads_the_same_from_the_file(self, tmp_path: Path) -> None:
+        """With names, types and attributes of all kinds, as `haptonic.hdf5.read_dataset`."""
+        dataset = (
+            gaps()
+            .assign_coords(band=np.arange(5), place=("band", list("abcde")), height=3.5)
+            .assign(
+                single=("one", [2], {"wide": [1.0, 2.0], "count": 3, "names": ["a", "b"], "long_name": "ä"}),
+                texts=(("one", "band"), [["", "x", "longer", "ΓX", "1"]]),
+                fine=("band", np.arange(5, dtype=np.float32)),
+            )
+        )
+        Store(tmp_path).put(KEY, dataset)
+        usual = xr.load_dataset(Store(tmp_path).path(KEY), engine="h5netcdf", decode_timedelta=False)
+        read = Store(tmp_path).get(KEY)
+        assert read is not None
+        xr.testing.assert_identical(read, usual)
+        for name, values in usual.variables.items():
+            assert read[name].dtype == values.dtype
+            assert {k: type(v) for k, v in read[name].attrs.items()} == {
+                k: type(v) for k, v in values.attrs.items()
+            }
 
     def test_a_result_is_replaced(self, tmp_path: Path) -> None:
         store = Store(tmp_path)

@@ -31,6 +31,7 @@ import scipy
 
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.gate import passed
+from haptonic.hdf5 import read_dataset
 from haptonic.later import xarray as xr
 from haptonic.paths import target
 
@@ -169,10 +170,7 @@ class Store:
     def get(self, key: str) -> xr.Dataset | None:
         """The dataset of this key, in memory; None without one, see `read`."""
         content = self.read(key)
-        if content is None:
-            return None
-        # decode_timedelta=False: a quantity in seconds stays a number
-        return xr.load_dataset(io.BytesIO(content), engine="h5netcdf", decode_timedelta=False)
+        return None if content is None else read_dataset(content)
 
     def read(self, key: str, kind: str = "nc") -> bytes | None:
         """The content of the file for this key; None without one.

@@ -31,7 +31,7 @@ from haptonic.plate.layout.supports import Clamp, Edges, Loss
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
-from haptonic.vibrometry.of_settings import CLAMPS
+from haptonic.vibrometry.settings import CLAMPS
 
 CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
 LATTICE = "lattice"  # name of the study's own cell in [plate.tiles]

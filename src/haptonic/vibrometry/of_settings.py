@@ -18,9 +18,7 @@ from haptonic.response import Reference
 from haptonic.vibrometry.chirp import Drive, drive
 from haptonic.vibrometry.instrument import lines_of
 from haptonic.vibrometry.planning import Rectangle, Region, ScanPlan, visited
-from haptonic.vibrometry.settings import ScanSettings
-
-CLAMPS = "clamps"  # name for all held corners
+from haptonic.vibrometry.settings import CLAMPS, ScanSettings
 
 
 def drive_for(settings: ScanSettings, plate: Plate | None) -> Drive:
