@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pandas as pd
 import pytest
+import xarray as xr
 
 from haptonic import Study
 from haptonic.results import Bands
@@ -75,3 +76,43 @@ def test_the_table_is_that_of_the_study_again(study, bands, tmp_path):
     (tmp_path / "study.toml").write_text(study.to_toml(), "utf-8")
     both = study.compare(first=str(tmp_path / "study.toml"), second=str(path))
     assert f"{bands.frequency.shape[1]} bands" in both.summary()[0]
+
+
+TWO_LATTICES = """
+[plate]
+map = "osf1"
+[plate.tiles]
+o = "lattice"
+s = "short"
+f = "flat"
+1 = "left"
+[[plate.cell]]
+name = "short"
+change = { "cell.pillar.height" = "13 mm" }
+[[plate.cell]]
+name = "flat"
+change = { "cell.pillar.height" = "4 mm" }
+"""
+
+
+def test_gaps_of_further_lattices_are_in_every_file_and_read_back(tmp_path):
+    """Also a lattice without a gap is named, and each gap is that of a study of its own lattice alone."""
+    bands = loads(QUICK_CELL + TWO_LATTICES).bands()
+    alone = loads(QUICK_CELL.replace('height = "14.7 mm"', 'height = "13 mm"')).bands()
+    edges = [gap.lower for gap in alone.gaps if gap.complete]
+    assert [gap.lower for gap in bands.further["short"]] == pytest.approx(edges)
+    assert len(edges) == 1
+    assert (list(bands.further), bands.further["flat"]) == (["short", "flat"], ())
+    for name in ("bands.nc", "gaps.csv"):
+        bands.files[name](tmp_path / name)
+    read = Bands(xr.load_dataset(tmp_path / "bands.nc", engine="h5netcdf"))
+    assert read.further == bands.further
+    assert read.gaps == bands.gaps
+    table = pd.read_csv(tmp_path / "gaps.csv")
+    assert [*table["lattice"]] == ["lattice"] * len(bands.gaps) + ["short"] * len(bands.further["short"])
+    last, gap = table.iloc[-1], bands.further["short"][-1]
+    assert (last["band_below"], last["band_above"]) == gap.between
+    assert last["lower_hz"] == pytest.approx(gap.lower, abs=1e-3)
+    answer = bands.to_json()["further_lattices"]
+    assert [each["lower_hz"] for each in answer["short"]] == [each.lower for each in bands.further["short"]]
+    assert answer["flat"] == []

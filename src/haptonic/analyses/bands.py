@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from haptonic.analyses.analysis import Analysis
@@ -13,6 +13,7 @@ from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.bloch import bands_dataset
+from haptonic.bloch.bands import add_further_gaps
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.cell import UnitCell
@@ -60,7 +61,7 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
     further = {
         name: runner.gaps(cell, study.bands_settings) for name, cell in further_lattices(study).items()
     }
-    return replace(bands, further=further)
+    return Bands(add_further_gaps(bands.dataset, further))
 
 
 def compute_bands(

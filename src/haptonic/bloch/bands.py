@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from typing import Any
@@ -30,6 +31,7 @@ from haptonic.superelement import whole_mesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 DENSITY_BINS = 200  # from zero to the highest frequency
+FURTHER = "further_"  # before the names of variables and dimensions of other lattices of a plate
 MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if that is not a mirror"
 
 
@@ -152,6 +154,32 @@ def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
             )
         )
     return tuple(gaps)
+
+
+def add_further_gaps(dataset: xr.Dataset, gaps: Mapping[str, tuple[Gap, ...]]) -> xr.Dataset:
+    """A dataset of bands with the gaps of further lattices, by the name of each; see `further_gaps_of`."""
+    if not gaps:
+        return dataset
+    own = _gaps_dataset(tuple(gap for every in gaps.values() for gap in every))
+    further = own.rename({name: f"{FURTHER}{name}" for name in (*own, "gap")})
+    number = np.repeat(np.arange(len(gaps)), [len(every) for every in gaps.values()])
+    further[f"{FURTHER}gap_lattice"] = f"{FURTHER}gap", number
+    further[f"{FURTHER}lattice"] = f"{FURTHER}lattice", np.array(list(gaps))
+    titles = {"gap_lattice": "number of its lattice, from 0", "lattice": "name of a further lattice"}
+    _describe(further, {f"{FURTHER}{name}": ("1", title) for name, title in titles.items()})
+    return dataset.merge(further)
+
+
+def further_gaps_of(dataset: xr.Dataset) -> dict[str, tuple[Gap, ...]]:
+    """Read the gaps of further lattices by the name of each, also of those without a gap."""
+    if f"{FURTHER}lattice" not in dataset:
+        return {}
+    stored = {name: name.removeprefix(FURTHER) for name in map(str, dataset) if name.startswith(FURTHER)}
+    own = dataset[list(stored)].rename({**stored, f"{FURTHER}gap": "gap"})
+    return {
+        name: gaps_of(own.isel(gap=own["gap_lattice"].values == number))
+        for number, name in enumerate(dataset[f"{FURTHER}lattice"].values.tolist())
+    }
 
 
 def certain_gaps(dataset: xr.Dataset) -> NDArray[np.bool_]:

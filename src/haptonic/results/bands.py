@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
@@ -13,7 +13,7 @@ import numpy as np
 from haptonic import plots, vtu
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
-from haptonic.bloch.bands import lattice_of, mode_names
+from haptonic.bloch.bands import further_gaps_of, lattice_of, mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.plots.text import gap_text
 from haptonic.results.plain import plain
@@ -23,7 +23,7 @@ from haptonic.units import format_quantity, hz_text, in_percent
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
-    "direction", "samples", "waves",
+    "direction", "samples", "waves", "lattice",
 ]  # fmt: skip
 
 
@@ -91,21 +91,22 @@ class CarrierPlace:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Bands(Result):
-    """Band diagram, gaps and mode shapes of a unit cell, all in ``dataset``.
-
-    further : gaps of the other lattices of the study's plate, by name
-    """
+    """Band diagram, gaps and mode shapes of a unit cell, all in ``dataset``."""
 
     title = "Bands and gaps"
     data_file = "bands"
 
     dataset: xr.Dataset
-    further: Mapping[str, tuple[Gap, ...]] = field(default_factory=dict)
 
     @property
     def gaps(self) -> tuple[Gap, ...]:
         """Gaps: the complete ones first, then those of single directions."""
         return gaps_of(self.dataset)
+
+    @property
+    def further(self) -> dict[str, tuple[Gap, ...]]:
+        """Complete gaps of the other lattices of the study's plate, by name."""
+        return further_gaps_of(self.dataset)
 
     @property
     def frequency(self) -> Array:
@@ -199,11 +200,12 @@ class Bands(Result):
         own = Table(
             "band gaps", ("bands", "where", *EDGES), rows, [k for k, gap in enumerate(gaps) if gap.complete]
         )
+        further = self.further
         others: list[tuple[Cell, ...]] = [
-            (name, _bands_of(gap), *_edges_of(gap)) for name, every in self.further.items() for gap in every
+            (name, _bands_of(gap), *_edges_of(gap)) for name, every in further.items() for gap in every
         ]
         others += [
-            (name, "no complete gap", None, None, None) for name, every in self.further.items() if not every
+            (name, "no complete gap", None, None, None) for name, every in further.items() if not every
         ]
         title = "complete band gaps of the plate's other lattices"
         return [own, Table(title, ("lattice", "bands", *EDGES), others)] if others else [own]
@@ -255,7 +257,9 @@ class Bands(Result):
     @file("gaps.csv")
     def _write_gaps(self, path: Path) -> None:
         rows = [
-            {"band_below": gap.between[0], "band_above": gap.between[1], **plain(gap)} for gap in self.gaps
+            {"band_below": gap.between[0], "band_above": gap.between[1], **plain(gap), "lattice": name}
+            for name, every in {"lattice": self.gaps, **self.further}.items()
+            for gap in every
         ]
         pd.DataFrame(rows, columns=WRITTEN).to_csv(path, index=False, float_format="%.3f")
 
@@ -275,7 +279,7 @@ class Bands(Result):
         named = data["character"].dims, np.array(names)[data["character"].values]
         return {
             "gaps": self.gaps, "bands": data[along].assign(character=named), "modes": mode_names(data),
-            **({"further_lattices": dict(self.further)} if self.further else {}),
+            **({"further_lattices": further} if (further := self.further) else {}),
         }  # fmt: skip
 
 
