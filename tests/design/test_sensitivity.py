@@ -116,6 +116,29 @@ def five_points(f, at, step):
 
 
 @cases
+def test_slopes_together_are_those_of_exact_frequencies(name, kappa, band, together):
+    """All numbers change at once, each by the step that it has alone in the next test, up or down."""
+    modes, found = solved(name, kappa, band)
+    values, rng = values_of(CELLS[name]), np.random.default_rng(2)
+    assert modes.fields.shape[2] == together
+    steps = {path: rng.choice([-1.0, 1.0]) * step_of(name, path) for path in values}
+
+    def moved(t):
+        return exact_hertz(name, {p: values[p] + t * step for p, step in steps.items()}, kappa, modes.omega)
+
+    expected = five_points(moved, 0.0, 1.0)
+    slope = sum(found.slopes[path] * step for path, step in steps.items())
+    assert slope == pytest.approx(np.full(together, expected), rel=2e-6)
+
+
+def step_of(name, path):
+    # nodes between discs are interpolated in a table, whose intervals are as short as this
+    share = 2e-5 if CELLS[name].disc else 2e-4
+    return share * (1.0 if UNITS[path] == "rad" else abs(values_of(CELLS[name])[path]))
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)
 def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
     modes, found = solved(name, kappa, band)
     assert modes.fields.shape[2] == together
@@ -123,9 +146,7 @@ def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
     assert list(found.slopes) == list(values_of(CELLS[name]))
     for path, slope in found.slopes.items():
         here = values_of(CELLS[name])[path]
-        # nodes between discs are interpolated in a table, whose intervals are as short as this
-        share = 2e-5 if CELLS[name].disc else 2e-4
-        step = share * (1.0 if UNITS[path] == "rad" else abs(here))
+        step = step_of(name, path)
         expected = five_points(lambda x, p=path: exact_hertz(name, {p: x}, kappa, modes.omega), here, step)
         # where a length hardly counts, rounding of the frequency is what limits the difference
         floor = 1e-11 * found.frequency / step

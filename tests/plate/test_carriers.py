@@ -27,6 +27,9 @@ density = "2700 kg/m^3"
 loss_factor = 1e-2
 [bands]
 accuracy = 0.05
+[mesh]
+order = 2
+foot_rings = 0
 [plate]
 map = "1os2"
 [plate.tiles]

@@ -1,5 +1,7 @@
 """The long way round for plates: whole matrices of an assembly, dense, with all losses in them."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from haptonic.plate.body.model import PlateModel
@@ -12,8 +14,9 @@ def placed(size, form, unknowns, total):
     total[np.ix_(unknowns[free], unknowns[free])] += form[np.ix_(free, free)]
 
 
+@lru_cache(maxsize=2)  # for every frequency of an answer
 def forms(assembly):
-    """Stiffness by part and mass, (size, size), without supports."""
+    """Stiffness by part and mass, (size, size), without supports; callers must not change them."""
     size = assembly.size
     stiffness, mass = {}, np.zeros((size, size))
     for group in assembly.groups:
@@ -73,7 +76,12 @@ def dynamic(model: PlateModel, omega):
 
 def answered(model: PlateModel, drives, omegas):
     """(size, n) answers to drives of given amplitudes, each by one dense solution."""
-    load = sum(amplitude * model.drives[name] for name, amplitude in drives.items())
+    return _answered(model, tuple(drives.items()), tuple(omegas))
+
+
+@lru_cache(maxsize=4)
+def _answered(model, drives, omegas):
+    load = sum(amplitude * model.drives[name] for name, amplitude in drives)
     return np.stack([np.linalg.solve(dynamic(model, omega), load) for omega in omegas], axis=-1)
 
 
