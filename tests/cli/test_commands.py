@@ -25,9 +25,9 @@ from interrupts import hear_interrupts
 pytestmark = pytest.mark.usefixtures("empty_pictures")  # of commands in this process
 
 
-def test_bands_writes_its_files_and_a_table(haptonic, inside, study, tmp_path):
+def test_bands_writes_its_files_and_a_table(inside, study, tmp_path):
     out = tmp_path / "out"
-    ran = haptonic("bands", study(), "--out", out, "--surface")
+    ran = inside("bands", study(), "--out", out, "--surface")
     assert ran.code == 0, ran.err
     assert "band gaps" in ran.out
     summary = inside("bands", study(), "--json", "--surface").json

@@ -17,6 +17,7 @@ import ezdxf
 import numpy as np
 import pytest
 import xarray as xr
+from matplotlib.figure import Figure
 from matplotlib.text import Text
 from scipy.stats import truncnorm
 
@@ -323,6 +324,13 @@ def without_netgen(*asked: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, "-c", code, *map(str, asked)], capture_output=True, text=True)
 
 
+@pytest.fixture
+def blank_sheets(monkeypatch):
+    """Drawings whose pictures are blank: `tests/workshop` has those."""
+    monkeypatch.setattr("haptonic.workshop.sheet.Sheet.figure", lambda sheet: Figure())
+
+
+@pytest.mark.usefixtures("blank_sheets")
 class TestExport:
     def test_all_files_unless_some_are_named(self, inside, study, tmp_path):
         ran = inside("export", study(), "--out", tmp_path / "all", "--columns", 3, "--rows", 2, "--json")

@@ -1,10 +1,12 @@
 """Spectral hexahedra on curved meshes: patch tests, rigid motions and mass against closed forms."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from brute import assembled, dense
 from hypothesis import given, settings, strategies as st
-from strategies import cells, plans, reference_cell
+from strategies import cells, reference_cell
 
 from haptonic.cell import MeshPlan, mesh_cell
 from haptonic.elements import element_matrices
@@ -17,11 +19,18 @@ WOOD = OrthotropicMaterial(
 )
 
 
+@st.composite
+def low_plans(draw, cell, order):
+    """Around the pillar as for its bands, but a single layer in pillar and plate: the claims hold on any mesh."""
+    suited = MeshPlan.suited(cell, order, draw(st.integers(0, 1)))
+    return replace(suited, pillar_layers=1, plate_layers=1, upward=2, along=2)
+
+
 @settings(max_examples=2)
 @given(st.data(), st.sampled_from([WOOD, IsotropicMaterial(200e9, 0.3, 7850.0, name="steel")]))
 def test_constant_strains_have_the_energy_of_the_voigt_matrix(data, material):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
+    mesh = mesh_cell(cell, data.draw(low_plans(cell, 2)))
     K, mass = assembled(mesh, material)
     volume = mass.sum() / 3 / material.density
     fields = unit_strains(mesh.points)
@@ -33,7 +42,7 @@ def test_constant_strains_have_the_energy_of_the_voigt_matrix(data, material):
 @given(st.data())
 def test_constant_stress_is_in_balance_inside_curved_meshes(data):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
+    mesh = mesh_cell(cell, data.draw(low_plans(cell, 2)))
     K, _ = assembled(mesh, WOOD)
     forces = (K @ unit_strains(mesh.points).T).reshape(-1, 3, 6)
     x, y, z = mesh.points.T
@@ -52,7 +61,7 @@ def test_constant_stress_is_in_balance_inside_curved_meshes(data):
 @given(st.data())
 def test_exactly_the_rigid_motions_are_free_of_energy(data):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
+    mesh = mesh_cell(cell, data.draw(low_plans(cell, 2)))
     K, _ = assembled(mesh, WOOD)
     motions = rigid_motions(mesh.points)
     largest = np.abs(K).max() * (motions**2).sum(axis=1)
@@ -73,7 +82,7 @@ def test_a_single_element_has_six_free_motions_and_no_more():
 @given(st.data())
 def test_element_matrices_are_symmetric(data):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, data.draw(plans(cell, highest=2)))
+    mesh = mesh_cell(cell, data.draw(low_plans(cell, 2)))
     for family in mesh.topology.families:
         stiffness = dense(element_matrices(mesh.points, family.nodes[::7], WOOD))
         assert np.abs(stiffness - stiffness.swapaxes(1, 2)).max() < 1e-12 * np.abs(stiffness).max()
@@ -83,7 +92,7 @@ def test_element_matrices_are_symmetric(data):
 @given(st.data())
 def test_mass_and_its_moments_are_those_of_the_body(data):
     cell = data.draw(cells())
-    mesh = mesh_cell(cell, MeshPlan.suited(cell, 3, data.draw(st.integers(0, 1))))
+    mesh = mesh_cell(cell, data.draw(low_plans(cell, 3)))
     mass = np.zeros(len(mesh.points))
     for family in mesh.topology.families:
         for nodes in np.array_split(family.nodes, 1 + len(family.nodes) // 16):  # all at once take gigabytes
