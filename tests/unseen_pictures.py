@@ -24,6 +24,7 @@ def leave_pictures_empty(patch: pytest.MonkeyPatch) -> dict[str, Figure]:
     patch.setattr("haptonic.results.pictures.shown_by", lambda result: None)  # nor stored for others
     patch.setattr("haptonic.plots.style.arrange", lambda figure: None)
     patch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")  # in pages
+    patch.setattr("haptonic.plots.mode_shapes", lambda dataset: Figure())  # painted as images
     for moving in ("animated", "moving_modes"):
         patch.setattr(f"haptonic.plots.{moving}", lambda *_, **__: b"")
     return drawn

@@ -107,6 +107,8 @@ def empty_pictures(monkeypatch):
     monkeypatch.setattr("haptonic.plots.style.arrange", lambda figure: None)
     monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")
     monkeypatch.setattr("haptonic.plots.moving_modes", lambda dataset: b"")
+    for name in ("mode_shapes", "iso_frequency", "layers", "decay", "guide"):
+        monkeypatch.setattr(f"haptonic.plots.{name}", lambda *_, **__: Figure())
 
 
 @pytest.fixture
