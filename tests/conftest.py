@@ -1,6 +1,8 @@
 """Settings that all tests share."""
 
+import os
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
@@ -11,6 +13,20 @@ from hypothesis import settings
 settings.register_profile("same", deadline=None, print_blob=True, derandomize=True, max_examples=10)
 settings.register_profile("anew", deadline=None, print_blob=True)
 settings.load_profile("same")
+
+
+@pytest.fixture(scope="session")
+def store_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One store for all tests of a run, in all its processes: its keys hold all that a result depends on."""
+    folder = tmp_path_factory.getbasetemp()
+    return (folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder) / "store"
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _no_store_of_the_user(store_folder: Path) -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("HAPTONIC_STORE", str(store_folder))
+        yield
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -34,11 +33,9 @@ def reference_study() -> Study:
 
 @cache
 def _reference_bands() -> xr.Dataset:
-    dataset = bands_dataset(
-        reference_study().cell,
-        BandSettings(10, 24, 2e-2, MeshSettings(4, 1)),
-        surface=True,
-    )
+    cell, settings = reference_study().cell, BandSettings(10, 24, 2e-2, MeshSettings(4, 1))
+    asked = {"kind": "bands of tests", "cell": cell, "settings": settings}
+    dataset = Store.default().kept(asked, lambda: bands_dataset(cell, settings, surface=True))
     return stamped(dataset, {})
 
 
@@ -139,9 +136,7 @@ def _reference_mirror() -> tuple[Layers, Guides]:
         waveguide_settings=WaveguideSettings(mode="0x17", width=32e-3, rows=20),
     )  # fmt: skip
     lossy = remade(study, cell=study.cell.with_numbers({"material.loss_factor": 1e-3}))
-    with tempfile.TemporaryDirectory() as folder:
-        layers, guides = (one(store=Store(Path(folder))) for one in (lossy.layers, study.waveguide))
-    return layers, guides
+    return lossy.layers(), study.waveguide()
 
 
 def reference_layers() -> Layers:

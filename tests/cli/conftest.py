@@ -83,11 +83,6 @@ class Ran:
 
 
 @pytest.fixture(scope="session")
-def store_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("store")
-
-
-@pytest.fixture(scope="session")
 def haptonic(store_folder: Path) -> Callable[..., Ran]:
     """Run the program in a process of its own, with a store of its own; warnings are errors there too."""
 

@@ -22,8 +22,6 @@ from haptonic.results.table import Table
 from haptonic.vibrometry.maps.edges import Edge, LatticeGap
 from made_up import reference_bands
 
-BANDS = reference_bands()
-LOWER, UPPER = BANDS["gap_lower"].values[0], BANDS["gap_upper"].values[0]  # of the only complete gap, Hz
 tables = st.lists(st.integers(0, 40), max_size=6).map(
     lambda counts: [
         Table(f"table {k}", ("name", "value"), [(f"row-{k}-{n}", "1.5") for n in range(count)])
@@ -130,8 +128,10 @@ def test_the_option_is_every_command_s(inside, study, tmp_path):
 
 @given(st.floats(1e3, 2e5))
 def test_bands_say_where_the_carrier_lies(carrier):
-    said = Bands(BANDS.assign_attrs(carrier_hz=carrier)).summary()[1]
-    room = min(carrier - LOWER, UPPER - carrier)
+    bands = reference_bands()
+    said = Bands(bands.assign_attrs(carrier_hz=carrier)).summary()[1]
+    lower, upper = (bands[f"gap_{edge}"].values[0] for edge in ("lower", "upper"))  # of the only complete gap
+    room = min(carrier - lower, upper - carrier)
     assert ("lies inside the gap" if room > 0 else "lies in no complete gap") in said
     assert f"{abs(room) / 1e3:.2g} kHz" in said
 
@@ -142,8 +142,9 @@ def test_a_report_says_first_what_each_part_found(others):
         name: SimpleNamespace(summary=lambda name=name: [f"{name} 1", f"{name} 2"], remarks=lambda: ["but"])
         for name in others
     }
-    made = Reproduction({"bands": Bands(BANDS), **one}, None)
-    first = Bands(BANDS).summary()
+    bands = Bands(reference_bands())
+    made = Reproduction({"bands": bands, **one}, None)
+    first = bands.summary()
     assert made.summary() == (
         [first[0], *(f"{name} 1" for name in ("plate", "feel") if name in one)] if one else first
     )

@@ -21,7 +21,7 @@ WOOD = OrthotropicMaterial(
 
 @st.composite
 def low_plans(draw, cell, order):
-    """Around the pillar as for its bands, but a single layer in pillar and plate: the claims hold on any mesh."""
+    """As for bands around the pillar, but a single layer of pillar and plate: the claims hold on any mesh."""
     suited = MeshPlan.suited(cell, order, draw(st.integers(0, 1)))
     return replace(suited, pillar_layers=1, plate_layers=1, upward=2, along=2)
 

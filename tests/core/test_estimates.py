@@ -263,9 +263,8 @@ def test_estimates_hold_of_a_first_mesh(seed, number, order):
     assert_the_truth_is_within(question, first)
 
 
-@pytest.mark.parametrize(
-    "number", [7, *(pytest.param(number, marks=pytest.mark.nightly) for number in (6, 8, 10))]
-)
+@pytest.mark.nightly
+@pytest.mark.parametrize("number", [6, 7, 8, 10])
 def test_estimates_hold_for_cheap_designs(number):
     """The benchmark ``estimates_hold`` in small; number 6 was below the truth once."""
     assert_the_truth_is_within(drawn(2, number))

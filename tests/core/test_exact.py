@@ -8,6 +8,7 @@ import pytest
 from brute import assembled, frequencies, periodic_projection
 from strategies import ALUMINIUM, reference_cell
 
+from daily import daily
 from haptonic.bloch.exact import exact_modes
 from haptonic.bloch.pencil import bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan, Pillar, Step, UnitCell
@@ -22,7 +23,7 @@ CELLS = {
 }
 GENERIC, CORNER, ORIGIN = np.array([1.1, -0.4]), np.full(2, np.pi), np.zeros(2)
 COUNT = 9
-by_name = pytest.mark.parametrize("name", CELLS)
+by_name = pytest.mark.parametrize("name", daily(CELLS, "all at once"))
 
 
 @cache

@@ -234,18 +234,13 @@ SPECTRAL = {
 }
 
 
-@pytest.mark.parametrize(
-    "pillar",
-    [
-        pytest.param(one, marks=[pytest.mark.nightly] * (name != "undercut square"), id=name)
-        for name, one in SPECTRAL.items()
-    ],
-)
+@pytest.mark.nightly
+@pytest.mark.parametrize("pillar", SPECTRAL.values(), ids=SPECTRAL)
 @pytest.mark.parametrize(
     ("resolution", "finer", "most"),
     [
         (Resolution(3, 1), Resolution(5, 1), 0.1),
-        pytest.param(Resolution(4, 1), Resolution(6, 2, 3, 24), 0.01, marks=pytest.mark.nightly),
+        (Resolution(4, 1), Resolution(6, 2, 3, 24), 0.01),
     ],
     ids=["order 3", "order 4"],
 )

@@ -11,6 +11,7 @@ from strategies import ALUMINIUM
 from test_mesh_family import shares_of_volume
 from test_outlines import MM, SAME, sections
 
+from daily import daily
 from five_parts import refusing
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import lattice_pencil
@@ -96,7 +97,7 @@ def frequencies(tile):
     return BlochModel.of(tile, Resolution(2, 1), 6, measured=False).frequencies(KAPPA)[:6]
 
 
-@pytest.mark.parametrize(("one", "other"), list(SAME.values())[:4], ids=list(SAME)[:4])
+@pytest.mark.parametrize(("one", "other"), daily(list(SAME.values())[:4], *list(SAME.values())[1:3]))
 def test_one_outline_has_one_set_of_frequencies(one, other):
     tiles = [UnitCell(LATTICES["square"], 1.5 * MM, ALUMINIUM, pillar) for pillar in (one, other)]
     assert frequencies(tiles[0]) == pytest.approx(frequencies(tiles[1]), rel=1e-7)

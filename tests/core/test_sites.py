@@ -193,7 +193,7 @@ def test_a_honeycomb_is_a_rectangle_with_four_sites():
 
 @pytest.mark.parametrize(
     "name",
-    daily(CELLS, "honeycomb", "unequal honeycomb", "glide"),
+    daily(CELLS, "unequal honeycomb"),
 )
 def test_the_origin_may_be_anywhere(name):
     """Sites moved together are the same structure."""

@@ -153,7 +153,7 @@ def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
         assert slope == pytest.approx(np.full(together, expected), rel=2e-6, abs=floor), path
 
 
-@pytest.mark.parametrize("path", ["cell.pitch", "cell.pitch_y"])
+@pytest.mark.parametrize("path", daily(["cell.pitch", "cell.pitch_y"], "cell.pitch_y"))
 def test_a_pair_parts_when_the_lattice_loses_its_diagonal(path):
     """One pitch of a square lattice that is called rectangular: each of two modes has its own slope."""
     lattice = Lattice.rectangular(7 * MM, 7 * MM)

@@ -134,7 +134,7 @@ def test_a_stiffer_plate_is_a_faster_one(factor):
 
 def test_a_family_answers_as_the_whole_plate():
     """Between its anchors, with other losses too, against dense solutions of all unknowns."""
-    plates = [patched(), patched(30e-6, 1e11, 0.92, 4e-3), patched(100e-6, 2e12, 1.08, 4e-3)]
+    plates = [patched(30e-6, 1e11, 0.92, 4e-3), patched(100e-6, 2e12, 1.08, 4e-3)]
     drives = {"A": 1.0}
     anchors = [anchored(model(), plate, drives, LINES, 1e-3, POINTS) for plate in plates]
     family = Family.spanned(model(), anchors, drives, POINTS)

@@ -37,7 +37,7 @@ PICTURES = {
     for name, draw in chain.from_iterable(module.PICTURES.items() for module in MODULES)
     if not VARIANTS & set(name.replace(",", "").split())
 }
-DAILY = ("dispersion", "sweep", "tolerance", "layers, usual", "maps", "impedance", "plan", "mac")
+DAILY = ("dispersion", "layers, usual", "maps", "mac")
 ON_DATA = {"region name", "name", "number in a cell", "width", "corner"}  # of what they are written on
 
 

@@ -44,7 +44,7 @@ PICTURES = {
     "guide, real": lambda: reference_guides().plot(),
 }
 # one of each kind, the longest texts and the most curves
-DAILY = ("decay, usual", "layers, usual", "layers, twelve rows", "layers, oblique", "guide", "guide, narrow")
+DAILY = ("decay, usual", "layers, twelve rows", "guide, narrow")
 pictured = pytest.mark.parametrize("name", daily(PICTURES, *DAILY))
 
 

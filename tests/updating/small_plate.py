@@ -17,7 +17,7 @@ from haptonic.updating.parameters import changed
 YOUNG, LOSS, EDGES = "material.youngs_modulus", "plate.loss_factor", "plate.edges.spring"
 ALUMINIUM = IsotropicMaterial(youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, name="aluminium")
 COARSE = Fineness(along=2, through=2, cell=2, rings=0, plain=2)
-LINES = np.linspace(1e3, 30e3, 291)
+LINES = np.linspace(1e3, 30e3, 146)
 UNKNOWNS = (Unknown(YOUNG, 63e9, 77e9), Unknown(LOSS, 2e-3, 2e-2), Unknown(EDGES, 3e10, 3e12))
 
 

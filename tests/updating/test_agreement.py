@@ -64,7 +64,7 @@ def test_common_lines_and_points_are_found():
 @pytest.mark.parametrize(
     ("others", "argument", "given"),
     [
-        ({"frequency": LINES + 0.3}, "computed", "0 of 291 measured lines"),
+        ({"frequency": LINES + 0.3}, "computed", "0 of 146 measured lines"),
         ({"shift": 1.4e-3}, "computed", "0 of 35 measured points"),
         ({"reference": "U, V"}, "reference", "per V, per N"),
         ({"reference": ""}, "reference", "not divided by the drive, per N"),

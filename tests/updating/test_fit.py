@@ -89,7 +89,7 @@ def test_another_plate_is_refused():
     data = measured()
     other = replace(data, response=np.roll(data.response, 3, axis=1)[::-1])
     with refusing(ScanError, "no-answer", "fit", "unexplained"):
-        fitted(small((Unknown(YOUNG, 69e9, 71e9), UNKNOWNS[1])), other)
+        fitted(small(), other)
 
 
 def test_noise_is_weighed_by_line_and_by_point():
