@@ -135,11 +135,11 @@ def read_dataset(content: bytes) -> xr.Dataset:
 
 def _attributes(part: Any) -> dict[str, Any]:
     """Attributes of a group or variable; a list of one number is a number, texts are a list."""
-    found = {}
+    attributes = {}
     for name, value in part.attrs.items():
         if name in DIMENSION_MARKS:
             continue
         if isinstance(value, np.ndarray):
             value = value.tolist() if value.dtype == object else value[0] if value.shape == (1,) else value
-        found[name] = value
-    return found
+        attributes[name] = value
+    return attributes

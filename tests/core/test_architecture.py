@@ -49,7 +49,7 @@ ALLOWED: dict[str, set[str]] = {
     "paths": {"errors", "units"},
     "progress": set(),
     "parallel": set(),
-    "store": {"errors", "gate", "paths"},
+    "store": {"errors", "gate", "hdf5", "paths"},
     "jobs": BASE | {"store"},
     "cell": BASE | LATTICES | {"materials"},
     "elements": {"arrays", "cell", "materials"},

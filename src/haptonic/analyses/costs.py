@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from haptonic import solvers
 from haptonic.analyses.needs import fineness, meshes_of, tile_resolution
 from haptonic.errors import HaptonicError
 from haptonic.plate.layout.parts import Plate
@@ -26,7 +27,8 @@ OF_SOLIDS = 2.1
 def meshes(study: Description, second: float = SECOND) -> Cost:
     """Estimated cost of the models of a cell: the first mesh, and a share of the next; or the refusal.
 
-    `haptonic.bloch.reach` selects the meshes, as in the computation.
+    `haptonic.bloch.reach` selects the meshes, as in the computation; its estimates and the budget do not
+    depend on the sparse solver, so that a study gives the same answer with each of them.
     """
     cell = study.cell
     try:
@@ -36,6 +38,7 @@ def meshes(study: Description, second: float = SECOND) -> Cost:
     seconds = FIRST * resolutions[0].seconds(cell) + second * sum(
         mesh.seconds(cell) for mesh in resolutions[1:]
     )
+    seconds *= solvers.chosen().slower
     return Cost(seconds, max(mesh.memory(cell) for mesh in resolutions), budget=study.bands_settings.budget)
 
 

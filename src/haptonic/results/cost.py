@@ -9,11 +9,19 @@ from haptonic.units import duration
 
 LONG = 5.0  # s; a longer estimate is printed before the work starts
 BASE = 3e8  # bytes, of the program and its libraries
+# Classes of estimates below a number of seconds. They are a factor of ten apart, because machines and solvers
+# differ: runs took 0.5 to 4 times the estimate.
+CLASSES = (
+    (8.0, "seconds"),
+    (100.0, "about a minute"),
+    (1500.0, "about ten minutes"),
+    (7200.0, "about an hour"),
+)
 
 
 @dataclass(frozen=True)
 class Cost:
-    """Estimated cost, right within about a factor of two on the machine of the benchmarks.
+    """Estimated cost on the machine of the benchmarks.
 
     seconds : processor time; memory : bytes, at the peak
     refusal : error with which the computation will end, if known; it then takes no time
@@ -40,16 +48,11 @@ class Cost:
 
     @property
     def time(self) -> str:
-        """Rounded processor time as a text."""
-        if self.seconds < 1:
-            return "a second"
-        if self.seconds < 100:
-            return f"{_round(self.seconds):g} s"
-        return (
-            f"{_round(self.seconds / 60):g} min"
-            if self.seconds < 6000
-            else f"{_round(self.seconds / 3600):g} h"
-        )
+        """Processor time as one of a few classes, a factor of ten apart, for a sentence or a table."""
+        for limit, text in CLASSES:
+            if self.seconds < limit:
+                return text
+        return f"about {_round(self.seconds / 3600):g} hours"
 
     @property
     def gigabytes(self) -> str:
@@ -64,9 +67,8 @@ class Cost:
             if self.budget is None
             else f" Meshes are within the budget of {duration(self.budget)} per cell."
         )
-        return (
-            f"About {self.time} of processor time and {self.gigabytes}; less if parts are in the store.{fits}"
-        )
+        time = f"{self.time[0].upper()}{self.time[1:]}"
+        return f"{time} of processor time and {self.gigabytes}; less if parts are in the store.{fits}"
 
 
 def _round(value: float) -> float:

@@ -80,7 +80,7 @@ class StudyPlan(Result):
         costs: list[tuple[Cell, ...]] = [
             (f"haptonic {name}", "refused", None)
             if cost.refusal
-            else (f"haptonic {name}", f"about {cost.time}", cost.gigabytes)
+            else (f"haptonic {name}", cost.time, cost.gigabytes)
             for name, cost in self.costs.items()
         ]
         sizes: list[tuple[Cell, ...]] = [
@@ -90,7 +90,7 @@ class StudyPlan(Result):
         ]
         return [
             Table(
-                "estimated cost of each command, right within about a factor of two",
+                "estimated cost of each command, as an order of magnitude",
                 ("command", "processor time", "memory"),
                 costs,
             ),

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from haptonic import solvers
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate.body.model import OPEN_FROM
 from haptonic.plate.body.recipes import Fineness
@@ -128,7 +129,7 @@ class Counted:
     def seconds(self) -> float:
         """Processor time, s."""
         tile_seconds = PER_KIND * self.kinds + sum(GLUED * math.pow(count, STEEPER) for count in self.glued)
-        tile_seconds *= math.pow(self.order, FINER)
+        tile_seconds *= math.pow(self.order, FINER) * solvers.chosen().slower
         if not self.shifts:
             return SINGLE_FIXED + tile_seconds + SINGLE * self.tiles
         bases = sum(map(self._of_basis, self.shifts, self.vectors))
