@@ -14,7 +14,7 @@ import numpy as np
 from record import write
 from scipy.stats import binom
 
-from haptonic.analyses.needs import fineness
+from haptonic.analyses.plate_needs import fineness
 from haptonic.plate import Band, PlateModel
 from haptonic.plate.layout.sampling import grid_points, unit_drives
 from haptonic.plate.vibration.damping import real_times

@@ -16,7 +16,7 @@ from record import STUDY, write
 
 import haptonic
 from haptonic.analyses import scanning
-from haptonic.analyses.needs import response_settings
+from haptonic.analyses.plate_needs import response_settings
 from haptonic.analyses.scanning import Estimation, compute_scan
 from haptonic.response import FrequencyResponse, read
 from haptonic.store import Store

@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 
 from five_parts import assert_five_parts
-from haptonic.analyses.needs import fineness
+from haptonic.analyses.plate_needs import fineness
 from haptonic.plate.layout.sampling import grid_points
 from haptonic.plate.vibration.responses import responded
 from haptonic.response import FrequencyResponse, read, write

@@ -1,4 +1,4 @@
-"""Costs that several analyses share: meshes, the gaps of a cell, a plate's response, sizes of files.
+"""Costs that several analyses share: meshes, the gaps of a cell, sizes of files.
 
 The record of each analysis contains its own estimate. Numbers are processor seconds measured with the
 templates on the machine of the benchmarks.
@@ -9,19 +9,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from haptonic import solvers
-from haptonic.analyses.needs import fineness, meshes_of, tile_resolution
+from haptonic.analyses.needs import meshes_of
 from haptonic.errors import HaptonicError
-from haptonic.plate.layout.parts import Plate
-from haptonic.plate.vibration.forecast import Counted
-from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.results.cost import Cost
 from haptonic.study.schema import Description
 
 FIRST, SECOND = 0.5, 0.25  # shares of the estimate for a mesh; the second mesh is not always needed
 ZONE = 0.2  # s, of the search for gaps
-# Time of a file's cell as a tile of a plate over that of its bands, because it keeps more of the interior. At
-# orders 3 and 4 a drawn pillar took 25 and 85 s; the estimates for its bands are 11 and 44 s.
-OF_SOLIDS = 2.1
 
 
 def meshes(study: Description, second: float = SECOND) -> Cost:
@@ -45,18 +39,6 @@ def meshes(study: Description, second: float = SECOND) -> Cost:
 def gaps(study: Description) -> Cost:
     """Estimated cost of the complete gaps of the study's cell; mostly the first mesh is fine enough."""
     return meshes(study, second=0.0) + Cost(ZONE)
-
-
-def response(study: Description, mounted: Plate, asked: ResponseSettings) -> Cost:
-    """Estimated cost of the response of the study's plate."""
-    chosen = fineness(study)
-    counted = Counted.of(mounted, asked, chosen)
-    whole = Cost(counted.seconds, counted.memory)
-    for cell in mounted.layout.cells.values():
-        if cell.solid is not None:
-            mesh = tile_resolution(cell, chosen)
-            whole += Cost(OF_SOLIDS * mesh.seconds(cell), mesh.memory(cell))
-    return whole
 
 
 def size_of(path: Path) -> int:

@@ -8,8 +8,9 @@ from typing import Any
 
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.needs import checked_fineness, gap_of_plate, has_plate, need_carrier, response_settings
+from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
+from haptonic.analyses.plate_needs import checked_fineness, gap_of_plate, has_plate, response_settings
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.errors import StudyError

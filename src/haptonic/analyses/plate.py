@@ -7,15 +7,16 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.costs import gaps, response
-from haptonic.analyses.needs import (
+from haptonic.analyses.costs import gaps
+from haptonic.analyses.needs import need_carrier
+from haptonic.analyses.options import option
+from haptonic.analyses.plate_needs import (
     checked_fineness,
     gaps_around,
     has_plate,
-    need_carrier,
+    response,
     response_settings,
 )
-from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.bloch import Gap

@@ -18,8 +18,8 @@ from haptonic.analyses import NAMES, named
 from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.experiments import protocol_of, truth_of
 from haptonic.analyses.friction import compute_friction
-from haptonic.analyses.needs import has_plate
 from haptonic.analyses.options import option
+from haptonic.analyses.plate_needs import has_plate
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.simulate_scan import rescanned
 from haptonic.analyses.support import made_of_parts

@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from haptonic.analyses.needs import gap_of_plate, need_carrier
+from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
+from haptonic.analyses.plate_needs import gap_of_plate
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Gap

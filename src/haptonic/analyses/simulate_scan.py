@@ -11,9 +11,9 @@ import scipy
 
 from haptonic.analyses import plate
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.costs import gaps, response
-from haptonic.analyses.needs import response_settings
+from haptonic.analyses.costs import gaps
 from haptonic.analyses.options import Seeded, option
+from haptonic.analyses.plate_needs import response, response_settings
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan, on_plate
 from haptonic.analyses.support import whole_lower_face

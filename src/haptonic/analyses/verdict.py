@@ -10,8 +10,8 @@ import numpy as np
 
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis
-from haptonic.analyses.needs import checked_fineness, response_settings
 from haptonic.analyses.options import option
+from haptonic.analyses.plate_needs import checked_fineness, response_settings
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.arrays import Ints
