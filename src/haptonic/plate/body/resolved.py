@@ -50,7 +50,7 @@ def shortest_wavelength(layout: Layout, frequency: float) -> float:
         while _bending(layout, most, axis) < omega:
             most *= 2
         wavenumber = scipy.optimize.brentq(lambda k, axis=axis: _bending(layout, k, axis) - omega, 0.0, most)
-        lengths.append(2 * np.pi / wavenumber)
+        lengths.append(2 * np.pi / float(wavenumber))
     return min(lengths)
 
 
