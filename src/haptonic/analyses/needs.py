@@ -8,7 +8,7 @@ import warnings
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import common_gap, gap_at
-from haptonic.bloch.reach import MeshLimits, check_memory, check_thickness, started
+from haptonic.bloch.mesh_levels import MeshLimits, check_memory, check_thickness, started
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import rows_need
 from haptonic.cell import Rows, UnitCell

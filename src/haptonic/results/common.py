@@ -10,7 +10,7 @@ from typing import Any
 
 from haptonic import hdf5
 from haptonic.atomic import draft_for, refuse_overwrite, write_atomically
-from haptonic.bloch.reach import rounded_up
+from haptonic.bloch.mesh_levels import rounded_up
 from haptonic.bloch.settings import COARSEST
 from haptonic.gate import passed
 from haptonic.later import xarray as xr

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
+from haptonic.plate.body.bending_waves import shortest_wavelength
 from haptonic.plate.body.model import PlateModel
 from haptonic.plate.body.recipes import Fineness
-from haptonic.plate.body.resolved import shortest_wavelength
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.sampling import grid_points, reference_of, unit_drives
 from haptonic.plate.vibration.damping import real_times
