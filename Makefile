@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN)
 
-.PHONY: reproduce test nightly lowest bench docs dist clean
+.PHONY: reproduce test nightly lowest metadata bench docs dist clean
 
 reproduce: $(VENV)/ready
 	$(BIN)/haptonic reproduce studies/touchpad.toml --out results/touchpad-report --workers $(CORES) --overwrite
@@ -27,6 +27,13 @@ lowest: $(VENV)/ready-dist
 		-m "not nightly" tests/test_*.py tests/channels tests/study tests/plots tests/core/test_bands.py \
 		tests/core/test_solvers.py tests/cli/test_answers.py tests/cli/test_compare.py tests/cli/test_start.py tests/cli/test_help.py \
 		tests/friction/test_statistics.py tests/friction/test_recordings.py
+
+# Citation file and settings of the repository, by two programs of others in an environment of their own.
+metadata:
+	test -x .venv-metadata/bin/repo-review || $(PYTHON) -m venv .venv-metadata
+	.venv-metadata/bin/python -m pip install --quiet --disable-pip-version-check cffconvert "sp-repo-review[cli]"
+	.venv-metadata/bin/cffconvert --validate
+	.venv-metadata/bin/repo-review .
 
 # One script per claim; docs/benchmarks.md shows what they measured, with the kernels that OpenBLAS chooses itself.
 bench: $(VENV)/ready-test
@@ -67,4 +74,4 @@ $(VENV)/ready-test: $(VENV)/ready
 	touch $@
 
 clean:
-	rm -rf $(VENV) .venv-lowest dist results docs/_build
+	rm -rf $(VENV) .venv-lowest .venv-metadata dist results docs/_build

@@ -22,8 +22,8 @@ import psutil
 from record import ROOT, write
 
 sys.path.insert(0, str(ROOT / "tests"))
+from haptonic.bloch.mesh_levels import MeshLimits, first_rung, started
 from haptonic.bloch.model import best_model
-from haptonic.bloch.reach import MeshLimits, first_rung, started
 from haptonic.bloch.resolution import LADDER
 from haptonic.errors import HaptonicError
 from haptonic.parallel import one_thread

@@ -27,8 +27,8 @@ from threadpoolctl import threadpool_limits
 sys.path.insert(0, str(ROOT / "tests" / "core"))
 from truth import KINDS, STOUT_FROM, TILES, TILES_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
+from haptonic.bloch.mesh_levels import MeshLimits, first_level, started
 from haptonic.bloch.model import REST, bloch_model
-from haptonic.bloch.reach import MeshLimits, first_level, started
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError

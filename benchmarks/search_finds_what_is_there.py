@@ -21,6 +21,7 @@ from record import write
 
 from haptonic.analyses.designing.search import compute_design
 from haptonic.analyses.runner import Runner
+from haptonic.atomic import write_atomically
 from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
@@ -30,7 +31,7 @@ from haptonic.design.settings import DesignLimits, DesignSettings
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
-from haptonic.store import Store, write_atomically
+from haptonic.store import Store
 
 MATERIALS = ("aluminium-paper", "soda-lime-glass", "borosilicate-glass", "brass", "steel")
 HEIGHT = "cell.pillar.height"

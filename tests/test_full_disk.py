@@ -23,7 +23,7 @@ SCRIPT = """
     from haptonic.friction.simulation.files import write_h5
     from haptonic.response import FrequencyResponse, Reference, write
     from haptonic.results import write_netcdf
-    from haptonic.store import write_atomically
+    from haptonic.atomic import write_atomically
     from haptonic.vibrometry.exports import write_mat_records
     from haptonic.vibrometry.readers.hdf5 import write_records
     from haptonic.vibrometry.records import InMemory, TimeScan

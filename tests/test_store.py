@@ -24,9 +24,10 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 
 from five_parts import refusing
 from haptonic import store as module
+from haptonic.atomic import refuse_overwrite, whole_set, write_atomically
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.results import refuse_taken
-from haptonic.store import Store, content_key, refuse_overwrite, whole_set, write_atomically
+from haptonic.store import Store, content_key
 
 KEY = "ab" + "0" * 62
 leaves = (
@@ -483,7 +484,7 @@ RACER = """
     from pathlib import Path
     from haptonic.errors import ResourceError
     from haptonic.results import refuse_taken, write_files
-    from haptonic.store import whole_set
+    from haptonic.atomic import whole_set
 
     root, number, turns = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
     for turn in range(turns):
@@ -593,3 +594,22 @@ def test_a_store_that_cannot_keep_is_noticed_before_the_work(tmp_path: Path) -> 
         warnings.simplefilter("error")
         assert Store(tmp_path / "new" / "store").get(KEY) is None
     assert not (tmp_path / "new").exists()
+
+
+def test_files_unused_for_longest_leave_when_a_kind_has_too_many(tmp_path, monkeypatch):
+    """A picture that was used again stays; datasets have their own limit. Once per process: a new root."""
+    keys = [f"{k}{k}" + "0" * 62 for k in range(5)]
+    for age, key in enumerate(keys):
+        Store(tmp_path).write(key, bytes(1000), "png")
+        moment = time.time() - 1000 * (len(keys) - age)
+        os.utime(Store(tmp_path).path(key, "png"), (moment, moment))
+    Store(tmp_path).put(KEY, gaps(count=1000))
+    os.utime(Store(tmp_path).path(KEY), (0, 0))
+    assert Store(tmp_path).read(keys[0], "png") == bytes(1000)
+    monkeypatch.setitem(module.MOST_BYTES, "png", 4 * 1064 + 63)
+    module._make_room.cache_clear()
+    Store(tmp_path).write("ff" + "0" * 62, bytes(1000), "png")
+    left = [key for key in keys if Store(tmp_path).path(key, "png").exists()]
+    assert left == [keys[0], *keys[3:]]
+    assert Store(tmp_path).path("ff" + "0" * 62, "png").exists()
+    assert KEY in Store(tmp_path)

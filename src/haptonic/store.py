@@ -1,24 +1,19 @@
 """Store of results on disk, with keys from their inputs.
 
 The key of a result is the SHA-256 of its inputs and of the code that computed it (``content_key``). So an
-interrupted run continues, a repeated run is immediate, and results of changed code are never used. A file is
-complete or absent: it is written under a temporary name, flushed to the disk, and then renamed.
+interrupted run continues, a repeated run is immediate, and results of changed code are never used.
 """
 
 from __future__ import annotations
 
-import errno
 import hashlib
 import io
 import json
 import os
 import re
-import secrets
-import shutil
-import time
 import warnings
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, fields, is_dataclass
 from enum import Enum
 from functools import cache
@@ -29,6 +24,7 @@ import numpy as np
 import platformdirs
 import scipy
 
+from haptonic.atomic import cause_of, draft_for, remove_stale, replace_file
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.gate import passed
 from haptonic.hdf5 import read_dataset
@@ -39,23 +35,11 @@ from haptonic.paths import target
 SHOWING = frozenset({"cli", "plots", "report", "verification", "workshop"})
 
 DIGEST_BYTES = hashlib.sha256().digest_size
-STALE_SECONDS = 24 * 3600.0
-TEMPORARY = ".haptonic-"
+
+# bytes of all files of a kind. A picture of 0.1 MB is drawn in a second; a plate of 40 MB takes a minute.
+MOST_BYTES = {"nc": 20e9, "svg": 250e6, "png": 250e6}
 
 _KEY = re.compile(r"[0-9a-f]{64}")
-
-_CAUSES = {
-    errno.ENOSPC: "the disk is full",
-    errno.EDQUOT: "your disk quota is used up",
-    errno.EFBIG: "the file is larger than the system lets you write",
-    errno.EACCES: "you have no permission to write there",
-    errno.EPERM: "you have no permission to write there",
-    errno.EROFS: "the disk is read-only",
-    errno.ENOTDIR: "a part of the path is a file, not a folder",
-    errno.EEXIST: "a part of the path is a file, not a folder",
-    errno.EISDIR: "a folder of this name exists",
-    errno.ENAMETOOLONG: "the name is too long",
-}
 
 
 @cache
@@ -138,7 +122,7 @@ class Store:
 
     A dataset is NetCDF (HDF5), a picture SVG or PNG. Each is followed by its key and by the SHA-256 of
     everything before. NetCDF readers ignore this addition; ``read`` uses it to detect a damaged file or a
-    file with another key.
+    file with another key. Files that were not used for longest leave; see `MOST_BYTES`.
     """
 
     root: Path
@@ -185,6 +169,8 @@ class Store:
             if fault := _fault(content, key):
                 _set_aside(path, fault)
                 return None
+            with suppress(OSError):  # a store that can only be read
+                os.utime(path)
         except FileNotFoundError:
             self._try()
             return None
@@ -226,8 +212,9 @@ class Store:
         digest.update(bytes.fromhex(key))
         parts = content, bytes.fromhex(key), digest.digest()
         try:
-            _replace(path, lambda temporary: temporary.write_bytes(b"".join(parts)))
-            _remove_stale(path.parent)
+            replace_file(path, lambda temporary: temporary.write_bytes(b"".join(parts)))
+            remove_stale(path.parent)
+            _make_room(self.root)
         except OSError as error:
             self._warn(error)
 
@@ -242,134 +229,30 @@ class Store:
         assert isinstance(error, OSError)
         warnings.warn(
             "results of this run are not stored and will be computed again: the store "
-            f"{self.root} cannot be used: {_cause(error)}. Free or permit that folder, or choose another: "
+            f"{self.root} cannot be used: {cause_of(error)}. Free or permit that folder, or choose another: "
             "HAPTONIC_STORE=FOLDER haptonic ...",
             HaptonicWarning,
             stacklevel=3,
         )
 
 
-def write_atomically(path: Path, writer: Callable[[Path], object]) -> None:
-    """Write a file that is complete or absent; missing folders are created.
-
-    ``writer`` writes to a temporary path in the same folder with the same suffix. If it fails, no file is
-    left and an existing file is not changed.
-
-    Raises
-    ------
-    ResourceError : the folder cannot be created or written, or the disk is full
-    """
-    try:
-        _replace(path, writer)
-    except OSError as error:
-        raise _unwritable(path, error) from error
-
-
-@contextmanager
-def whole_set(folder: Path, *, overwrite: bool) -> Iterator[Path]:
-    """A new empty folder for files, which are moved to ``folder`` at the end of the block.
-
-    If the block fails, no file is moved, and ``folder`` is not changed. Two processes that write into the
-    same folder do not interfere until their files are renamed.
-
-    Raises
-    ------
-    ResourceError : a name is taken, the folder cannot be created or written, or the disk is full
-    """
-    with draft_for(folder) as (draft, _):
-        with _errors_for(folder, draft):
-            yield draft
-        files = sorted(path.relative_to(draft) for path in draft.rglob("*") if path.is_file())
-        for name in files:
-            refuse_overwrite(folder / name, overwrite)
-        for name in files:
-            try:
-                (folder / name).parent.mkdir(parents=True, exist_ok=True)
-                (draft / name).replace(folder / name)
-            except OSError as error:
-                raise _unwritable(folder / name, error) from error
-
-
-@contextmanager
-def _errors_for(path: Path, temporary: Path) -> Iterator[None]:
-    """Replace a temporary path in errors by the path that the user gave."""
-    try:
-        yield
-    except ResourceError as error:
-        raise error.changed(ResourceError, given=error.given.replace(str(temporary), str(path))) from error
-
-
-@contextmanager
-def draft_for(folder: Path) -> Iterator[tuple[Path, Path]]:
-    """A temporary empty folder on the disk of ``folder``, and the part of its path that does not exist yet.
-
-    The name of the temporary folder is random and no other folder is created, so parallel runs do not
-    interfere.
-
-    Raises
-    ------
-    ResourceError : the place cannot be written
-    """
-    whole = folder.absolute()
-    try:
-        existing = next(parent for parent in (whole, *whole.parents) if parent.exists())
-        _remove_stale(existing)
-        draft = existing / f"{TEMPORARY}{secrets.token_hex(8)}.tmp"
-        draft.mkdir()
-    except OSError as error:
-        raise _unwritable(folder, error) from error
-    try:
-        yield draft, whole.relative_to(existing)
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)
-
-
-def _unwritable(path: Path, error: OSError) -> ResourceError:
-    return ResourceError.unwritable(
-        argument="output file",
-        given=path,
-        allowed="a file in a folder that can be written, with room for it",
-        cause=_cause(error),
-        next_step="choose another folder for the output (--out DIR), or make this one writable",
-    )
-
-
-def refuse_overwrite(path: Path, overwrite: bool) -> None:
-    """Raise ResourceError if the path exists and may not be overwritten."""
-    if path.is_dir():
-        raise _unwritable(path, IsADirectoryError(errno.EISDIR, ""))
-    if os.path.lexists(path) and not overwrite:
-        raise ResourceError.repeated(
-            argument="output file",
-            given=path,
-            allowed="a name that is not taken, unless files may be overwritten",
-            cause="an earlier run wrote it",
-            next_step="choose another folder (--out DIR), or replace the files: --overwrite, or "
-            "overwrite=True in Python",
-        )
-
-
-def _replace(path: Path, writer: Callable[[Path], object]) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    # not tempfile: its files are private to their owner, but results should follow the umask
-    temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}.tmp{path.suffix}"
-    try:
-        with _errors_for(path, temporary):
-            writer(temporary)
-        assert temporary.exists(), f"the writer of {path.name} wrote nothing"
-        with temporary.open("rb+") as content:
-            os.fsync(content.fileno())
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def _remove_stale(folder: Path) -> None:
-    """Remove leftovers of killed runs; younger ones than a day may belong to a running one."""
-    for leftover in folder.glob(f"{TEMPORARY}*.tmp*"):
-        with suppress(OSError):  # already removed, or the file of another user
-            if time.time() - leftover.stat().st_mtime > STALE_SECONDS:
-                shutil.rmtree(leftover) if leftover.is_dir() else leftover.unlink()
+@cache
+def _make_room(root: Path) -> None:
+    """Remove the files of each kind that were not used for longest, beyond its limit; once per process."""
+    used: dict[str, list[tuple[float, int, Path]]] = {kind: [] for kind in MOST_BYTES}
+    for path in root.glob("??/*.*"):
+        kind = path.suffix[1:]
+        with suppress(OSError):  # another process removed it
+            if kind in used:
+                about = path.stat()
+                used[kind].append((about.st_mtime, about.st_size, path))
+    for kind, files in used.items():
+        total = 0
+        for _, size, path in sorted(files, reverse=True):
+            total += size
+            if total > MOST_BYTES[kind]:
+                with suppress(OSError):
+                    path.unlink()
 
 
 def _fault(content: bytes, key: str) -> str:
@@ -390,8 +273,3 @@ def _set_aside(path: Path, fault: str) -> None:
         HaptonicWarning,
         stacklevel=3,
     )
-
-
-def _cause(error: OSError) -> str:
-    cause = _CAUSES.get(error.errno or 0)
-    return cause or error.strerror or str(error)

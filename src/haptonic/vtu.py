@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
+from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.later import meshio, xarray as xr
-from haptonic.store import refuse_overwrite, write_atomically
 
 
 def write_modes(path: Path, dataset: xr.Dataset, overwrite: bool = False) -> Path:

@@ -8,8 +8,8 @@ import warnings
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
+from haptonic.bloch.mesh_levels import MeshLimits
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.reach import MeshLimits
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.study import loads
 from user_designs import study_of, study_text

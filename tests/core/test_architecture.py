@@ -29,7 +29,7 @@ BASE = {
 }
 LATTICES = {"translations", "lattice", "brillouin"}
 CORE = BASE | LATTICES | {"materials", "cell", "elements", "solvers", "superelement", "bloch"}
-LOWER = CORE | {"design", "friction", "plate", "response", "store", "updating", "vibrometry"}
+LOWER = CORE | {"atomic", "design", "friction", "plate", "response", "store", "updating", "vibrometry"}
 EVERYWHERE = {"later"}  # stands for libraries of others
 ALLOWED: dict[str, set[str]] = {
     "arrays": set(),
@@ -49,7 +49,8 @@ ALLOWED: dict[str, set[str]] = {
     "paths": {"errors", "units"},
     "progress": set(),
     "parallel": set(),
-    "store": {"errors", "gate", "hdf5", "paths"},
+    "atomic": {"errors"},
+    "store": {"atomic", "errors", "gate", "hdf5", "paths"},
     "jobs": BASE | {"store"},
     "cell": BASE | LATTICES | {"materials"},
     "elements": {"arrays", "cell", "materials"},
@@ -74,18 +75,18 @@ ALLOWED: dict[str, set[str]] = {
     "design": CORE,
     "plate": CORE - {"bloch"} | {"response"},
     "updating": BASE | {"materials", "plate", "response"},
-    "vtu": {"store"},
-    "plots": CORE | {"friction", "plate", "response", "store", "updating", "vibrometry"},
-    "workshop": BASE | {"cell", "materials", "plate", "plots", "store"},
+    "vtu": {"atomic"},
+    "plots": CORE | {"atomic", "friction", "plate", "response", "updating", "vibrometry"},
+    "workshop": BASE | {"atomic", "cell", "materials", "plate", "plots"},
     "pages": {"plots"},
     # from here on down to the command line: what is told, what is asked, what is computed, what shows it
     "results": LOWER | {"pages", "plots", "vtu"},
-    "description": LOWER - {"store"} | {"results"},
+    "description": LOWER - {"atomic", "store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},
-    "verification": {"arrays", "errors", "plots", "results", "store", "study", "units"},
-    "cli": CORE | {"analyses", "results", "store", "study", "verification", "__init__"},
+    "verification": {"arrays", "atomic", "errors", "plots", "results", "store", "study", "units"},
+    "cli": CORE | {"analyses", "atomic", "results", "store", "study", "verification", "__init__"},
 }
 TOP = {"__init__", "__main__"}
 ROOMS = {"plate": ("layout", "body", "vibration")}  # folders of a part; each may import those before it

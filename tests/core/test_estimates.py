@@ -11,9 +11,9 @@ from truth import KAPPA, Drawn, drawn, plain_plate, truth, wavevectors
 from daily import daily
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
+from haptonic.bloch.mesh_levels import starting_rung
 from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model
 from haptonic.bloch.pencil import eigenpairs
-from haptonic.bloch.reach import starting_rung
 from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import MeshPlan, Pillar, UnitCell

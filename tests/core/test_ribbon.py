@@ -16,11 +16,11 @@ from test_sites import TALL, THIN, named
 from five_parts import refusing
 from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.chain import BlockChain, counted, eigenpairs_within
-from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes, bulk_bands
+from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.rows import attenuation
 from haptonic.cell import Pillar, Ribbon, Site, UnitCell
 from haptonic.errors import GeometryError

@@ -10,10 +10,10 @@ from strategies import ALUMINIUM
 from test_ribbon import hertz, strip_waves
 
 from daily import daily
-from haptonic.bloch.guided import in_gap, within
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.ribbon import RibbonModel, bulk_bands
+from haptonic.bloch.ribbon_modes import in_gap, within
 from haptonic.cell import Disc, Pillar, Ribbon, Site, UnitCell, mesh_cell
 from haptonic.lattice import Lattice
 from haptonic.materials import material

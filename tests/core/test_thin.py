@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM
 
-from haptonic.bloch import reach
+from haptonic.bloch import mesh_levels
+from haptonic.bloch.mesh_levels import MeshLimits, first_level
 from haptonic.bloch.model import BlochModel, bloch_model
-from haptonic.bloch.reach import MeshLimits, first_level
 from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
@@ -66,7 +66,7 @@ def test_what_a_first_mesh_takes_is_foreseen(thickness, diameter, height, count)
 @pytest.fixture(autouse=True)
 def memory_enough(monkeypatch):
     """What is refused here is refused for its time."""
-    monkeypatch.setattr(reach.psutil, "virtual_memory", lambda: SimpleNamespace(available=1e12))
+    monkeypatch.setattr(mesh_levels.psutil, "virtual_memory", lambda: SimpleNamespace(available=1e12))
 
 
 @pytest.mark.parametrize("diameter", [0.0, 0.5])

@@ -181,6 +181,24 @@ class TestMaps:
         assert image.axes.get_ylim() == pytest.approx((0, 140))
         assert image.axes.get_aspect() == 1.0
 
+    def test_a_plate_with_a_hole_is_smooth_up_to_its_edge(self):
+        """Of a field that is even at the hole, nothing of the hole is seen beside it."""
+        layout, step = notched(), 0.5
+        x, y = (m.ravel() for m in np.meshgrid(step * (np.arange(80) + 0.5), step * (np.arange(60) + 0.5)))
+        on = ~((x > 20) & (y > 20))
+        seen = FrequencyResponse.of(
+            np.sin(x[on] / 4)[None, :, None] + 0j, frequency=np.array([1e3]), x=1e-3 * x[on],
+            y=1e-3 * y[on], reference="A1, V", origin="simulated",
+        )  # fmt: skip
+        picture = plots.maps(seen, [1e3], layout, None)
+        (image,), (cover,) = artists(picture, "map"), artists(picture, "absent tiles")
+        assert image.get_interpolation() == "bicubic"
+        assert np.isfinite(image.get_array()).all()
+        boxes = [path.get_extents().extents.tolist() for path in cover.get_paths()]
+        assert boxes == [pytest.approx([20, 20, 30, 30]), pytest.approx([30, 20, 40, 30])]
+        (unscanned,) = artists(plots.maps(seen, [1e3], prototype(), None), "map")
+        assert unscanned.get_interpolation() == "nearest", "points of the plate without a value stay empty"
+
     def test_off_a_grid_every_place_shows_its_nearest_point(self, drawn):
         """The slopes are seen to half a diagonal of a square around a point; nothing is drawn beside."""
         for image, along in zip(artists(drawn["maps, turned"], "map"), (0, 1), strict=True):

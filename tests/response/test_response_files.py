@@ -9,9 +9,9 @@ from hypothesis.extra import numpy as arrays
 from waves import made, numbers
 
 from five_parts import refusing
+from haptonic.atomic import write_atomically
 from haptonic.errors import ResourceError, ResponseError
 from haptonic.response import read, write
-from haptonic.store import write_atomically
 
 
 def assert_same(found, response):

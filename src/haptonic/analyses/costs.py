@@ -21,8 +21,8 @@ ZONE = 0.2  # s, of the search for gaps
 def meshes(study: Description, second: float = SECOND) -> Cost:
     """Estimated cost of the models of a cell: the first mesh, and a share of the next; or the refusal.
 
-    `haptonic.bloch.reach` selects the meshes, as in the computation; its estimates and the budget do not
-    depend on the sparse solver, so that a study gives the same answer with each of them.
+    `haptonic.bloch.mesh_levels` selects the meshes, as in the computation; its estimates and the budget do
+    not depend on the sparse solver, so that a study gives the same answer with each of them.
     """
     cell = study.cell
     try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from haptonic.bloch.reach import MeshLimits, check_memory, check_thickness, started
+from haptonic.bloch.mesh_levels import MeshLimits, check_memory, check_thickness, started
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import rows_need
 from haptonic.cell import Rows, UnitCell

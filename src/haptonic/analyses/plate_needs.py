@@ -8,7 +8,7 @@ import warnings
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import common_gap, gap_at
-from haptonic.bloch.reach import MeshLimits, check_memory
+from haptonic.bloch.mesh_levels import MeshLimits, check_memory
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicWarning

@@ -19,7 +19,7 @@ from haptonic.bloch.layers import plain_plate
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import best_model
 from haptonic.bloch.settings import WaveguideSettings
-from haptonic.bloch.strips import closing, strip_of, strips_dataset
+from haptonic.bloch.waveguides import closing, strip_of, strips_dataset
 from haptonic.cell import Rows
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, parity_gaps, partial_gaps
+from haptonic.bloch.mesh_levels import Lack
 from haptonic.bloch.model import BlochModel, best_model, candidate_models
 from haptonic.bloch.pencil import Periodic
-from haptonic.bloch.reach import Lack
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.symmetry import WAVES
 from haptonic.bloch.tracking import Diagram, diagram

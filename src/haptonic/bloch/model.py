@@ -13,8 +13,7 @@ import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields
 from haptonic.bloch.centred import lattice_pencil, parted
-from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
-from haptonic.bloch.reach import (
+from haptonic.bloch.mesh_levels import (
     Lack,
     MeshLimits,
     check_memory,
@@ -24,6 +23,7 @@ from haptonic.bloch.reach import (
     growth_for,
     refusal,
 )
+from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LADDER, Resolution

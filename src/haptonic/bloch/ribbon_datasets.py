@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.bloch.guided import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
+from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
 

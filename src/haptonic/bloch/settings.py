@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.bloch.reach import LARGEST_BUDGET, starting_rung
+from haptonic.bloch.mesh_levels import LARGEST_BUDGET, starting_rung
 from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
 from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError

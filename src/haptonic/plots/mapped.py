@@ -5,22 +5,24 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, product
 
 import matplotlib as mpl
 import numpy as np
 import scipy
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from haptonic.arrays import AnyComplex, Array
 from haptonic.errors import ResponseError
 from haptonic.plate.layout.grid import Layout
+from haptonic.plate.layout.sampling import tile_names
 from haptonic.plots import style
 from haptonic.plots.marks import LINE, Gap
 from haptonic.plots.moving import moving
@@ -216,13 +218,14 @@ def _painted(
     limit = factor * most or 1.0
     images = []
     for axes, line in zip(panels, seen, strict=True):
-        shape = np.asarray(factor * line.shape)
+        shape, absent = _continued(replace(line, shape=factor * line.shape), layout)
         # a simulated field is smooth between its points; measured points are shown as they are
         is_smooth = line.origin == "simulated" and bool(np.isfinite(shape).all())
         image = axes.imshow(
             shape.real, cmap=style.diverging(), norm=Normalize(-limit, limit), origin="lower",
             extent=(*line.x, *line.y), interpolation="bicubic" if is_smooth else "nearest", gid="map",
         )  # fmt: skip
+        axes.add_collection(PatchCollection(absent, facecolor=style.BEYOND, linewidth=0, gid="absent tiles"))
         lines = outlined(axes, layout)
         axes.set_ylabel("y (mm)")
         # all numbers of a figure in one unit, so that they can be compared
@@ -238,6 +241,28 @@ def _painted(
     bar.locator = MaxNLocator(4, symmetric=True)
     bar.update_ticks()
     return images
+
+
+def _continued(line: Seen, layout: Layout | None) -> tuple[AnyComplex, list[Rectangle]]:
+    """The values of a map, and the places that the plate does not have, to be covered.
+
+    There the values are those of the nearest points, so that smooth maps need no value beyond the plate.
+    """
+    missing = np.isnan(line.shape)
+    if layout is None or not missing.any():
+        return line.shape, []
+    x, y = (
+        1e-3 * (low + (high - low) / count * (np.arange(count) + 0.5))
+        for (low, high), count in zip((line.x, line.y), line.shape.shape[::-1], strict=True)
+    )
+    there = tile_names(layout, np.stack(np.meshgrid(x, y), axis=-1)[missing])
+    if any(name is not None for name in there):
+        return line.shape, []  # points of the plate that were not scanned
+    nearest = scipy.ndimage.distance_transform_edt(missing, return_distances=False, return_indices=True)
+    tiles = product(range(layout.rows), range(layout.columns))
+    boxes = [1e3 * np.array(layout.bounds(tile)) for tile in tiles if layout.at(tile) is None]
+    covers = [Rectangle((a, b), right - a, top - b) for a, b, right, top in boxes]
+    return line.shape[tuple(nearest)], covers
 
 
 def _nearest(line: FrequencyResponse) -> tuple[AnyComplex, Array, Array]:

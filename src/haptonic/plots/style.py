@@ -23,10 +23,10 @@ from matplotlib.patches import Patch
 from matplotlib.text import Text
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogFormatterSciNotation, MaxNLocator
 
+from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.names import latex
 from haptonic.paths import inside, target
 from haptonic.plots.looks import PAGE, PICTURE_KINDS, choice
-from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.units import frequency_scale
 
 P = ParamSpec("P")

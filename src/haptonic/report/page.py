@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots
+from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.bloch import gaps_of
 from haptonic.cell import UnitCell
 from haptonic.fields import Quantity, table
@@ -23,7 +24,6 @@ from haptonic.plots.text import gap_text
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.report.chapters import IN_ORDER, others
 from haptonic.report.first import first_screen
-from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity, hz_text
 

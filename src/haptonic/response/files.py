@@ -46,7 +46,7 @@ def plain(response: FrequencyResponse) -> xr.Dataset:
 
 
 def write(response: FrequencyResponse, path: Path) -> None:
-    """Write a response as NetCDF 4. `haptonic.store.write_atomically` writes a complete file or none."""
+    """Write a response as NetCDF 4. `haptonic.atomic.write_atomically` writes a complete file or none."""
     hdf5.write_dataset(passed(plain(response)), path)
 
 

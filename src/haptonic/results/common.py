@@ -9,13 +9,14 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from haptonic import hdf5
-from haptonic.bloch.reach import rounded_up
+from haptonic.atomic import draft_for, refuse_overwrite, write_atomically
+from haptonic.bloch.mesh_levels import rounded_up
 from haptonic.bloch.settings import COARSEST
 from haptonic.gate import passed
 from haptonic.later import xarray as xr
 from haptonic.names import variable
 from haptonic.paths import inside
-from haptonic.store import draft_for, fingerprint, refuse_overwrite, write_atomically
+from haptonic.store import fingerprint
 from haptonic.units import duration
 
 Writer = Callable[[Path], object]

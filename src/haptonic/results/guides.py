@@ -7,7 +7,7 @@ from typing import Any
 
 from haptonic import plots
 from haptonic.bloch import Gap
-from haptonic.bloch.strips import Strip
+from haptonic.bloch.waveguides import Strip
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure

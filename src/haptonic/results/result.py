@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 from haptonic import plots
+from haptonic.atomic import whole_set
 from haptonic.errors import HaptonicError, shown
 from haptonic.later import Axes, Figure
 from haptonic.pages import embedded
@@ -28,7 +29,6 @@ from haptonic.results.common import Writer, accuracy_remarks, refuse_taken, writ
 from haptonic.results.pictures import write_pictures
 from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
-from haptonic.store import whole_set
 
 if TYPE_CHECKING:
     import pandas as pd

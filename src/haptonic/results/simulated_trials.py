@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from haptonic.atomic import write_atomically
 from haptonic.friction.simulation import Experiment
 from haptonic.friction.simulation.files import SIMULATED, WRITERS, channels_of
 from haptonic.friction.simulation.gauges import calibration
@@ -22,7 +23,6 @@ from haptonic.paths import inside
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result
 from haptonic.results.table import Column, Table
-from haptonic.store import write_atomically
 
 NOTHING = 1e-6  # smaller reductions count as zero
 TRUTH, STUDY, CALIBRATION = "truth.json", "study.toml", "calibration.csv"

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from itertools import groupby
 from pathlib import Path
 
+from haptonic.atomic import write_atomically
 from haptonic.later import Figure
 from haptonic.plots import style
 from haptonic.results.bands import Bands
 from haptonic.results.table import Table
-from haptonic.store import write_atomically
 from haptonic.verification.catalogue import Case, OmittedCase
 from haptonic.verification.comparison import CaseComparison, load_case_study
 from haptonic.verification.tables import comparison_table

@@ -130,7 +130,7 @@ def write_drive(signal: Drive, path: Path, *, periods: int = 1) -> None:
     """Write a drive as WAV, CSV or HDF5, by the suffix of the path.
 
     A WAV file has 16 bits and no unit: its full scale is the largest value, which `drive_notes` gives.
-    The others are in the drive's unit. `haptonic.store.write_atomically` makes a file whole.
+    The others are in the drive's unit. `haptonic.atomic.write_atomically` makes a file whole.
 
     Raises
     ------

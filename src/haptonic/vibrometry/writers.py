@@ -36,7 +36,7 @@ def write_uff(response: FrequencyResponse, path: Path) -> None:
 
     Values have twelve digits, frequencies six: the first one and the spacing if they are evenly spaced. The
     origin is in the fifth line of each function, so that a simulation is never taken for a measurement.
-    `haptonic.store.write_atomically` writes the file completely or not at all.
+    `haptonic.atomic.write_atomically` writes the file completely or not at all.
 
     Raises
     ------

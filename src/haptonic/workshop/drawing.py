@@ -17,11 +17,11 @@ import matplotlib as mpl
 import numpy as np
 from scipy.spatial import cKDTree
 
+from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.cell import Disc, Pillar
 from haptonic.cell.outlines import Scaled
 from haptonic.cell.stack import Stack
 from haptonic.plots.style import DOTS_PER_INCH, styled
-from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.dimensions import checked_tolerances, degrees, number, text_of
 from haptonic.workshop.dxf import outlines, reproducible
 from haptonic.workshop.part import Part

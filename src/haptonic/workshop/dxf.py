@@ -12,8 +12,8 @@ from ezdxf.document import Drawing
 from ezdxf.layouts import BaseLayout
 
 from haptonic.arrays import Array
+from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.cell.outlines import Outline
-from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.part import Part
 from haptonic.workshop.shape import PillarShape
 

@@ -18,10 +18,10 @@ from typing import Any
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.cell.outlines import Outline
 from haptonic.errors import ResourceError
 from haptonic.materials import Material
-from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Ring
 from haptonic.workshop.shape import MM, PillarShape

@@ -22,11 +22,11 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import Delaunay
 
 from haptonic.arrays import Array, Ints
+from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.cell.blocks import VOID
 from haptonic.cell.outlines import Outline
 from haptonic.errors import GeometryError
 from haptonic.materials import Material
-from haptonic.store import refuse_overwrite, write_atomically
 from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, PillarShape

@@ -9,12 +9,12 @@ from typing import Annotated
 
 import typer
 
+from haptonic.atomic import write_atomically
 from haptonic.cli.commands import Json
 from haptonic.cli.console import speaking
 from haptonic.cli.listing import pairs
 from haptonic.errors import StudyError, nearest, shown
 from haptonic.paths import target
-from haptonic.store import write_atomically
 from haptonic.study import ENDING, Template, case_templates, templates
 
 USUAL = "bare-cell"

@@ -12,9 +12,9 @@ import numpy as np
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.plate.body.assembly import Assembly
+from haptonic.plate.body.bending_waves import check_resolved
 from haptonic.plate.body.foundations import Foundation, supported, total_stiffness
 from haptonic.plate.body.recipes import Fineness, recipe_of, tiles_of
-from haptonic.plate.body.resolved import check_resolved
 from haptonic.plate.body.skeleton import Skeleton
 from haptonic.plate.body.unreduced import loss_factors
 from haptonic.plate.layout.blocks import blocks_of

@@ -70,7 +70,7 @@ class CarrierAnswer:
     @property
     def contrasts(self) -> dict[str, float]:
         """Level of the driven region over each of the others, and over all the rest, dB."""
-        levels = self.result.contrasts(self.result.response)
+        levels = self.result.contrasts(self.result.marked)
         return {pair: float(level[0]) for pair, level in levels.items()}
 
     @property
@@ -160,7 +160,7 @@ class PlateResult(Result):
     )
     def _carriers(self) -> Figure:
         alone = [(" and ".join(answer.drives), answer.result) for answer in self.answers]
-        driven = {drives: (each.response, each.drive, each._gap_edges) for drives, each in alone}
+        driven = {drives: (each.marked, each.drive, each._gap_edges) for drives, each in alone}
         return plots.maps_of_drives(driven, self.plate.layout)
 
     @figure("velocity", "Simulated velocity of the regions.", when=_has_spectrum)

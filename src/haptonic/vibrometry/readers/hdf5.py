@@ -40,7 +40,7 @@ PORTION = 64  # points that are copied at a time
 
 
 def write_records(scan: TimeScan, path: Path) -> None:
-    """Write time records in haptonic's layout. `haptonic.store.write_atomically` writes a complete file."""
+    """Write time records in haptonic's layout. `haptonic.atomic.write_atomically` writes a complete file."""
     with written(path) as raw, h5py.File(raw, "w") as file:
         file.attrs.update(
             kind=KIND, form=FORM, sample_rate=scan.sample_rate, motion=scan.motion,

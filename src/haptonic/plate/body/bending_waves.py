@@ -1,8 +1,9 @@
-"""Highest frequency at which the tiles of a plate resolve bending waves, its shortest waves."""
+"""Bending waves, the shortest waves of a plate: their length and the highest frequency that tiles resolve."""
 
 from __future__ import annotations
 
 import numpy as np
+import scipy
 
 from haptonic.errors import HaptonicError
 from haptonic.plate.body.skeleton import TraceOrders
@@ -38,6 +39,19 @@ def check_resolved(layout: Layout, orders: TraceOrders, highest: float) -> None:
             next_step="ask for a lower frequency (`highest` in [plate.response], or --at), or draw plain "
             "plate with more and smaller tiles",
         )
+
+
+def shortest_wavelength(layout: Layout, frequency: float) -> float:
+    """Length of the shorter of the bending waves along the axes of the material at a frequency (Hz), m."""
+    omega = 2 * np.pi * frequency
+    lengths = []
+    for axis in (0, 1):
+        most = 1.0 / layout.thickness
+        while _bending(layout, most, axis) < omega:
+            most *= 2
+        wavenumber = scipy.optimize.brentq(lambda k, axis=axis: _bending(layout, k, axis) - omega, 0.0, most)
+        lengths.append(2 * np.pi / float(wavenumber))
+    return min(lengths)
 
 
 def _edge(layout: Layout) -> float:

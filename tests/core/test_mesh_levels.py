@@ -14,9 +14,9 @@ from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM
 from truth import KAPPA, plain_plate
 
-from haptonic.bloch import bands_dataset, gaps_dataset, model, reach
+from haptonic.bloch import bands_dataset, gaps_dataset, mesh_levels, model
+from haptonic.bloch.mesh_levels import MeshLimits, first_level, first_rung, started
 from haptonic.bloch.model import BlochModel, best_model, bloch_model, candidate_models
-from haptonic.bloch.reach import MeshLimits, first_level, first_rung, started
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import BandSettings, MeshSettings
@@ -209,7 +209,7 @@ def test_a_budget_that_ends_leaves_an_answer_with_its_error_and_the_next_budget(
     assert memory.attributes(asked)["stopped_by"] == "memory"
     assert "lack of memory" in accuracy_remarks(memory.attributes(asked))[0]
     # who builds on gaps alone is answered as well
-    monkeypatch.setattr(reach.MeshLimits, "of", lambda budget: limits)
+    monkeypatch.setattr(mesh_levels.MeshLimits, "of", lambda budget: limits)
     gaps = gaps_dataset(cell, replace(asked, count=4, accuracy=1e-6))
     assert "stopped_by" in gaps.attrs or gaps.sizes["gap"] == 0
 
@@ -231,7 +231,7 @@ def test_a_dry_run_and_a_run_say_the_same(memory, monkeypatch):
     """Of a study that fits and of a study that does not, by time and by memory."""
     from haptonic.analyses import named
 
-    monkeypatch.setattr(reach.MeshLimits, "of", classmethod(lambda cls, budget: cls(budget, memory)))
+    monkeypatch.setattr(mesh_levels.MeshLimits, "of", classmethod(lambda cls, budget: cls(budget, memory)))
     for budget in ("10 min", "1 s"):
         study = loads(TWO_SITES).within(budget)
         one = named("bands")
@@ -246,7 +246,7 @@ def test_a_dry_run_and_a_run_say_the_same(memory, monkeypatch):
 
 def test_what_falls_short_of_an_accuracy_is_answered_and_says_so(monkeypatch):
     """A minute of work ended in a refusal; now its errors are reported."""
-    for module in (model, reach):
+    for module in (model, mesh_levels):
         monkeypatch.setattr(module, "LADDER", (Resolution(3, 0),))
     monkeypatch.setattr(model, "first_level", lambda *_: 0)
     cell = cell_of(0.3, 0.7, 2.0)
@@ -266,7 +266,7 @@ def test_what_falls_short_of_an_accuracy_is_answered_and_says_so(monkeypatch):
 def test_levels_that_are_not_expected_to_reach_the_accuracy_are_left_out(excess, level):
     """Four meshes of a pillar of 6 x 8 mm on a plate of 2 mm were computed where two suffice."""
     cell, mesh = cell_of(0.2, 0.6, 0.8), LADDER[1].grown()
-    number, finer = reach.finer_level(cell, mesh, 1, excess, MeshLimits(math.inf, math.inf), 0.0)
+    number, finer = mesh_levels.finer_level(cell, mesh, 1, excess, MeshLimits(math.inf, math.inf), 0.0)
     assert number == level
     assert (finer.order, finer.foot_rings) == (LADDER[level].order, LADDER[level].foot_rings)
     assert finer.steps == 3
@@ -278,7 +278,7 @@ def test_without_a_singular_edge_the_next_level_is_expected_to_reach_more(excess
     limits, lattice, steel = MeshLimits(math.inf, math.inf), Lattice.square(10e-3), material("steel")
     hole = UnitCell(lattice, 2e-3, steel, disc=(Disc(6e-3, empty=True),))
     blind = UnitCell(lattice, 2e-3, steel, disc=(Disc(6e-3, low=-1e-3, empty=True),))
-    levels = [reach.finer_level(cell, LADDER[1], 1, excess, limits, 0.0)[0] for cell in (hole, blind)]
+    levels = [mesh_levels.finer_level(cell, LADDER[1], 1, excess, limits, 0.0)[0] for cell in (hole, blind)]
     assert levels == [2, 3]
 
 
@@ -287,7 +287,7 @@ def test_a_plain_plate_skips_levels_with_more_rings_only():
     plain, limits = UnitCell(Lattice.square(10e-3), 2e-3, material("steel")), MeshLimits(math.inf, math.inf)
     mesh = LADDER[2].for_bands(plain, 4)
     assert mesh.plans(plain) == LADDER[3].for_bands(plain, 4).plans(plain)
-    assert reach.finer_level(plain, mesh, 2, 1.1, limits, 0.0)[0] == 4
+    assert mesh_levels.finer_level(plain, mesh, 2, 1.1, limits, 0.0)[0] == 4
 
 
 def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
@@ -295,14 +295,20 @@ def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
     seconds = [rung.seconds(cell) for rung in LADDER]
     assert seconds[2] < seconds[3]
     limits = MeshLimits(seconds[2] + 1.0, math.inf)
-    assert reach.finer_level(cell, mesh, 1, 3.0, limits, 1.0)[0] == 2
-    lack = reach.finer_level(cell, mesh, 1, 3.0, limits, 1.1)
+    assert mesh_levels.finer_level(cell, mesh, 1, 3.0, limits, 1.0)[0] == 2
+    lack = mesh_levels.finer_level(cell, mesh, 1, 3.0, limits, 1.1)
     assert (lack.of, lack.mesh) == ("time", LADDER[2])
-    assert reach.finer_level(cell, LADDER[-1], len(LADDER) - 1, 3.0, limits, 0.0).of == "range"
+    assert mesh_levels.finer_level(cell, LADDER[-1], len(LADDER) - 1, 3.0, limits, 0.0).of == "range"
 
 
 def test_an_interior_grows_as_often_as_it_has_to():
-    assert [reach.growth_for(lost, 1e-4) for lost in (1.1e-4, 9e-4, 1.1e-3, 9e-3, 0.2)] == [1, 1, 2, 2, 4]
+    assert [mesh_levels.growth_for(lost, 1e-4) for lost in (1.1e-4, 9e-4, 1.1e-3, 9e-3, 0.2)] == [
+        1,
+        1,
+        2,
+        2,
+        4,
+    ]
     assert Resolution(4, 1).grown(2) == Resolution(4, 1).grown().grown()
 
 

@@ -12,14 +12,15 @@ from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
+from haptonic.plate.body.bending_waves import _bending, highest_resolved, shortest_wavelength
 from haptonic.plate.body.model import PlateModel
 from haptonic.plate.body.recipes import Fineness
 from haptonic.plate.body.reduction import cell_tile
-from haptonic.plate.body.resolved import _bending, highest_resolved
 from haptonic.plate.body.skeleton import numbered
 from haptonic.plate.layout.grid import Block
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.supports import Support
+from haptonic.plate.vibration.responses import map_spacing
 
 HZ = 2 * np.pi
 EDGE = 8e-3
@@ -78,6 +79,16 @@ def test_bending_waves_are_those_of_the_plate_in_three_dimensions(frequency, all
     wavenumber = plain_plate().wavenumber(HZ * frequency, 0.0, "A0")
     for axis in (0, 1):
         assert _bending(layout_of(), wavenumber, axis) == pytest.approx(HZ * frequency, rel=allowed)
+    assert shortest_wavelength(layout_of(), frequency) == pytest.approx(HZ / wavenumber, rel=allowed)
+
+
+def test_maps_have_eight_points_along_the_shortest_wave_unless_these_are_too_many():
+    plate = Plate(layout_of())
+    wave = shortest_wavelength(plate.layout, 200e3)
+    assert map_spacing(plate, 2e-3, 200e3) == pytest.approx(wave / 8)
+    assert map_spacing(plate, 0.1e-3, 200e3) == 0.1e-3
+    wide = Plate(layout_of(50 * EDGE))
+    assert (100 * EDGE / map_spacing(wide, 20e-3, 200e3)) ** 2 == pytest.approx(20_000)
 
 
 def test_a_frequency_beyond_it_is_refused_and_smaller_tiles_reach_it():
