@@ -24,7 +24,7 @@ from haptonic.lattice import LEAST_SIDE
 from haptonic.materials import IsotropicMaterial
 
 LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
-LEAST_BETWEEN = 2 * LEAST_APART  # between the ends or the borders of discs, as in `Stack.check`
+LEAST_BETWEEN = 2 * LEAST_APART  # between the ends or the borders of discs, as in `check_stack`
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
 SLACK = 1e-6  # by which a design may miss a limit
 MARGIN = 1e-3  # by which a starting point meets its limits
