@@ -44,7 +44,9 @@ def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
         elif name.startswith("material."):
             groups.setdefault((table, name, disc.material), []).append(path)
         elif value:  # a sharp corner cannot vary into a round one
-            groups.setdefault((table, name, disc.section, stack.border_of(int(named["number"]) - 1)), []).append(path)
+            groups.setdefault(
+                (table, name, disc.section, stack.border_of(int(named["number"]) - 1)), []
+            ).append(path)
     return {first: tuple(others) for first, *others in groups.values()}
 
 

@@ -142,6 +142,8 @@ def _disc(disc: Disc, part: Part) -> str:
     texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{number(disc.diameter)}"]
     texts += [f"{name.replace('_', ' ')} {number(value)}" for name in ("length", "corner_radius")
               if (value := getattr(disc, name))]  # fmt: skip
+    if disc.draft:
+        texts.append(f"draft {degrees(disc.draft)}")
     if disc.turn:
         texts.append(f"turn {degrees(disc.turn)}")
     if disc.point:
