@@ -136,10 +136,7 @@ class Disc(Sectioned):
         """Description of the disc, for a plate of some thickness, m."""
         low, high = (format_quantity(end - thickness, "m") for end in self.ends(thickness))
         solid = "empty" if self.empty else self.material.name if self.material else "of the plate's material"
-        wide, *others = dict.fromkeys(
-            format_quantity(self.diameter * width / self.radius, "m") for width, _ in self.side(thickness)
-        )
-        width = f"{wide} to {others[0]}" if others else wide
+        width = " to ".join(format_quantity(wide, "m") for wide in self.diameters(thickness))
         return f"{self.section} disc {width} wide from {low} to {high}, {solid}"
 
     def ends(self, thickness: float) -> tuple[float, float]:
@@ -151,6 +148,11 @@ class Disc(Sectioned):
         """Half-width at lower and upper end, and height of each above the plate's lower face, m."""
         low, high = self.ends(thickness)
         return (self.radius, low), (self.radius - (high - low) * math.tan(self.draft), high)
+
+    def diameters(self, thickness: float) -> tuple[float, ...]:
+        """Diameter of a prism, or that of a cone at its lower and at its upper end, m."""
+        wide = [self.diameter / self.radius * width for width, _ in self.side(thickness)]
+        return tuple(wide) if self.draft else (self.diameter,)
 
     def is_image(self, other: Disc, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) that keeps the normal maps the disc to another one."""

@@ -16,7 +16,7 @@ from haptonic.cell.outlines import Outline
 from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import Material
 from haptonic.plots.style import spread
-from haptonic.workshop.dimensions import FINEST, degrees, number, text_of
+from haptonic.workshop.dimensions import FINEST, number, text_of
 from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, Dimension, PillarShape, heights, sides
@@ -256,8 +256,8 @@ class _Labels:
         right = self.row.axes[-1] + width * chord(disc.outline)[0]
         tip = self.view.place(float(right), height - self.part.cell.thickness)
         solid = "empty" if disc.empty else (disc.material or self.part.cell.material).name
-        draft = f"draft {degrees(disc.draft)} " if disc.draft else ""
-        text = f"{disc.form.sign}{number(disc.diameter)} {draft}{solid}"
+        widths = " to ".join(map(number, disc.diameters(self.part.cell.thickness / MM)))
+        text = f"{disc.form.sign}{widths} {solid}"
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
     def sign(self, body: PillarShape, dimension: Dimension) -> str | None:
