@@ -33,7 +33,9 @@ def cone(diameter: float, low: float, high: float, draft: float) -> Any:
 def step_of(
     cell: UnitCell, path: Path, corners: np.ndarray | None = None
 ) -> tuple[Path, dict[str, Material]]:
-    """Write round discs, with and without draft, and square ones of a cell on one site; also the materials of solids by name.
+    """Write round discs, with and without draft, and square ones of a cell on one site.
+
+    Also returns the materials of solids by name.
 
     corners : (n, 2) of another part of the lattice about the site, m
     """

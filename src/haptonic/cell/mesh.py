@@ -148,7 +148,8 @@ class _Outlines:
             return width * self.rings[min(number, len(self.rings) - 1)]
         low, high = borders[number - 1 : number + 1]
         share = (width - low) / (high - low)
-        return (1 - share) * low * self.rings[number - 1] + share * high * self.rings[number]
+        inner, outer = low * self.rings[number - 1], high * self.rings[number]
+        return np.asarray((1 - share) * inner + share * outer)
 
 
 def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> Array:

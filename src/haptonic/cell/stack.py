@@ -66,7 +66,7 @@ class Stack:
             chain.append(number)
 
         def reach(chain: list[int]) -> float:
-            return self._curve(chain)[0].max() * self.discs[chain[0]].outline.reach
+            return float(self._curve(chain)[0].max()) * self.discs[chain[0]].outline.reach
 
         return tuple(tuple(chain) for chain in sorted(chains, key=reach))
 
