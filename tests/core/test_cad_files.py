@@ -56,9 +56,11 @@ class TestFrequencies:
         agree(*drawn(tmp_path, SQUARE, *STACKS[name]), order=3, apart=2e-2)
 
     @pytest.mark.nightly
-    @pytest.mark.parametrize("name", ["countersunk hole", "chamfered pillar", "drafted coated inclusion"])
-    def test_cones_have_those_of_their_block_mesh(self, tmp_path, name):
-        agree(*drawn(tmp_path, SQUARE, *DRAFTED[name]), order=4, apart=5e-3)
+    @pytest.mark.parametrize(
+        ("name", "order"), [("countersunk hole", 4), ("chamfered pillar", 4), ("drafted coated inclusion", 3)]
+    )
+    def test_cones_have_those_of_their_block_mesh(self, tmp_path, name, order):
+        agree(*drawn(tmp_path, SQUARE, *DRAFTED[name]), order=order, apart=5e-3)
 
     @pytest.mark.nightly
     @pytest.mark.parametrize("discs", [(PILLAR,), (INCLUSION,)], ids=["pillar", "inclusion"])
