@@ -124,6 +124,13 @@ def test_frequencies_are_those_of_the_whole_mesh(name):
     assert condensed == pytest.approx(frequencies(*assembled(mesh, *one.solids), P, 8), rel=2e-4)
 
 
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", ["countersunk hole", "chamfered pillar", "cap on a cone"])
+def test_errors_of_cones_bound_the_distance_to_a_finer_mesh(name):
+    coarse, fine = (solved(CELLS[name], 8, Resolution(*mesh)) for mesh in ((3, 1), (5, 2)))
+    assert (np.abs(coarse.frequency - fine.frequency) < coarse.error).all()
+
+
 class TestIdentities:
     """Two ways to say one thing have frequencies that differ by less than both errors."""
 
