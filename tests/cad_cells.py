@@ -1,5 +1,6 @@
 """Cells of discs as a CAD program would draw them: STEP files with a named solid for each material."""
 
+import math
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -20,10 +21,21 @@ def prism(corners: np.ndarray, low: float, high: float) -> Any:
     return occ.Prism(occ.Face(occ.Wire(edges)), occ.Vec(0, 0, (high - low) * TO_MM))
 
 
+def cone(diameter: float, low: float, high: float, draft: float) -> Any:
+    """A round body about the z axis between two heights, narrower at the upper one by a draft, rad."""
+    radius, height = 0.5 * diameter, high - low
+    if not draft:
+        return occ.Cylinder(occ.Pnt(0, 0, low), occ.Z, r=radius, h=height)
+    top = radius - height * math.tan(draft)
+    return occ.Cone(occ.Axes((0, 0, low), occ.Z), radius, top, height, 2 * math.pi)
+
+
 def step_of(
     cell: UnitCell, path: Path, corners: np.ndarray | None = None
 ) -> tuple[Path, dict[str, Material]]:
-    """Write round and square discs of a cell on one site; also the materials of solids by name.
+    """Write round discs, with and without draft, and square ones of a cell on one site.
+
+    Also returns the materials of solids by name.
 
     corners : (n, 2) of another part of the lattice about the site, m
     """
@@ -35,8 +47,7 @@ def step_of(
             half = disc.diameter / 2
             tool = prism(half * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]), low, high)
         else:
-            centre = occ.Pnt(0, 0, low * TO_MM)
-            tool = occ.Cylinder(centre, occ.Z, r=disc.diameter / 2 * TO_MM, h=(high - low) * TO_MM)
+            tool = cone(disc.diameter * TO_MM, low * TO_MM, high * TO_MM, disc.draft)
         parts = [(body - tool, solid) for body, solid in parts]
         if not disc.empty:
             parts.append((tool, disc.material or cell.material))

@@ -14,7 +14,7 @@ from haptonic.materials import material
 pytest.importorskip("ngsolve")
 
 from cad_cells import TO_MM, occ, prism, step_of
-from stacks import STACKS
+from stacks import DRAFTED, STACKS, drafted_volumes
 
 MM = 1e-3
 THICKNESS = 1.5 * MM
@@ -56,6 +56,13 @@ class TestFrequencies:
         agree(*drawn(tmp_path, SQUARE, *STACKS[name]), order=3, apart=2e-2)
 
     @pytest.mark.nightly
+    @pytest.mark.parametrize(
+        ("name", "order"), [("countersunk hole", 4), ("chamfered pillar", 4), ("drafted coated inclusion", 3)]
+    )
+    def test_cones_have_those_of_their_block_mesh(self, tmp_path, name, order):
+        agree(*drawn(tmp_path, SQUARE, *DRAFTED[name]), order=order, apart=5e-3)
+
+    @pytest.mark.nightly
     @pytest.mark.parametrize("discs", [(PILLAR,), (INCLUSION,)], ids=["pillar", "inclusion"])
     def test_a_rhombus_has_those_of_the_hexagon(self, tmp_path, discs):
         agree(*drawn(tmp_path, TRIANGULAR, *discs, corners=RHOMBUS), order=3)
@@ -76,6 +83,11 @@ class TestPeriods:
         period = solids.solid_period
         assert period.volumes == pytest.approx([(7 * MM) ** 2 * THICKNESS - inside, inside], rel=1e-6)
         assert period.names == ("part 0", "part 1")
+
+    def test_volumes_are_those_of_cones(self, tmp_path):
+        _, solids = drawn(tmp_path, SQUARE, *DRAFTED["drafted coated inclusion"])
+        exact = drafted_volumes(49)["drafted coated inclusion"]
+        assert solids.solid_period.volumes == pytest.approx([1e-9 * v for v in exact.values()], rel=1e-6)
 
     @pytest.mark.nightly
     def test_a_pillar_at_the_corners_is_one_in_the_middle(self, tmp_path):

@@ -1,5 +1,6 @@
 """Designs and tolerances of discs: equal numbers move together, their order stays, plates drawn at random."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,7 @@ from haptonic.bloch import gaps_of
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell import Disc, Site, UnitCell
 from haptonic.design.brief import Brief
-from haptonic.design.discs import moving_together, with_shared
+from haptonic.design.discs import moving_together, reason_fixed, with_shared
 from haptonic.design.edges import beside_dataset, edge_slopes
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
@@ -20,7 +21,7 @@ from haptonic.design.tolerance import Spread, Surface, samples
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from stacks import EPOXY, STACKS, STEEL, above
+from stacks import DRAFTED, EPOXY, RIGHT, STACKS, STEEL, above
 
 MM, UM = 1e-3, 1e-6
 ALUMINIUM = material("aluminium-7075")
@@ -64,10 +65,31 @@ class TestNumbersThatMoveTogether:
         assert together["cell.disc[1].material.density"] == ("cell.disc[3].material.density",)
         assert together["cell.disc[2].material.density"] == ()
 
-    @pytest.mark.parametrize("name", STACKS)
+    def test_a_number_that_would_part_two_sides_is_fixed(self):
+        sunk = cell(*DRAFTED["countersunk hole"])
+        assert sizes(sunk) == {
+            "cell.disc[1].diameter": ("cell.disc[2].diameter",),
+            "cell.disc[1].high": ("cell.disc[2].low",),
+            "cell.disc[2].draft": (),
+        }
+        assert "cell.thickness" in values_of(sunk)
+        cap = cell(*DRAFTED["cap on a cone"])  # between shaft and cap the cone is fixed, the chamfer is free
+        assert sizes(cap) == {
+            "cell.disc[3].high": ("cell.disc[4].low",),
+            "cell.disc[4].draft": (),
+            "cell.disc[4].high": (),
+        }
+        cause, _ = reason_fixed(cap, "cell.disc[2].draft")
+        assert "no longer meet" in cause
+        onto_a_face = cell(Disc(2 * MM, draft=-RIGHT, material=STEEL), above(5, 0, 1, material=STEEL))
+        assert onto_a_face.stack.chains == ((0, 1),)
+        assert "cell.thickness" not in values_of(onto_a_face)
+        assert reason_fixed(onto_a_face, "cell.thickness") == reason_fixed(cap, "cell.disc[2].draft")
+
+    @pytest.mark.parametrize("name", STACKS | DRAFTED)
     def test_every_number_leaves_the_grid_of_the_stack(self, name):
         """Little changes of each, in both directions; the equal numbers alone would divide it anew."""
-        one = cell(*STACKS[name])
+        one = cell(*(STACKS | DRAFTED)[name])
         for path, others in moving_together(one).items():
             value = one.numbers()[path]
             for factor in (0.999, 1.001):
@@ -102,6 +124,15 @@ class TestOrderOfDiscs:
         assert layers[0] > 0 > layers[1] > layers[2]
         for share in np.random.default_rng(1).random((6, 2)):
             brief.at(brief.feasible(share))
+
+    def test_a_cone_keeps_its_tip(self):
+        """A pillar of 3 mm whose upper end has 5 % of its width at 19.6 degrees."""
+        bounds = {"cell.disc[1].draft": (0.1, 0.5)}
+        brief = Brief(cell(above(3, 0, 4, draft=0.2)), 100e3, 8, bounds)
+        least = math.atan(1.5 * 0.95 / 4)
+        for draft, sign in ((least - 0.02, 1), (least + 0.02, -1)):
+            assert sign * brief.limits(np.array([(draft - 0.1) / 0.4]))["taper of the discs"] > 0
+        brief.at(brief.feasible(np.array([0.9])))
 
     def test_the_workshop_limits_what_stands_above(self):
         room = self.brief(tool=2 * MM, reach=5 * MM, slenderness=1.0).limits(np.array([0.0, 2 / 3]))

@@ -20,7 +20,7 @@ from haptonic.fields.keys import pattern_of
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
 from haptonic.superelement import TiledMesh
-from stacks import STACKS
+from stacks import DRAFTED, STACKS
 
 MM = 1e-3
 ALUMINIUM = IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium")
@@ -59,6 +59,8 @@ CELLS = {
     "coated inclusion": cell(None, disc=STACKS["coated inclusion"]),
     "pillar on glue": cell(None, disc=STACKS["pillar on glue"]),
     "cap": cell(None, disc=STACKS["cap"]),
+    "countersunk hole": cell(None, disc=DRAFTED["countersunk hole"]),
+    "drafted coated inclusion": cell(None, disc=DRAFTED["drafted coated inclusion"]),
     "discs of all numbers": cell(None, disc=RECTANGLE_IN_ELLIPSE),
     "rounded": cell(Pillar(3 * MM, 5 * MM, "rectangle", length=2 * MM, corner_radius=0.4 * MM)),
 }
@@ -78,6 +80,8 @@ CASES = [
     ("coated inclusion", GENERIC, 4, 1),
     ("pillar on glue", GENERIC, 4, 1),
     ("cap", GENERIC, 4, 1),
+    ("countersunk hole", GENERIC, 4, 1),
+    ("drafted coated inclusion", GENERIC, 4, 1),
     ("discs of all numbers", GENERIC, 4, 1),
 ]
 DAILY = [case for case in CASES if case[0] in ("all at once", "ellipse", "blind holes on both faces")]

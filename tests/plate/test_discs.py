@@ -1,5 +1,6 @@
 """Plates whose lattice has discs: against plates of pillars, and by their mass."""
 
+import math
 from dataclasses import replace
 
 import full
@@ -32,6 +33,10 @@ CAP = cell(Disc(2.5 * MM, low=0.0, high=3 * MM), Disc(4.5 * MM, low=3 * MM, high
 CELLS = {
     "blind hole": (cell(Disc(4 * MM, low=-1 * MM, empty=True)), -ALUMINIUM.density * 1 * MM),
     "inclusion": (cell(Disc(4 * MM, material=STEEL)), (STEEL.density - ALUMINIUM.density) * THICKNESS),
+    "cone": (
+        cell(Disc(4 * MM, low=-1 * MM, draft=math.atan(1.0), empty=True)),
+        -ALUMINIUM.density * 7 / 12 * MM,  # from 4 mm to 2 mm
+    ),
 }
 
 

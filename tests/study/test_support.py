@@ -17,7 +17,7 @@ from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.study import Study
-from stacks import STACKS
+from stacks import DRAFTED, STACKS
 
 MM = 1e-3
 NUMBERS = {
@@ -62,12 +62,13 @@ def test_each_analysis_supports_every_feature_of_pillars(feature):
 
 
 @pytest.mark.parametrize("faces", ["one", "both"])
-@pytest.mark.parametrize("feature", STACKS)
+@pytest.mark.parametrize("feature", STACKS | DRAFTED)
 def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
     """Only finite plates refuse discs: those that open their lower face."""
-    of_sites = Site(disc=STACKS[feature]), Site()
+    discs = (STACKS | DRAFTED)[feature]
+    of_sites = Site(disc=discs), Site()
     for each in (
-        UnitCell(SQUARE, 1.5 * MM, material("aluminium-2017a"), disc=STACKS[feature], faces=faces),
+        UnitCell(SQUARE, 1.5 * MM, material("aluminium-2017a"), disc=discs, faces=faces),
         UnitCell(
             Lattice(lattice="honeycomb", pitch=12 * MM), 1.5 * MM, material("aluminium-2017a"), site=of_sites
         ),
@@ -79,7 +80,8 @@ def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
             if refusal is not None:
                 assert_told(refusal, refusal.code, refusal.argument)
                 refused.add(name)
-        opens_below = feature == "hole" or (feature == "blind hole" and each.faces == "both")
+        through = feature in ("hole", "countersunk hole", "square cone in a round hole")
+        opens_below = through or (feature == "blind hole" and each.faces == "both")
         of_plates = PLATES if opens_below else set()
         assert refused - {"layers"} == of_plates
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from family import METAL, MM, SQUARE, cell, enclosed, is_watertight
 
+from daily import daily
 from haptonic.cell import Disc, Pillar, Site, UnitCell
 from haptonic.cell.tile import enclosed as area_of
 from haptonic.lattice import Lattice
@@ -21,7 +22,7 @@ from haptonic.workshop import (
     write_step,
 )
 from haptonic.workshop.section import ANGLES
-from stacks import EPOXY, STACKS, STEEL
+from stacks import DRAFTED, EPOXY, STACKS, STEEL, cone, drafted_volumes
 
 pytest.importorskip("netgen.occ", reason="the extra cad is not installed")
 
@@ -72,6 +73,18 @@ def test_solids_of_discs_have_the_exact_volume_of_each_material(name, tmp_path):
     check_files(part, EXACT[name], tmp_path, polygon=2e-3)
 
 
+@pytest.mark.parametrize("name", daily(DRAFTED, "countersunk hole", "cap on a cone"))
+def test_cones_have_the_exact_volume_of_each_material(name, tmp_path):
+    part = Part.piece(UnitCell(SQUARE, 1.5 * MM, METAL, disc=DRAFTED[name]))
+    check_files(part, drafted_volumes(49)[name], tmp_path, polygon=2e-3)
+
+
+def test_square_cones_have_it_to_rounding(tmp_path):
+    part = Part.piece(UnitCell(SQUARE, 1.5 * MM, METAL, disc=squared(DRAFTED["countersunk hole"])), 2, 1)
+    hole = 9 * 0.9 + cone(3, -math.pi / 4, 0.6, 1 / 3)[0]
+    check_files(part, {"metal": 2 * (PLATE - hole)}, tmp_path)
+
+
 @pytest.mark.parametrize("name", STACKS)
 def test_surfaces_of_square_discs_enclose_the_volume_to_rounding(name, tmp_path):
     square = {
@@ -120,9 +133,17 @@ CUT = {  # mm^2, of each material in a section 14 mm long through two stacks
 }
 
 
-@pytest.mark.parametrize("name", STACKS)
+CUT |= {
+    "countersunk hole": {"metal": 14 * 1.5 - 2 * (3 * 1.5 + 0.6**2)},
+    "chamfered pillar": {"metal": 14 * 1.5 + 2 * (3 * 4 - 0.5**2)},
+    "cap on a cone": {"metal": 14 * 1.5 + 2 * (2 * 2 + 3 * 1 + 4 * 0.6 + 3.6 * 0.4)},
+}
+CIRCLES = {"countersunk hole": [3.0, 4.2], "chamfered pillar": [2.0, 3.0], "cap on a cone": [2.0, 3.2, 4.0]}
+
+
+@pytest.mark.parametrize("name", CUT)
 def test_the_section_shows_each_material_and_the_outlines_have_their_layers(name, tmp_path):
-    part = Part.piece(UnitCell(SQUARE, 1.5 * MM, METAL, disc=STACKS[name]), 3, 2)
+    part = Part.piece(UnitCell(SQUARE, 1.5 * MM, METAL, disc=(STACKS | DRAFTED)[name]), 3, 2)
     path = write_drawing(tmp_path / "a.dxf", part_drawing(part, "Discs"))
     space = ezdxf.readfile(path).modelspace()
     areas = dict.fromkeys([solid.name for solid in part.materials], 0.0)
@@ -135,7 +156,7 @@ def test_the_section_shows_each_material_and_the_outlines_have_their_layers(name
         layer: sorted({2 * circle.dxf.radius for circle in outlines.query(f'CIRCLE[layer=="{layer}"]')})
         for layer in ("HOLE", "DISC")
     }
-    holes = [4.0] if "hole" in name else []
-    widths = sorted({1e3 * disc.diameter for disc in STACKS[name]})
+    widths = CIRCLES.get(name) or sorted({1e3 * disc.diameter for disc in STACKS[name]})
+    holes = widths if "hole" in name else []
     assert circles == {"HOLE": pytest.approx(holes), "DISC": pytest.approx([] if holes else widths)}
     assert len(outlines.query("CIRCLE")) == 6 * len(widths)

@@ -31,7 +31,7 @@ from haptonic.workshop.dimensions import dimensions_of
 from haptonic.workshop.dxf import outlines
 from haptonic.workshop.section import Row, nearest
 from haptonic.workshop.sheet import POINT, Sheet
-from stacks import STACKS
+from stacks import DRAFTED, STACKS
 
 ALL = FAMILY | EXTREME
 STEPPED = cell(Pillar(3.5 * MM, 9 * MM, "round", math.radians(2), 0.5 * MM, Step(2 * MM, 5 * MM)), RECTANGLE)
@@ -58,6 +58,7 @@ OTHERS = {
     "turned bars": cell(Pillar(2 * MM, 4 * MM, "rectangle", length=3 * MM, turn=0.4), RECTANGLE),
     "blind holes": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["blind hole"]),
     "coated inclusions": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["coated inclusion"]),
+    "caps on cones": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=DRAFTED["cap on a cone"]),
     "hollow pillars": UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["hollow pillar"], faces="both"),
     "hexagons of epoxy": cell(Pillar(3 * MM, 4 * MM, "hexagon", material=material("silver-epoxy"))),
 }

@@ -8,6 +8,7 @@ from haptonic.cell.pillar import Pillar
 from haptonic.cell.sectors import unmeshed
 from haptonic.cell.sites import Site, apart, check_shares, check_tiles
 from haptonic.cell.stack import Feature, Stack
+from haptonic.cell.stack_checks import check_stack
 from haptonic.cell.tile import HALF_TURNED
 from haptonic.fields import problem
 from haptonic.materials import is_symmetry
@@ -86,7 +87,7 @@ def _check_discs(cell: UnitCell) -> None:
                 at=f"{table}disc",
             )
     for table, discs in cell.disc_tables.items():
-        Stack(discs, cell.thickness, cell.is_mirrored).check(table)
+        check_stack(Stack(discs, cell.thickness, cell.is_mirrored), table)
 
 
 def _check_sites(cell: UnitCell) -> None:

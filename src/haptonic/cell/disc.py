@@ -1,7 +1,8 @@
-"""Disc: a prism of a material, or empty, about the axis of a site."""
+"""Disc: a prism or a cone of a material, or empty, about the axis of a site."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Annotated, ClassVar
 
@@ -30,15 +31,18 @@ from haptonic.materials import GIVEN, Material
 from haptonic.units import format_quantity
 
 FARTHEST = 100e-3  # m, from the plate's top
+STEEPEST = math.radians(60)  # draft: that of the widest usual countersink, of 120 degrees
+Side = tuple[tuple[float, float], tuple[float, float]]
 
 
 @described("cell.disc", GeometryError)
 class Disc(Sectioned):
-    """A prism about the axis of a site, between two heights. All lengths in m, angles in rad.
+    """A prism about the axis of a site, between two heights, or a cone. All lengths in m, angles in rad.
 
     A disc replaces the material in its place: discs are added in order, and a later one replaces what it
     overlaps. An empty disc through the plate is a hole, one of another material an inclusion, and one on the
-    plate a pillar; several discs make a coating, a layer of glue or a cap.
+    plate a pillar; several discs make a coating, a layer of glue or a cap. With a draft the disc is a cone: a
+    countersink, or as a short disc a chamfer. Discs whose sides continue each other have one border.
 
     Raises
     ------
@@ -54,9 +58,15 @@ class Disc(Sectioned):
         ),
         **meant("diameter", "d", "width", "side", "w"),
         **meant("section", "shape", "form", "cross_section"),
+        **meant("draft", "taper", "taper_angle", "draft_angle"),
         **meant("low", "from", "bottom", "base"),
         **meant("high", "to", "top"),
         **meant("empty", "void", "hole"),
+        **absent(
+            "chamfer", "bevel", "countersink",
+            cause="a chamfer or a countersink is a disc of its own, with a draft",
+            next_step="let this disc end where the chamfer begins; add one of the same diameter with a draft",
+        ),
         **absent(
             "height", "depth", "thickness",
             cause="a disc reaches from one height to another, both from the plate's upper face",
@@ -65,7 +75,8 @@ class Disc(Sectioned):
     }  # fmt: skip
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
-        "Width along x; of a hexagon or polygon, across its flats. Smaller than the pitch by more than 2 %.",
+        "Width along x at the lower end; of a hexagon or polygon, across its flats. Smaller than the pitch "
+        "by more than 2 %.",
         title="Disc diameter",
         examples=["5 mm"],
     )
@@ -88,6 +99,9 @@ class Disc(Sectioned):
     empty: bool = setting(
         False, "Nothing is left where the disc is: it is a hole.", title="Empty disc", strict=True
     )
+    draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST)] = setting(
+        0.0, "Between side and normal; positive is narrower at the upper end.", title="Draft of the disc"
+    )
     section: SectionName = SECTION
     length: SectionLength = LENGTH
     sides: SectionSides = SIDES
@@ -97,6 +111,7 @@ class Disc(Sectioned):
 
     def __post_init__(self) -> None:
         self.check_section()
+        self.check_sides("draft")
         if self.empty and self.material is not None:
             raise problem(
                 "conflict",
@@ -121,18 +136,29 @@ class Disc(Sectioned):
         """Description of the disc, for a plate of some thickness, m."""
         low, high = (format_quantity(end - thickness, "m") for end in self.ends(thickness))
         solid = "empty" if self.empty else self.material.name if self.material else "of the plate's material"
-        return f"{self.section} disc {format_quantity(self.diameter, 'm')} wide from {low} to {high}, {solid}"
+        width = " to ".join(format_quantity(wide, "m") for wide in self.diameters(thickness))
+        return f"{self.section} disc {width} wide from {low} to {high}, {solid}"
 
     def ends(self, thickness: float) -> tuple[float, float]:
         """Heights of lower and upper end above the plate's lower face, m."""
         low = -thickness if self.low is None else self.low
         return thickness + low, thickness + (self.high or 0.0)
 
+    def side(self, thickness: float) -> Side:
+        """Half-width at lower and upper end, and height of each above the plate's lower face, m."""
+        low, high = self.ends(thickness)
+        return (self.radius, low), (self.radius - (high - low) * math.tan(self.draft), high)
+
+    def diameters(self, thickness: float) -> tuple[float, ...]:
+        """Diameter of a prism, or that of a cone at its lower and at its upper end, m."""
+        wide = [self.diameter / self.radius * width for width, _ in self.side(thickness)]
+        return tuple(wide) if self.draft else (self.diameter,)
+
     def is_image(self, other: Disc, turn: NDArray[np.float64]) -> bool:
         """True if an orthogonal map (3, 3) that keeps the normal maps the disc to another one."""
         same = (self.low, self.high, self.material, self.empty)
         alike = same == (other.low, other.high, other.material, other.empty)
-        alike &= abs(self.radius - other.radius) <= SAME * self.radius
+        alike &= abs(self.radius - other.radius) <= SAME * self.radius and self.draft == other.draft
         return alike and self.keeps_material(turn) and self.outline.image(turn[:2, :2]).is_same(other.outline)
 
     def scaled(self, factor: float) -> Disc:

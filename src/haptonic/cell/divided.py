@@ -83,29 +83,49 @@ class Interval:
 
 
 def annuli_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
-    """The annuli of a stack with ``rings`` thin ones at every singular edge; the first begins at the core."""
-    radius = [border.half_width for border in stack.borders]
-    ends = [0.0, *radius, radius[-1] + tile.clearance]
-    near = _near_borders(tile, stack, rings)
-    first = Interval(CORE_RADIUS * radius[0], radius[0], np.empty(0), near[0])
-    return [first] + [
-        Interval(low, high, near[number], near[number + 1] if number + 1 < len(near) else np.empty(0),
-                 growth=RING_GROWTH)
-        for number, (low, high) in enumerate(pairwise(ends[1:]))
-    ]  # fmt: skip
+    """The annuli of a stack with ``rings`` thin ones at every singular edge; the first begins at the core.
+
+    Each is taken at the level where its outer border is farthest beyond its inner one; on other levels its
+    elements have the same shares of its width. Thin rings are thin enough for the edges on every level.
+    """
+    ends, rooms = _ends(tile, stack, stack.widths), _rooms(tile, stack)
+    annuli = []
+    for number, (low, high) in enumerate(pairwise(ends)):
+        level, width = int((high / low).argmax()), high - low
+        near_low, near_high = (
+            width[level] * _reach(rooms[border] / width, stack.singular[border], rings)
+            if 0 <= border < len(rooms) else np.empty(0)
+            for border in (number - 1, number)
+        )  # fmt: skip
+        growth = RING_GROWTH if number else 0.0
+        annuli.append(Interval(float(low[level]), float(high[level]), near_low, near_high, growth=growth))
+    return annuli
+
+
+def half_widths(tile: TileShape, stack: Stack, blocks: StackBlocks, heights: Array) -> Array:
+    """(borders, heights) half-widths of all borders between rings, without the tile's side, m."""
+    annuli = annuli_of(tile, stack, blocks.thin)
+    rows = []
+    for annulus, division, (low, high) in zip(
+        annuli, blocks.annuli, pairwise(_ends(tile, stack, stack.widths_at(heights))), strict=True
+    ):
+        share = (np.array(annulus.borders(division)) - annulus.low) / (annulus.high - annulus.low)
+        rows.append(low + share[:-1, None] * (high - low))
+    return np.concatenate(rows)
 
 
 def storeys_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
     """The storeys of a stack with ``rings`` thin layers at every end with a singular edge."""
-    near = _near_ends(tile, stack, rings)
-    diameter = 2 * stack.borders[0].half_width
+    rooms, singular = _rooms(tile, stack), stack.singular
+    near = [_reach(rooms[:, end], singular[:, end], rings) for end in range(len(stack.heights))]
+    diameter = stack.widths[0, :-1] + stack.widths[0, 1:]  # of the narrowest disc, amid each storey
     return [
         Interval(
             float(low),
             float(high),
             near[number],
             near[number + 1],
-            length=diameter * (IN_PLATE if number < stack.in_plate else ABOVE_PLATE),
+            length=float(diameter[number]) * (IN_PLATE if number < stack.in_plate else ABOVE_PLATE),
         )
         for number, (low, high) in enumerate(pairwise(stack.heights))
     ]
@@ -133,25 +153,19 @@ def edges_between(divisions: Sequence[Division]) -> tuple[int, ...]:
     return tuple(int(end) for end, division in zip(ends[:-1], divisions[:-1], strict=True) if division.high)
 
 
-def _near_borders(tile: TileShape, stack: Stack, rings: int) -> list[Array]:
-    """Reach of the thin rings at each border, m."""
-    rooms = _rooms(tile, stack)
-    return [_reach(rooms[border], stack.singular[border], rings) for border in range(len(rooms))]
-
-
-def _near_ends(tile: TileShape, stack: Stack, rings: int) -> list[Array]:
-    """Reach of the thin layers at each end of a storey, m."""
-    rooms = _rooms(tile, stack)
-    return [_reach(rooms[:, end], stack.singular[:, end], rings) for end in range(len(stack.heights))]
+def _ends(tile: TileShape, stack: Stack, widths: Array) -> Array:
+    """(annuli + 1, ...) half-widths from the core to the tile's side, for those of the borders, m."""
+    side = np.full_like(widths[:1], stack.widest + tile.clearance)
+    return np.concatenate([CORE_RADIUS * widths[:1], widths, side])
 
 
 def _rooms(tile: TileShape, stack: Stack) -> Array:
     """(borders, ends) smallest length at each edge: of both annuli and both storeys beside it, m."""
-    radius = np.array([border.half_width for border in stack.borders])
-    width = np.concatenate([[radius[0]], np.diff(radius), [2 * tile.clearance]])
+    width = np.diff(_ends(tile, stack, stack.widths), axis=0)
+    width[0], width[-1] = stack.widths[0], 2 * width[-1]
     height = np.concatenate([[np.inf], np.diff(stack.heights), [np.inf]])
     beside = np.minimum(width[:-1], width[1:])
-    return np.asarray(np.minimum(beside[:, None], np.minimum(height[:-1], height[1:])))
+    return np.asarray(np.minimum(beside, np.minimum(height[:-1], height[1:])))
 
 
 def _reach(rooms: Array, singular: Bools, rings: int) -> Array:

@@ -14,6 +14,7 @@ from haptonic.cell.plan import MeshPlan
 from haptonic.cell.profile import Profile
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.sectors import along_sides, sectors, transfinite
+from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape
 from haptonic.cell.topology import Topology, topology_of
 
@@ -115,14 +116,15 @@ class _Outlines:
     """Curves around the axis, (around, 2) points each in the order of the rim.
 
     core : around the core, for a half-width of 1
-    width, rings : half-widths of the borders about the axis, m, and each border for a half-width of 1
+    rings : each border about the axis, for a half-width of 1
+    stack : discs whose borders these are, if any
     rim : around the cell, or around the pillar for a piece of a pillar, m
     shares : positions of the nodes along a side of a patch of the core
     """
 
     core: Array
-    width: tuple[float, ...]
     rings: tuple[Array, ...]
+    stack: Stack | None
     rim: Array
     shares: Array
 
@@ -136,17 +138,18 @@ class _Outlines:
         whole = np.append(share, 1.0)
         shares = whole if len(corners) == 4 else 2 * whole[: plan.side // 2 + 1]
         rim = along_sides(corners, share) if cell.free_width is None else cell.free_width * rings[0]
-        width = tuple(border.half_width for border in cell.stack.borders) if cell.stack else (1.0,)
-        return cls(core=core, width=width, rings=rings, rim=rim, shares=shares)
+        return cls(core=core, rings=rings, stack=cell.stack, rim=rim, shares=shares)
 
-    def ring(self, width: float) -> Array:
-        """Curve for a half-width, m: interpolated between two borders, beyond them like the nearest one."""
-        number = int(np.searchsorted(self.width, width))
-        if len(self.rings) == 1 or number in (0, len(self.rings)):
+    def ring(self, width: float, height: float) -> Array:
+        """Curve for a half-width at a height, m: between two borders, beyond them like the nearest one."""
+        borders = self.stack.widths_at(height) if self.stack else np.empty(0)
+        number = int(np.searchsorted(borders, width))
+        if number in (0, len(borders)):
             return width * self.rings[min(number, len(self.rings) - 1)]
-        low, high = self.width[number - 1 : number + 1]
+        low, high = borders[number - 1 : number + 1]
         share = (width - low) / (high - low)
-        return (1 - share) * low * self.rings[number - 1] + share * high * self.rings[number]
+        inner, outer = low * self.rings[number - 1], high * self.rings[number]
+        return np.asarray((1 - share) * inner + share * outer)
 
 
 def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> Array:
@@ -165,11 +168,12 @@ def _level(profile: Profile, outlines: _Outlines, layer: int, share: float) -> A
         along = profile.ring_shares[ring]
         for s, w, z in list(zip(along, width, height, strict=True))[1:]:
             if ring == 0:  # from the core's outline to that of the other rings
-                curve = outlines.ring(w) + (1 - s) * (width[0] * outlines.core - outlines.ring(width[0]))
+                inner = outlines.ring(width[0], z)
+                curve = outlines.ring(w, z) + (1 - s) * (width[0] * outlines.core - inner)
             elif ring == len(widths) - 1:
-                curve = (1 - s) * outlines.ring(w) + s * outlines.rim
+                curve = (1 - s) * outlines.ring(w, z) + s * outlines.rim
             else:
-                curve = outlines.ring(w)
+                curve = outlines.ring(w, z)
             pieces.append(_at_height(curve, z))
     return np.concatenate(pieces)
 

@@ -79,6 +79,11 @@ class Pillar(Sectioned):
             next_step="write them into a [cell.pillar.material] table, or give material a built-in name",
         ),
         **absent(
+            "chamfer", "bevel",
+            cause="a pillar has no such number; a chamfer is a short disc with a draft",
+            next_step="give shaft and chamfer as two [[cell.disc]] tables in place of the pillar",
+        ),
+        **absent(
             "coating",
             cause="a pillar consists of one material; coated ones are stacks of discs",
             next_step="give core and coating as [[cell.disc]] tables in place of the pillar",
@@ -122,7 +127,7 @@ class Pillar(Sectioned):
 
     def __post_init__(self) -> None:
         self.check_section()
-        self._check_sides()
+        self.check_sides("draft", "fillet")
         if self.material is not None and self.fillet:
             # No mesh is graded towards the fillet's rim, where the materials meet: errors of steel on
             # aluminium were up to six times the estimate.
@@ -166,19 +171,6 @@ class Pillar(Sectioned):
                     "the arc would reach the end of the pillar's lower part",
                     "choose a smaller radius",
                     at="fillet",
-                )
-
-    def _check_sides(self) -> None:
-        """Refuse a draft or a fillet that the section cannot have."""
-        for name in ("draft", "fillet"):
-            if getattr(self, name) and not self.outline.is_tangential:
-                raise problem(
-                    "unsupported",
-                    f"{name} on a section that is {self.section}",
-                    "none on a section whose sides are not equally far from the axis, or rounded",
-                    "its outline would change its shape with the height",
-                    f"remove {name}, or take a round, square, hexagon or polygon section with sharp corners",
-                    at=name,
                 )
 
     def _check_step(self, step: Step) -> None:

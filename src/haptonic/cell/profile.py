@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.cell.divided import annuli_of, borders, edges_between, storeys_of
+from haptonic.cell.divided import borders, edges_between, half_widths, storeys_of
 from haptonic.cell.edges import (
     CORE_RADIUS,
     FOOT_LAYER,
@@ -91,12 +91,10 @@ class Profile:
         blocks = plan.stack
         assert blocks is not None, "a plan without a stack"
         heights = borders(storeys_of(cell, stack, blocks.thin), blocks.storeys)
-        widths = borders(annuli_of(cell, stack, blocks.thin), blocks.annuli)[
-            :-1
-        ]  # the last one is the tile's side
+        width = half_widths(cell, stack, blocks, heights)
         return cls(
             plan, None,
-            np.repeat(widths[:, None], len(heights), axis=1), np.repeat(heights[None], len(widths), axis=0),
+            width, np.repeat(heights[None], len(width), axis=0),
             ring_shares=_shares(plan.rings, edges_between(blocks.annuli)),
             layer_shares=_shares(plan.layer_orders, edges_between(blocks.storeys)),
         )  # fmt: skip

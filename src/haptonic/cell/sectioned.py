@@ -72,6 +72,19 @@ class Sectioned:
                 )
         self.form.check()
 
+    def check_sides(self, *names: str) -> None:
+        """Refuse a draft or a fillet that the section cannot have."""
+        for name in names:
+            if getattr(self, name) and not self.outline.is_tangential:
+                raise problem(
+                    "unsupported",
+                    f"{name} on a section that is {self.section}",
+                    "none on a section whose sides are not equally far from the axis, or rounded",
+                    "its outline would change its shape with the height",
+                    f"remove {name}, or take a round, square, hexagon or polygon section with sharp corners",
+                    at=name,
+                )
+
     @cached_property
     def form(self) -> Section:
         """The section with its numbers: lengths per diameter, radii per half diameter."""

@@ -2,10 +2,14 @@
 
 The borders of all discs, seen from above, divide a tile into annuli; their ends divide it into storeys. A
 hole, an inclusion with a coating, a pillar on glue, or a cap wider than its pillar is a grid of a few parts.
+
+The half-width of a border is a continuous function of height, straight within each storey: discs whose sides
+continue each other, such as a shaft and its chamfer, share a border. Beyond its discs a border is upright.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar
@@ -15,13 +19,11 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools, Ints
 from haptonic.cell.blocks import VOID, Grid
-from haptonic.cell.disc import Disc
+from haptonic.cell.disc import Disc, Side
 from haptonic.cell.outlines import Outline, Scaled
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.pillar import Pillar
-from haptonic.fields import problem
 from haptonic.materials import Material
-from haptonic.units import format_quantity
 
 LEAST_APART = 1e-3  # smallest distance of different borders, over the widest half-width or the thickness
 TURNS = 360  # directions for the comparison of borders
@@ -54,19 +56,61 @@ class Stack:
         return np.maximum([floor, self.thickness, *ends], floor)
 
     @cached_property
-    def borders(self) -> tuple[Scaled, ...]:
-        """Borders of the annuli, from the innermost outwards."""
-        scale = self._widest_disc.radius
-        borders: list[Scaled] = []
-        for disc in sorted(self.discs, key=lambda disc: disc.radius * disc.outline.reach):
-            if not any(_is_border_of(border, disc, scale) for border in borders):
-                borders.append(Scaled(disc.outline, disc.radius))
-        return tuple(borders)
+    def chains(self) -> tuple[tuple[int, ...], ...]:
+        """Numbers of the discs of each border, from the innermost border outwards, and upwards in each."""
+        chains: list[list[int]] = []
+        for number in sorted(range(len(self.discs)), key=lambda number: self._sides[number][0][1]):
+            chain = next((chain for chain in chains if self._continues(chain, number)), None)
+            if chain is None:
+                chains.append(chain := [])
+            chain.append(number)
 
-    def border_of(self, disc: Disc) -> int:
+        def reach(chain: list[int]) -> float:
+            return float(self._curve(chain)[0].max()) * self.discs[chain[0]].outline.reach
+
+        return tuple(tuple(chain) for chain in sorted(chains, key=reach))
+
+    @cached_property
+    def _sides(self) -> tuple[Side, ...]:
+        return tuple(disc.side(self.thickness) for disc in self.discs)
+
+    def _curve(self, chain: Sequence[int]) -> Array:
+        """(2, n) half-widths and heights of the ends of discs, upwards."""
+        places = [place for number in chain for place in self._sides[number]]
+        return np.array(sorted(places, key=lambda place: place[1])).T
+
+    def _continues(self, chain: Sequence[int], number: int) -> bool:
+        """True if a disc that begins above the lowest disc of a chain continues its border, or repeats it."""
+        if not self.discs[number].outline.is_same(self.discs[chain[0]].outline):
+            return False
+        curve, side = self._curve(chain), self._curve([number])
+        low = side[1, 0]
+        high = min(side[1, 1], max(curve[1, -1], low))
+        levels = np.clip(np.concatenate([curve[1], side[1]]), low, high)
+        apart = np.interp(levels, curve[1], curve[0]) - np.interp(levels, side[1], side[0])
+        return bool(np.abs(apart).max() < SAME * max(curve[0].max(), side[0].max()))
+
+    @cached_property
+    def widths(self) -> Array:
+        """(borders, storeys + 1) half-widths of the borders at the ends of the storeys, m."""
+        return self.widths_at(self.heights)
+
+    def widths_at(self, heights: Array | float, like: Stack | None = None) -> Array:
+        """(borders, ...) half-widths at heights above the lower face, m; for ``like`` see `layers`."""
+        curves = [self._curve(chain) for chain in (like or self).chains]
+        return np.array([np.interp(heights, curve[1], curve[0]) for curve in curves])
+
+    @cached_property
+    def borders(self) -> tuple[Scaled, ...]:
+        """Borders of the annuli where each is widest, from the innermost outwards."""
+        return tuple(
+            Scaled(self.discs[chain[0]].outline, float(width))
+            for chain, width in zip(self.chains, self.widths.max(axis=1), strict=True)
+        )
+
+    def border_of(self, number: int) -> int:
         """Number of the border that a disc has, counted from the innermost."""
-        scale = self._widest_disc.radius
-        return next(n for n, border in enumerate(self.borders) if _is_border_of(border, disc, scale))
+        return next(border for border, chain in enumerate(self.chains) if number in chain)
 
     @cached_property
     def in_plate(self) -> int:
@@ -81,18 +125,20 @@ class Stack:
     @cached_property
     def grid(self) -> Grid:
         """(storeys, annuli) number of each part's material: 0 for the plate's, `VOID` for empty parts."""
-        return self._grid_of(self.discs)
+        return self.grid_without(None)
 
-    def _grid_of(self, discs: tuple[Disc, ...]) -> Grid:
+    def grid_without(self, omitted: int | None) -> Grid:
         middles = 0.5 * (self.heights[1:] + self.heights[:-1])
         grid = np.full((len(middles), len(self.borders) + 1), VOID)
         grid[middles < self.thickness] = 0
-        for disc in discs:
+        for number, disc in enumerate(self.discs):
+            if number == omitted:
+                continue
             low, high = disc.ends(self.thickness)
             region = VOID if disc.empty else 0
             if disc.material is not None:
                 region = 1 + self.solids.index(disc.material)
-            grid[(middles > low) & (middles < high), : self.border_of(disc) + 1] = region
+            grid[(middles > low) & (middles < high), : self.border_of(number) + 1] = region
         return tuple(tuple(int(region) for region in row) for row in grid)
 
     @cached_property
@@ -100,20 +146,28 @@ class Stack:
         """(borders, ends of storeys) True where stress is singular.
 
         That is at re-entrant edges, and where materials meet in a corner. It is not at convex edges, nor
-        along a straight surface or interface; at the end of an interface on a level surface the singularity
-        is weak.
+        along a straight surface or interface; at the end of an upright interface on a level surface the
+        singularity is weak.
         """
         grid = np.array(self.grid)
         below = grid[:1] if self.mirrored else np.full_like(grid[:1], VOID)
         grid = np.concatenate([below, grid, np.full_like(grid[:1], VOID)])
         inner, outer = grid[:, :-1], grid[:, 1:]
         corners = np.stack([inner[:-1], outer[:-1], inner[1:], outer[1:]])  # of each end, (4, ends, borders)
-        upright = (corners[0] == corners[2]) & (corners[1] == corners[3])
+        slope = np.diff(self.widths, axis=1) / np.diff(self.heights)
+        lowest = -slope[:, :1] if self.mirrored else slope[:, :1]
+        slope = np.concatenate([lowest, slope, slope[:, -1:]], axis=1).T
+        slope[np.abs(slope) < SAME] = 0.0
+        bend = np.diff(slope, axis=0)  # positive: the border turns outwards
+        same = (corners[0] == corners[2]) & (corners[1] == corners[3])
+        convex = ((corners[0] == VOID) & (bend > 0)) | ((corners[1] == VOID) & (bend < 0))
+        smooth = same & (convex | (np.abs(bend) < SAME))
         level = (corners[0] == corners[1]) & (corners[2] == corners[3])
         solid = corners != VOID
         juts_out = solid.sum(axis=0) == 1
         ends_at_surface = (solid[0] == solid[1]) & (solid[2] == solid[3]) & (solid[0] != solid[2])
-        return np.asarray(~(upright | level | juts_out | ends_at_surface).T)
+        ends_at_surface &= np.where(solid[0], slope[:-1], slope[1:]) == 0
+        return np.asarray(~(smooth | level | juts_out | ends_at_surface).T)
 
     def layers(self, like: Stack) -> Array:
         """(storeys,) thicknesses of the storeys of a stack with as many discs, for the ends in this one, m.
@@ -125,111 +179,12 @@ class Stack:
         return np.asarray(np.diff(self._ends[order])[apart])
 
     def rings(self, like: Stack) -> Array:
-        """(borders - 1,) smallest widths between neighbouring borders of such a stack, m; see `layers`."""
+        """(borders - 1, storeys + 1) smallest widths between neighbouring borders, m; see `layers`."""
         angle = 2 * np.pi * np.arange(TURNS) / TURNS
         directions = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-        border = [like.border_of(disc) for disc in like.discs]
-        discs = [self.discs[border.index(number)] for number in range(len(like.borders))]
-        reach = [disc.radius * radii(disc.outline, directions) for disc in discs]
-        return np.asarray(np.diff(reach, axis=0).min(axis=1))
-
-    def check(self, table: str) -> None:
-        """Refuse discs that form no body with the plate, or one that changes nothing.
-
-        table : table of the study with the discs, with a dot at its end; errors give a disc by its number
-        """
-        self._check_ends(table)
-        self._check_borders(table)
-        for number in range(len(self.discs)):
-            if self._grid_of(self.discs[:number] + self.discs[number + 1 :]) == self.grid:
-                raise problem(
-                    "conflict",
-                    "a disc that changes nothing",
-                    "discs of a material, empty ones, and those that are above the plate",
-                    "it lies within the plate and is of the plate's material, or later discs replace it",
-                    "give it a material or empty = true, move it, or leave it out",
-                    at=f"{table}disc[{number + 1}]",
-                )
-        self._check_joined(table)
-
-    def _check_ends(self, table: str) -> None:
-        for number, disc in enumerate(self.discs, start=1):
-            low, high = disc.ends(self.thickness)
-            if low < -SAME * self.thickness:
-                raise problem(
-                    "out-of-range",
-                    format_quantity(low - self.thickness, "m"),
-                    f"at least {format_quantity(-self.thickness, 'm')}, the plate's lower face",
-                    "the disc reaches out of the plate below",
-                    'leave low out for a disc through the plate; faces = "both" gives its image below',
-                    at=f"{table}disc[{number}].low",
-                )
-            if high <= self.heights[0]:
-                raise problem(
-                    "out-of-range",
-                    format_quantity(high - self.thickness, "m"),
-                    f"above the plate's middle plane, {format_quantity(-0.5 * self.thickness, 'm')}",
-                    "discs on both faces are given by those of the upper half",
-                    'give its image in the upper half, or write faces = "one"',
-                    at=f"{table}disc[{number}].high",
-                )
-        thinnest = float(np.diff(self.heights).min())
-        if thinnest < LEAST_APART * self.thickness:
-            raise problem(
-                "out-of-range",
-                f"ends that are {format_quantity(thinnest, 'm', digits=3)} apart",
-                f"equal ends, or ends at least {format_quantity(LEAST_APART * self.thickness, 'm')} apart",
-                "a layer as thin as that has no mesh",
-                "make the two ends equal, or the layer thicker",
-                at=f"{table}disc",
-            )
-
-    def _check_borders(self, table: str) -> None:
-        """Refuse borders that cross or touch, or are nearly the same."""
-        least, widths = LEAST_APART * self.borders[-1].half_width, self.rings(self)
-        if widths.min(initial=np.inf) < least:
-            inner, outer = self.borders[widths.argmin() : widths.argmin() + 2]
-            raise problem(
-                "out-of-range",
-                f"sections of {format_quantity(2 * inner.half_width, 'm')} and "
-                f"{format_quantity(2 * outer.half_width, 'm')} whose outlines cross or nearly touch",
-                f"equal sections, or one at least {format_quantity(least, 'm', digits=3)} inside another",
-                "discs of a stack lie inside each other, seen from above",
-                "make the inner one smaller, or the two equal",
-                at=f"{table}disc",
-            )
-
-    def _check_joined(self, table: str) -> None:
-        """Refuse parts without contact to the rest, or with contact along an edge only."""
-        solid = np.array(self.grid) != VOID
-        joined = np.zeros_like(solid)
-        joined[: self.in_plate, -1] = True
-        while True:
-            more = joined.copy()
-            more[1:] |= joined[:-1]
-            more[:-1] |= joined[1:]
-            more[:, 1:] |= joined[:, :-1]
-            more[:, :-1] |= joined[:, 1:]
-            more &= solid
-            if (more == joined).all():
-                break
-            joined = more
-        grid = np.pad(solid, ((1, 1), (0, 0)))
-        inner, outer = grid[:, :-1], grid[:, 1:]
-        rising, falling = inner[:-1] & outer[1:], outer[:-1] & inner[1:]
-        neither = ~(outer[:-1] | inner[1:]), ~(inner[:-1] | outer[1:])
-        edges = (rising & neither[0]) | (falling & neither[1])
-        if (joined != solid).any() or edges.any():
-            raise problem(
-                "conflict",
-                "a part that touches the plate along an edge only"
-                if edges.any()
-                else "a part that the plate does not carry",
-                "discs that make one body with the plate",
-                "between the part and the plate there is nothing",
-                "let the ends of the discs meet, or leave the part out",
-                at=f"{table}disc",
-            )
+        shapes = [radii(self.discs[chain[0]].outline, directions) for chain in like.chains]
+        reach = np.array(shapes)[:, None] * self.widths_at(self.heights, like)[..., None]
+        return np.asarray(np.diff(reach, axis=0).min(axis=2))
 
     @property
     def has_corners(self) -> bool:
@@ -243,22 +198,22 @@ class Stack:
 
     @property
     def radius(self) -> float:
-        """Smallest half-width of the widest disc, m."""
-        return self.borders[-1].half_width
+        """Smallest half-width of the widest disc at its lower end, m."""
+        return self._widest_disc.radius
 
     @property
     def widest(self) -> float:
-        """Smallest half-width of the widest disc, m; the same as `radius`."""
-        return self.radius
+        """Largest half-width of the last border, in the direction of the smallest half-width, m."""
+        return self.borders[-1].half_width
 
     @property
     def broadest(self) -> float:
-        """Smallest half-width of the widest disc, m; the same as `radius`."""
-        return self.radius
+        """The same as `widest`, m."""
+        return self.widest
 
     @property
     def _widest_disc(self) -> Disc:
-        return max(self.discs, key=lambda disc: disc.radius)
+        return self.discs[max(self.chains[-1], key=lambda number: max(self._sides[number])[0])]
 
     @property
     def table(self) -> str:
@@ -309,16 +264,17 @@ class Stack:
     def raised(self) -> Scaled | None:
         """Border of the widest part above the plate; None without such a part."""
         above = np.array(self.grid[self.in_plate :]).reshape(-1, len(self.borders) + 1)
-        annuli = np.flatnonzero((above != VOID).any(axis=0))
-        return self.borders[annuli[-1]] if len(annuli) else None
+        if not (above != VOID).any():
+            return None
+        ends = self.widths[:, self.in_plate :]
+        return max(
+            (Scaled(self.borders[border].outline, float(ends[border, storey : storey + 2].max()))
+             for storey, row in enumerate(above) for border in np.flatnonzero(row != VOID)[-1:]),
+            key=lambda border: border.half_width,
+        )  # fmt: skip
 
 
 Feature = Pillar | Stack
-
-
-def _is_border_of(border: Scaled, disc: Disc, scale: float) -> bool:
-    """True if a border is that of a disc up to rounding; ``scale`` is a length of the stack, m."""
-    return border.outline.is_same(disc.outline) and abs(border.half_width - disc.radius) < SAME * scale
 
 
 def radii(outline: Outline, way: Array) -> Array:

@@ -12,6 +12,7 @@ import scipy
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.cell.checks import LEAST_CLEARANCE
+from haptonic.cell.pillar import LEAST_SHARE
 from haptonic.cell.sites import MOST_POINTED
 from haptonic.cell.stack import LEAST_APART, Stack
 from haptonic.cell.tile import inradius, room_in
@@ -24,7 +25,7 @@ from haptonic.lattice import LEAST_SIDE
 from haptonic.materials import IsotropicMaterial
 
 LEAST_GAP = 0.02  # between pillars, as a share of the pitch, if no tool asks for more
-LEAST_BETWEEN = 2 * LEAST_APART  # between the ends or the borders of discs, as in `Stack.check`
+LEAST_BETWEEN = 2 * LEAST_APART  # between the ends or the borders of discs, as in `check_stack`
 LEAST_TIP = 0.1  # narrowest width of a pillar, as a share of that at its foot
 SLACK = 1e-6  # by which a design may miss a limit
 MARGIN = 1e-3  # by which a starting point meets its limits
@@ -137,12 +138,17 @@ class Brief:
                 room[name] = float(apart.min()) / whole - LEAST_BETWEEN
         for disc in stack.discs:
             room |= disc.form.room()
-        widths = [2 * disc.radius for disc in stack.discs if not disc.empty and disc.high]
+        ends = [[width for width, _ in disc.side(cell.thickness)] for disc in stack.discs]
+        if any(disc.draft for disc in stack.discs):
+            taper = min(min(pair) / max(pair) for pair in ends)
+            room["taper of the discs"] = taper - LEAST_BETWEEN - LEAST_SHARE
+        pairs = list(zip(stack.discs, ends, strict=True))
+        widths = [2 * min(pair) for disc, pair in pairs if not disc.empty and disc.high]
         if self.allowed.slenderness is not None and widths:
             room["slenderness"] = 1 - stack.height / (self.allowed.slenderness * min(widths))
         if self.allowed.reach is not None:
             room["reach of the tool"] = 1 - stack.height / self.allowed.reach
-        holes = [2 * disc.radius for disc in stack.discs if disc.empty]
+        holes = [2 * min(pair) for disc, pair in pairs if disc.empty]
         if self.allowed.tool is not None and holes:
             room["width of a hole"] = min(holes) / self.allowed.tool - 1
         return room

@@ -1,13 +1,14 @@
 """Numbers of discs that a designer can change: those that leave the grid of their stack as it is.
 
 A design follows one mesh. Discs that share an end, a border or a material go on sharing it, so that such
-equal numbers count as one and move together. An end at a face of the plate stays there.
+equal numbers count as one and move together. An end at a face of the plate stays there. A number that would
+part the sides of two discs, such as the angle of a cone below a cap, is fixed.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -15,8 +16,15 @@ import numpy as np
 from haptonic.cell import UnitCell
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.stack import Stack
+from haptonic.fields import with_numbers
 
 DISC = re.compile(r"cell\.(?P<table>(?:site\[\d+\]\.)?)disc\[(?P<number>\d+)\]\.(?P<name>.+)")
+DIGITS = 8  # of equal numbers of one border
+SLIGHT = 1e-5  # relative change of a number that must not part the sides of two discs
+PARTED = (
+    "the side of this disc and that of the next one would no longer meet",
+    "vary a number that both have, such as their diameter, or write a study for each value",
+)
 
 
 def stacks_of(cell: UnitCell) -> dict[str, Stack]:
@@ -44,8 +52,21 @@ def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
         elif name.startswith("material."):
             groups.setdefault((table, name, disc.material), []).append(path)
         elif value:  # a sharp corner cannot vary into a round one
-            groups.setdefault((table, name, disc.section, stack.border_of(disc)), []).append(path)
-    return {first: tuple(others) for first, *others in groups.values()}
+            border = stack.border_of(int(named["number"]) - 1)
+            share = round(value if name == "draft" else value / stack.widest, DIGITS)
+            groups.setdefault((table, name, disc.section, border, share), []).append(path)
+    return {first: tuple(others) for first, *others in groups.values() if _keeps(cell, [first, *others])}
+
+
+def _keeps(cell: UnitCell, paths: Sequence[str]) -> bool:
+    """True if a small change of some equal numbers leaves the sides of discs together that continue others.
+
+    Prisms of one border move together, so there is nothing to check.
+    """
+    if not any(disc.draft for disc in cell.discs.values()):
+        return True
+    changed = dict.fromkeys(paths, (1 + SLIGHT) * cell.numbers()[paths[0]])
+    return is_divided_alike(cell, with_numbers(cell, changed, "cell.", checked=False))
 
 
 def with_shared(cell: UnitCell, values: Mapping[str, float]) -> dict[str, float]:
@@ -55,12 +76,17 @@ def with_shared(cell: UnitCell, values: Mapping[str, float]) -> dict[str, float]
     return {**values, **others}
 
 
-def ends_at_lower_face(cell: UnitCell) -> Iterator[str]:
-    """Paths of ends that are given as numbers, at the lowest level of the mesh: the thickness is fixed."""
+def reason_of_thickness(cell: UnitCell) -> tuple[str, str] | None:
+    """Cause and next step if discs fix the thickness; None if it can vary."""
     for table, stack in stacks_of(cell).items():
         for number, disc in enumerate(stack.discs, start=1):
             if disc.low is not None and _level(stack, stack.thickness + disc.low) == 0:
-                yield f"cell.{table}disc[{number}].low"
+                low = f"cell.{table}disc[{number}].low"
+                return (
+                    f"{low} is a number that would not follow the lower face",
+                    f"leave {low} out of the disc",
+                )
+    return None if _keeps(cell, ["cell.thickness"]) else PARTED
 
 
 def reason_fixed(cell: UnitCell, path: str) -> tuple[str, str] | None:
@@ -71,16 +97,19 @@ def reason_fixed(cell: UnitCell, path: str) -> tuple[str, str] | None:
         if path in others:
             return f"it equals {first}, and the two move together", f"name {first} instead"
     if path == "cell.thickness":
-        low = next(ends_at_lower_face(cell))
-        return f"{low} is a number that would not follow the lower face", f"leave {low} out of the disc"
+        return reason_of_thickness(cell)
     if path.endswith((".low", ".high")):
-        return "this end lies at a face or below the middle of the plate", "vary the other end, or a diameter"
-    return None
+        end = "this end lies at a face or below the middle of the plate", "vary the other end, or a diameter"
+        return end if _keeps(cell, [path]) else PARTED
+    return PARTED if path.endswith((".diameter", ".draft")) and cell.numbers()[path] else None
 
 
 def is_divided_alike(cell: UnitCell, other: UnitCell) -> bool:
     """True if the discs of two cells form the same grids of storeys and annuli."""
-    grids = [[(stack.grid, stack.in_plate) for stack in stacks_of(each).values()] for each in (cell, other)]
+    grids = [
+        [(stack.grid, stack.in_plate, stack.chains) for stack in stacks_of(each).values()]
+        for each in (cell, other)
+    ]
     return grids[0] == grids[1]
 
 

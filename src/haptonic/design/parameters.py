@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pydantic import field_validator
 
 from haptonic.cell import UnitCell
-from haptonic.design.discs import DISC, ends_at_lower_face, moving_together
+from haptonic.design.discs import DISC, moving_together, reason_of_thickness
 from haptonic.fields import ByPattern, OfNumber, described, problem, table
 from haptonic.fields.keys import pattern_of
 
@@ -73,7 +73,7 @@ def values_of(cell: UnitCell) -> dict[str, float]:
     together = moving_together(cell)
     numbers = {path: value for path, value in cell.numbers().items()
                if path in together or not DISC.fullmatch(path)}  # fmt: skip
-    if any(ends_at_lower_face(cell)):
+    if reason_of_thickness(cell) is not None:
         del numbers["cell.thickness"]
     for number, pillar in enumerate(cell.pillars):
         if pillar is not None:

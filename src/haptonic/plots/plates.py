@@ -101,7 +101,7 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
         shade = lattices.get(str(layout.at(block.tiles[0])), REGION)
         shades[shade].append(Rectangle((x[0], y[0]), x[-1] - x[0], y[-1] - y[0]))
     for across, up, feature in layout.features:
-        middle, half = (1e3 * across, 1e3 * up), 1e3 * feature.radius
+        middle, half = (1e3 * across, 1e3 * up), 1e3 * feature.broadest
         corners = middle + half * feature.outline.polygon(AROUND)
         pillars.append(Polygon(corners) if feature.outline.joints else Circle(middle, half))
     for shade, tiles in shades.items():

@@ -139,9 +139,12 @@ def _disc(disc: Disc, part: Part) -> str:
     """A disc with its numbers, its ends above the plate's top, and its material."""
     low, high = (number(end - part.cell.thickness / MM) for end in disc.ends(part.cell.thickness / MM))
     solid = "empty" if disc.empty else (disc.material or part.cell.material).name
-    texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{number(disc.diameter)}"]
+    widths = " to ".join(map(number, disc.diameters(part.cell.thickness / MM)))
+    texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{widths}"]
     texts += [f"{name.replace('_', ' ')} {number(value)}" for name in ("length", "corner_radius")
               if (value := getattr(disc, name))]  # fmt: skip
+    if disc.draft:
+        texts.append(f"draft {degrees(disc.draft)}")
     if disc.turn:
         texts.append(f"turn {degrees(disc.turn)}")
     if disc.point:

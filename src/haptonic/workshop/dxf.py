@@ -76,9 +76,9 @@ def outlines(part: Part) -> Drawing:
             _add_cross(space, (x, y), arm)
     for stack, places in part.stacks:
         for x, y in places.tolist():
-            for border, is_hole in zip(stack.borders, stack.are_holes, strict=True):
+            for border, is_hole in stack.edges():
                 add_outline(space, border.outline, (x, y), border.half_width, "HOLE" if is_hole else "DISC")
-            _add_cross(space, (x, y), 2 * MARK * stack.borders[-1].half_width)
+            _add_cross(space, (x, y), 2 * MARK * stack.rim.half_width)
     used = {entity.dxf.layer for entity in space}
     for name, (colour, width) in LAYERS.items():
         for layer in sorted(used & {name, name + BELOW}):

@@ -215,7 +215,7 @@ class Part:
         if material == self.cell.material:
             area = sum(enclosed(loop) for loop in self.outline)  # negative for holes, which run clockwise
             for stack, places in self.stacks:
-                area -= len(places) * stack.borders[-1].outline.area * stack.borders[-1].half_width ** 2
+                area -= len(places) * stack.rim.outline.area * stack.rim.half_width**2
             total += area * self.cell.thickness
         return total
 

@@ -93,7 +93,7 @@ def pitch_of(part: Part, apart: float, along: int) -> Dimension:
 def span(feature: Feature) -> Array:
     """Largest extent of a pillar or a stack to the right and to the left of its axis."""
     if isinstance(feature, Stack):
-        return MM * feature.radius * chord(feature.outline)
+        return MM * feature.widest * chord(feature.outline)
     body = PillarShape.of(feature)
     return max(body.widest, body.foot) * chord(body.outline)
 
@@ -136,8 +136,9 @@ def _draw_row(space: Modelspace, part: Part, row: Row, origin: Array, scale: flo
     solid_ends, above, below = [row.low], [row.low], [row.low]  # ends of the plate, and of its free faces
     for feature, x in row.features:
         if isinstance(feature, Stack):
-            _draw_stack(Rings.of(feature, plate), np.array([x, -thickness]), hatch, edge)
-            right, left = span(feature)
+            stack = Rings.of(feature, plate)
+            _draw_stack(stack, np.array([x, -thickness]), hatch, edge)
+            right, left = stack.rim.half_width * chord(stack.rim.outline)
             for ends in (solid_ends, above, below):
                 ends += [x - left, x + right]
             continue
@@ -170,21 +171,23 @@ def _draw_stack(
     stack: Rings, foot: Array, hatch: Callable[[Array, Material], None], edge: Callable[[Array], None]
 ) -> None:
     """Draw rings on both sides of an axis; ``foot`` is its position on the plate's lower face."""
-    solids, levels = stack.solids(), stack.levels.tolist()
+    solids, levels = stack.solids(), stack.levels
     for way, side in ((0, 1), (1, -1)):
-        widths = [0.0, *(side * b.half_width * chord(b.outline)[way] for b in stack.borders)]
-        for row, (low, high) in zip(solids, pairwise(levels), strict=True):
-            for solid, beyond, (start, end) in zip(row, row[1:], pairwise(widths), strict=False):
+        chords = np.array([side * chord(outline)[way] for outline in stack.outlines])
+        widths = np.insert(chords[:, None] * stack.widths, 0, 0.0, axis=0)
+        places = np.stack([widths, np.broadcast_to(levels, widths.shape)], axis=-1)  # border, level
+        for storey, row in enumerate(solids):
+            for border, (solid, beyond) in enumerate(pairwise(row)):
+                inner, outer = places[border : border + 2, storey : storey + 2]
                 if solid is not None:
-                    box = np.array([[start, low], [end, low], [end, high], [start, high]])
-                    hatch(foot + box, solid)
+                    hatch(foot + np.concatenate([inner, outer[::-1]]), solid)
                 if solid != beyond:
-                    edge(foot + np.array([[end, low], [end, high]]))
+                    edge(foot + outer)
         nothing: list[Material | None] = [None] * len(widths)
-        for level, lower, upper in zip(levels, [nothing, *solids], [*solids, nothing], strict=True):
-            for below, above, (start, end) in zip(lower, upper, pairwise(widths), strict=False):
+        for level, (lower, upper) in enumerate(pairwise([nothing, *solids, nothing])):
+            for border, (below, above) in enumerate(zip(lower[:-1], upper, strict=False)):
                 if below != above:
-                    edge(foot + np.array([[start, level], [end, level]]))
+                    edge(foot + places[border : border + 2, level])
 
 
 @dataclass(frozen=True)
@@ -249,11 +252,12 @@ class _Labels:
 
     def disc(self, disc: Disc, column: float) -> Label:
         """A leader with the width and the material of a disc."""
-        low, high = disc.ends(self.part.cell.thickness / MM)
-        right = self.row.axes[-1] + MM * disc.radius * chord(disc.outline)[0]
-        tip = self.view.place(float(right), MM * 0.5 * (low + high) - self.part.cell.thickness)
+        width, height = MM * np.mean(disc.side(self.part.cell.thickness / MM), axis=0)
+        right = self.row.axes[-1] + width * chord(disc.outline)[0]
+        tip = self.view.place(float(right), height - self.part.cell.thickness)
         solid = "empty" if disc.empty else (disc.material or self.part.cell.material).name
-        text = f"{disc.form.sign}{number(disc.diameter)} {solid}"
+        widths = " to ".join(map(number, disc.diameters(self.part.cell.thickness / MM)))
+        text = f"{disc.form.sign}{widths} {solid}"
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
     def sign(self, body: PillarShape, dimension: Dimension) -> str | None:

@@ -20,10 +20,11 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.cell.outlines import Outline
+from haptonic.cell.pillar_parts import Fillet
 from haptonic.errors import ResourceError
 from haptonic.materials import Material
 from haptonic.workshop.part import Part
-from haptonic.workshop.rings import Ring
+from haptonic.workshop.rings import Border, Ring
 from haptonic.workshop.shape import MM, PillarShape
 
 # OpenCascade, called by NETGEN, writes its own name instead of the product's and the author's.
@@ -66,8 +67,7 @@ def _plate(occ: ModuleType, part: Part) -> Any:
     for hole in holes:
         face = face - filled(hole[::-1])
     for stack, places in part.stacks:
-        widest = stack.borders[-1]
-        inside = _filled(occ, widest.outline, widest.half_width)
+        inside = _filled(occ, stack.rim.outline, stack.rim.half_width)
         face = face - occ.Compound([inside.Move(occ.Vec(x, y, 0.0)) for x, y in places])
     return occ.Prism(face, occ.Vec(0.0, 0.0, thickness))
 
@@ -78,24 +78,29 @@ def _pieces(occ: ModuleType, part: Part, material: Material) -> list[Any]:
     for pillar, places in part.pillars:
         if part.solid_of(pillar) != material:
             continue
-        body = _pillar(occ, PillarShape.of(pillar))
+        shape = PillarShape.of(pillar)
+        body = _body(occ, shape.outline, shape.side, shape.arc)
         pieces += [body.Move(occ.Vec(x, y, part.cell.thickness)) for x, y in places]
         if part.cell.is_mirrored:
             below = body.Mirror(occ.Axes((0, 0, 0), occ.Z))
             pieces += [below.Move(occ.Vec(x, y, 0.0)) for x, y in places]
     for stack, places in part.stacks:
-        rings = [_prism(occ, ring) for ring in stack.rings(material)]
+        rings = [_ring(occ, ring) for ring in stack.rings(material)]
         if rings:
             whole = functools.reduce(operator.add, rings)
             pieces += [whole.Move(occ.Vec(x, y, 0.0)) for x, y in places]
     return pieces
 
 
-def _prism(occ: ModuleType, ring: Ring) -> Any:
-    face = _filled(occ, ring.outer.outline, ring.outer.half_width)
-    if ring.inner:
-        face = face - _filled(occ, ring.inner.outline, ring.inner.half_width)
-    return occ.Prism(face.Move(occ.Vec(0, 0, ring.low)), occ.Vec(0, 0, ring.high - ring.low))
+def _ring(occ: ModuleType, ring: Ring) -> Any:
+    body = _frustum(occ, ring.outer, ring)
+    return body - _frustum(occ, ring.inner, ring) if ring.inner else body
+
+
+def _frustum(occ: ModuleType, border: Border, ring: Ring) -> Any:
+    height = ring.high - ring.low
+    side = np.array([(border.low, 0.0), (border.high, height)])
+    return _body(occ, border.outline, side).Move(occ.Vec(0, 0, ring.low))
 
 
 def write_step(path: Path, part: Part, *, title: str = "Plate", overwrite: bool = False) -> Path:
@@ -173,48 +178,36 @@ def _occ() -> ModuleType:
     return module
 
 
-def _pillar(occ: ModuleType, body: PillarShape) -> Any:
-    """Pillar as a revolved profile, an intersection of profiles along all sides, or prisms on each other."""
-    if body.outline.is_tangential:
-        return _cut(occ, body) if body.outline.joints else _turned(occ, body)
-    shape = None
-    for (width, low), (_, high) in list(pairwise(body.side.tolist()))[::2]:
-        face = _filled(occ, body.outline, width).Move(occ.Vec(0, 0, low))
-        stage = occ.Prism(face, occ.Vec(0, 0, high - low))
-        shape = stage if shape is None else shape + stage
-    return shape
+def _body(occ: ModuleType, outline: Outline, side: Array, arc: Fillet | None = None) -> Any:
+    """Body about an axis as a revolved profile, an intersection of profiles along all sides, or prisms.
+
+    side, arc : see `PillarShape`
+    """
+    if outline.is_tangential:
+        (top, height), reach = side[-1].tolist(), 2 * float(side[:, 0].max()) * outline.reach
+        foot = float(side[0, 0])
+        flank = _line(occ, *side.tolist())
+        if arc is not None:
+            ends = [occ.Pnt(width, 0, z) for width, z in arc.at(np.array([0.0, 0.5, 1.0])).tolist()]
+            flank, foot = [occ.ArcOfCircle(*ends), *flank], arc.centre[0]
+            reach = max(reach, 2 * foot * outline.reach)
+        inside = -reach if outline.joints else 0.0
+        rest = _line(occ, (top, height), (inside, height), (inside, 0), (foot, 0))
+        profile, axis = occ.Face(occ.Wire([*flank, *rest])), occ.Axis((0, 0, 0), occ.Z)
+        if not outline.joints:
+            return occ.Revolve(profile, axis, 360)
+        bar = occ.Prism(profile.Move(occ.Vec(0, -reach, 0)), occ.Vec(0, 2 * reach, 0))
+        bars = [bar.Rotate(axis, math.degrees(math.atan2(y, x))) for x, y in outline.flats.tolist()]
+        return functools.reduce(operator.mul, bars)
+    stages = [
+        occ.Prism(_filled(occ, outline, width).Move(occ.Vec(0, 0, low)), occ.Vec(0, 0, high - low))
+        for (width, low), (_, high) in list(pairwise(side.tolist()))[::2]
+    ]
+    return functools.reduce(operator.add, stages)
 
 
 def _line(occ: ModuleType, *places: tuple[float, float]) -> list[Any]:
     return [occ.Segment(occ.Pnt(a, 0, b), occ.Pnt(c, 0, d)) for (a, b), (c, d) in pairwise(places)]
-
-
-def _flank(occ: ModuleType, body: PillarShape) -> list[Any]:
-    """The profile from the plate to the top's edge."""
-    if body.arc is None:
-        return _line(occ, *body.side.tolist())
-    arc = body.arc.at(np.array([0.0, 0.5, 1.0])).tolist()
-    return [occ.ArcOfCircle(*(occ.Pnt(width, 0, z) for width, z in arc)), *_line(occ, *body.side.tolist())]
-
-
-def _turned(occ: ModuleType, body: PillarShape) -> Any:
-    """Profile revolved about the axis."""
-    top = float(body.side[-1, 0])
-    rest = _line(occ, (top, body.height), (0, body.height), (0, 0), (body.foot, 0))
-    return occ.Revolve(occ.Face(occ.Wire([*_flank(occ, body), *rest])), occ.Axis((0, 0, 0), occ.Z), 360)
-
-
-def _cut(occ: ModuleType, body: PillarShape) -> Any:
-    """Intersection of bars with the profile on one side, one bar along each side of the outline."""
-    axis, top = occ.Axis((0, 0, 0), occ.Z), float(body.side[-1, 0])
-    reach = 2 * max(body.foot, body.widest) * body.outline.reach
-    rest = _line(occ, (top, body.height), (-reach, body.height), (-reach, 0), (body.foot, 0))
-    face = occ.Face(occ.Wire([*_flank(occ, body), *rest])).Move(occ.Vec(0, -reach, 0))
-    bar, shape = occ.Prism(face, occ.Vec(0, 2 * reach, 0)), None
-    for x, y in body.outline.flats.tolist():
-        side = bar.Rotate(axis, math.degrees(math.atan2(y, x)))
-        shape = side if shape is None else shape * side
-    return shape
 
 
 def _filled(occ: ModuleType, outline: Outline, half_width: float) -> Any:

@@ -64,7 +64,9 @@ def surface(part: Part, *, chord: float | None = None, material: Material | None
             for pillar, places in part.pillars
         ]
         stacks = [(stack, _borders(stack, chord * MM, pieces), places) for stack, places in part.stacks]
-        rims = [loops[-1] + place for _, loops, places in stacks for place in places]
+        rims = [
+            stack.rim.half_width * loops[-1] + place for stack, loops, places in stacks for place in places
+        ]
         feet = [body[:around, :2] + place for body, _, around, _, places in pillars for place in places]
         top, missing_above = _inside(edges, [*feet, *rims])
         bottom, missing_below = (top, missing_above) if part.cell.is_mirrored else _inside(edges, rims)
@@ -132,17 +134,20 @@ class _Skin:
 
 
 def _borders(stack: Rings, chord: float, pieces: int) -> list[Array]:
-    """Borders of a stack at the origin as polygons."""
+    """Borders of a stack at the origin as polygons, for a half-width of 1."""
     return [
-        border.half_width * _polygon(border.outline, border.half_width, chord, pieces)
-        for border in stack.borders
+        _polygon(outline, float(widths.max()), chord, pieces)
+        for outline, widths in zip(stack.outlines, stack.widths, strict=True)
     ]
 
 
 def _add_stack(skin: _Skin, stack: Rings, loops: list[Array], place: Array) -> list[Ints]:
     """Add the faces of all rings about a place; return indices of the widest border's corners by level."""
-    around = np.concatenate([loop + place for loop in loops])
-    first = [skin.add(np.insert(around, 2, z, axis=1)) for z in stack.levels]
+    cuts = [[width * loop for width, loop in zip(widths, loops, strict=True)] for widths in stack.widths.T]
+    first = [
+        skin.add(np.insert(np.concatenate(cut) + place, 2, z, axis=1))
+        for cut, z in zip(cuts, stack.levels, strict=True)
+    ]
     numbers = _numbered(loops)
     solids = np.array([*stack.materials, None], dtype=object)[
         np.pad(np.where(stack.grid == VOID, -1, stack.grid), ((1, 1), (0, 0)), constant_values=-1)
@@ -152,11 +157,12 @@ def _add_stack(skin: _Skin, stack: Rings, loops: list[Array], place: Array) -> l
             skin.between(row[k], row[k + 1], _strips(np.stack([loop + low, loop + high])))
     for k, loop in enumerate(numbers):
         inner = slice(max(k - 1, 0), k)
-        ring, missing = _inside([loops[k]], loops[inner])
-        assert not missing.any(), "borders that cross"
         corners = np.concatenate([loop, *numbers[inner]])
-        for start, below, above in zip(first, solids[:-1, k], solids[1:, k], strict=True):
-            skin.between(below, above, corners[ring] + start)
+        for cut, start, below, above in zip(cuts, first, solids[:-1, k], solids[1:, k], strict=True):
+            if below != above:
+                ring, missing = _inside([cut[k]], cut[inner])
+                assert not missing.any(), "borders that cross"
+                skin.between(below, above, corners[ring] + start)
     return [numbers[-1] + start for start in first]
 
 
