@@ -209,9 +209,7 @@ def test_what_a_small_interior_leaves_out_is_told():
     few, many = (BlochModel.of(cell, one, 8, measured=False) for one in (small, small.grown(2)))
     here, there = few.solve(kappa), many.solve(kappa)
     lost = here.frequency - there.frequency
-    told = interior_error(
-        (2 * np.pi * here.frequency) ** 2, on_each(few.fine.tiling.truncation, here.fields)
-    )
+    told = interior_error((2 * np.pi * here.frequency) ** 2, on_each(few.fine.tiling.truncation, here.fields))
     assert (lost <= told + 1e-9 * here.frequency).all()
     assert told.max() < 4 * lost.max()
 

@@ -54,7 +54,13 @@ def modes(model, low, high):
     return np.sqrt(values) / HZ
 
 
-PLATES = {"waveguide": WAVEGUIDE, "prototype": PROTOTYPE, "driven": DRIVEN, "notched": SMALL, "patched": PATCHED}
+PLATES = {
+    "waveguide": WAVEGUIDE,
+    "prototype": PROTOTYPE,
+    "driven": DRIVEN,
+    "notched": SMALL,
+    "patched": PATCHED,
+}
 
 
 @cache
