@@ -66,7 +66,7 @@ LONG = {
 }  # asked what they cost, which looks through the study
 # "bands" is in the test of its table
 ASKED = [name for name in NAMES if named(name).study == "needed" and name != "bands"]
-DEAR = {"ribbon", "layers"}  # seconds each
+DEAR = {"ribbon", "layers", "sweep"}  # seconds each
 PLATE = """
 [plate]
 map = "o11o"

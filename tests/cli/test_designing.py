@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
 import sys
 from itertools import pairwise
 from pathlib import Path
@@ -318,10 +317,10 @@ class TestTolerance:
         assert_five_parts(here("tolerance", path), name, words, code="out-of-range", argument="tolerance.of")
 
 
-def without_netgen(*asked: object) -> subprocess.CompletedProcess[str]:
-    """A command in a Python of its own that cannot import what the extra "cad" brings."""
-    code = "import sys; sys.modules['netgen'] = None; from haptonic.cli.app import app; app(sys.argv[1:])"
-    return subprocess.run([sys.executable, "-c", code, *map(str, asked)], capture_output=True, text=True)
+@pytest.fixture
+def without_netgen(monkeypatch):
+    """What the extra "cad" brings cannot be imported."""
+    monkeypatch.setitem(sys.modules, "netgen", None)
 
 
 @pytest.fixture
@@ -352,27 +351,31 @@ class TestExport:
         assert (folder / "quick.stl").stat().st_size > 1.5 * single
 
     @pytest.mark.parametrize("machine", daily([[], ["--json"]], ["--json"]), ids=["person", "machine"])
-    def test_without_the_extra_the_other_files_are_written_and_listed(self, study, tmp_path, machine):
+    @pytest.mark.usefixtures("without_netgen")
+    def test_without_the_extra_the_other_files_are_written_and_listed(self, inside, study, tmp_path, machine):
         """Only files that exist are reported, and a single sentence says why the solid is not among them."""
         out = tmp_path / "out"
-        ran = without_netgen("export", study(), "--out", out, *machine)
-        assert ran.returncode == 0, ran.stderr
+        ran = inside("export", study(), "--out", out, *machine)
+        assert ran.code == 0, ran.err
         there = {one.name for one in out.iterdir()}
         assert there == {"quick.dxf", "quick.stl", "quick.pdf", "quick-drawing.dxf"}
         missing = "quick.step is not written: the extra for CAD files is not installed; run: pip install"
         if machine:
-            answer = json.loads(ran.stdout)
+            answer = ran.json
             assert {Path(one).name for one in answer["files"]} == there
             assert [missing in text for text in answer["warnings"]] == [True]
         else:
-            assert "step" not in ran.stdout
-            assert " ".join(ran.stderr.split()).count(missing) == 1
+            assert "step" not in ran.out
+            assert " ".join(ran.err.split()).count(missing) == 1
 
-    def test_without_the_extra_a_solid_asked_for_by_name_is_refused_before_any_file(self, study, tmp_path):
-        ran = without_netgen("export", study(), "--step", "--stl", "--out", tmp_path / "out")
-        assert ran.returncode == 2
-        assert "not-installed" in ran.stderr
-        assert "quick.step" not in ran.stdout
+    @pytest.mark.usefixtures("without_netgen")
+    def test_without_the_extra_a_solid_asked_for_by_name_is_refused_before_any_file(
+        self, inside, study, tmp_path
+    ):
+        ran = inside("export", study(), "--step", "--stl", "--out", tmp_path / "out")
+        assert ran.code == 2
+        assert "not-installed" in ran.err
+        assert "quick.step" not in ran.out
         assert not (tmp_path / "out").exists()
 
     def test_the_whole_plate_of_a_study_or_a_piece_of_its_lattice(self, here, plated, tmp_path):

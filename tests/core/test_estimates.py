@@ -12,7 +12,7 @@ from daily import daily
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.mesh_levels import starting_rung
-from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model
+from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model, interior_error
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
@@ -22,6 +22,7 @@ from haptonic.errors import ResourceError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.superelement import Tiling, condense_by_parts
+from haptonic.superelement.condense import on_each
 
 SEED = 5
 SEEN = KAPPA[[0, 2, 5]]
@@ -200,6 +201,17 @@ def test_a_wave_that_is_hardly_resolved_is_told(order):
     for kappa in wavevectors(cell)[1:4]:
         solution, exact = found.solve(kappa), plain_plate(cell, kappa, 10)
         assert (np.abs(solution.frequency - exact) <= solution.error).all()
+
+
+def test_what_a_small_interior_leaves_out_is_told():
+    """Against the interior that is two steps larger, on the same mesh."""
+    cell, kappa, small = drawn(2, 7).cell, np.array([1.3, 0.6]), Resolution(2, 0, 2, 4)
+    few, many = (BlochModel.of(cell, one, 8, measured=False) for one in (small, small.grown(2)))
+    here, there = few.solve(kappa), many.solve(kappa)
+    lost = here.frequency - there.frequency
+    told = interior_error((2 * np.pi * here.frequency) ** 2, on_each(few.fine.tiling.truncation, here.fields))
+    assert (lost <= told + 1e-9 * here.frequency).all()
+    assert told.max() < 4 * lost.max()
 
 
 @pytest.mark.nightly

@@ -37,6 +37,12 @@ SMALL = Plate(  # a notch, two clamped sides
     supports=(Support("bottom", "clamped"), Support("left", "clamped")),
     loss_factor=LOSS,
 )
+PATCHED = Plate(
+    drawn("1o"),
+    supports=(Support("left", "clamped"),),
+    actuators=(glued((3.5e-3, 3.5e-3), (5e-3, 4e-3, 0.7e-3)),),
+    loss_factor=LOSS,
+)
 WHERE = np.random.default_rng(3).uniform(0, 1, (40, 2)) * [28e-3, 14e-3]
 # the trace as fine as the mesh: then the errors are those of the reduction alone
 SAME = replace(COARSE, along=4)
@@ -48,7 +54,13 @@ def modes(model, low, high):
     return np.sqrt(values) / HZ
 
 
-PLATES = {"waveguide": WAVEGUIDE, "prototype": PROTOTYPE, "driven": DRIVEN, "notched": SMALL}
+PLATES = {
+    "waveguide": WAVEGUIDE,
+    "prototype": PROTOTYPE,
+    "driven": DRIVEN,
+    "notched": SMALL,
+    "patched": PATCHED,
+}
 
 
 @cache
@@ -79,6 +91,16 @@ def test_modes_of_a_waveguide_with_a_patch():
         assert len(found) == len(exact)
         assert found == pytest.approx(exact, rel=allowed)
         assert (found > exact * (1 - 1e-3)).all()
+
+
+def test_a_small_plate_answers_its_patch_as_the_full_model():
+    """Half-way between two resonances, with the patch on a tile beside a pillar."""
+    whole, model, frequency = whole_of("patched"), model_of("patched", 40e3, SAME), 15e3
+    exact = full.answer(whole, whole.drive["A"], HZ * frequency)
+    assert off(whole, model, exact, frequency) < 1e-2
+    ours = answered(model, {"A": 1.0}, [HZ * frequency])[:, 0]
+    assert model.drives["A"] @ ours == pytest.approx(whole.drive["A"] @ exact, rel=1e-2)
+    assert model.capacitance["A"] == pytest.approx(whole.capacitance["A"], rel=1e-12)
 
 
 @pytest.mark.nightly

@@ -410,7 +410,7 @@ def test_the_pdf_is_one_a3_page_and_the_same_every_time(tmp_path):
     assert b"CreationDate" not in content
     assert re.search(rb"/BaseFont /\w*\+?DejaVuSans\b", content)  # text is text
     day = datetime.date(2026, 2, 3)
-    dated = write_drawing(tmp_path / "c.pdf", part_drawing(Part.piece(STEPPED), "Plate", date=day))
+    dated = write_drawing(tmp_path / "c.pdf", part_drawing(Part.piece(cell(None)), "Plate", date=day))
     assert b"CreationDate (D:20260203" in dated.read_bytes()
 
 
@@ -425,7 +425,7 @@ def test_the_ending_of_the_path_chooses_the_kind(kind, start, tmp_path):
 def test_a_file_is_not_replaced_unasked(tmp_path):
     path = tmp_path / "a.pdf"
     path.write_text("mine")
-    sheet = part_drawing(Part.piece(STEPPED), "Plate")
+    sheet = part_drawing(Part.piece(cell(None)), "Plate")
     with refusing(ResourceError, "repeated", "output file"):
         write_drawing(path, sheet)
     assert path.read_text() == "mine"
