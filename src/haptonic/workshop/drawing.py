@@ -101,7 +101,10 @@ def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
     for kind, (feature, places) in enumerate(part.standing):
         half: Mapping[str, float] = {}
         if isinstance(feature, Stack):
-            texts = [f"{len(places)} disc stacks", *(_disc(disc, part) for disc in feature.discs)]
+            texts = [
+                f"{len(places)} disc stack{'s' * (len(places) > 1)}",
+                *(_disc(disc, part) for disc in feature.discs),
+            ]
         else:
             table = part.table(feature) or ""
             half = tolerances if table else {}
