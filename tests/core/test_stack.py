@@ -349,3 +349,13 @@ class TestRefusals:
     def test_a_disc_below_the_middle_plane_of_two_faces(self):
         with refusing(GeometryError, "out-of-range", "cell.disc[1].high"):
             cell(Disc(3 * MM, high=-1 * MM, empty=True), faces="both")
+
+
+def test_a_square_hole_in_a_round_inclusion_is_sound_on_a_triangular_lattice():
+    """Blocks of each border alone were sound, the rings between the two were not."""
+    discs = Disc(5 * MM, material=STEEL), Disc(3 * MM, section="square", empty=True)
+    one = UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, disc=discs)
+    mesh = FoldedMesh.of(one, MeshPlan.suited(one, 2, 0))
+    steel = STEEL.density * (np.pi / 4 * 25 - 9) * MM**2 * THICKNESS
+    metal = ALUMINIUM.density * (one.lattice.area - np.pi / 4 * 25 * MM**2) * THICKNESS
+    assert mesh.nodal_mass.sum() == pytest.approx(steel + metal, rel=1e-4)

@@ -11,11 +11,13 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell.outlines import CIRCLE, Outline, Scaled
+from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape, room_in
 
 MOST_BLOCKS = 8  # for each side
@@ -101,8 +103,31 @@ def sectors(tile: TileShape, blocks: int) -> tuple[Sectors, ...]:
 def least_blocks(tile: TileShape, blocks: int) -> int | None:
     """Smallest multiple of a number of blocks for each side that suits all borders; None if there is none."""
     borders, most = _Seen.of(tile.above), max(MOST_BLOCKS, blocks)
-    suited = (n for n in range(blocks, most + 1, blocks) if all(_sectors(seen, n) for seen in borders))
+    widths = _widths(tile)
+    suited = (n for n in range(blocks, most + 1, blocks) if _suit(tuple(borders), widths, n))
     return next(suited, None)
+
+
+def _widths(tile: TileShape) -> tuple[tuple[float, ...], ...]:
+    """Half-widths of the borders of a stack on each level where they bend, rounded, m; none for others."""
+    if not isinstance(tile.above.feature, Stack):
+        return ()
+    widths = np.unique(np.round(tile.above.feature.widths.T, 12), axis=0)
+    return tuple(tuple(level) for level in widths.tolist())
+
+
+@lru_cache(maxsize=256)
+def _suit(borders: tuple[_Seen, ...], widths: tuple[tuple[float, ...], ...], blocks: int) -> bool:
+    """True if a number of blocks suits all borders, and the rings between them are sound on every level."""
+    around = [_sectors(seen, blocks) for seen in borders]
+    if None in around:
+        return False
+    curves = [part.points(SHARES).reshape(-1, len(SHARES), 2) for part in around if part is not None]
+    return all(
+        _is_ring_sound(low * inner, high * outer)
+        for level in widths
+        for (low, high), (inner, outer) in zip(pairwise(level), pairwise(curves), strict=True)
+    )
 
 
 def unmeshed(tile: TileShape) -> dict[str, str] | None:
@@ -285,12 +310,17 @@ def _is_sound(around: Sectors, seen: _Seen) -> bool:
     """True if no element is inside out."""
     inner, outer = seen.beyond * around.points(SHARES), _along(np.array(seen.corners), around.blocks)
     inner, outer = inner.reshape(-1, len(SHARES), 2), outer.reshape(-1, len(SHARES), 2)
+    return _is_ring_sound(inner, outer) and _is_core_sound(around)
+
+
+def _is_ring_sound(inner: Array, outer: Array) -> bool:
+    """True if no element between two curves (blocks, shares, 2) around the axis is inside out."""
     for part in (0.0, 0.5, 1.0):
         curve = (1 - part) * inner + part * outer
         along, across = np.gradient(curve, axis=1), outer - inner
         if (across[..., 0] * along[..., 1] - across[..., 1] * along[..., 0]).min() <= 0:
             return False
-    return _is_core_sound(around)
+    return True
 
 
 def _is_core_sound(around: Sectors) -> bool:
