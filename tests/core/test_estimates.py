@@ -203,15 +203,17 @@ def test_a_wave_that_is_hardly_resolved_is_told(order):
         assert (np.abs(solution.frequency - exact) <= solution.error).all()
 
 
-def test_what_a_small_interior_leaves_out_is_told():
+def test_the_estimate_bounds_what_a_small_interior_leaves_out():
     """Against the interior that is two steps larger, on the same mesh."""
     cell, kappa, small = drawn(2, 7).cell, np.array([1.3, 0.6]), Resolution(2, 0, 2, 4)
-    few, many = (BlochModel.of(cell, one, 8, measured=False) for one in (small, small.grown(2)))
+    few, many = (BlochModel.of(cell, mesh, 8, measured=False) for mesh in (small, small.grown(2)))
     here, there = few.solve(kappa), many.solve(kappa)
     lost = here.frequency - there.frequency
-    told = interior_error((2 * np.pi * here.frequency) ** 2, on_each(few.fine.tiling.truncation, here.fields))
-    assert (lost <= told + 1e-9 * here.frequency).all()
-    assert told.max() < 4 * lost.max()
+    estimated = interior_error(
+        (2 * np.pi * here.frequency) ** 2, on_each(few.fine.tiling.truncation, here.fields)
+    )
+    assert (lost <= estimated + 1e-9 * here.frequency).all()
+    assert estimated.max() < 4 * lost.max()
 
 
 @pytest.mark.nightly
