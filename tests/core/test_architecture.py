@@ -80,7 +80,8 @@ ALLOWED: dict[str, set[str]] = {
     "workshop": BASE | {"atomic", "cell", "materials", "plate", "plots"},
     "pages": {"plots"},
     # from here on down to the command line: what is told, what is asked, what is computed, what shows it
-    "results": LOWER | {"pages", "plots", "vtu"},
+    "views": {"gate", "pages"},
+    "results": LOWER | {"pages", "plots", "views", "vtu"},
     "description": LOWER - {"atomic", "store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},

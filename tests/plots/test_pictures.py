@@ -18,10 +18,10 @@ from five_parts import refusing
 from haptonic import plots
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.settings import BandSettings, MeshSettings
+from haptonic.cell.skin import drawing_cells, outer_faces, outline_edges
 from haptonic.errors import ResourceError
 from haptonic.plots import style
 from haptonic.plots.bands import CURVE_STYLES, RIGID
-from haptonic.plots.modes import drawing_cells, outer_faces, outline_edges
 from haptonic.results.bands import Bands
 from made_up import made_up_sweep, reference_bands, reference_study
 

@@ -14,6 +14,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.bands import add_further_gaps
+from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.cell import UnitCell
@@ -26,6 +27,7 @@ from haptonic.study.schema import Description
 
 DIAGRAM, PER_WAVEVECTOR = 1.5, 0.02  # s, of names, shapes and pictures; of ten bands
 COUNTED = 1.8  # factor for the exact eigenvalue counts, which need meshes of their own
+MOVING = 1.3  # further factor for all modes of the path, which need the meshes again
 SURFACE = 6.0  # s, for the whole zone
 
 
@@ -39,6 +41,7 @@ class BandsOptions:
         'Wavevector of the mode shapes: a corner such as M, "0.3 X-M", or two phases over pi.',
         metavar="K",
     )
+    html: bool = option(False, "Also one interactive HTML page, with every mode moving.")
 
 
 def check(study: Description, options: BandsOptions) -> None:
@@ -56,7 +59,7 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
     """
     bands = compute_bands(
         study.cell, study.bands_settings, surface=options.surface, inputs=study.inputs(),
-        carrier=study.carrier, store=runner.store, modes_at=options.modes_at,
+        carrier=study.carrier, store=runner.store, modes_at=options.modes_at, moving=options.html,
     )  # fmt: skip
     further = {
         name: runner.gaps(cell, study.bands_settings) for name, cell in further_lattices(study).items()
@@ -73,6 +76,7 @@ def compute_bands(
     carrier: float | None,
     store: Store,
     modes_at: str | None = None,
+    moving: bool = False,
 ) -> Bands:
     """Compute the bands of a cell, or take them from the store.
 
@@ -80,6 +84,7 @@ def compute_bands(
     ----------
     surface : also sample the whole zone evenly
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`
+    moving : also the surface of the cell in every mode of the diagram
     inputs : plain values of the inputs, for the attributes of the result
     carrier : Hz, marked in the diagram
     """
@@ -87,6 +92,11 @@ def compute_bands(
         {"kind": "bands", "surface": surface, "modes_at": modes_at, "cell": cell, "settings": settings},
         lambda: bands_dataset(cell, settings, surface=surface, modes_at=modes_at),
     )
+    if moving:
+        modes = store.kept(
+            {"kind": "path modes", "cell": cell, "settings": settings}, lambda: path_modes(cell, settings)
+        )
+        dataset = dataset.merge(modes, combine_attrs="no_conflicts")
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier
     return Bands(stamped(dataset, inputs))
@@ -95,7 +105,7 @@ def compute_bands(
 def cost(study: Description, options: BandsOptions) -> Cost:
     """Estimated cost of meshes, diagram and zone."""
     shown = DIAGRAM + PER_WAVEVECTOR * study.bands_settings.points + (SURFACE if options.surface else 0.0)
-    total = meshes(study).times(COUNTED) + Cost(shown)
+    total = meshes(study).times(COUNTED + MOVING * options.html) + Cost(shown)
     for cell in further_lattices(study).values():
         total += gaps(unchecked(study, cell=cell))
     return total

@@ -39,6 +39,7 @@ class Diagram:
     corner_symmetry : for each corner of the path the labels of its modes, see `corner_labels`
     branch : (n, k) number of the mode's curve
     vertical, pillar_strain, pillar_kinetic, name : (n, k), see `Character`
+    fields : (t + m, n k) unknowns of the tiling, unit mass, the bands of one wavevector after those of another
     """
 
     path: Path
@@ -53,6 +54,7 @@ class Diagram:
     pillar_strain: Array
     pillar_kinetic: Array
     name: Ints
+    fields: Complex
 
 
 def diagram(model: BlochModel, path: Path) -> Diagram:
@@ -91,7 +93,8 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
             velocity[i] = group_velocity(model, solution)
             if i < stop or stop == path.corners[-1]:
                 followed.append(solution.fields)
-    motion = characters(tiling, np.hstack(followed))
+    fields = np.hstack(followed)
+    motion = characters(tiling, fields)
 
     def per_mode(values: NDArray[Any]) -> NDArray[Any]:
         return values.reshape(count, bands)
@@ -109,6 +112,7 @@ def diagram(model: BlochModel, path: Path) -> Diagram:
         pillar_strain=per_mode(motion.pillar_strain),
         pillar_kinetic=per_mode(motion.pillar_kinetic),
         name=per_mode(motion.name),
+        fields=fields,
     )
 
 

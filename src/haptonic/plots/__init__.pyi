@@ -31,7 +31,7 @@ from .spectra import (
     velocity_spectrum as velocity_spectrum,
 )
 from .stage import Stage as Stage, checked as checked, painted as painted
-from .style import rendered as rendered, save as save
+from .style import rendered as rendered, save as save, shades as shades
 from .sweep_grids import sweep_grid as sweep_grid
 from .sweeps import sweep as sweep
 from .tolerances import tolerance as tolerance

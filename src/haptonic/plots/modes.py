@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations, pairwise, product
+from itertools import combinations
 
 import numpy as np
 import scipy
@@ -17,6 +17,7 @@ from PIL import Image, ImageDraw
 
 from haptonic.arrays import Array, Ints
 from haptonic.bloch.bands import mode_names
+from haptonic.cell.skin import drawing_cells, outer_faces, outline_edges
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.moving import moments, moving
@@ -25,19 +26,13 @@ from haptonic.units import hz_text
 SHOWN = 8  # modes, as in Fig. 4B of the paper
 COLUMNS = 4
 MOMENTS = 12  # of a cycle that are drawn of moving modes
-PIECES = 8  # faces drawn along an element's side, at most
 FINER = 4  # patches of one colour along the side of a face, at most
 SHADES = 60  # steps of the scale of colours, too small to be distinguished side by side
 LARGEST = 0.2  # drawn displacement, as a share of the period
 APART = 0.45  # of the clear distance of two pillars, so that they do not pass through each other
-SHARP = np.cos(np.radians(35))  # faces that meet at a larger angle make an edge of the outline
 SMOOTH = 2  # how much finer along x and y a body is painted than it is shown, so that its edges are smooth
 INKED = 0.65  # of the light of a colour that a line over it leaves
 AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # where the camera is
-
-VTK_CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
-# a hexahedron's faces by its corners, anticlockwise seen from outside
-FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 
 
 @style.drawn
@@ -209,58 +204,6 @@ def _projected(points: Array) -> Array:
     return np.asarray(points @ np.stack([right, np.cross(towards, right), towards], axis=1))
 
 
-def drawing_cells(subcells: Ints, grids: list[list[int]]) -> tuple[Ints, Ints]:
-    """Hexahedra that are large enough to draw, and what to draw their borders by.
-
-    Parameters
-    ----------
-    subcells : (cells, 8) corners of the small cells between nodes, in VTK's order
-    grids : for each family of elements (elements, p1, p2, p3), their number and how many cells each has
-        along its axes; see `haptonic.cell.HexMesh.linear_subcells`
-
-    Returns
-    -------
-    cells : (n, 8) corners, at most `PIECES` cells along an element's side
-    on_edge : nodes on the edges of elements
-    """
-    cells, on_edge = [], []
-    start = 0
-    for elements, *orders in grids:
-        if not orders:  # cells that belong to no element
-            cells.append(subcells[start : start + elements])
-            start += elements
-            continue
-        stop = start + elements * int(np.prod(orders))
-        small = subcells[start:stop].reshape(elements, *orders, 8)
-        start = stop
-        marks = [
-            np.unique(np.round(np.linspace(0, order, min(PIECES, order) + 1)).astype(int)).tolist()
-            for order in orders
-        ]
-        for ends in product(*(pairwise(along) for along in marks)):
-            block = []
-            for number, corner in enumerate(VTK_CORNERS):
-                place = [ends[axis][corner[axis]] for axis in range(3)]
-                i, j, k = (mark - side for mark, side in zip(place, corner, strict=True))
-                nodes = small[:, i, j, k, number]
-                block.append(nodes)
-                if sum(mark in (0, order) for mark, order in zip(place, orders, strict=True)) >= 2:
-                    on_edge.append(nodes)
-            cells.append(np.stack(block, axis=-1))
-    edges = np.concatenate(on_edge) if on_edge else np.empty(0, dtype=np.int64)
-    return np.concatenate(cells), np.unique(edges)
-
-
-def outer_faces(cells: Ints) -> Ints:
-    """(m, 4) corners of the faces that belong to one cell only."""
-    faces = cells[:, FACES].reshape(-1, 4)
-    ordered = np.sort(faces, axis=1)
-    extended = (np.diff(ordered, axis=1) > 0).all(axis=1)  # flat cells of a surface have one such face only
-    faces, ordered = faces[extended], ordered[extended]
-    _, first, times = np.unique(ordered, axis=0, return_index=True, return_counts=True)
-    return np.asarray(faces[first[times == 1]])
-
-
 def clearance(position: Array, faces: Ints) -> float:
     """Least distance of two pillars, from parts of the upper half that are not connected; infinite of one."""
     middle = 0.5 * (position[:, 2].min() + position[:, 2].max())
@@ -275,17 +218,3 @@ def clearance(position: Array, faces: Ints) -> float:
         return float("inf")  # without the import of scipy.spatial, which takes 0.2 s
     trees = [scipy.spatial.cKDTree(position[own]) for own in pillars]
     return min(float(a.query(b.data)[0].min()) for a, b in combinations(trees, 2))
-
-
-def outline_edges(position: Array, faces: Ints) -> Ints:
-    """(n, 2) ends of the edges at which two of the faces meet at a marked angle."""
-    corners = position[faces]
-    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
-    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    edges = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
-    order = np.lexsort(edges.T)
-    edges = edges[order].reshape(-1, 2, 2)
-    owner = np.repeat(np.arange(len(faces)), 4)[order].reshape(-1, 2)
-    assert (edges[:, 0] == edges[:, 1]).all(), "an outer surface has two faces at every edge"
-    meet = (normal[owner[:, 0]] * normal[owner[:, 1]]).sum(axis=1)
-    return np.asarray(edges[meet < SHARP, 0])

@@ -261,6 +261,12 @@ def perceptual() -> Colormap:
     return mpl.colormaps["viridis"]
 
 
+def shades(count: int) -> list[list[int]]:
+    """Red, green and blue, 0 to 255, of steps along `perceptual`."""
+    colours: list[list[int]] = perceptual()(np.linspace(0, 1, count), bytes=True)[:, :3].tolist()
+    return colours
+
+
 def amount() -> Colormap:
     """Colours for an amount on paper: nothing is white, much is dark; even steps look even in grey too."""
     return mpl.colormaps["Blues"]

@@ -20,6 +20,7 @@ from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity, hz_text, in_percent
+from haptonic.views import View, sent_page
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
@@ -52,6 +53,19 @@ def _edges_of(gap: Gap) -> tuple[Uncertain, Uncertain, Uncertain]:
         Uncertain(gap.upper, gap.upper_error),
         Uncertain(gap.width, gap.lower_error + gap.upper_error, doubt),
     )
+
+
+# variables of the interactive view; those of the second list are stored with 16 bits
+SEEN = [
+    "kappa", "distance", "frequency", "frequency_error", "group_velocity", "parity", "middle_parity",
+    "character", "gap_below", "gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_complete",
+    "gap_direction", "gap_waves", "skin_position", "skin_face", "skin_edge",
+]  # fmt: skip
+SEEN_SHORT = ["path_shape", "path_mode_real", "path_mode_imag"]
+
+
+def _moving(result: Bands) -> bool:
+    return "path_shape" in result.dataset
 
 
 def _over_the_zone(result: Bands) -> bool:
@@ -267,6 +281,15 @@ class Bands(Result):
     def _write_diagram(self, path: Path) -> None:
         self.diagram().to_csv(path, index=False, float_format="%.9g")
 
+    @file("bands.html", when=_moving)
+    def _write_page(self, path: Path) -> None:
+        path.write_text(sent_page(self._view()), "utf-8")
+
+    def _view(self) -> View:
+        """Interactive view of the diagram and its modes."""
+        words = {"summary": self.summary(), "colours": plots.shades(64)}
+        return View("bands", self.title, self.dataset[SEEN + SEEN_SHORT], words, SEEN_SHORT)
+
     @file("modes.vtu")
     def _write_modes(self, path: Path) -> None:
         vtu.write_modes(path, self.dataset, overwrite=True)
@@ -274,7 +297,9 @@ class Bands(Result):
     def facts(self) -> dict[str, Any]:
         data, names = self.dataset, json.loads(self.dataset.attrs["character_names"])
         along = [
-            name for name, variable in data.items() if {"wavevector", "path_corner"} & set(variable.dims)
+            name
+            for name, variable in data.items()
+            if {"wavevector", "path_corner"} & set(variable.dims) and "shape" not in variable.dims
         ]
         named = data["character"].dims, np.array(names)[data["character"].values]
         return {

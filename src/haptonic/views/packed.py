@@ -1,0 +1,80 @@
+"""A view as bytes: a header in JSON, then the arrays."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from haptonic.gate import passed
+from haptonic.later import xarray as xr
+
+ALIGNED = 8  # bytes; arrays begin at multiples, as the browser's typed arrays require
+STEPS = np.iinfo(np.int16).max
+FORMS = {"f": (np.float64, np.float32), "i": (np.int32,), "u": (np.int32,), "b": (np.int32,)}
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """Contents of an interactive view.
+
+    kind : name of the view, as in ``web/src/views.ts``
+    title : heading
+    dataset : numbers, each variable with ``units`` and ``long_name``
+    words : sentences and tables, in a form for JSON
+    short : variables that are stored with 16 bits, to 3e-5 of their largest value
+    """
+
+    kind: str
+    title: str
+    dataset: xr.Dataset
+    words: Mapping[str, Any] = field(default_factory=dict)
+    short: Sequence[str] = ()
+
+
+def packed(view: View) -> bytes:
+    """The view as bytes: length of the header (4 bytes, little-endian), header, arrays.
+
+    The header lists for each variable its dimensions, shape, type, position behind the header and attributes;
+    texts are in the header. Integers have 32 bits. Variables of ``short`` are integers of 16 bits times
+    ``scale``.
+    """
+    data = passed(view.dataset)
+    variables, blocks, start = dict[str, Any](), list[bytes](), 0
+    for name, variable in data.variables.items():
+        values, about = (
+            np.ascontiguousarray(variable.values),
+            {"dims": variable.dims, "shape": variable.shape},
+        )
+        about["attrs"] = {key: str(value) for key, value in variable.attrs.items()}
+        variables[str(name)] = about
+        if values.dtype.kind in "UO":
+            about["texts"] = values.ravel().tolist()
+            continue
+        if name in view.short:
+            scale = float(np.abs(values).max(initial=0.0)) / STEPS or 1.0
+            values, about["scale"] = np.rint(values / scale).astype(np.int16), scale
+        elif values.dtype not in FORMS[values.dtype.kind]:
+            values = values.astype(FORMS[values.dtype.kind][0])
+        about |= {"type": values.dtype.newbyteorder("<").str, "start": start}
+        block = values.astype(values.dtype.newbyteorder("<"), copy=False).tobytes()
+        blocks.append(_padded(block))
+        start += len(blocks[-1])
+    header = {
+        "kind": view.kind,
+        "title": view.title,
+        "words": view.words,
+        "attrs": {name: value for name, value in data.attrs.items() if isinstance(value, str | int | float)},
+        "variables": variables,
+    }
+    text = json.dumps(header, ensure_ascii=False, allow_nan=False).encode("utf-8", "replace")
+    front = struct.pack("<I", len(text)) + text
+    return b"".join([_padded(front), *blocks])
+
+
+def _padded(content: bytes) -> bytes:
+    return content + bytes(-len(content) % ALIGNED)

@@ -1,0 +1,177 @@
+/** The band diagram: curves, gaps, carrier and the mode that is shown. */
+
+import { effect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import uPlot from "uplot";
+import { onTheme, themeColour } from "../parts/colours";
+import { FREQUENCY_UNITS } from "../parts/numbers";
+import type { BandDiagram, Point } from "./diagram_data";
+import type { Choice } from "./state";
+
+const LOWEST = 320; // CSS pixels, least height of the diagram
+const ASPECT = 0.72; // height over width
+const REACH = 40; // CSS pixels, largest distance of a click from the mode that it picks
+
+interface Props {
+  diagram: BandDiagram;
+  choice: Choice;
+}
+
+export function Curves({ diagram, choice }: Props) {
+  const place = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = place.current;
+    if (element === null) return;
+    return drawn(element, diagram, choice);
+  }, [diagram, choice]);
+  return <div class="curves" ref={place} />;
+}
+
+/** Draw the diagram into an element and keep it up to date; returns what removes it. */
+function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () => void {
+  const factor = () => FREQUENCY_UNITS[choice.unit.peek()];
+  const data = (): uPlot.AlignedData => [
+    Array.from(diagram.distance),
+    ...Array.from({ length: diagram.bands }, (_, band) =>
+      Array.from({ length: diagram.rows }, (_, row) => diagram.at({ row, band }) / factor()),
+    ),
+  ];
+  const size = () => {
+    const width = Math.max(element.clientWidth, 240);
+    return { width, height: Math.max(LOWEST, Math.min(ASPECT * width, 0.7 * innerHeight)) };
+  };
+  const top = 1.02 * Math.max(...diagram.frequency);
+  const cornerAt = diagram.corners.map(({ row }) => diagram.distance[row] ?? 0);
+  const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: {} };
+  const plot = new uPlot(
+    {
+      ...size(),
+      legend: { show: false },
+      cursor: { points: { show: false }, x: false, y: false, drag: { x: true, y: true, uni: 20 } },
+      scales: {
+        x: { time: false, range: (_, low, high) => [low, high] },
+        y: { range: (_, low, high) => (low === null ? [0, 1] : [low < 0.2 * high ? 0 : low, high]) },
+      },
+      axes: [
+        {
+          ...axis,
+          splits: () => cornerAt,
+          values: () => diagram.corners.map(({ label }) => label),
+          font: "15px system-ui, sans-serif",
+          grid: { stroke: () => themeColour("rule"), width: 1 },
+        },
+        {
+          ...axis,
+          size: 56,
+          font: "13px system-ui, sans-serif",
+          grid: { show: false },
+          values: (_, splits) => splits.map((value) => `${Number(value.toPrecision(6))}`),
+        },
+      ],
+      series: [
+        {},
+        ...Array.from({ length: diagram.bands }, () => ({
+          stroke: () => themeColour("ink"),
+          width: 1.6,
+          points: { show: false },
+        })),
+      ],
+      hooks: { drawClear: [(u) => paintGaps(u, diagram, factor())], draw: [(u) => paintMarks(u, diagram, choice)] },
+    },
+    data(),
+    element,
+  );
+  const whole = () => plot.setScale("y", { min: 0, max: top / factor() });
+  whole();
+  let pressed: [number, number] | undefined;
+  plot.over.addEventListener("pointerdown", ({ clientX, clientY }) => (pressed = [clientX, clientY]));
+  plot.over.addEventListener("click", (event) => {
+    const dragged = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 5;
+    const box = plot.over.getBoundingClientRect();
+    const point = dragged
+      ? undefined
+      : nearest(plot, diagram, factor(), event.clientX - box.left, event.clientY - box.top);
+    if (point !== undefined) choice.point.value = point;
+  });
+  const stops = [
+    effect(() => {
+      choice.unit.value;
+      plot.setData(data(), true);
+      whole();
+    }),
+    effect(() => {
+      choice.point.value;
+      plot.redraw(false, false);
+    }),
+    onTheme(() => plot.redraw(false, true)),
+  ];
+  const resized = new ResizeObserver(() => plot.setSize(size()));
+  resized.observe(element);
+  return () => {
+    resized.disconnect();
+    for (const stop of stops) stop();
+    plot.destroy();
+  };
+}
+
+/** Mode whose point is nearest to a place in CSS pixels; none beyond `REACH`. */
+function nearest(
+  plot: uPlot,
+  diagram: BandDiagram,
+  factor: number,
+  left: number,
+  top: number,
+): Point | undefined {
+  let [best, least]: [Point | undefined, number] = [undefined, REACH];
+  for (let row = 0; row < diagram.rows; row++) {
+    const x = plot.valToPos(diagram.distance[row] ?? 0, "x") - left;
+    if (Math.abs(x) > least) continue;
+    for (let band = 0; band < diagram.bands; band++) {
+      const away = Math.hypot(x, plot.valToPos(diagram.at({ row, band }) / factor, "y") - top);
+      if (away < least) [best, least] = [{ row, band }, away];
+    }
+  }
+  return best;
+}
+
+function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
+  const { ctx, bbox } = plot;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  for (const gap of diagram.gaps) {
+    if (!gap.complete) continue;
+    const [low, high] = [gap.lower, gap.upper].map((edge) => plot.valToPos(edge / factor, "y", true));
+    if (low === undefined || high === undefined) continue;
+    ctx.fillStyle = themeColour("gap");
+    ctx.fillRect(bbox.left, high, bbox.width, low - high);
+  }
+  if (diagram.carrier !== undefined) {
+    const y = plot.valToPos(diagram.carrier / factor, "y", true);
+    ctx.strokeStyle = themeColour("carrier");
+    ctx.lineWidth = 1.5 * devicePixelRatio;
+    ctx.setLineDash([7 * devicePixelRatio, 5 * devicePixelRatio]);
+    ctx.beginPath();
+    ctx.moveTo(bbox.left, y);
+    ctx.lineTo(bbox.left + bbox.width, y);
+    ctx.stroke();
+  }
+  ctx.restore();
+}
+
+function paintMarks(plot: uPlot, diagram: BandDiagram, choice: Choice): void {
+  const { ctx } = plot;
+  const point = choice.point.peek();
+  const x = plot.valToPos(diagram.distance[point.row] ?? 0, "x", true);
+  const y = plot.valToPos(diagram.at(point) / FREQUENCY_UNITS[choice.unit.peek()], "y", true);
+  ctx.save();
+  ctx.beginPath();
+  ctx.arc(x, y, 6 * devicePixelRatio, 0, 2 * Math.PI);
+  ctx.fillStyle = themeColour("accent");
+  ctx.strokeStyle = themeColour("paper");
+  ctx.lineWidth = 2 * devicePixelRatio;
+  ctx.fill();
+  ctx.stroke();
+  ctx.restore();
+}

@@ -1,0 +1,101 @@
+/** Canvas of the moving mode, and what keeps it moving. */
+
+import { effect } from "@preact/signals";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { onTheme } from "../parts/colours";
+import type { BandDiagram } from "./diagram_data";
+import { MovingMode, type Side } from "./moving_mode";
+import type { Choice } from "./state";
+
+const SIDES: [Side, string][] = [
+  ["oblique", "oblique"],
+  ["x", "along x"],
+  ["y", "along y"],
+  ["z", "from above"],
+];
+
+interface Props {
+  diagram: BandDiagram;
+  choice: Choice;
+}
+
+export function Mode({ diagram, choice }: Props) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const mode = useRef<MovingMode>(null);
+  const [problem, setProblem] = useState("");
+  useEffect(() => {
+    if (canvas.current === null) return;
+    let moving: MovingMode;
+    try {
+      moving = new MovingMode(diagram.data, canvas.current, diagram.data.header.words["colours"] as number[][]);
+    } catch {
+      setProblem("The mode cannot be drawn, because this browser has no WebGL.");
+      return;
+    }
+    mode.current = moving;
+    return kept(moving, diagram, choice);
+  }, [diagram, choice]);
+  return (
+    <div class="mode">
+      {problem ? (
+        <p role="alert">{problem}</p>
+      ) : (
+        <canvas ref={canvas} role="img" aria-label="The cell moving in the selected mode" />
+      )}
+      <p class="sides">
+        <span id="seen">Seen</span>
+        {SIDES.map(([side, words]) => (
+          <button type="button" onClick={() => mode.current?.look(side)} aria-describedby="seen">
+            {words}
+          </button>
+        ))}
+      </p>
+    </div>
+  );
+}
+
+/** Follow the choices and the size of the canvas; returns what ends it. */
+function kept(moving: MovingMode, diagram: BandDiagram, choice: Choice): () => void {
+  const { canvas } = moving;
+  let [moment, before, frame] = [0, 0, 0];
+  const step = (now: number) => {
+    if (before > 0) moment = (moment + ((now - before) / 1000) * choice.pace.peek()) % 1;
+    before = now;
+    if (!document.hidden) moving.turn(moment);
+    frame = requestAnimationFrame(step);
+  };
+  const resized = new ResizeObserver(() => {
+    moving.resize(Math.max(canvas.clientWidth, 1), Math.max(canvas.clientHeight, 1));
+    moving.look("oblique");
+  });
+  moving.resize(Math.max(canvas.clientWidth, 1), Math.max(canvas.clientHeight, 1));
+  const stops = [
+    effect(() => moving.repeat(choice.copies.value)),
+    effect(() => {
+      const point = choice.point.value;
+      moving.show(point, diagram.phases(point.row));
+      canvas.dataset["shown"] = `${point.row},${point.band}`;
+      moving.turn(moment);
+    }),
+    effect(() => {
+      moving.swing = choice.swing.value;
+      moving.turn(moment);
+    }),
+    effect(() => {
+      cancelAnimationFrame(frame);
+      before = 0;
+      if (choice.playing.value) frame = requestAnimationFrame(step);
+    }),
+    onTheme(() => {
+      moving.colourLines();
+      moving.draw();
+    }),
+  ];
+  resized.observe(canvas);
+  return () => {
+    cancelAnimationFrame(frame);
+    resized.disconnect();
+    for (const stop of stops) stop();
+    moving.dispose();
+  };
+}

@@ -1,0 +1,46 @@
+/** What the user of a band diagram has chosen. */
+
+import { signal, type Signal } from "@preact/signals";
+import { suitable, type FrequencyUnit } from "../parts/numbers";
+import type { BandDiagram, Point } from "./diagram_data";
+
+export const MOST_COPIES = 6;
+export const LARGEST_SWING = 0.5; // of the period
+
+export interface Choice {
+  point: Signal<Point>;
+  playing: Signal<boolean>;
+  swing: Signal<number>; // largest drawn displacement, as a share of the period
+  pace: Signal<number>; // drawn cycles in a second
+  copies: Signal<[number, number]>; // cells along a1 and a2
+  unit: Signal<FrequencyUnit>;
+  listing: Signal<"keys" | "table" | "none">;
+}
+
+export function startingChoice(diagram: BandDiagram): Choice {
+  const gap = diagram.gaps[0];
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  return {
+    point: signal(gap ? diagram.belowGap(gap) : { row: diagram.corners[1]?.row ?? 0, band: 0 }),
+    playing: signal(!still),
+    swing: signal(0.15),
+    pace: signal(0.7),
+    copies: signal<[number, number]>([2, 2]),
+    unit: signal(suitable(Math.max(...diagram.frequency))),
+    listing: signal<"keys" | "table" | "none">("none"),
+  };
+}
+
+export function moved(diagram: BandDiagram, { row, band }: Point, along: number, up: number): Point {
+  return {
+    row: Math.min(Math.max(row + along, 0), diagram.rows - 1),
+    band: Math.min(Math.max(band + up, 0), diagram.bands - 1),
+  };
+}
+
+/** The lower edge of the gap after that of the current band, the first after the last. */
+export function nextGap(diagram: BandDiagram, { band }: Point): Point | undefined {
+  const gaps = [...diagram.gaps].filter((gap) => gap.waves === "all").sort((a, b) => a.below - b.below);
+  const next = gaps.find((gap) => gap.below - 1 > band) ?? gaps[0];
+  return next && diagram.belowGap(next);
+}

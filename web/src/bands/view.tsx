@@ -1,0 +1,201 @@
+/** Band diagram and moving mode: the view of kind "bands". */
+
+import { useMemo } from "preact/hooks";
+import { useSignalEffect } from "@preact/signals";
+import type { Dataset } from "../dataset";
+import { FREQUENCY_UNITS, uncertain, type FrequencyUnit } from "../parts/numbers";
+import { Curves } from "./curves";
+import { BandDiagram } from "./diagram_data";
+import { KEYS, keyPressed } from "./keys";
+import { Mode } from "./mode";
+import { LARGEST_SWING, MOST_COPIES, startingChoice, type Choice } from "./state";
+import { GapTable, ModeTable } from "./tables";
+
+export function bandsView(data: Dataset) {
+  return <BandsView data={data} />;
+}
+
+function BandsView({ data }: { data: Dataset }) {
+  const diagram = useMemo(() => new BandDiagram(data), [data]);
+  const choice = useMemo(() => startingChoice(diagram), [diagram]);
+  const summary = (data.header.words["summary"] ?? []) as string[];
+  return (
+    <div class="bands" onKeyDown={(event) => keyPressed(event, diagram, choice)}>
+      <header>
+        <h1>{data.header.title}</h1>
+        <p class="origin">simulated</p>
+        {summary.map((sentence) => (
+          <p>{sentence}</p>
+        ))}
+      </header>
+      <div class="pair">
+        <section aria-label="Band diagram">
+          <div
+            class="walk"
+            tabIndex={0}
+            role="application"
+            aria-label="Band diagram. Arrow keys move along the path and between bands."
+            aria-describedby="point"
+          >
+            <Curves diagram={diagram} choice={choice} />
+          </div>
+          <p class="axes">
+            <label>
+              Frequencies in{" "}
+              <select
+                value={choice.unit.value}
+                onChange={(event) => (choice.unit.value = event.currentTarget.value as FrequencyUnit)}
+              >
+                {Object.keys(FREQUENCY_UNITS).map((unit) => (
+                  <option>{unit}</option>
+                ))}
+              </select>
+            </label>
+            <Legend diagram={diagram} />
+          </p>
+        </section>
+        <section aria-label="Mode">
+          <Mode diagram={diagram} choice={choice} />
+          <PointFacts diagram={diagram} choice={choice} />
+          <MotionControls choice={choice} />
+        </section>
+      </div>
+      <Listing diagram={diagram} choice={choice} />
+      <footer>
+        <p>
+          haptonic {String(data.header.attrs["haptonic_version"] ?? "")}. Displacements are relative to the largest
+          of their mode; each error bounds the distance to the exact frequency of the model.
+        </p>
+      </footer>
+    </div>
+  );
+}
+
+function Legend({ diagram }: { diagram: BandDiagram }) {
+  return (
+    <span class="legend">
+      {diagram.gaps.some((gap) => gap.complete) && <span class="of-gap">complete gap</span>}
+      {diagram.carrier !== undefined && <span class="of-carrier">carrier</span>}
+    </span>
+  );
+}
+
+/** Facts of the selected mode, spoken by a screen reader when another mode is selected. */
+function PointFacts({ diagram, choice }: { diagram: BandDiagram; choice: Choice }) {
+  const point = choice.point.value;
+  const unit = choice.unit.value;
+  const factor = FREQUENCY_UNITS[unit];
+  const velocity = diagram.velocity(point);
+  const facts = [
+    ["motion", diagram.nature(point)],
+    ["symmetry", diagram.parity(point)],
+    ["group velocity", velocity ? `${Math.hypot(...velocity).toPrecision(3)} m/s` : "not defined"],
+  ].filter(([, value]) => value);
+  const place = diagram.place(point.row);
+  return (
+    <div class="facts">
+      <p id="point" aria-live="polite">
+        Band {point.band + 1} at {place}: <b>{uncertain(diagram.at(point) / factor, diagram.errorAt(point) / factor)} {unit}</b>
+      </p>
+      <dl>
+        {facts.map(([name, value]) => (
+          <div>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <p class="again">
+        The same mode as a picture: <code>haptonic bands STUDY --modes-at "{place}"</code> or, in Python,{" "}
+        <code>study.bands(modes_at="{place}").plot("modes")</code>
+      </p>
+    </div>
+  );
+}
+
+function MotionControls({ choice }: { choice: Choice }) {
+  const [m, n] = choice.copies.value;
+  return (
+    <div class="controls">
+      <button type="button" onClick={() => (choice.playing.value = !choice.playing.value)}>
+        {choice.playing.value ? "Stop" : "Move"}
+      </button>
+      <label>
+        largest displacement, share of the period: {choice.swing.value.toFixed(2)}
+        <input
+          type="range" min="0" max={LARGEST_SWING} step="0.01" value={choice.swing.value}
+          onInput={(event) => (choice.swing.value = Number(event.currentTarget.value))}
+        />
+      </label>
+      <label>
+        pace, cycles per second: {choice.pace.value.toFixed(1)}
+        <input
+          type="range" min="0.1" max="3" step="0.1" value={choice.pace.value}
+          onInput={(event) => (choice.pace.value = Number(event.currentTarget.value))}
+        />
+      </label>
+      <label>
+        cells along a1
+        <input
+          type="number" min="1" max={MOST_COPIES} value={m}
+          onChange={(event) => (choice.copies.value = [limited(event.currentTarget.value), n])}
+        />
+      </label>
+      <label>
+        cells along a2
+        <input
+          type="number" min="1" max={MOST_COPIES} value={n}
+          onChange={(event) => (choice.copies.value = [m, limited(event.currentTarget.value)])}
+        />
+      </label>
+    </div>
+  );
+}
+
+function limited(text: string): number {
+  const count = Math.round(Number(text));
+  return Number.isFinite(count) ? Math.min(Math.max(count, 1), MOST_COPIES) : 1;
+}
+
+function Listing({ diagram, choice }: { diagram: BandDiagram; choice: Choice }) {
+  const listing = choice.listing.value;
+  useSignalEffect(() => {
+    if (choice.listing.value !== "none") document.getElementById("listing")?.focus();
+  });
+  const toggle = (which: "keys" | "table") => (choice.listing.value = listing === which ? "none" : which);
+  return (
+    <section aria-label="Tables and keys">
+      <p>
+        <button type="button" aria-expanded={listing === "table"} onClick={() => toggle("table")}>
+          Tables
+        </button>{" "}
+        <button type="button" aria-expanded={listing === "keys"} onClick={() => toggle("keys")}>
+          Keys
+        </button>
+      </p>
+      <div id="listing" tabIndex={-1}>
+        {listing === "keys" && (
+          <table>
+            <caption>Keys</caption>
+            <tbody>
+              {KEYS.map(([keys, words]) => (
+                <tr>
+                  <th scope="row">
+                    <kbd>{keys}</kbd>
+                  </th>
+                  <td>{words}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        )}
+        {listing === "table" && (
+          <>
+            <GapTable diagram={diagram} unit={choice.unit.value} />
+            <ModeTable diagram={diagram} choice={choice} />
+          </>
+        )}
+      </div>
+    </section>
+  );
+}

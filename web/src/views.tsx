@@ -1,0 +1,26 @@
+/** The table of views by kind, and their drawing into an element. */
+
+import { render, type ComponentChildren } from "preact";
+import { bandsView } from "./bands/view";
+import type { Dataset } from "./dataset";
+import uplot from "uplot/dist/uPlot.min.css";
+import style from "./style.css";
+
+const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = { bands: bandsView };
+
+/** Draw a view into an element; the returned function removes it. */
+export function show(data: Dataset, element: HTMLElement): () => void {
+  const make = VIEWS[data.header.kind];
+  if (make === undefined) throw new Error(`this version has no view "${data.header.kind}"`);
+  addStyle();
+  render(make(data), element);
+  return () => render(null, element);
+}
+
+function addStyle(): void {
+  if (document.getElementById("haptonic-style") !== null) return;
+  const sheet = document.createElement("style");
+  sheet.id = "haptonic-style";
+  sheet.textContent = uplot + style;
+  document.head.append(sheet);
+}
