@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 CORES := $(shell getconf _NPROCESSORS_ONLN)
 
-.PHONY: reproduce test nightly lowest metadata bench docs dist clean
+.PHONY: reproduce test web nightly lowest metadata bench docs dist clean
 
 reproduce: $(VENV)/ready
 	$(BIN)/haptonic reproduce studies/touchpad.toml --out results/touchpad-report --workers $(CORES) --overwrite
@@ -14,6 +14,10 @@ test: $(VENV)/ready-test
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(CORES) --dist worksteal -m "not nightly"
+
+# The programs of the interactive pages, from web/ into the package; only for changes of web/, and with Node.
+web: web/node_modules/ready
+	cd web && npm run --silent check && npm run --silent build
 
 # The gallery's cells run as in the documentation, with what it needs.
 nightly: $(VENV)/ready-test $(VENV)/ready-docs
@@ -69,9 +73,13 @@ $(VENV)/ready: pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[fast]"
 	touch $@
 
-$(VENV)/ready-test: $(VENV)/ready
+$(VENV)/ready-test: $(VENV)/ready $(if $(shell command -v npm),web/node_modules/ready)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[test,cad,ngsolve]"
 	touch $@
 
+web/node_modules/ready: web/package.json web/package-lock.json
+	cd web && npm ci --silent --ignore-scripts
+	touch $@
+
 clean:
-	rm -rf $(VENV) .venv-lowest .venv-metadata dist results docs/_build
+	rm -rf $(VENV) web/node_modules .venv-lowest .venv-metadata dist results docs/_build

@@ -1,7 +1,7 @@
 """Draw the pictures of these pages that no page computes itself: `python docs/draw_figures.py [NAME ...]`.
 
-Names are `badges`, `mesh`, `convergence` and `maps`; without one all are drawn. `maps` computes the plate of
-the prototype, which takes about two minutes. The others take seconds.
+Names are `badges`, `mesh`, `convergence`, `maps` and `page`; without one all are drawn. `maps` computes the
+plate of the prototype, which takes about two minutes. `page` needs Chromium, and the tests in PYTHONPATH.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Callable, Iterator
 from itertools import product
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -130,6 +131,17 @@ def draw_maps() -> None:
     hp.load(TOUCHPAD).plate().plot("maps").savefig(IMAGES / "plate-maps.png", dpi=style.DOTS_PER_INCH)
 
 
+def draw_page() -> None:
+    """The interactive page of bands, drawn by a browser."""
+    from browser import chromium, page_at  # of the tests
+
+    with TemporaryDirectory() as folder, chromium() as browser:
+        hp.load(TOUCHPAD).bands(html=True).write(folder)
+        with page_at(browser, (Path(folder) / "bands.html").as_uri(), 1440, reduced_motion="reduce") as page:
+            page.wait_for_selector("canvas[data-shown]")
+            page.locator(".pair").screenshot(path=IMAGES / "bands-page.png")
+
+
 def draw_badges() -> None:
     """Python versions, licence and state of the project, from pyproject.toml."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
@@ -156,6 +168,7 @@ def draw_badges() -> None:
 
 DRAWN: dict[str, Callable[[], None]] = {
     "badges": draw_badges, "mesh": draw_mesh, "convergence": draw_convergence, "maps": draw_maps,
+    "page": draw_page,
 }  # fmt: skip
 
 if __name__ == "__main__":

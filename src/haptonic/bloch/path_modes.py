@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 
 import numpy as np
 
+from haptonic.arrays import Array, Complex
 from haptonic.bloch.model import best_model
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.tracking import diagram
@@ -14,18 +16,18 @@ from haptonic.cell.skin import drawing_cells, outer_faces, outline_edges
 from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
 
-# Smallest singular value of the modes' unknowns that is kept, relative to the largest. On the reference cell
-# the displacement of a mode is then within 2e-4 of its largest value, less than the width of a drawn line.
-KEPT = 1e-5
+# Smallest singular values that are kept, relative to the largest: of the unknowns, which only saves time, and
+# of the displacements. A mode is then within 1e-3 of its largest displacement, less than the width of a line.
+RANK, KEPT = 1e-9, 1e-4
 
 
 @one_thread()
 def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
     """Displacement of the surface of the cell for all modes of `haptonic.bloch.bands_dataset`.
 
-    A mode is a sum of real shapes, ``u = sum_s (real_s + i imag_s) shape_s``, with the largest displacement 1.
-    The modes of a diagram are so much alike that about a hundred shapes describe them all (singular value
-    decomposition).
+    A mode is a sum of real shapes, ``u = sum_s (real_s + i imag_s) shape_s``, with the largest displacement
+    1. The modes of a diagram are so much alike that less than a hundred shapes describe them all (singular
+    value decomposition).
 
     Returns
     -------
@@ -40,20 +42,12 @@ def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
     fields = diagram(model, path).fields
     tiling = model.fine.tiling
     cells, _ = drawing_cells(
-        tiling.linear_subcells(), [grid for mesh in tiling.meshes for grid in mesh.grids()]
+        tiling.linear_subcells(), [list(grid) for mesh in tiling.meshes for grid in mesh.grids()]
     )
     faces = outer_faces(cells)
     used, corners = np.unique(faces, return_inverse=True)
     position, faces = tiling.points[used], corners.reshape(faces.shape)
-    vectors, values, _ = np.linalg.svd(np.hstack([fields.real, fields.imag]), full_matrices=False)
-    vectors = vectors[:, values > KEPT * values[0]]
-    shapes = np.moveaxis(tiling.lifted(vectors)[used], 2, 0)
-    largest = np.abs(shapes).max(axis=(1, 2))
-    shapes /= largest[:, None, None]
-    amplitudes = (vectors * largest).T @ fields
-    moved = np.einsum("sm,snx->mnx", amplitudes, shapes)
-    amplitudes /= np.linalg.norm(moved, axis=2).max(axis=1)
-    amplitudes *= np.exp(-0.5j * np.angle((moved**2).sum(axis=(1, 2))))  # the largest real part
+    shapes, amplitudes = _separated(lambda unknowns: tiling.lifted(unknowns)[used], fields)
     by_mode = amplitudes.T.reshape(len(path.kappa), -1, len(shapes)).astype(np.complex64)
     of_modes = ("wavevector", "band", "shape")
     dataset = xr.Dataset(
@@ -77,3 +71,31 @@ def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
     }.items():
         dataset[name].attrs = {"units": unit, "long_name": title}
     return dataset
+
+
+def _separated(lifted: Callable[[Array], Array], fields: Complex) -> tuple[Array, Complex]:
+    """Shapes (s, nodes, 3), largest component 1, and amplitudes (s, m) of modes with fields (n, m).
+
+    Each mode is scaled to the largest displacement 1, and turned to the phase with the largest real part.
+    """
+    vectors, values = _directions(fields)
+    vectors = vectors[:, values > RANK * values[0]]
+    spanned = lifted(vectors)
+    nodes = len(spanned)
+    basis, triangle = np.linalg.qr(spanned.reshape(3 * nodes, -1))
+    modes = triangle @ (vectors.T @ fields)
+    moved = (basis @ modes).reshape(nodes, 3, -1)
+    modes /= np.linalg.norm(moved, axis=1).max(axis=0)
+    modes *= np.exp(-0.5j * np.angle((moved**2).sum(axis=(0, 1))))
+    vectors, values = _directions(modes)
+    vectors = vectors[:, values > KEPT * values[0]]
+    shapes = basis @ vectors
+    largest = np.abs(shapes).max(axis=0)
+    amplitudes = largest[:, None] * (vectors.T @ modes)
+    return np.moveaxis((shapes / largest).reshape(nodes, 3, -1), 2, 0), amplitudes
+
+
+def _directions(fields: Complex) -> tuple[Array, Array]:
+    """Orthonormal real vectors (n, r) that span the fields (n, m), and their singular values (r,)."""
+    vectors, values, _ = np.linalg.svd(np.hstack([fields.real, fields.imag]), full_matrices=False)
+    return vectors, values

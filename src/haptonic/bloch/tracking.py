@@ -39,7 +39,7 @@ class Diagram:
     corner_symmetry : for each corner of the path the labels of its modes, see `corner_labels`
     branch : (n, k) number of the mode's curve
     vertical, pillar_strain, pillar_kinetic, name : (n, k), see `Character`
-    fields : (t + m, n k) unknowns of the tiling, unit mass, the bands of one wavevector after those of another
+    fields : (t + m, n k) unknowns of the tiling, unit mass, the bands of each wavevector together
     """
 
     path: Path

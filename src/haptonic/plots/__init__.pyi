@@ -1,4 +1,4 @@
-from .bands import dispersion as dispersion
+from .bands import dispersion as dispersion, shown_up_to as shown_up_to
 from .designs import front as front, search as search
 from .feel import friction_map as friction_map, reduction_curve as reduction_curve
 from .friction import conditions as conditions, reductions as reductions, trial_sheet as trial_sheet

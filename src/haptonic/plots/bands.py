@@ -69,9 +69,7 @@ def dispersion(
     distance = dataset["distance"].values
     frequency = dataset["frequency"].values / 1e3
     axes.set_xlim(distance[0], distance[-1])
-    lowest, highest = frequency[:, -1].min(), frequency.max()
-    # below the lowest frequency of the last band no band is missing; of few bands that leaves too little
-    axes.set_ylim(0, 1.03 * highest if natures or lowest < LEAST_SHOWN * highest else lowest)
+    axes.set_ylim(0, shown_up_to(dataset, carrier_hz, whole=natures) / 1e3)
     for lower, upper, _, _ in complete_gaps(dataset):
         axes.axhspan(lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
     for (lower, upper), waves in parity_gaps(dataset):
@@ -95,12 +93,19 @@ def dispersion(
         for edges, waves in parity_gaps(dataset)
     ]
     if carrier_hz is not None:
-        if carrier_hz / 1e3 > axes.get_ylim()[1]:
-            axes.set_ylim(0, 1.05 * carrier_hz / 1e3)
         axes.axhline(carrier_hz / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
         labels.append((carrier_hz / 1e3, f"carrier\n{hz_text(carrier_hz, form='g')}", style.CARRIER))
     style.label_right(axes, labels, lines=3)
     return on.figure
+
+
+def shown_up_to(dataset: xr.Dataset, carrier_hz: float | None, *, whole: bool = False) -> float:
+    """Upper end of the axis of frequencies, Hz; ``whole`` : up to the highest frequency of the last band."""
+    frequency = dataset["frequency"].values
+    lowest, highest = frequency[:, -1].min(), frequency.max()
+    # below the lowest frequency of the last band no band is missing; of few bands that leaves too little
+    top = 1.03 * highest if whole or lowest < LEAST_SHOWN * highest else lowest
+    return float(top if carrier_hz is None or carrier_hz <= top else 1.05 * carrier_hz)
 
 
 def complete_gaps(dataset: xr.Dataset) -> list[tuple[float, float, float, float]]:

@@ -58,8 +58,8 @@ def _edges_of(gap: Gap) -> tuple[Uncertain, Uncertain, Uncertain]:
 # variables of the interactive view; those of the second list are stored with 16 bits
 SEEN = [
     "kappa", "distance", "frequency", "frequency_error", "group_velocity", "parity", "middle_parity",
-    "character", "gap_below", "gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_complete",
-    "gap_direction", "gap_waves", "skin_position", "skin_face", "skin_edge",
+    "branch", "character", "gap_below", "gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error",
+    "gap_complete", "gap_direction", "gap_waves", "skin_position", "skin_face", "skin_edge",
 ]  # fmt: skip
 SEEN_SHORT = ["path_shape", "path_mode_real", "path_mode_imag"]
 
@@ -287,7 +287,8 @@ class Bands(Result):
 
     def _view(self) -> View:
         """Interactive view of the diagram and its modes."""
-        words = {"summary": self.summary(), "colours": plots.shades(64)}
+        top = plots.shown_up_to(self.dataset, self.dataset.attrs.get("carrier_hz"))
+        words = {"summary": self.summary(), "colours": plots.shades(64), "top": top}
         return View("bands", self.title, self.dataset[SEEN + SEEN_SHORT], words, SEEN_SHORT)
 
     @file("modes.vtu")

@@ -45,6 +45,7 @@ class Methods:
         *,
         surface: bool = ...,
         modes_at: str | None = ...,
+        html: bool = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,

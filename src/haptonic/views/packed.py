@@ -46,11 +46,12 @@ def packed(view: View) -> bytes:
     data = passed(view.dataset)
     variables, blocks, start = dict[str, Any](), list[bytes](), 0
     for name, variable in data.variables.items():
-        values, about = (
-            np.ascontiguousarray(variable.values),
-            {"dims": variable.dims, "shape": variable.shape},
-        )
-        about["attrs"] = {key: str(value) for key, value in variable.attrs.items()}
+        values = np.ascontiguousarray(variable.values)
+        about: dict[str, Any] = {
+            "dims": variable.dims,
+            "shape": variable.shape,
+            "attrs": {key: str(value) for key, value in variable.attrs.items()},
+        }
         variables[str(name)] = about
         if values.dtype.kind in "UO":
             about["texts"] = values.ravel().tolist()
@@ -60,9 +61,9 @@ def packed(view: View) -> bytes:
             values, about["scale"] = np.rint(values / scale).astype(np.int16), scale
         elif values.dtype not in FORMS[values.dtype.kind]:
             values = values.astype(FORMS[values.dtype.kind][0])
-        about |= {"type": values.dtype.newbyteorder("<").str, "start": start}
-        block = values.astype(values.dtype.newbyteorder("<"), copy=False).tobytes()
-        blocks.append(_padded(block))
+        little = values.astype(values.dtype.newbyteorder("<"), copy=False)
+        about |= {"type": little.dtype.str, "start": start}
+        blocks.append(_padded(little.tobytes()))
         start += len(blocks[-1])
     header = {
         "kind": view.kind,

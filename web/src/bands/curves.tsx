@@ -30,17 +30,15 @@ export function Curves({ diagram, choice }: Props) {
 /** Draw the diagram into an element and keep it up to date; returns what removes it. */
 function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () => void {
   const factor = () => FREQUENCY_UNITS[choice.unit.peek()];
+  const branches = diagram.branches();
   const data = (): uPlot.AlignedData => [
     Array.from(diagram.distance),
-    ...Array.from({ length: diagram.bands }, (_, band) =>
-      Array.from({ length: diagram.rows }, (_, row) => diagram.at({ row, band }) / factor()),
-    ),
+    ...branches.map((curve) => curve.map((value) => (value === null ? null : value / factor()))),
   ];
   const size = () => {
     const width = Math.max(element.clientWidth, 240);
     return { width, height: Math.max(LOWEST, Math.min(ASPECT * width, 0.7 * innerHeight)) };
   };
-  const top = 1.02 * Math.max(...diagram.frequency);
   const cornerAt = diagram.corners.map(({ row }) => diagram.distance[row] ?? 0);
   const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: {} };
   const plot = new uPlot(
@@ -62,15 +60,18 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
         },
         {
           ...axis,
-          size: 56,
+          size: 48,
           font: "13px system-ui, sans-serif",
           grid: { show: false },
+          label: "frequency",
+          labelFont: "14px system-ui, sans-serif",
+          labelSize: 24,
           values: (_, splits) => splits.map((value) => `${Number(value.toPrecision(6))}`),
         },
       ],
       series: [
         {},
-        ...Array.from({ length: diagram.bands }, () => ({
+        ...branches.map(() => ({
           stroke: () => themeColour("ink"),
           width: 1.6,
           points: { show: false },
@@ -81,7 +82,7 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
     data(),
     element,
   );
-  const whole = () => plot.setScale("y", { min: 0, max: top / factor() });
+  const whole = () => plot.setScale("y", { min: 0, max: diagram.top / factor() });
   whole();
   let pressed: [number, number] | undefined;
   plot.over.addEventListener("pointerdown", ({ clientX, clientY }) => (pressed = [clientX, clientY]));
@@ -95,13 +96,15 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
   });
   const stops = [
     effect(() => {
-      choice.unit.value;
+      const label = plot.axes[1];
+      if (label !== undefined) label.label = `frequency / ${choice.unit.value}`;
       plot.setData(data(), true);
       whole();
     }),
     effect(() => {
-      choice.point.value;
-      plot.redraw(false, false);
+      const high = diagram.at(choice.point.value) / factor();
+      if (high > (plot.scales["y"]?.max ?? Infinity)) plot.setScale("y", { min: 0, max: 1.03 * high });
+      else plot.redraw(false, false);
     }),
     onTheme(() => plot.redraw(false, true)),
   ];
@@ -141,11 +144,12 @@ function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
   for (const gap of diagram.gaps) {
-    if (!gap.complete) continue;
-    const [low, high] = [gap.lower, gap.upper].map((edge) => plot.valToPos(edge / factor, "y", true));
-    if (low === undefined || high === undefined) continue;
-    ctx.fillStyle = themeColour("gap");
-    ctx.fillRect(bbox.left, high, bbox.width, low - high);
+    const high = plot.valToPos(gap.upper / factor, "y", true);
+    const height = plot.valToPos(gap.lower / factor, "y", true) - high;
+    if (gap.complete) {
+      ctx.fillStyle = themeColour("gap");
+      ctx.fillRect(bbox.left, high, bbox.width, height);
+    } else if (gap.waves !== "all") hatch(ctx, bbox.left, high, bbox.width, height);
   }
   if (diagram.carrier !== undefined) {
     const y = plot.valToPos(diagram.carrier / factor, "y", true);
@@ -157,6 +161,24 @@ function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
     ctx.lineTo(bbox.left + bbox.width, y);
     ctx.stroke();
   }
+  ctx.restore();
+}
+
+/** Lines across a gap that one parity has and the other has not. */
+function hatch(ctx: CanvasRenderingContext2D, left: number, top: number, width: number, height: number): void {
+  const step = 12 * devicePixelRatio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(left, top, width, height);
+  ctx.clip();
+  ctx.beginPath();
+  for (let x = left - height; x < left + width; x += step) {
+    ctx.moveTo(x, top + height);
+    ctx.lineTo(x + height, top);
+  }
+  ctx.strokeStyle = themeColour("gap");
+  ctx.lineWidth = 2 * devicePixelRatio;
+  ctx.stroke();
   ctx.restore();
 }
 

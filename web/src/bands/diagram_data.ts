@@ -27,6 +27,7 @@ export class BandDiagram {
   readonly gaps: Gap[];
   readonly corners: { label: string; row: number }[];
   readonly carrier: number | undefined;
+  readonly top: number; // upper end of the axis of frequencies, Hz
   private readonly names: string[];
 
   constructor(readonly data: Dataset) {
@@ -40,7 +41,20 @@ export class BandDiagram {
     this.corners = labels.map((label, k) => ({ label, row: rows[k] ?? 0 }));
     const carrier = data.header.attrs["carrier_hz"];
     this.carrier = typeof carrier === "number" ? carrier : undefined;
+    this.top = Number(data.header.words["top"]);
     this.gaps = this.readGaps();
+  }
+
+  /** Frequencies along each branch, a row for each wavevector, null where the branch has no mode. */
+  branches(): (number | null)[][] {
+    const branch = this.data.values("branch");
+    const curves = new Map<number, (number | null)[]>();
+    branch.forEach((number, k) => {
+      const curve = curves.get(number) ?? Array<number | null>(this.rows).fill(null);
+      curve[Math.floor(k / this.bands)] = this.frequency[k] ?? null;
+      curves.set(number, curve);
+    });
+    return [...curves.values()];
   }
 
   at({ row, band }: Point): number {
@@ -94,7 +108,7 @@ export class BandDiagram {
     const [start, stop] = [this.corners[after - 1], this.corners[after]];
     if (start === undefined || stop === undefined) return "";
     const share = (row - start.row) / (stop.row - start.row);
-    return `${Number(share.toFixed(3))} ${start.label}-${stop.label}`;
+    return `${Number(share.toFixed(3))} of ${start.label}-${stop.label}`;
   }
 
   /** The mode nearest to the lower edge of a gap. */

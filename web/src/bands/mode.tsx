@@ -27,12 +27,13 @@ export function Mode({ diagram, choice }: Props) {
     if (canvas.current === null) return;
     let moving: MovingMode;
     try {
-      moving = new MovingMode(diagram.data, canvas.current, diagram.data.header.words["colours"] as number[][]);
+      moving = new MovingMode(diagram.data, canvas.current, colours(diagram));
     } catch {
       setProblem("The mode cannot be drawn, because this browser has no WebGL.");
       return;
     }
     mode.current = moving;
+    Object.assign(canvas.current, { moving }); // for tests and for the browser's console
     return kept(moving, diagram, choice);
   }, [diagram, choice]);
   return (
@@ -42,6 +43,11 @@ export function Mode({ diagram, choice }: Props) {
       ) : (
         <canvas ref={canvas} role="img" aria-label="The cell moving in the selected mode" />
       )}
+      <p class="scale">
+        <span>0</span>
+        <span class="bar" style={{ background: gradient(diagram) }} />
+        <span>1</span> displacement, relative to the largest
+      </p>
       <p class="sides">
         <span id="seen">Seen</span>
         {SIDES.map(([side, words]) => (
@@ -52,6 +58,14 @@ export function Mode({ diagram, choice }: Props) {
       </p>
     </div>
   );
+}
+
+function colours(diagram: BandDiagram): number[][] {
+  return diagram.data.header.words["colours"] as number[][];
+}
+
+function gradient(diagram: BandDiagram): string {
+  return `linear-gradient(to right, ${colours(diagram).map((rgb) => `rgb(${rgb.join(" ")})`).join(", ")})`;
 }
 
 /** Follow the choices and the size of the canvas; returns what ends it. */

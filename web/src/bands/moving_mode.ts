@@ -67,6 +67,8 @@ export class MovingMode {
   private kappa: [number, number] = [0, 0];
   /** Number of frames that were drawn, for tests. */
   frames = 0;
+  /** Cosine and sine of the phase of each copy, for tests. */
+  turns: number[] = [];
 
   constructor(
     private readonly data: Dataset,
@@ -219,6 +221,7 @@ export class MovingMode {
         origin.push(...this.shift(i, j).toArray());
         turn.push(Math.cos(angle), Math.sin(angle));
       }
+    this.turns = turn;
     for (const geometry of [this.surface, this.edges]) {
       geometry.instanceCount = m * n;
       geometry.setAttribute("origin", new three.InstancedBufferAttribute(Float32Array.from(origin), 3));

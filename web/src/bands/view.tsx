@@ -75,6 +75,9 @@ function Legend({ diagram }: { diagram: BandDiagram }) {
   return (
     <span class="legend">
       {diagram.gaps.some((gap) => gap.complete) && <span class="of-gap">complete gap</span>}
+      {diagram.gaps.some((gap) => gap.waves !== "all") && (
+        <span class="of-parity">gap of one parity</span>
+      )}
       {diagram.carrier !== undefined && <span class="of-carrier">carrier</span>}
     </span>
   );

@@ -1,0 +1,66 @@
+"""A headless browser for tests of pages; tests skip where it is missing, except in CI."""
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+WIDTHS = {1440: 900, 820: 1100, 360: 740}  # CSS pixels of the window
+AXE = Path(__file__).parents[1] / "web/node_modules/axe-core/axe.min.js"
+# software rendering of WebGL; the others keep the browser from looking for its maker's servers
+FLAGS = (
+    "--no-sandbox", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync",
+)  # fmt: skip
+# axe-core's rules: accessibility of WCAG 2.2, level AA, and good practice
+VIOLATIONS = "async () => (await axe.run()).violations.map(v => [v.id, v.nodes.map(n => n.html)])"
+# the program's own complaints count; that of the software renderer about reading its pixels does not
+HARMLESS = "GPU stall due to ReadPixels"
+
+
+def need_browser() -> None:
+    """Skip the test without a browser, and fail in CI, which installs one."""
+    if CHROMIUM is None and "CI" not in os.environ:
+        pytest.skip("no Chromium on this machine")
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    need_browser()
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=CHROMIUM, args=list(FLAGS))
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+@contextmanager
+def page_at(browser: Browser, url: str, width: int = 1440, **context: object) -> Iterator[Page]:
+    """Open a page in a window of its own; errors and complaints on its console fail the test."""
+    with_size = {"viewport": {"width": width, "height": WIDTHS[width]}, **context}
+    opened = browser.new_context(**with_size)  # type: ignore[arg-type]
+    page, complaints = opened.new_page(), list[str]()
+    page.on("console", lambda message: complaints.append(message.text) if message.type != "log" else None)
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    try:
+        page.goto(url)
+        yield page
+        assert not [text for text in complaints if HARMLESS not in text]
+    finally:
+        opened.close()
+
+
+def violations(page: Page) -> list[object]:
+    """Violations of axe-core's rules on a page."""
+    if not AXE.exists() and "CI" not in os.environ:
+        pytest.skip("axe-core is not installed: run npm ci in web/")
+    # evaluated in the page's world by the driver, so the page's content security policy does not matter
+    page.evaluate(AXE.read_text("utf-8"))
+    found: list[object] = page.evaluate(VIOLATIONS)
+    return found
