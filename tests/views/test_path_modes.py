@@ -10,7 +10,7 @@ from haptonic.bloch.model import bloch_model
 from haptonic.bloch.path_modes import path_modes
 from haptonic.later import xarray as xr
 from haptonic.study import loads
-from haptonic.views import View, packed
+from haptonic.views import InteractiveView, packed
 from quick import QUICK_CELL
 
 
@@ -87,8 +87,12 @@ def unpacked(content: bytes) -> tuple[dict, dict[str, np.ndarray]]:
 
 def test_a_packed_view_contains_the_numbers_of_its_dataset(modes):
     short = ["path_shape"]
-    header, arrays = unpacked(packed(View("bands", "A title", modes, {"a": ["word"]}, short)))
-    assert (header["kind"], header["title"], header["words"]) == ("bands", "A title", {"a": ["word"]})
+    header, arrays = unpacked(
+        packed(
+            InteractiveView(kind="bands", title="A title", dataset=modes, extra={"a": ["word"]}, short=short)
+        )
+    )
+    assert (header["kind"], header["title"], header["extra"]) == ("bands", "A title", {"a": ["word"]})
     assert arrays.keys() == set(modes.variables)
     for name, values in arrays.items():
         exact = modes[name].values
@@ -101,7 +105,7 @@ def test_a_packed_view_contains_the_numbers_of_its_dataset(modes):
 
 def test_every_array_of_a_packed_view_begins_at_a_multiple_of_eight(modes):
     for title in ("", "é", "a longer title"):
-        header, _ = unpacked(packed(View("bands", title, modes)))
+        header, _ = unpacked(packed(InteractiveView(kind="bands", title=title, dataset=modes)))
         assert all(about["start"] % 8 == 0 for about in header["variables"].values())
 
 
@@ -109,7 +113,9 @@ def test_numbers_of_zero_and_empty_arrays_are_packed():
     data = xr.Dataset(
         {"zero": ("x", np.zeros(3)), "empty": ("y", np.zeros(0)), "text": ("z", np.array(["a"]))}
     )
-    _, arrays = unpacked(packed(View("bands", "", data, short=["zero", "empty"])))
+    _, arrays = unpacked(
+        packed(InteractiveView(kind="bands", title="", dataset=data, short=["zero", "empty"]))
+    )
     assert arrays["zero"].tolist() == [0, 0, 0]
     assert arrays["empty"].size == 0
     assert arrays["text"].tolist() == ["a"]

@@ -17,7 +17,7 @@ from haptonic.later import xarray as xr
 from haptonic.results.bands import Bands
 from haptonic.study import loads
 from haptonic.units import uncertain
-from haptonic.views import View, sent_page
+from haptonic.views import InteractiveView, sent_page
 from quick import QUICK_CELL
 
 POINT = "#point"
@@ -83,7 +83,7 @@ def test_a_click_on_a_band_shows_its_mode(browser, address, bands):
         box = over.bounding_box()
         frequency, distance = bands.frequency, bands.distance
         row, band = 4, 2
-        top = page.evaluate("() => document.querySelector('canvas[data-shown]').moving.data.header.words.top")
+        top = page.evaluate("() => document.querySelector('canvas[data-shown]').moving.data.header.extra.top")
         x = box["width"] * distance[row] / distance[-1]
         y = box["height"] * (1 - frequency[row, band] / top)
         over.click(position={"x": x, "y": y})
@@ -223,7 +223,13 @@ def test_hostile_words_are_only_words(browser, bands, tmp_path: Path):
     data: xr.Dataset = view.dataset.copy()
     data["gap_direction"] = data["gap_direction"].astype(object).astype("U200")
     data["gap_direction"][:] = HOSTILE
-    hostile = View("bands", HOSTILE, data, {**view.words, "summary": [HOSTILE]}, view.short)
+    hostile = InteractiveView(
+        kind="bands",
+        title=HOSTILE,
+        dataset=data,
+        extra={**view.extra, "summary": [HOSTILE]},
+        short=view.short,
+    )
     place = tmp_path / "hostile.html"
     place.write_text(sent_page(hostile), "utf-8")
     with page_at(browser, place.as_uri(), **STILL) as page:

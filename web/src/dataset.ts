@@ -15,7 +15,7 @@ interface Described {
 export interface Header {
   kind: string;
   title: string;
-  words: Record<string, unknown>;
+  extra: Record<string, unknown>;
   attrs: Record<string, string | number>;
   variables: Record<string, Described>;
 }

@@ -20,7 +20,7 @@ from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity, hz_text, in_percent
-from haptonic.views import View, sent_page
+from haptonic.views import InteractiveView, sent_page
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
@@ -285,11 +285,16 @@ class Bands(Result):
     def _write_page(self, path: Path) -> None:
         path.write_text(sent_page(self._view()), "utf-8")
 
-    def _view(self) -> View:
+    def _view(self) -> InteractiveView:
         """Interactive view of the diagram and its modes."""
         top = plots.shown_up_to(self.dataset, self.dataset.attrs.get("carrier_hz"))
-        words = {"summary": self.summary(), "colours": plots.shades(64), "top": top}
-        return View("bands", self.title, self.dataset[SEEN + SEEN_SHORT], words, SEEN_SHORT)
+        return InteractiveView(
+            kind="bands",
+            title=self.title,
+            dataset=self.dataset[SEEN + SEEN_SHORT],
+            extra={"summary": self.summary(), "colours": plots.shades(64), "top": top},
+            short=SEEN_SHORT,
+        )
 
     @file("modes.vtu")
     def _write_modes(self, path: Path) -> None:

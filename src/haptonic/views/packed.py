@@ -19,24 +19,24 @@ FORMS = {"f": (np.float64, np.float32), "i": (np.int32,), "u": (np.int32,), "b":
 
 
 @dataclass(frozen=True, eq=False)
-class View:
+class InteractiveView:
     """Contents of an interactive view.
 
     kind : name of the view, as in ``web/src/views.ts``
     title : heading
     dataset : numbers, each variable with ``units`` and ``long_name``
-    words : sentences and tables, in a form for JSON
+    extra : sentences, colours and limits, in a form for JSON
     short : variables that are stored with 16 bits, to 3e-5 of their largest value
     """
 
     kind: str
     title: str
     dataset: xr.Dataset
-    words: Mapping[str, Any] = field(default_factory=dict)
+    extra: Mapping[str, Any] = field(default_factory=dict)
     short: Sequence[str] = ()
 
 
-def packed(view: View) -> bytes:
+def packed(view: InteractiveView) -> bytes:
     """The view as bytes: length of the header (4 bytes, little-endian), header, arrays.
 
     The header lists for each variable its dimensions, shape, type, position behind the header and attributes;
@@ -68,7 +68,7 @@ def packed(view: View) -> bytes:
     header = {
         "kind": view.kind,
         "title": view.title,
-        "words": view.words,
+        "extra": view.extra,
         "attrs": {name: value for name, value in data.attrs.items() if isinstance(value, str | int | float)},
         "variables": variables,
     }

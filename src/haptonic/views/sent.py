@@ -8,12 +8,12 @@ import zlib
 from importlib.resources import files
 
 from haptonic.pages import filled
-from haptonic.views.packed import View, packed
+from haptonic.views.packed import InteractiveView, packed
 
 PROGRAM = "sent.js"
 
 
-def sent_page(view: View) -> str:
+def sent_page(view: InteractiveView) -> str:
     """The page as text. It needs a browser of 2023 or later, and neither a server nor a network."""
     program = files("haptonic.views").joinpath("bundle", PROGRAM).read_text("utf-8")
     digest = base64.b64encode(hashlib.sha256(program.encode()).digest()).decode()

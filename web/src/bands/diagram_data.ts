@@ -41,7 +41,7 @@ export class BandDiagram {
     this.corners = labels.map((label, k) => ({ label, row: rows[k] ?? 0 }));
     const carrier = data.header.attrs["carrier_hz"];
     this.carrier = typeof carrier === "number" ? carrier : undefined;
-    this.top = Number(data.header.words["top"]);
+    this.top = Number(data.header.extra["top"]);
     this.gaps = this.readGaps();
   }
 

@@ -61,7 +61,7 @@ export function Mode({ diagram, choice }: Props) {
 }
 
 function colours(diagram: BandDiagram): number[][] {
-  return diagram.data.header.words["colours"] as number[][];
+  return diagram.data.header.extra["colours"] as number[][];
 }
 
 function gradient(diagram: BandDiagram): string {

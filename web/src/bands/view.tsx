@@ -18,7 +18,7 @@ export function bandsView(data: Dataset) {
 function BandsView({ data }: { data: Dataset }) {
   const diagram = useMemo(() => new BandDiagram(data), [data]);
   const choice = useMemo(() => startingChoice(diagram), [diagram]);
-  const summary = (data.header.words["summary"] ?? []) as string[];
+  const summary = (data.header.extra["summary"] ?? []) as string[];
   return (
     <div class="bands" onKeyDown={(event) => keyPressed(event, diagram, choice)}>
       <header>
