@@ -98,7 +98,11 @@ def test_the_mode_moves_until_it_is_stopped(browser, address):
     with page_at(browser, address) as page:
         page.wait_for_selector("canvas[data-shown]")
         first = page.evaluate(frames)
-        page.wait_for_function(f"({frames})() > {first + 3}")
+        for _ in range(200):
+            page.wait_for_timeout(50)
+            if page.evaluate(frames) > first + 3:
+                break
+        assert page.evaluate(frames) > first + 3
         page.get_by_role("button", name="Stop").click()
         page.wait_for_timeout(100)  # a frame that was under way
         still = page.evaluate(frames)

@@ -1,7 +1,7 @@
 """Interactive views of results: one program for the sent page, the studio and the notebook.
 
-The program is built from ``web/`` into ``bundle/``. It gets a `InteractiveView` as bytes and knows titles and units from
-the attributes of its dataset.
+The program is built from ``web/`` into ``bundle/``. It gets an `InteractiveView` as bytes. Titles and units
+are attributes of its dataset.
 """
 
 from haptonic.views.packed import InteractiveView, packed
