@@ -1,7 +1,8 @@
 """Draw the pictures of these pages that no page computes itself: `python docs/draw_figures.py [NAME ...]`.
 
-Names are `badges`, `mesh`, `convergence`, `maps` and `page`; without one all are drawn. `maps` computes the
-plate of the prototype, which takes about two minutes. `page` needs Chromium, and the tests in PYTHONPATH.
+Names are `badges`, `mesh`, `convergence`, `maps` and `pages`; without one all are drawn. `maps` and `pages`
+compute the plate of the prototype, which takes about two minutes. `pages` needs Chromium, and the tests in
+PYTHONPATH. The others take seconds.
 """
 
 from __future__ import annotations
@@ -131,15 +132,18 @@ def draw_maps() -> None:
     hp.load(TOUCHPAD).plate().plot("maps").savefig(IMAGES / "plate-maps.png", dpi=style.DOTS_PER_INCH)
 
 
-def draw_page() -> None:
-    """The interactive page of bands, drawn by a browser."""
+def draw_pages() -> None:
+    """The interactive pages, drawn by a browser."""
     from browser import chromium, page_at  # of the tests
 
+    study = hp.load(TOUCHPAD)
     with TemporaryDirectory() as folder, chromium() as browser:
-        hp.load(TOUCHPAD).bands(html=True).write(folder)
-        with page_at(browser, (Path(folder) / "bands.html").as_uri(), 1440, reduced_motion="reduce") as page:
-            page.wait_for_selector("canvas[data-shown]")
-            page.locator(".pair").screenshot(path=IMAGES / "bands-page.png")
+        for name, result in (("bands", study.bands(html=True)), ("plate", study.plate(html=True))):
+            result.write(Path(folder) / name)
+            address = (Path(folder) / name / f"{name}.html").as_uri()
+            with page_at(browser, address, 1440, reduced_motion="reduce") as page:
+                page.wait_for_selector("canvas[data-shown]")
+                page.locator(".pair").screenshot(path=IMAGES / f"{name}-page.png")
 
 
 def draw_badges() -> None:
@@ -168,7 +172,7 @@ def draw_badges() -> None:
 
 DRAWN: dict[str, Callable[[], None]] = {
     "badges": draw_badges, "mesh": draw_mesh, "convergence": draw_convergence, "maps": draw_maps,
-    "page": draw_page,
+    "pages": draw_pages,
 }  # fmt: skip
 
 if __name__ == "__main__":

@@ -1,12 +1,17 @@
 """A headless browser for tests of pages; tests skip where it is missing, except in CI."""
 
+import base64
+import io
 import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
+from PIL import Image
 from playwright.sync_api import Browser, Page, sync_playwright
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -54,6 +59,13 @@ def page_at(browser: Browser, url: str, width: int = 1440, **context: object) ->
         assert not [text for text in complaints if HARMLESS not in text]
     finally:
         opened.close()
+
+
+def pixels(page: Page, selector: str) -> NDArray[np.int64]:
+    """(y, x, 4) colours of a canvas."""
+    url = page.eval_on_selector(selector, "canvas => canvas.toDataURL()")
+    image = Image.open(io.BytesIO(base64.b64decode(url.split(",")[1])))
+    return np.asarray(image.convert("RGBA")).astype(int)
 
 
 def violations(page: Page) -> list[object]:

@@ -1,17 +1,14 @@
 """The page of bands that can be sent, in a real browser: what is drawn, pressed and read."""
 
-import base64
-import io
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import Browser, Page
 
-from browser import WIDTHS, chromium, page_at, violations
+from browser import WIDTHS, chromium, page_at, pixels, violations
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.later import xarray as xr
 from haptonic.results.bands import Bands
@@ -48,21 +45,14 @@ def shown(page: Page) -> tuple[int, int]:
     return int(row), int(band)
 
 
-def pixels(page: Page, selector: str) -> np.ndarray:
-    """(n, 4) colours of a canvas."""
-    url = page.eval_on_selector(selector, "canvas => canvas.toDataURL()")
-    image = Image.open(io.BytesIO(base64.b64decode(url.split(",")[1])))
-    return np.asarray(image.convert("RGBA")).reshape(-1, 4).astype(int)
-
-
 def test_a_page_draws_its_mode_and_its_diagram(browser, address):
     with page_at(browser, address, **STILL) as page:
         page.wait_for_selector("canvas[data-shown]")
-        body = pixels(page, ".mode canvas")
+        body = pixels(page, ".mode canvas").reshape(-1, 4)
         covered = (body[:, 3] > 0).mean()
         assert 0.05 < covered < 0.8
         assert len(np.unique(body[body[:, 3] > 0, :3] // 16, axis=0)) > 20  # shades of displacement and light
-        curves = pixels(page, ".uplot canvas")
+        curves = pixels(page, ".uplot canvas").reshape(-1, 4)
         assert 0.005 < (curves[:, 3] > 0).mean() < 0.6
 
 
@@ -214,7 +204,7 @@ def test_a_change_to_dark_draws_again(browser, address):
         page.emulate_media(color_scheme="dark")
         page.wait_for_timeout(200)
         after = pixels(page, ".uplot canvas")
-        ink = (before[:, 3] > 250) & (before[:, :3].max(axis=1) < 60)
+        ink = (before[..., 3] > 250) & (before[..., :3].max(axis=-1) < 60)
         assert ink.sum() > 1000
         assert after[ink, :3].mean() > 180
 

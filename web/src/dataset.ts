@@ -1,13 +1,13 @@
 /** A result's dataset as `haptonic.views.packed` writes it. */
 
-export type Numbers = Float64Array | Float32Array | Int32Array | Int16Array;
+export type Numbers = Float64Array | Float32Array | Int32Array | Int16Array | Int8Array;
 
 interface Described {
   dims: string[];
   shape: number[];
   attrs: Record<string, string>;
   texts?: string[];
-  type?: "<f8" | "<f4" | "<i4" | "<i2";
+  type?: "<f8" | "<f4" | "<i4" | "<i2" | "|i1";
   start?: number;
   scale?: number;
 }
@@ -26,6 +26,7 @@ const READERS = {
   "<f4": Float32Array,
   "<i4": Int32Array,
   "<i2": Int16Array,
+  "|i1": Int8Array,
 } as const;
 
 export class Dataset {

@@ -3,10 +3,14 @@
 import { render, type ComponentChildren } from "preact";
 import { bandsView } from "./bands/view";
 import type { Dataset } from "./dataset";
+import { plateView } from "./plate/view";
 import uplot from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 
-const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = { bands: bandsView };
+const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = {
+  bands: bandsView,
+  plate: plateView,
+};
 
 /** Draw a view into an element; the returned function removes it. */
 export function show(data: Dataset, element: HTMLElement): () => void {

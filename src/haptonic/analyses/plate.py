@@ -46,6 +46,7 @@ class PlateOptions:
     """
 
     at: float | None = option(None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY")
+    html: bool = option(False, "Also one interactive HTML page, with the plate moving at every frequency.")
     settings: ResponseSettings | None = field(default=None)
 
 
@@ -77,11 +78,15 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
         "inputs": study.inputs(), "store": runner.store, "fineness": chosen, "progress": runner.progress,
     }  # fmt: skip
     if at is not None:
-        return compute_plate(plate, settings, carrier=carrier, gap=None, **means)
+        single = compute_plate(plate, settings, carrier=carrier, gap=None, **means)
+        return replace(single, interactive=options.html)
     plates = {each: study.mounted_plate(each) for each in carriers}
     around = {each: gaps_around(study, driven, each, runner) for each, driven in plates.items()}
     shared = {each: common_gap(beside.values()) for each, beside in around.items()}
-    result = compute_plate(plate, settings, carrier=carrier, gap=shared[carrier], **means)
+    result = replace(
+        compute_plate(plate, settings, carrier=carrier, gap=shared[carrier], **means),
+        interactive=options.html,
+    )
     if len(carriers) == 1:
         return result
     alone = {

@@ -261,9 +261,10 @@ def perceptual() -> Colormap:
     return mpl.colormaps["viridis"]
 
 
-def shades(count: int) -> list[list[int]]:
-    """Red, green and blue, 0 to 255, of steps along `perceptual`."""
-    colours: list[list[int]] = perceptual()(np.linspace(0, 1, count), bytes=True)[:, :3].tolist()
+def shades(count: int, *, signed: bool = False) -> list[list[int]]:
+    """Red, green and blue, 0 to 255, of steps along `perceptual`, or along `diverging` if ``signed``."""
+    scale = diverging() if signed else perceptual()
+    colours: list[list[int]] = scale(np.linspace(0, 1, count), bytes=True)[:, :3].tolist()
     return colours
 
 

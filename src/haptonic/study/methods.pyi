@@ -174,6 +174,7 @@ class Methods:
         self,
         *,
         at: str | float | None = ...,
+        html: bool = ...,
         settings: haptonic.plate.vibration.settings.ResponseSettings | None = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,

@@ -15,7 +15,7 @@ from haptonic.later import xarray as xr
 
 ALIGNED = 8  # bytes; arrays begin at multiples, as the browser's typed arrays require
 STEPS = np.iinfo(np.int16).max
-FORMS = {"f": (np.float64, np.float32), "i": (np.int32,), "u": (np.int32,), "b": (np.int32,)}
+FORMS = {"f": (np.float64, np.float32), "i": (np.int32, np.int8), "u": (np.int32,), "b": (np.int32,)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ def packed(view: InteractiveView) -> bytes:
     """The view as bytes: length of the header (4 bytes, little-endian), header, arrays.
 
     The header lists for each variable its dimensions, shape, type, position behind the header and attributes;
-    texts are in the header. Integers have 32 bits. Variables of ``short`` are integers of 16 bits times
+    texts are in the header. Integers have 32 or 8 bits. Variables of ``short`` are integers of 16 bits times
     ``scale``.
     """
     data = passed(view.dataset)

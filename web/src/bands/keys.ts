@@ -1,47 +1,44 @@
-/** The keys of the view. */
+/** The keys of the view of bands. */
 
+import type { Key } from "../parts/keys";
+import { listingKeys } from "../parts/listing";
 import type { BandDiagram } from "./diagram_data";
 import { LARGEST_SWING, moved, nextGap, type Choice } from "./state";
 
-export const KEYS: [string, string][] = [
-  ["← →", "previous or next wavevector; ten with Shift"],
-  ["↑ ↓", "next higher or lower band"],
-  ["space", "move or stop"],
-  ["+ −", "larger or smaller displacement"],
-  ["g", "lower edge of the next gap"],
-  ["t", "tables"],
-  ["?", "this list"],
-];
 const FAST = 10; // wavevectors
 const STEP = 0.05; // of the displacement
 
-/** Elements that use the arrow keys, the space bar or letters themselves. */
-const OWN = "input, select, textarea, button, summary, a";
-
-export function keyPressed(event: KeyboardEvent, diagram: BandDiagram, choice: Choice): void {
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if ((event.target as HTMLElement).closest(OWN) !== null && !["?", "g", "t"].includes(event.key)) return;
-  if ((event.target as HTMLElement).closest("input, textarea, select") !== null) return;
+export function bandsKeys(diagram: BandDiagram, choice: Choice): Key[] {
   const walk = (along: number, up: number) => (choice.point.value = moved(diagram, choice.point.value, along, up));
   const grow = (by: number) =>
     (choice.swing.value = Math.min(Math.max(choice.swing.value + by, 0), LARGEST_SWING));
-  const list = (which: "keys" | "table") =>
-    (choice.listing.value = choice.listing.value === which ? "none" : which);
-  const fast = event.shiftKey ? FAST : 1;
-  const actions: Record<string, () => void> = {
-    ArrowLeft: () => walk(-fast, 0),
-    ArrowRight: () => walk(fast, 0),
-    ArrowUp: () => walk(0, 1),
-    ArrowDown: () => walk(0, -1),
-    " ": () => (choice.playing.value = !choice.playing.value),
-    "+": () => grow(STEP),
-    "-": () => grow(-STEP),
-    g: () => (choice.point.value = nextGap(diagram, choice.point.value) ?? choice.point.value),
-    t: () => list("table"),
-    "?": () => list("keys"),
-  };
-  const action = actions[event.key];
-  if (action === undefined) return;
-  event.preventDefault();
-  action();
+  const steps = (event: KeyboardEvent) => (event.shiftKey ? FAST : 1);
+  return [
+    {
+      keys: "← →",
+      effect: "previous or next wavevector; ten with Shift",
+      actions: { ArrowLeft: (event) => walk(-steps(event), 0), ArrowRight: (event) => walk(steps(event), 0) },
+    },
+    {
+      keys: "↑ ↓",
+      effect: "next higher or lower band",
+      actions: { ArrowUp: () => walk(0, 1), ArrowDown: () => walk(0, -1) },
+    },
+    {
+      keys: "space",
+      effect: "move or stop",
+      actions: { " ": () => (choice.playing.value = !choice.playing.value) },
+    },
+    {
+      keys: "+ −",
+      effect: "larger or smaller displacement",
+      actions: { "+": () => grow(STEP), "-": () => grow(-STEP) },
+    },
+    {
+      keys: "g",
+      effect: "lower edge of the next gap",
+      actions: { g: () => (choice.point.value = nextGap(diagram, choice.point.value) ?? choice.point.value) },
+    },
+    ...listingKeys(choice.listing),
+  ];
 }

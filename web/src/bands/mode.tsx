@@ -3,6 +3,7 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { onTheme } from "../parts/colours";
+import { Cycle } from "../parts/cycle";
 import type { BandDiagram } from "./diagram_data";
 import { MovingMode, type Side } from "./moving_mode";
 import type { Choice } from "./state";
@@ -71,13 +72,8 @@ function gradient(diagram: BandDiagram): string {
 /** Follow the choices and the size of the canvas; returns what ends it. */
 function kept(moving: MovingMode, diagram: BandDiagram, choice: Choice): () => void {
   const { canvas } = moving;
-  let [moment, before, frame] = [0, 0, 0];
-  const step = (now: number) => {
-    if (before > 0) moment = (moment + ((now - before) / 1000) * choice.pace.peek()) % 1;
-    before = now;
-    if (!document.hidden) moving.turn(moment);
-    frame = requestAnimationFrame(step);
-  };
+  const draw = () => moving.turn(cycle.moment);
+  const cycle = new Cycle(choice, draw);
   const resized = new ResizeObserver(() => {
     moving.resize(Math.max(canvas.clientWidth, 1), Math.max(canvas.clientHeight, 1));
     moving.look("oblique");
@@ -89,16 +85,11 @@ function kept(moving: MovingMode, diagram: BandDiagram, choice: Choice): () => v
       const point = choice.point.value;
       moving.show(point, diagram.phases(point.row));
       canvas.dataset["shown"] = `${point.row},${point.band}`;
-      moving.turn(moment);
+      draw();
     }),
     effect(() => {
       moving.swing = choice.swing.value;
-      moving.turn(moment);
-    }),
-    effect(() => {
-      cancelAnimationFrame(frame);
-      before = 0;
-      if (choice.playing.value) frame = requestAnimationFrame(step);
+      draw();
     }),
     onTheme(() => {
       moving.colourLines();
@@ -107,7 +98,7 @@ function kept(moving: MovingMode, diagram: BandDiagram, choice: Choice): () => v
   ];
   resized.observe(canvas);
   return () => {
-    cancelAnimationFrame(frame);
+    cycle.end();
     resized.disconnect();
     for (const stop of stops) stop();
     moving.dispose();

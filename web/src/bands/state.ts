@@ -1,33 +1,32 @@
 /** What the user of a band diagram has chosen. */
 
 import { signal, type Signal } from "@preact/signals";
+import { wantsStill, type Pace } from "../parts/cycle";
+import type { Listed } from "../parts/listing";
 import { suitable, type FrequencyUnit } from "../parts/numbers";
 import type { BandDiagram, Point } from "./diagram_data";
 
 export const MOST_COPIES = 6;
 export const LARGEST_SWING = 0.5; // of the period
 
-export interface Choice {
+export interface Choice extends Pace {
   point: Signal<Point>;
-  playing: Signal<boolean>;
   swing: Signal<number>; // largest drawn displacement, as a share of the period
-  pace: Signal<number>; // drawn cycles in a second
   copies: Signal<[number, number]>; // cells along a1 and a2
   unit: Signal<FrequencyUnit>;
-  listing: Signal<"keys" | "table" | "none">;
+  listing: Signal<Listed>;
 }
 
 export function startingChoice(diagram: BandDiagram): Choice {
   const gap = diagram.gaps[0];
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   return {
     point: signal(gap ? diagram.belowGap(gap) : { row: diagram.corners[1]?.row ?? 0, band: 0 }),
-    playing: signal(!still),
+    playing: signal(!wantsStill()),
     swing: signal(0.15),
     pace: signal(0.7),
     copies: signal<[number, number]>([2, 2]),
     unit: signal(suitable(Math.max(...diagram.frequency))),
-    listing: signal<"keys" | "table" | "none">("none"),
+    listing: signal<Listed>("none"),
   };
 }
 

@@ -1,12 +1,14 @@
 /** Band diagram and moving mode: the view of kind "bands". */
 
 import { useMemo } from "preact/hooks";
-import { useSignalEffect } from "@preact/signals";
 import type { Dataset } from "../dataset";
+import { PaceSlider, PlayButton } from "../parts/controls";
+import { Frame } from "../parts/frame";
+import { Listing } from "../parts/listing";
 import { FREQUENCY_UNITS, uncertain, type FrequencyUnit } from "../parts/numbers";
 import { Curves } from "./curves";
 import { BandDiagram } from "./diagram_data";
-import { KEYS, keyPressed } from "./keys";
+import { bandsKeys } from "./keys";
 import { Mode } from "./mode";
 import { LARGEST_SWING, MOST_COPIES, startingChoice, type Choice } from "./state";
 import { GapTable, ModeTable } from "./tables";
@@ -15,19 +17,16 @@ export function bandsView(data: Dataset) {
   return <BandsView data={data} />;
 }
 
+const FOOT =
+  "Displacements are relative to the largest of their mode; each error bounds the distance to the exact frequency of " +
+  "the model.";
+
 function BandsView({ data }: { data: Dataset }) {
   const diagram = useMemo(() => new BandDiagram(data), [data]);
   const choice = useMemo(() => startingChoice(diagram), [diagram]);
-  const summary = (data.header.extra["summary"] ?? []) as string[];
+  const keys = useMemo(() => bandsKeys(diagram, choice), [diagram, choice]);
   return (
-    <div class="bands" onKeyDown={(event) => keyPressed(event, diagram, choice)}>
-      <header>
-        <h1>{data.header.title}</h1>
-        <p class="origin">simulated</p>
-        {summary.map((sentence) => (
-          <p>{sentence}</p>
-        ))}
-      </header>
+    <Frame name="bands" data={data} keys={keys} foot={FOOT}>
       <div class="pair">
         <section aria-label="Band diagram">
           <div
@@ -60,14 +59,11 @@ function BandsView({ data }: { data: Dataset }) {
           <MotionControls choice={choice} />
         </section>
       </div>
-      <Listing diagram={diagram} choice={choice} />
-      <footer>
-        <p>
-          haptonic {String(data.header.attrs["haptonic_version"] ?? "")}. Displacements are relative to the largest
-          of their mode; each error bounds the distance to the exact frequency of the model.
-        </p>
-      </footer>
-    </div>
+      <Listing listing={choice.listing} keys={keys}>
+        <GapTable diagram={diagram} unit={choice.unit.value} />
+        <ModeTable diagram={diagram} choice={choice} />
+      </Listing>
+    </Frame>
   );
 }
 
@@ -120,9 +116,7 @@ function MotionControls({ choice }: { choice: Choice }) {
   const [m, n] = choice.copies.value;
   return (
     <div class="controls">
-      <button type="button" onClick={() => (choice.playing.value = !choice.playing.value)}>
-        {choice.playing.value ? "Stop" : "Move"}
-      </button>
+      <PlayButton playing={choice.playing} />
       <label>
         largest displacement, share of the period: {choice.swing.value.toFixed(2)}
         <input
@@ -130,13 +124,7 @@ function MotionControls({ choice }: { choice: Choice }) {
           onInput={(event) => (choice.swing.value = Number(event.currentTarget.value))}
         />
       </label>
-      <label>
-        pace, cycles per second: {choice.pace.value.toFixed(1)}
-        <input
-          type="range" min="0.1" max="3" step="0.1" value={choice.pace.value}
-          onInput={(event) => (choice.pace.value = Number(event.currentTarget.value))}
-        />
-      </label>
+      <PaceSlider pace={choice.pace} />
       <label>
         cells along a1
         <input
@@ -158,47 +146,4 @@ function MotionControls({ choice }: { choice: Choice }) {
 function limited(text: string): number {
   const count = Math.round(Number(text));
   return Number.isFinite(count) ? Math.min(Math.max(count, 1), MOST_COPIES) : 1;
-}
-
-function Listing({ diagram, choice }: { diagram: BandDiagram; choice: Choice }) {
-  const listing = choice.listing.value;
-  useSignalEffect(() => {
-    if (choice.listing.value !== "none") document.getElementById("listing")?.focus();
-  });
-  const toggle = (which: "keys" | "table") => (choice.listing.value = listing === which ? "none" : which);
-  return (
-    <section aria-label="Tables and keys">
-      <p>
-        <button type="button" aria-expanded={listing === "table"} onClick={() => toggle("table")}>
-          Tables
-        </button>{" "}
-        <button type="button" aria-expanded={listing === "keys"} onClick={() => toggle("keys")}>
-          Keys
-        </button>
-      </p>
-      <div id="listing" tabIndex={-1}>
-        {listing === "keys" && (
-          <table>
-            <caption>Keys</caption>
-            <tbody>
-              {KEYS.map(([keys, words]) => (
-                <tr>
-                  <th scope="row">
-                    <kbd>{keys}</kbd>
-                  </th>
-                  <td>{words}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        )}
-        {listing === "table" && (
-          <>
-            <GapTable diagram={diagram} unit={choice.unit.value} />
-            <ModeTable diagram={diagram} choice={choice} />
-          </>
-        )}
-      </div>
-    </section>
-  );
 }

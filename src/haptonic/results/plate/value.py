@@ -24,10 +24,12 @@ from haptonic.response.measures import along
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text
+from haptonic.results.plate.interactive import plate_view
 from haptonic.results.plate.tables import carriers_table, lines_table, modes_table, power_table
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
 from haptonic.units import hz_text
+from haptonic.views import sent_page
 from haptonic.vtu import write_body
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for an arbitrary plate is known.
@@ -96,6 +98,7 @@ class PlateResult(Result):
     lines : dataset on the response's frequencies; modes : dataset of the modes near the carrier
     body : displacement of the whole plate at the carrier, on a coarse mesh
     answers : for each carrier, if the drives have several; everything else is for the study's carrier
+    interactive : whether the interactive page is among its files
     """
 
     title = "Plate"
@@ -110,6 +113,7 @@ class PlateResult(Result):
     modes: xr.Dataset
     body: xr.Dataset
     answers: tuple[CarrierAnswer, ...] = ()
+    interactive: bool = False
 
     @property
     def driven(self) -> str | None:
@@ -206,6 +210,10 @@ class PlateResult(Result):
     @file("plate.vtu")
     def _write_body(self, path: Path) -> None:
         write_body(path, self.body)
+
+    @file("plate.html", when=lambda result: result.interactive)
+    def _write_page(self, path: Path) -> None:
+        path.write_text(sent_page(plate_view(self)), "utf-8")
 
     @file("carrier.webp")
     def _animate(self, path: Path) -> None:

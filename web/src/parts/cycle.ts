@@ -1,0 +1,40 @@
+/** The moment of a vibration that is drawn, and what moves it on. */
+
+import { effect, type Signal } from "@preact/signals";
+
+export interface Pace {
+  playing: Signal<boolean>;
+  pace: Signal<number>; // drawn cycles in a second
+}
+
+/** True if the system asks for little motion. */
+export function wantsStill(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+export class Cycle {
+  moment = 0; // of the cycle, from 0 to 1
+  private frame = 0;
+  private readonly stop: () => void;
+
+  /** Call `draw` for every frame while the vibration plays. */
+  constructor({ playing, pace }: Pace, draw: () => void) {
+    let before = 0;
+    const step = (now: number) => {
+      if (before > 0) this.moment = (this.moment + ((now - before) / 1000) * pace.peek()) % 1;
+      before = now;
+      if (!document.hidden) draw();
+      this.frame = requestAnimationFrame(step);
+    };
+    this.stop = effect(() => {
+      cancelAnimationFrame(this.frame);
+      before = 0;
+      if (playing.value) this.frame = requestAnimationFrame(step);
+    });
+  }
+
+  end(): void {
+    cancelAnimationFrame(this.frame);
+    this.stop();
+  }
+}

@@ -1,0 +1,21 @@
+/** Keys of a view: what each does, and when it belongs to an element instead. */
+
+export interface Key {
+  keys: string; // as the list prints them
+  effect: string;
+  actions: Record<string, (event: KeyboardEvent) => void>; // by `KeyboardEvent.key`
+}
+
+const WRITTEN_IN = "input, textarea, select"; // use letters and arrows themselves
+const PRESSED = "button, summary, a"; // use the space bar themselves
+
+export function keyPressed(event: KeyboardEvent, keys: Key[]): void {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const target = event.target as HTMLElement;
+  if (target.closest(WRITTEN_IN) !== null) return;
+  if (event.key === " " && target.closest(PRESSED) !== null) return;
+  const action = keys.map((key) => key.actions[event.key]).find((found) => found !== undefined);
+  if (action === undefined) return;
+  event.preventDefault();
+  action(event);
+}

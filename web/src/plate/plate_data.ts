@@ -1,0 +1,144 @@
+/** Numbers of a plate's response with the names that the view uses. */
+
+import type { Dataset, Numbers } from "../dataset";
+
+export interface Curve {
+  name: string;
+  values: (number | null)[]; // one for each frequency
+}
+
+export interface Mode {
+  frequency: number; // Hz
+  name: string;
+  quality: number;
+}
+
+export type Loop = [number, number][]; // corners of a closed line, m
+export type Shown = "level" | "contrast";
+
+/** Parts of the plate that are drawn over the map, m. */
+interface Parts {
+  plate: Loop[];
+  regions: Record<string, Loop[]>;
+  patches: Record<string, [number, number, number, number]>; // middle and size
+}
+
+export class PlateResponse {
+  readonly frequency: Numbers;
+  readonly columns: number;
+  readonly rows: number;
+  readonly gap: [number, number] | null;
+  readonly carrier: number;
+  readonly drive: string; // " at 60 V"
+  readonly parts: Parts;
+  readonly modes: Mode[];
+  readonly colours: number[][];
+  private readonly real: Numbers;
+  private readonly imag: Numbers;
+  private readonly step: Numbers;
+  private readonly present: Numbers;
+
+  constructor(readonly data: Dataset) {
+    const { extra } = data.header;
+    this.frequency = data.values("frequency");
+    [, this.rows = 0, this.columns = 0] = data.shape("shape_real");
+    this.real = data.values("shape_real");
+    this.imag = data.values("shape_imag");
+    this.step = data.values("shape_step");
+    this.present = data.values("present");
+    this.gap = extra["gap"] as [number, number] | null;
+    this.carrier = Number(extra["carrier"]);
+    this.drive = String(extra["drive"]);
+    this.parts = extra as unknown as Parts;
+    this.colours = extra["colours"] as number[][];
+    const [frequency, quality] = [data.values("mode_frequency"), data.values("mode_quality")];
+    this.modes = Array.from(frequency, (value, k) => ({
+      frequency: value,
+      name: data.texts("mode_name")[k] ?? "",
+      quality: quality[k] ?? NaN,
+    }));
+  }
+
+  /** The line nearest to a frequency, Hz. */
+  nearest(frequency: number): number {
+    let best = 0;
+    this.frequency.forEach((value, k) => {
+      if (Math.abs(value - frequency) < Math.abs((this.frequency[best] ?? 0) - frequency)) best = k;
+    });
+    return best;
+  }
+
+  /** Line of the map that is shown first. */
+  get first(): number {
+    return this.nearest(Number(this.data.header.extra["first"]));
+  }
+
+  /** Largest displacement at a line, m. */
+  largest(line: number): number {
+    return (this.step[line] ?? 0) * (this.colours.length - 1) * 0.5;
+  }
+
+  /** Ends of the map, m: half a step beyond the outer points. */
+  get extent(): { left: number; right: number; bottom: number; top: number } {
+    const [x, y] = [this.data.values("x"), this.data.values("y")];
+    const [across, up] = [half(x), half(y)];
+    return {
+      left: (x[0] ?? 0) - across,
+      right: (x[x.length - 1] ?? 0) + across,
+      bottom: (y[0] ?? 0) - up,
+      top: (y[y.length - 1] ?? 0) + up,
+    };
+  }
+
+  /** Colours of the displacement at a moment of the cycle, from the upper row to the lower one. */
+  paint(image: ImageData, line: number, moment: number): void {
+    const [cosine, sine] = [Math.cos(2 * Math.PI * moment), Math.sin(2 * Math.PI * moment)];
+    const middle = (this.colours.length - 1) / 2;
+    const start = line * this.rows * this.columns;
+    for (let row = 0; row < this.rows; row++)
+      for (let column = 0; column < this.columns; column++) {
+        const place = row * this.columns + column;
+        const value = (this.real[start + place] ?? 0) * cosine - (this.imag[start + place] ?? 0) * sine;
+        const shade = Math.min(Math.max(Math.round(middle + value), 0), 2 * middle);
+        const [red = 0, green = 0, blue = 0] = this.colours[shade] ?? [];
+        const pixel = 4 * ((this.rows - 1 - row) * this.columns + column);
+        image.data[pixel] = red;
+        image.data[pixel + 1] = green;
+        image.data[pixel + 2] = blue;
+        image.data[pixel + 3] = this.present[place] === 0 ? 0 : 255;
+      }
+  }
+
+  /** The moment of the cycle at which the largest displacement is farthest out. */
+  outermost(line: number): number {
+    const start = line * this.rows * this.columns;
+    let [best, most] = [0, -1];
+    for (let k = start; k < start + this.rows * this.columns; k++) {
+      const size = Math.hypot(this.real[k] ?? 0, this.imag[k] ?? 0);
+      if (size > most) [best, most] = [k, size];
+    }
+    return -Math.atan2(this.imag[best] ?? 0, this.real[best] ?? 0) / (2 * Math.PI);
+  }
+
+  has(shown: Shown): boolean {
+    return this.data.has(shown);
+  }
+
+  /** Velocities of the regions, or contrasts of the driven region, against frequency. */
+  curves(shown: Shown): Curve[] {
+    if (!this.data.has(shown)) return [];
+    const values = this.data.values(shown);
+    const names = this.data.texts(shown === "level" ? "region" : "pair");
+    const count = this.frequency.length;
+    return names.map((name, k) => ({
+      name,
+      values: Array.from(values.subarray(k * count, (k + 1) * count), (value) =>
+        Number.isFinite(value) && (shown === "contrast" || value > 0) ? value : null,
+      ),
+    }));
+  }
+}
+
+function half(middles: Numbers): number {
+  return middles.length > 1 ? 0.5 * ((middles[1] ?? 0) - (middles[0] ?? 0)) : 0.5e-3;
+}

@@ -1,0 +1,127 @@
+/** Velocities or contrasts of the regions against frequency, with the frequency that is shown. */
+
+import { effect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import uPlot from "uplot";
+import { onTheme, themeColour } from "../parts/colours";
+import type { PlateResponse } from "./plate_data";
+import type { Choice } from "./state";
+
+export const DASHES = [[], [8, 4], [2, 3], [10, 3, 2, 3]]; // curves differ by more than colour
+export const COLOURS = 4; // --curve-0 to --curve-3 of the theme
+const HEIGHT = 300; // CSS pixels
+
+interface Props {
+  plate: PlateResponse;
+  choice: Choice;
+}
+
+export function Spectra({ plate, choice }: Props) {
+  const place = useRef<HTMLDivElement>(null);
+  const shown = choice.shown.value;
+  useEffect(() => {
+    if (place.current === null) return;
+    return drawn(place.current, plate, choice);
+  }, [plate, choice, shown]);
+  return <div class="curves" ref={place} />;
+}
+
+function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () => void {
+  const shown = choice.shown.peek();
+  const curves = plate.curves(shown);
+  const unit = plate.data.unit(shown);
+  const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") } };
+  const labelled = { font: "13px system-ui, sans-serif", labelFont: "14px system-ui, sans-serif" };
+  const kilohertz = Array.from(plate.frequency, (value) => value / 1e3);
+  const size = () => ({ width: Math.max(element.clientWidth, 240), height: HEIGHT });
+  const plot = new uPlot(
+    {
+      ...size(),
+      legend: { show: false },
+      cursor: { points: { show: false }, y: false, drag: { x: true, y: false } },
+      scales: { x: { time: false }, y: { distr: shown === "level" ? 3 : 1 } },
+      axes: [
+        { ...axis, ...labelled, label: "frequency / kHz", labelSize: 22, size: 34, grid: { show: false } },
+        {
+          ...axis,
+          ...labelled,
+          label: `${plate.data.title(shown)} / ${unit}`,
+          labelSize: 24,
+          size: 58,
+          grid: { show: false },
+          values: (_, splits) => splits.map((value) => (value === null ? "" : written(value, shown === "level"))),
+        },
+      ],
+      series: [
+        {},
+        ...curves.map((_, k) => ({
+          stroke: () => themeColour(`curve-${k % COLOURS}`),
+          dash: DASHES[k % DASHES.length] ?? [],
+          width: 1.4,
+          points: { show: false },
+        })),
+      ],
+      hooks: { drawClear: [(u) => paintGap(u, plate)], draw: [(u) => paintLine(u, plate, choice)] },
+    },
+    [kilohertz, ...curves.map(({ values }) => values)],
+    element,
+  );
+  plot.over.addEventListener("click", (event) => {
+    const left = event.clientX - plot.over.getBoundingClientRect().left;
+    choice.line.value = plate.nearest(1e3 * plot.posToVal(left, "x"));
+  });
+  const stops = [
+    effect(() => {
+      choice.line.value;
+      plot.redraw(false, false);
+    }),
+    onTheme(() => plot.redraw(false, true)),
+  ];
+  const resized = new ResizeObserver(() => plot.setSize(size()));
+  resized.observe(element);
+  return () => {
+    resized.disconnect();
+    for (const stop of stops) stop();
+    plot.destroy();
+  };
+}
+
+/** A tick: powers of ten on a logarithmic scale, else the number. */
+function written(value: number, logarithmic: boolean): string {
+  if (!logarithmic) return `${Number(value.toPrecision(4))}`.replace("-", "−");
+  const power = Math.log10(value);
+  return Math.abs(power - Math.round(power)) < 1e-9 ? `1e${Math.round(power)}`.replace("-", "−") : "";
+}
+
+function paintGap(plot: uPlot, plate: PlateResponse): void {
+  const { ctx, bbox } = plot;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  if (plate.gap !== null) {
+    const [low, high] = plate.gap.map((edge) => plot.valToPos(edge / 1e3, "x", true)) as [number, number];
+    ctx.fillStyle = themeColour("gap");
+    ctx.fillRect(low, bbox.top, high - low, bbox.height);
+  }
+  ctx.restore();
+}
+
+function paintLine(plot: uPlot, plate: PlateResponse, choice: Choice): void {
+  vertical(plot, plate.carrier, themeColour("carrier"), [7, 5]);
+  vertical(plot, plate.frequency[choice.line.peek()] ?? 0, themeColour("accent"), []);
+}
+
+function vertical({ ctx, bbox, valToPos }: uPlot, frequency: number, colour: string, dashes: number[]): void {
+  const x = valToPos(frequency / 1e3, "x", true);
+  if (x < bbox.left || x > bbox.left + bbox.width) return;
+  ctx.save();
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  ctx.setLineDash(dashes.map((length) => length * devicePixelRatio));
+  ctx.beginPath();
+  ctx.moveTo(x, bbox.top);
+  ctx.lineTo(x, bbox.top + bbox.height);
+  ctx.stroke();
+  ctx.restore();
+}

@@ -1,0 +1,58 @@
+/** What the user of a plate's response has chosen. */
+
+import { signal, type Signal } from "@preact/signals";
+import { wantsStill, type Pace } from "../parts/cycle";
+import type { Key } from "../parts/keys";
+import { listingKeys, type Listed } from "../parts/listing";
+import type { PlateResponse, Shown } from "./plate_data";
+
+const FAST = 10; // frequencies
+
+export interface Choice extends Pace {
+  line: Signal<number>; // number of the frequency, from 0
+  shown: Signal<Shown>;
+  listing: Signal<Listed>;
+}
+
+export function startingChoice(plate: PlateResponse): Choice {
+  return {
+    line: signal(plate.first),
+    shown: signal<Shown>(plate.has("level") ? "level" : "contrast"),
+    playing: signal(!wantsStill()),
+    pace: signal(0.7),
+    listing: signal<Listed>("none"),
+  };
+}
+
+export function plateKeys(plate: PlateResponse, choice: Choice): Key[] {
+  const last = plate.frequency.length - 1;
+  const walk = (by: number) => (choice.line.value = Math.min(Math.max(choice.line.value + by, 0), last));
+  const steps = (event: KeyboardEvent) => (event.shiftKey ? FAST : 1);
+  const lines = plate.modes.map(({ frequency }) => plate.nearest(frequency)).sort((a, b) => a - b);
+  const jump = (line: number | undefined) => {
+    if (line !== undefined) choice.line.value = line;
+  };
+  return [
+    {
+      keys: "← →",
+      effect: "previous or next frequency; ten with Shift",
+      actions: { ArrowLeft: (event) => walk(-steps(event)), ArrowRight: (event) => walk(steps(event)) },
+    },
+    {
+      keys: "p n",
+      effect: "previous or next mode near the carrier",
+      actions: {
+        p: () => jump(lines.filter((line) => line < choice.line.value).pop()),
+        n: () => jump(lines.find((line) => line > choice.line.value)),
+      },
+    },
+    { keys: "c", effect: "carrier", actions: { c: () => jump(plate.nearest(plate.carrier)) } },
+    { keys: "g", effect: "resonance in the gap", actions: { g: () => jump(plate.first) } },
+    {
+      keys: "space",
+      effect: "move or stop",
+      actions: { " ": () => (choice.playing.value = !choice.playing.value) },
+    },
+    ...listingKeys(choice.listing),
+  ];
+}

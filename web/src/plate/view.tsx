@@ -1,0 +1,194 @@
+/** Spectra of a plate and its map that moves: the view of kind "plate". */
+
+import { useMemo } from "preact/hooks";
+import type { Dataset } from "../dataset";
+import { PaceSlider, PlayButton } from "../parts/controls";
+import { Frame } from "../parts/frame";
+import { Listing } from "../parts/listing";
+import { PlateMap, size } from "./map";
+import { PlateResponse, type Shown } from "./plate_data";
+import { COLOURS, DASHES, Spectra } from "./spectra";
+import { plateKeys, startingChoice, type Choice } from "./state";
+
+const FOOT =
+  "The map shows the flat face, each frequency on its own scale of colours; regions are outlined, patches dashed.";
+const NAMES: Record<Shown, string> = { level: "velocity of the regions", contrast: "contrast of the driven region" };
+
+export function plateView(data: Dataset) {
+  return <PlateView data={data} />;
+}
+
+interface Props {
+  plate: PlateResponse;
+  choice: Choice;
+}
+
+function PlateView({ data }: { data: Dataset }) {
+  const plate = useMemo(() => new PlateResponse(data), [data]);
+  const choice = useMemo(() => startingChoice(plate), [plate]);
+  const keys = useMemo(() => plateKeys(plate, choice), [plate, choice]);
+  const available = (Object.keys(NAMES) as Shown[]).filter((shown) => plate.has(shown));
+  return (
+    <Frame name="plate" data={data} keys={keys} foot={FOOT}>
+      <div class="pair">
+        <section aria-label="Spectra">
+          {available.length > 0 && plate.frequency.length > 1 && (
+            <>
+              <div
+                class="walk"
+                tabIndex={0}
+                role="application"
+                aria-label="Spectra. Arrow keys change the frequency."
+                aria-describedby="point"
+              >
+                <Spectra plate={plate} choice={choice} />
+              </div>
+              <Legend plate={plate} choice={choice} />
+              <label class="axes">
+                Curves{" "}
+                <select
+                  value={choice.shown.value}
+                  onChange={(event) => (choice.shown.value = event.currentTarget.value as Shown)}
+                >
+                  {available.map((shown) => (
+                    <option value={shown}>{NAMES[shown]}</option>
+                  ))}
+                </select>
+              </label>
+            </>
+          )}
+          <LineFacts plate={plate} choice={choice} />
+        </section>
+        <section aria-label="Map">
+          <PlateMap plate={plate} choice={choice} />
+          <div class="controls">
+            <PlayButton playing={choice.playing} />
+            <FrequencySlider plate={plate} choice={choice} />
+            <PaceSlider pace={choice.pace} />
+          </div>
+        </section>
+      </div>
+      <Listing listing={choice.listing} keys={keys}>
+        <LevelTable plate={plate} choice={choice} />
+        <ModeTable plate={plate} choice={choice} />
+      </Listing>
+    </Frame>
+  );
+}
+
+function Legend({ plate, choice }: Props) {
+  return (
+    <p class="legend">
+      {plate.curves(choice.shown.value).map(({ name }, k) => (
+        <span class="of-curve">
+          <svg width="34" height="8" aria-hidden="true">
+            <line
+              x1="0" x2="34" y1="4" y2="4" stroke-width="2"
+              stroke={`var(--curve-${k % COLOURS})`} stroke-dasharray={(DASHES[k % DASHES.length] ?? []).join(" ")}
+            />
+          </svg>{" "}
+          {name}
+        </span>
+      ))}
+      {plate.gap !== null && <span class="of-gap">gap</span>}
+      <span class="of-carrier">carrier</span>
+    </p>
+  );
+}
+
+function kilohertz(frequency: number): string {
+  return `${Number((frequency / 1e3).toFixed(3))} kHz`;
+}
+
+function LineFacts({ plate, choice }: Props) {
+  const line = choice.line.value;
+  const frequency = plate.frequency[line] ?? 0;
+  const contrasts = plate.curves("contrast");
+  return (
+    <div class="facts">
+      <p id="point" aria-live="polite">
+        <b>{kilohertz(frequency)}</b>: up to {size(plate.largest(line))}
+        {plate.drive}
+        {contrasts.map(({ name, values }) => `; ${name} ${values[line]?.toFixed(1) ?? "-"} dB`).join("")}
+      </p>
+      <p class="again">
+        The same map as a picture, in Python: <code>study.plate().plot("maps", frequency={Number(frequency.toFixed(3))})</code>
+      </p>
+    </div>
+  );
+}
+
+function FrequencySlider({ plate, choice }: Props) {
+  const last = plate.frequency.length - 1;
+  const line = choice.line.value;
+  return (
+    <label class="long">
+      frequency: {kilohertz(plate.frequency[line] ?? 0)}
+      <input
+        type="range" min="0" max={last} step="1" value={line} disabled={last === 0}
+        aria-valuetext={kilohertz(plate.frequency[line] ?? 0)}
+        onInput={(event) => (choice.line.value = Number(event.currentTarget.value))}
+      />
+    </label>
+  );
+}
+
+function LevelTable({ plate, choice }: Props) {
+  const line = choice.line.value;
+  const rows = (["level", "contrast"] as const).flatMap((shown) =>
+    plate.curves(shown).map(({ name, values }) => [
+      NAMES[shown],
+      name,
+      `${values[line]?.toPrecision(3) ?? "-"} ${plate.data.unit(shown)}`,
+    ]),
+  );
+  return (
+    <div class="wide">
+      <table>
+        <caption>Regions at {kilohertz(plate.frequency[line] ?? 0)}</caption>
+        <tbody>
+          {rows.map((cells) => (
+            <tr>
+              {cells.map((cell) => (
+                <td>{cell}</td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function ModeTable({ plate, choice }: Props) {
+  if (plate.modes.length === 0) return null;
+  return (
+    <div class="wide">
+      <table>
+        <caption>Modes near the carrier</caption>
+        <thead>
+          <tr>
+            <th scope="col">frequency</th>
+            <th scope="col">nodal lines</th>
+            <th scope="col">Q</th>
+            <th scope="col">show</th>
+          </tr>
+        </thead>
+        <tbody>
+          {plate.modes.map(({ frequency, name, quality }) => (
+            <tr>
+              <td>{kilohertz(frequency)}</td>
+              <td>{name}</td>
+              <td>{quality.toFixed(0)}</td>
+              <td>
+                <button type="button" onClick={() => (choice.line.value = plate.nearest(frequency))}>
+                  {kilohertz(plate.frequency[plate.nearest(frequency)] ?? 0)}
+                </button>
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
