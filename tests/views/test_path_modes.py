@@ -70,6 +70,11 @@ def test_opposite_sides_of_a_cell_differ_by_the_bloch_phase(study, modes):
                 np.testing.assert_allclose(moved[away.argmin()], turn * moved[node], atol=1e-3)
 
 
+def test_bands_from_the_store_have_the_same_modes(study):
+    first, again = (study.bands(html=True).dataset for _ in range(2))
+    xr.testing.assert_identical(first, again)
+
+
 def unpacked(content: bytes) -> tuple[dict, dict[str, np.ndarray]]:
     (length,) = struct.unpack_from("<I", content)
     header = json.loads(content[4 : 4 + length])

@@ -31,7 +31,7 @@ def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
 
     Returns
     -------
-    dataset with dimensions ``wavevector``, ``band``, ``shape``, ``skin_node``, ``skin_face``, ``skin_edge``
+    dataset with dimensions ``wavevector``, ``band``, ``shape``, ``skin_node``, ``face``, ``edge``
 
     Raises
     ------
@@ -53,8 +53,8 @@ def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
     dataset = xr.Dataset(
         {
             "skin_position": (("skin_node", "xyz"), position),
-            "skin_face": (("skin_face", "skin_corner"), faces),
-            "skin_edge": (("skin_edge", "skin_end"), outline_edges(position, faces)),
+            "skin_face": (("face", "skin_corner"), faces),
+            "skin_edge": (("edge", "skin_end"), outline_edges(position, faces)),
             "path_shape": (("shape", "skin_node", "xyz"), shapes.astype(np.float32)),
             "path_mode_real": (of_modes, by_mode.real),
             "path_mode_imag": (of_modes, by_mode.imag),
