@@ -23,6 +23,7 @@ NAMES = (
     "scan_twin",
     "gap_in_the_scan",
     "fit_covers_the_truth",
+    "pages_answer_at_once",
 )  # fmt: skip
 
 WHOLE_SAMPLE = 120  # designs answered over all classes that count as a proof of the estimates
@@ -611,6 +612,26 @@ The spoiled point was found in {record["spoiled_points_found"]} scans; the most 
 """
 
 
+def pages(record: dict[str, Any]) -> str:
+    def times(spread: dict[str, float]) -> str:
+        return f"{spread['median_ms']:g} ({spread['high_ms']:g}) ms"
+
+    rows = [
+        [f"`{name}.html`", f"{page['bytes'] / 1e6:.1f} MB", f"{page['opens_in_s']:g} s", times(page["moves"])]
+        for name, page in ((name, record[name]) for name in ("bands", "plate"))
+    ]
+    return f"""## Interactive pages
+
+The pages of the touchpad in headless Chromium with software rendering: time until the first picture, and time from a key to the frame
+that shows the next mode or the next of 1001 maps, median and 95th percentile. The script of a frame of a moving mode takes
+{times(record["bands"]["script_of_a_frame"])}.
+
+{table(["page", "size", "opens in", "answers a key in"], rows)}
+
+{measured_on(record)}
+"""
+
+
 def main() -> None:
     files = {name: RESULTS / f"{name}.json" for name in NAMES}
     records = {name: json.loads(file.read_text("utf-8")) for name, file in files.items() if file.exists()}
@@ -632,6 +653,7 @@ def main() -> None:
         scan,
         edges,
         fit,
+        pages,
     )
     # a benchmark that was never run has no chapter
     chapters = [writer(records[name]) for name, writer in zip(NAMES, writers, strict=True) if name in records]
