@@ -27,7 +27,7 @@ import scipy
 from haptonic.atomic import cause_of, draft_for, remove_stale, replace_file
 from haptonic.errors import HaptonicWarning, ResourceError
 from haptonic.gate import passed
-from haptonic.hdf5 import read_dataset
+from haptonic.hdf5 import read_dataset, save_dataset
 from haptonic.later import xarray as xr
 from haptonic.paths import target
 
@@ -202,7 +202,7 @@ class Store:
         passed(dataset)
         # first in memory: HDF5 raises errors of many kinds on a full disk, a plain write only one
         content = io.BytesIO()
-        dataset.to_netcdf(content, engine="h5netcdf")
+        save_dataset(dataset, content)
         self.write(key, content.getbuffer())
 
     def write(self, key: str, content: bytes | memoryview, kind: str = "nc") -> None:

@@ -26,7 +26,7 @@ from haptonic.bloch import (
 from haptonic.bloch.bands import count_check
 from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import SEARCH_GOAL, complete_gaps
-from haptonic.bloch.pencil import eigenpairs
+from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.symmetry import clusters, mirrors_at, sorted_by_parity, split_groups
@@ -337,6 +337,17 @@ def test_a_band_that_was_lost_is_noticed(monkeypatch):
     assert any(below)
     assert checked > 0
     assert missed >= sum(below)
+
+
+def test_a_frequency_between_a_band_and_that_of_the_lower_orders_is_not_compared():
+    """The count of the lower orders would call such a band missing."""
+    plate, levels = BlochModel.of(reference_cell().without_pillar(), Resolution(4, 0), 12, measured=False), []
+    for kappa in plate.cell.zone.triangles(2)[0]:
+        solution, lower = plate.solve(kappa), hertz(eigenpairs(plate.coarse, kappa, 12)[0])
+        level = solution.frequency + 2.01 * solution.error
+        levels += level[(solution.frequency > 1e3) & (level < lower)].tolist()
+    assert len(levels) > 5
+    assert count_check(plate, levels)[1] == 0
 
 
 def test_counts_and_diagram_are_made_at_the_same_time(monkeypatch):

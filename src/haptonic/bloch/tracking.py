@@ -7,7 +7,6 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Ints
@@ -23,6 +22,7 @@ from haptonic.bloch.symmetry import (
     split_groups,
 )
 from haptonic.brillouin import Path
+from haptonic.later import csgraph, sparse as sp
 from haptonic.superelement import JointImage
 
 ALIKE = 0.2  # squared overlap above which two modes at neighbouring wavevectors may be on one branch
@@ -168,7 +168,9 @@ def _joined(
     overlap = np.abs(old_fields.conj().T @ weighed) ** 2
     for old, new in zip(old_signs, signs, strict=True):
         overlap[(old[:, None] * new) < 0] = 0.0
-    rows, columns = scipy.optimize.linear_sum_assignment(-overlap)
+    # as scipy.optimize.linear_sum_assignment, whose import takes longer than a diagram; squared overlaps are
+    # at most 1, and a cost of zero would be no edge
+    rows, columns = csgraph.min_weight_full_bipartite_matching(sp.csr_array(2.0 - overlap))
     branch = np.full(fields.shape[1], -1, dtype=np.int64)
     for row, column in zip(rows, columns, strict=True):
         if overlap[row, column] > ALIKE:

@@ -72,7 +72,7 @@ def refuse_taken(folder: Path | None, names: Iterable[str | PurePosixPath], *, o
 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
-    """Write NetCDF 4 with h5netcdf; names of regions in variables are encoded, see `haptonic.names`."""
+    """Write NetCDF 4; names of regions in variables are encoded, see `haptonic.names`."""
     passed(dataset)
     every = (*dataset.variables, *dataset.dims)
     names = {name: in_file for name in every if (in_file := variable(str(name))) != name}
