@@ -12,6 +12,8 @@ from functools import cached_property
 from types import FrameType
 from typing import Annotated, Any, ClassVar, Self
 
+from pydantic import field_validator
+
 from haptonic.bloch.settings import BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
 from haptonic.design.settings import DesignSettings
@@ -19,7 +21,11 @@ from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import (
     CARRIER,
+    PARAMETERS,
     Aliases,
+    AnyUnit,
+    Entries,
+    ExpressedNumber,
     absent,
     caller,
     described,
@@ -27,7 +33,6 @@ from haptonic.fields import (
     meant,
     needed,
     numbers,
-    problem,
     remade,
     setting,
     table,
@@ -37,7 +42,9 @@ from haptonic.fields import (
     warn_caller,
     with_numbers,
 )
+from haptonic.fields.expressions import check_names
 from haptonic.fields.keys import key_of
+from haptonic.fields.quantity import collected
 from haptonic.fields.reading import read, with_value
 from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
@@ -51,9 +58,9 @@ from haptonic.study.plating import check_carriers, plate_of
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
-from haptonic.study.varied import check_varied
-from haptonic.study.vary import Expression, check_names, solve
-from haptonic.units import format_quantity
+from haptonic.study.named import NAMED, varied_expressions, with_dependents
+from haptonic.study.varied import check_reached, check_sweeps, check_varied
+from haptonic.study.vary import Expression, solve
 from haptonic.updating.settings import FitSettings
 from haptonic.vibrometry.settings import ScanSettings
 
@@ -71,10 +78,11 @@ class Description:
     aliases: ClassVar[Aliases] = {
         **meant("title", "name", "description"),
         **meant("carrier", "frequency", "f", "f0", "drive", "carrier_frequency", "target"),
-        **meant("sweep", "sweeps", "parameters", "scan_parameters"),
+        **meant("sweep", "sweeps", "scan_parameters"),
         **meant("cell", "unit_cell", "unitcell", "lattice", "geometry",
                 cause="lattice, pitch, thickness and pillar are keys of the cell",
                 next_step="write them in [cell]"),
+        **meant("parameters", "variables", "constants", "definitions"),
         **absent(
             "e", "nu", "rho", cause="constants of a material belong to the table [material]",
             next_step="write youngs_modulus, poisson_ratio and density in [material]",
@@ -90,6 +98,10 @@ class Description:
     }  # fmt: skip
 
     title: str = setting("Study", "Heading of the report.", min_length=1, max_length=200, strict=True)
+    named_parameters: Entries[Annotated[ExpressedNumber, AnyUnit()]] = setting(
+        Entries(), 'Numbers with names, for expressions such as "a/2" in place of numbers.',
+        title="Named numbers", alias=PARAMETERS,
+    )  # fmt: skip
     carrier: Annotated[float, CARRIER] | None = setting(
         None, "Frequency of the drive; marked in the diagrams."
     )
@@ -144,33 +156,14 @@ class Description:
             table(Description),
         )
         self.fit_settings.check(plate, self.absent_parameters())
-        for row, sweep in enumerate(self.sweep_settings, start=1):
-            for axis, table_name in zip(sweep.axes, ("", "second."), strict=False):
-                self._check_expression(axis.expression, f"sweep[{row}].{table_name}vary")
-            for step, values in enumerate(sweep.designs, start=1):
-                try:
-                    self._design(sweep, values)
-                except HaptonicError as error:
-                    reached = " and ".join(
-                        f"{axis.vary} = {format_quantity(value, axis.unit)}"
-                        for axis, value in zip(sweep.axes, values, strict=True)
-                    )
-                    raise problem(
-                        "out-of-range",
-                        f"{reached} at step {step} of {sweep.count}",
-                        f"a range in which every design is possible; {error.argument}: {error.allowed}",
-                        f"{error.argument} would be {error.given}: {error.cause}",
-                        "narrow the range between from and to",
-                        at=f"sweep[{row}]",
-                    ) from None
+        check_sweeps(self)
 
-    def _check_expression(self, expression: Expression, at: str) -> None:
-        """Refuse an expression that has no value for the study's own parameters."""
-        try:
-            check_names(expression, self.parameters(), self.absent_parameters())
-            expression.value(self.parameters())
-        except StudyError as error:
-            raise handed_on(error, at) from None
+    @field_validator("named_parameters")
+    @classmethod
+    def _has_names(cls, named: Entries[ExpressedNumber]) -> Entries[ExpressedNumber]:
+        with collected():
+            check_names(named)
+        return named
 
     def mounted_plate(self, carrier: float | None = None) -> Plate:
         """Build the finite plate of the study, with the drives of one carrier.
@@ -221,7 +214,14 @@ class Description:
     @cached_property
     def _parameters(self) -> dict[str, float]:
         allowed = numeric_parameters()  # a study with sweeps needs the values at every step
-        return {path: value for path, value in numbers(self, names=True).items() if path in allowed}
+        every = numbers(self, names=True).items()
+        return {path: value for path, value in every if path in allowed or path.startswith(NAMED)}
+
+    def units(self) -> dict[str, str]:
+        """SI units of the `parameters`, by path."""
+        of_named = {f"{NAMED}{name}": value.unit for name, value in self.named_parameters.items()}
+        allowed = numeric_parameters()
+        return {path: of_named[path] if path in of_named else allowed[path] for path in self._parameters}
 
     def absent_parameters(self) -> dict[str, str]:
         """Reason why a numeric parameter has no value in this study, by path."""
@@ -301,7 +301,7 @@ class Description:
 
     def _with_numbers(self, values: Mapping[str, float]) -> Self:
         try:
-            return with_numbers(self, values)
+            return with_numbers(self, with_dependents(self, values))
         except HaptonicError as error:  # the class of error depends on the owner of the number
             raise error.changed(StudyError) from None
 
@@ -324,6 +324,8 @@ class Description:
         design = self
         for axis in sweep.order:
             design = design.solved(sweep.axes[axis].expression, values[axis])
+        if self.named_parameters:
+            check_reached(sweep, values, design.parameters())
         return design
 
     def unusual(self) -> tuple[str, ...]:
@@ -375,7 +377,7 @@ class Description:
         by its constants, so that a correction in the library changes the key.
         """
         data = document(self, lambda value, unit: value, absent=True)
-        left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
+        left = {"title", PARAMETERS} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
         left |= {"ribbon"} if self.ribbon_settings is None else set()
         data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
@@ -385,4 +387,6 @@ class Description:
         data["material"] = solids.pop("material")
         if solids:
             data["cell"]["materials"] = solids
+        if dependents := varied_expressions(self):
+            data["expressions"] = dependents
         return data
