@@ -197,7 +197,9 @@ class _Reader:
             next_step = f"write a number before the unit: 1 {name}"
         else:
             next_step = f"add {shown(name)} to [parameters]"
-        return CalculationError("unknown", f"{shown(name)} is not the name of a parameter; {listed}", next_step)
+        return CalculationError(
+            "unknown", f"{shown(name)} is not the name of a parameter; {listed}", next_step
+        )
 
     def _quantity(self, number: str) -> Number:
         """A number with the unit that follows it, if any."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from haptonic.design.links import NAMED, Links
 from haptonic.errors import HaptonicError, StudyError
-from haptonic.fields import PARAMETERS, ExpressedNumber
+from haptonic.fields import ExpressedNumber
 from haptonic.fields.keys import leaves
 from haptonic.fields.writing import parameters_of
-
-NAMED = f"{PARAMETERS}."
-"""Beginning of the path of a named parameter, ``parameters.a``."""
 
 
 def expressed_numbers(study: Any) -> Iterator[tuple[str, ExpressedNumber]]:
@@ -64,3 +62,14 @@ def varied_expressions(study: Any) -> dict[str, str]:
     if not names:
         return {}
     return {path: n.text for path, n in expressed_numbers(study) if scope.uses(n.text) & names}
+
+
+def links_of(study: Any) -> Links:
+    """Expressions of the numbers of a study's cell, if its design or its tolerances vary a parameter."""
+    if not varied_parameters(study):
+        return Links()
+    texts = {name: value.text or repr(float(value)) for name, value in study.named_parameters.items()}
+    return Links(texts, {
+        path: number.text for path, number in expressed_numbers(study)
+        if path.startswith(("cell.", "material."))
+    })  # fmt: skip

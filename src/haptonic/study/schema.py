@@ -53,12 +53,12 @@ from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.layout.parts import Plate
 from haptonic.study.doubts import doubts_of
 from haptonic.study.experiment_tables import ProtocolSettings
+from haptonic.study.named import NAMED, varied_expressions, with_dependents
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import check_carriers, plate_of
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
-from haptonic.study.named import NAMED, varied_expressions, with_dependents
 from haptonic.study.varied import check_reached, check_sweeps, check_varied
 from haptonic.study.vary import Expression, solve
 from haptonic.updating.settings import FitSettings
@@ -148,13 +148,7 @@ class Description:
                 self.ribbon_settings.ribbon(self.cell)
         except HaptonicError as error:
             raise handed_on(error) from None
-        check_varied(
-            self.design_settings,
-            self.tolerance_settings,
-            self.cell,
-            self.absent_parameters(),
-            table(Description),
-        )
+        check_varied(self, table(Description))
         self.fit_settings.check(plate, self.absent_parameters())
         check_sweeps(self)
 

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from haptonic.cell import UnitCell
-from haptonic.design.discs import reason_fixed
-from haptonic.design.parameters import FILLET, values_of
-from haptonic.design.settings import DesignSettings
-from haptonic.design.tolerance import ToleranceSettings
+from pydantic_core import PydanticCustomError
+
+from haptonic.design.discs import SLIGHT, is_divided_alike, moving_together, reason_fixed
+from haptonic.design.links import NAMED
+from haptonic.design.parameters import FILLET, OfCell, values_of
 from haptonic.errors import HaptonicError, StudyError, shown
-from haptonic.fields import ExpressedNumber, handed_on, problem
+from haptonic.fields import ExpressedNumber, handed_on, problem, with_numbers
 from haptonic.fields.keys import Key, key_of
+from haptonic.study.named import expressed_numbers, links_of
 from haptonic.study.sweeps import SweepAxis, SweepSettings
 from haptonic.study.vary import check_names
 from haptonic.units import format_quantity
@@ -23,24 +25,26 @@ if TYPE_CHECKING:
 
 SAME = 1e-9  # relative difference of an expression from its value at a step
 VARY = "sweep.vary"
+ENDS = {"low": "from", "high": "to", "spread": "spread"}
+KEPT = re.compile(r"carrier|(bands|mesh|design|tolerance)\.\w+")  # numbers that a search does not change
 
 
-def check_varied(
-    design: DesignSettings, tolerance: ToleranceSettings, cell: UnitCell, absent: Mapping[str, str],
-    keys: Mapping[str, Key],
-) -> None:  # fmt: skip
+def check_varied(study: Description, keys: Mapping[str, Key]) -> None:
     """Refuse parameters that the cell does not have, and designs that could not be written as a study.
 
-    Parameters
-    ----------
-    absent : parameters that the study does not give, and why
-    keys : the keys of a study, by path
+    ``keys`` : the keys of a study, by path
     """
-    values = values_of(cell)
+    design, tolerance, cell = study.design_settings, study.tolerance_settings, study.cell
+    values, absent = values_of(cell), study.absent_parameters()
+    for name, tables in (("design.vary", design.vary), ("tolerance.of", tolerance.of)):
+        for i, varied_table in enumerate(tables, start=1):
+            if varied_table.names_parameter:
+                others = [other.parameter for other in tables if other is not varied_table]
+                _check_named(study, varied_table, others, keys, f"{name}[{i}]")
     varied = {f"design.vary[{i}]": vary.parameter for i, vary in enumerate(design.vary, start=1)}
     varied |= {f"tolerance.of[{i}]": spread.parameter for i, spread in enumerate(tolerance.of, start=1)}
     for at, path in varied.items():
-        if path not in values:
+        if path not in values and not path.startswith(NAMED):
             if (fixed := reason_fixed(cell, path)) is not None:
                 cause, next_step = fixed
                 raise problem(
@@ -54,6 +58,8 @@ def check_varied(
             raise handed_on(StudyError.unknown(at, path, values, cause, slip=False, next_step=next_step))
     for i, vary in enumerate(design.vary, start=1):
         at, path = f"design.vary[{i}]", vary.parameter
+        if vary.names_parameter:
+            continue
         if path in absent:
             raise problem(
                 "missing",
@@ -78,6 +84,70 @@ def check_varied(
                 'choose a small radius, such as "50 um", or look for a sharp one without this table',
                 at=f"{at}.from",
             )  # fmt: skip
+
+
+def _check_named(
+    study: Description, table: OfCell, others: Sequence[str], keys: Mapping[str, Key], at: str
+) -> None:
+    """Refuse a named parameter that a design or a tolerance cannot vary.
+
+    Parameters
+    ----------
+    others : parameters of the other tables of the same name
+    at : path of the table
+    """
+    path, cell = table.parameter, study.cell
+    parameters = [name for name in study.parameters() if name.startswith(NAMED)]
+    if path not in parameters:
+        cause = "the study has no parameter of this name"
+        raise handed_on(StudyError.unknown(f"{at}.parameter", path, parameters, cause))
+    links = links_of(study)
+    ends = {key: getattr(table, name) for name, key in ENDS.items() if hasattr(table, name)}
+    for key, end in ends.items():
+        try:
+            end.checked(links.unit(path))
+        except StudyError as error:
+            raise handed_on(error, f"{at}.{key}") from None
+
+    def refused(cause: str, next_step: str) -> PydanticCustomError:
+        allowed = "a named parameter of sizes, angles or constants of the cell that can vary"
+        return problem("conflict", path, allowed, cause, next_step, at=f"{at}.parameter")
+
+    name, scope = path.removeprefix(NAMED), links.scope
+    dependents = {number: e.text for number, e in expressed_numbers(study) if name in scope.uses(e.text)}
+    if clash := next((other for other in others if other in dependents), None):
+        raise refused(f"{clash} follows {path}, and both would vary", f"vary {path} alone, or {clash} alone")
+    if kept := next((number for number in dependents if KEPT.fullmatch(number)), None):
+        raise refused(
+            f"{kept} follows it, which designs and tolerances do not change", f"give {kept} a number"
+        )
+    direction = links.directions({path: float(links.own(path))})[path]
+    if not direction:
+        raise refused("no number of the cell follows it", f'write an expression, such as pitch = "{name}"')
+    together = moving_together(cell)
+    movable = {*values_of(cell), *(other for group in together.values() for other in group)}
+    if fixed := next((number for number in direction if number not in movable), None):
+        cause = f"{fixed} follows it, and a design or a tolerance cannot change that number"
+        raise refused(cause, f"give {fixed} a number, or vary {path} in a [[sweep]]")
+    here = cell.numbers()
+    slight = SLIGHT / max(abs(s) / (abs(here[n]) or 1.0) for n, s in direction.items())
+    moved = {number: here[number] + slight * slope for number, slope in direction.items()}
+    if not is_divided_alike(cell, with_numbers(cell, moved, "cell.", checked=False)):
+        raise refused("some discs would no longer share an end or a border", "use it for both of them")
+    if "spread" in ends:
+        return
+    for key, end in ends.items():
+        for number, value in links.numbers({path: float(end)}).items():
+            declared = key_of(number, keys)
+            assert declared is not None, number
+            assert declared.quantity is not None, number
+            if not declared.quantity.holds(value):
+                raise problem(
+                    "out-of-range",
+                    f"{number} = {format_quantity(value, declared.unit)}",
+                    f"{number} has to be {declared.quantity.limits}",
+                    "designs there would not be possible", "choose a narrower range", at=f"{at}.{key}",
+                )  # fmt: skip
 
 
 def check_sweeps(study: Description) -> None:
