@@ -94,9 +94,8 @@ class Brief:
         Named parameters have the values of the study.
         """
         low, high = self.box.T
-        numbers = values_of(cell) | {
-            path: self.links.own(path) for path in self.paths if path.startswith(NAMED)
-        }
+        named = [path for path in self.paths if path.startswith(NAMED)]
+        numbers = values_of(cell) | {path: self.links.own(path) for path in named}
         values = np.array([numbers[path] for path in self.paths])
         return np.asarray(np.clip((values - low) / (high - low), 0.0, 1.0))
 

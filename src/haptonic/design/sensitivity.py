@@ -117,7 +117,7 @@ def eigenvalue_derivatives(
 
 def _constants(cell: UnitCell, number: int, moving: Mapping[str, float]) -> dict[tuple[str, int], float]:
     """Slopes of the constants of materials in a tile, by constant and region; regions share a material."""
-    slopes = {}
+    slopes: dict[tuple[str, int], float] = {}
     for path, slope in moving.items():
         if MATERIAL in path:
             table, _, constant = path.rpartition(".")

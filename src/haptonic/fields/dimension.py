@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 from haptonic.units import KINDS, PREFIXES, PREFIXES_OF, TIMES, TYPOGRAPHIC, registry
 
@@ -82,7 +83,7 @@ def measured(unit: str) -> tuple[Fraction, Dimension]:
             of = combined(of, raised(own, Fraction(power)), sign)
         return factor, of
     try:
-        quantity = registry().Quantity(Fraction(1), text).to_base_units()
+        quantity: Any = registry().Quantity(Fraction(1), text).to_base_units()
         powers = {BY_PINT.get(name, name): Fraction(power) for name, power in quantity.unit_items()}
         return Fraction(quantity.magnitude), dimension(powers)
     except Exception:  # noqa: BLE001 - pint raises many kinds

@@ -67,7 +67,7 @@ class ExpressedNumber(float):
         StudyError : another dimension
         """
         wanted = dimension_of(unit)
-        if self.dimension == wanted or (self == 0 and not self.dimension):
+        if self.dimension == wanted or (not self and not self.dimension):  # zero needs no unit
             return self
         raise StudyError.mismatch(
             argument="", given=shown(self.text or float(self)),
@@ -141,9 +141,9 @@ class Scope:
             given = given.text
         if isinstance(given, str):
             return self._of_text(given)
-        is_number = isinstance(given, int | float) and not isinstance(given, bool)
-        if is_number and (isinstance(given, int) or math.isfinite(given)):
-            return Number(Fraction(given))
+        if isinstance(given, int | float) and not isinstance(given, bool):
+            if isinstance(given, int) or math.isfinite(given):
+                return Number(Fraction(given))
         raise StudyError.malformed(
             argument="", given=shown(given), allowed=ALLOWED,
             cause="it is neither a finite number nor a text", next_step='write a text such as "7 mm"',

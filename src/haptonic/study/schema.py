@@ -16,6 +16,7 @@ from pydantic import field_validator
 
 from haptonic.bloch.settings import BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
+from haptonic.design.links import NAMED
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
@@ -53,7 +54,7 @@ from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.layout.parts import Plate
 from haptonic.study.doubts import doubts_of
 from haptonic.study.experiment_tables import ProtocolSettings
-from haptonic.study.named import NAMED, varied_expressions, with_dependents
+from haptonic.study.named import varied_expressions, with_dependents
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import check_carriers, plate_of
 from haptonic.study.ribbon_tables import RibbonSettings
