@@ -17,6 +17,7 @@ NAMED = f"{PARAMETERS}."
 """Beginning of the path of a named parameter, ``parameters.a``."""
 
 
+LOSSES = ".loss_factor"  # end of the path of a number that lossless bands do not depend on
 UNITS_OF_NAMED = "units_of_named"
 
 
@@ -86,7 +87,7 @@ class Links:
             name, moved = path.removeprefix(NAMED), {}
             for at, text in self.dependents(path).items():
                 slope = scope.value(text).slopes.get(name)
-                if slope and at in UNITS:  # the bands are lossless
+                if slope and not at.endswith(LOSSES):
                     moved[at] = float(slope)
             found[path] = moved
         return found

@@ -140,8 +140,7 @@ class Number:
         except OverflowError:
             raise _too_large() from None
         if value == 0 and self.value != 0:
-            cause = "the result is too small for a number in SI units"
-            raise CalculationError("out-of-range", cause, "write a larger number")
+            raise _too_small()
         return value + 0.0
 
 
@@ -150,11 +149,19 @@ def _too_large() -> CalculationError:
     return CalculationError("out-of-range", cause, "write a smaller number")
 
 
+def _too_small() -> CalculationError:
+    cause = "a result is too small for a number in SI units"
+    return CalculationError("out-of-range", cause, "write a larger number")
+
+
 def _bounded(value: Fraction) -> Fraction:
     """The fraction itself, or the nearest float of a fraction with very many digits."""
     if max(value.numerator.bit_length(), value.denominator.bit_length()) <= MOST_BITS:
         return value
-    return _rounded(lambda: float(value))
+    rounded = _rounded(lambda: float(value))
+    if not rounded:
+        raise _too_small()
+    return rounded
 
 
 def _rounded(compute: Callable[[], float]) -> Fraction:

@@ -72,8 +72,8 @@ class ExpressedNumber(float):
         raise StudyError.mismatch(
             argument="", given=shown(self.text or float(self)),
             allowed=f'{kind_text(wanted)}, such as "{example_of(unit)}"' if unit else "a plain number",
-            cause=f"the expression gives {kind_text(self.dimension)}",
-            next_step="multiply or divide it by a number with a unit, or use another parameter",
+            cause=f"it gives {kind_text(self.dimension)}",
+            next_step=f"write {kind_text(wanted)}, or correct the units in it",
         )  # fmt: skip
 
 
@@ -141,9 +141,10 @@ class Scope:
             given = given.text
         if isinstance(given, str):
             return self._of_text(given)
-        if isinstance(given, int | float) and not isinstance(given, bool):
-            if isinstance(given, int) or math.isfinite(given):
-                return Number(Fraction(given))
+        if isinstance(given, float) and math.isfinite(given):
+            return Number(Fraction(given))
+        if isinstance(given, int) and not isinstance(given, bool):
+            return Number(Fraction(given))
         raise StudyError.malformed(
             argument="", given=shown(given), allowed=ALLOWED,
             cause="it is neither a finite number nor a text", next_step='write a text such as "7 mm"',
@@ -155,7 +156,7 @@ class Scope:
                 argument="", given=shown(text), allowed="parameters that have a value",
                 cause=f"the parameter {name} has no value", next_step=f"correct parameters.{name} first",
             )  # fmt: skip
-        return evaluate(text, self.numbers)
+        return evaluate(text, self.numbers, self.texts)
 
     def expressed(self, given: object) -> ExpressedNumber:
         """Value of an expression or a plain number, with its text; for errors see `value`."""
@@ -239,9 +240,10 @@ def scope_of(text: object) -> Scope:
 def scoped(given: Mapping[str, Any]) -> dict[str, Any]:
     """Tables of a study whose texts know the study's parameters; values that are made are not changed."""
     parameters = given.get(PARAMETERS)
-    if not isinstance(parameters, Mapping) or not 0 < len(parameters) <= MOST_PARAMETERS:
+    if not isinstance(parameters, Mapping) or not parameters:
         return dict(given)
-    scope = Scope({name: text for name, text in parameters.items() if isinstance(name, str)})
+    named = [(name, text) for name, text in parameters.items() if isinstance(name, str)]
+    scope = Scope(dict(named[:MOST_PARAMETERS]))
 
     def inside(value: Any) -> Any:
         if isinstance(value, str):
@@ -253,11 +255,11 @@ def scoped(given: Mapping[str, Any]) -> dict[str, Any]:
         return value
 
     changed = {name: inside(value) for name, value in given.items() if name != PARAMETERS}
-    named = {
+    texts = {
         name: ScopedText.of(value, scope, name) if isinstance(value, str) else value
         for name, value in parameters.items()
     }
-    return {**given, **changed, PARAMETERS: named}
+    return {**given, **changed, PARAMETERS: texts}
 
 
 def check_names(names: Iterable[str]) -> None:

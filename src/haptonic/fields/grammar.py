@@ -8,7 +8,8 @@
     power   = atom (("**" | "^") signed)?
     atom    = number unit? | parameter | "pi" | function "(" sum ")" | "(" sum ")"
 
-A unit follows its number directly. A name in any other place is a parameter. Text is read by these rules
+A unit follows its number directly, ``5 N/m``. A name in any other place is a parameter, and so is a name of
+[parameters] after ``*`` or ``/``: ``1 mm*a``. Text is read by these rules
 alone and never run as code; its length, its depth and the size of powers are limited.
 """
 
@@ -16,7 +17,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -54,8 +55,12 @@ def names_in(text: str) -> set[str]:
     return {match["name"] for match in _TOKEN.finditer(text.translate(TYPOGRAPHIC)) if match["name"]}
 
 
-def evaluate(text: str, parameters: Mapping[str, Number]) -> Number:
+def evaluate(text: str, parameters: Mapping[str, Number], known: Iterable[str] = ()) -> Number:
     """Value of an expression, with dimension and slopes.
+
+    Parameters
+    ----------
+    known : names of all parameters of the study, for messages
 
     Raises
     ------
@@ -63,7 +68,7 @@ def evaluate(text: str, parameters: Mapping[str, Number]) -> Number:
         without a finite result
     """
     try:
-        return _Reader(text, parameters).value()
+        return _Reader(text, parameters, known).value()
     except CalculationError as error:
         raise StudyError(
             error.code, argument="", given=shown(text), allowed=ALLOWED, cause=error.cause,
@@ -74,8 +79,8 @@ def evaluate(text: str, parameters: Mapping[str, Number]) -> Number:
 class _Reader:
     """Reads a text from left to right and computes at the same time."""
 
-    def __init__(self, text: str, parameters: Mapping[str, Number]) -> None:
-        self.text, self.parameters = text, parameters
+    def __init__(self, text: str, parameters: Mapping[str, Number], known: Iterable[str]) -> None:
+        self.text, self.parameters, self.known = text, parameters, list(known or parameters)
         if len(text) > LONGEST_TEXT:
             cause = f"the text is {len(text)} characters long; an expression has at most {LONGEST_TEXT}"
             raise CalculationError("too-large", cause, "give parts of it names in [parameters]")
@@ -188,9 +193,9 @@ class _Reader:
         raise self._unknown(name)
 
     def _unknown(self, name: str) -> CalculationError:
-        known = ", ".join(self.parameters)
+        known = ", ".join(self.known)
         listed = f"the parameters are {known}" if known else "the study has no [parameters]"
-        guess = nearest(name, [*self.parameters, *(FUNCTIONS if len(name) > 2 else ())])
+        guess = nearest(name, [*self.known, *(FUNCTIONS if len(name) > 2 else ())])
         if guess:
             next_step = f'write "{guess}"'
         elif name in symbols():
@@ -208,7 +213,7 @@ class _Reader:
             return Number(Fraction(number))
         self._unambiguous(first.text, f"{number}*{first.text}")
         unit = self._unit_word()
-        while (word := self._continued()) is not None:
+        while (word := self._continued(number)) is not None:
             unit += word
         try:
             factor, dimension = measured(unit)
@@ -219,19 +224,19 @@ class _Reader:
             raise CalculationError("unknown", cause, f"{next_step} * before a parameter") from None
         return Number(Fraction(number) * factor, dimension)
 
-    def _continued(self) -> str | None:
+    def _continued(self, number: str) -> str | None:
         """The next word of a unit with its operator, such as "/m^3"; None at its end."""
         operator = self._next()
         by_operator = operator.kind == "operator" and operator.text in ("*", "/")
         word = self._next(1) if by_operator else operator
         if word.kind != "name" or word.text in FUNCTIONS or word.text in CONSTANTS:
             return None
-        if word.text in self.parameters and not (by_operator and _is_unit(word.text)):
+        if word.text in self.parameters and (not by_operator or word.text not in symbols()):
             return None
         if not _is_unit(word.text):
             return None
         if by_operator:
-            self._unambiguous(word.text, f"(...){operator.text}{word.text}")
+            self._unambiguous(word.text, f"parentheses around the number and its unit, ({number} ...),")
             self.position += 1
         return f"{operator.text if by_operator else ' '}{self._unit_word()}"
 

@@ -45,7 +45,6 @@ from haptonic.fields import (
 )
 from haptonic.fields.expressions import check_names
 from haptonic.fields.keys import key_of
-from haptonic.fields.quantity import collected
 from haptonic.fields.reading import read, with_value
 from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
@@ -156,8 +155,10 @@ class Description:
     @field_validator("named_parameters")
     @classmethod
     def _has_names(cls, named: Entries[ExpressedNumber]) -> Entries[ExpressedNumber]:
-        with collected():
+        try:
             check_names(named)
+        except StudyError as error:
+            raise handed_on(error) from None
         return named
 
     def mounted_plate(self, carrier: float | None = None) -> Plate:
@@ -253,7 +254,8 @@ class Description:
 
     def _no_parameter(self, path: object, parameters: Mapping[str, float]) -> StudyError:
         """Error for a path that is not a numeric parameter; for other keys with the way to change them."""
-        key = None if path in self.absent_parameters() else key_of(str(path), table(Description))
+        is_named = str(path).startswith(NAMED)
+        key = None if is_named or path in self.absent_parameters() else key_of(str(path), table(Description))
         if key is None:
             return unknown_number(path, parameters, self.absent_parameters())
         return StudyError.malformed(

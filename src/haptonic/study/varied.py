@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from pydantic_core import PydanticCustomError
 
 from haptonic.design.discs import SLIGHT, is_divided_alike, moving_together, reason_fixed
-from haptonic.design.links import NAMED
+from haptonic.design.links import LOSSES, NAMED
 from haptonic.design.parameters import FILLET, OfCell, values_of
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import ExpressedNumber, handed_on, problem, with_numbers
@@ -126,7 +126,8 @@ def _check_named(
         raise refused("no number of the cell follows it", f'write an expression, such as pitch = "{name}"')
     together = moving_together(cell)
     movable = {*values_of(cell), *(other for group in together.values() for other in group)}
-    if fixed := next((number for number in direction if number not in movable), None):
+    of_cell = [number for number in links.dependents(path) if not number.endswith(LOSSES)]
+    if fixed := next((number for number in of_cell if number not in movable), None):
         cause = f"{fixed} follows it, and a design or a tolerance cannot change that number"
         raise refused(cause, f"give {fixed} a number, or vary {path} in a [[sweep]]")
     here = cell.numbers()
