@@ -54,6 +54,11 @@ class ExpressedNumber(float):
         """SI unit; empty for a plain number."""
         return unit_of(self.dimension)
 
+    @property
+    def expression(self) -> str:
+        """The text if it is more than a number with its unit; else an empty text."""
+        return self.text if as_quantity(self.text) is None else ""
+
     def changed(self, value: float) -> ExpressedNumber:
         """Another value of the same dimension, without an expression."""
         text = format_quantity(value, self.unit, digits=None) if self.unit else ""

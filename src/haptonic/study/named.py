@@ -64,6 +64,12 @@ def varied_expressions(study: Any) -> dict[str, str]:
     return {path: n.text for path, n in expressed_numbers(study) if scope.uses(n.text) & names}
 
 
+def expressions_of(study: Any) -> dict[str, str]:
+    """Expressions of the numbers of a study, by path; quantities as such are left out."""
+    found = {path: number.expression for path, number in expressed_numbers(study)}
+    return {path: text for path, text in found.items() if text}
+
+
 def links_of(study: Any) -> Links:
     """Expressions of the numbers of a study's cell, if its design or its tolerances vary a parameter."""
     if not varied_parameters(study):
