@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import pickle
+import re
+import tomllib
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -15,8 +17,8 @@ from five_parts import assert_told, refused
 from haptonic import Study
 from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicError, StudyError
-from haptonic.fields import ExpressedNumber, Scope
-from haptonic.fields.arithmetic import Number
+from haptonic.fields import Entries, ExpressedNumber, Scope, read, table, unchecked
+from haptonic.fields.arithmetic import ExactNumber
 from haptonic.fields.dimension import dimension_of
 from haptonic.fields.grammar import evaluate
 from haptonic.lattice import Lattice
@@ -63,6 +65,7 @@ count = 6
 """
 SWEEP = '\n[[sweep]]\nvary = "parameters.a"\nfrom = "6 mm"\nto = "8 mm"\nsteps = 3\n'
 STUDY = loads(NAMED)
+KEYS = table(Study)
 SCOPE = Scope({"a": "7 mm", "f": "60 kHz", "n": 3, "turn": "30 deg"})
 
 
@@ -420,4 +423,63 @@ def test_dimensions_of_declared_units():
     assert evaluate("1 V*1 F", {}).dimension == dimension_of("A*s") == evaluate("1 C", {}).dimension
     assert evaluate("1 V^2*1 F", {}).dimension == dimension_of("N m")
     assert evaluate("60 rpm", {}).dimension != dimension_of("Hz")
-    assert evaluate("1 inch", {}) == Number(Fraction(254, 10000), dimension_of("m"))
+    assert evaluate("1 inch", {}) == ExactNumber(Fraction(254, 10000), dimension_of("m"))
+
+
+def with_factor(tables, prefix=""):
+    """The tables of a study with a factor ``one`` at every number that may be an expression."""
+    written = {}
+    for name, value in tables.items():
+        path = f"{prefix}{name}"
+        key = KEYS.get(path)
+        if isinstance(value, dict) and (key is None or key.kind == "table"):
+            written[name] = with_factor(value, f"{path}.")
+        elif isinstance(value, dict):
+            written[name] = {entry: factored(item) for entry, item in value.items()}
+        elif isinstance(value, list) and key is not None and key.kind == "tables":
+            written[name] = [with_factor(item, f"{path}[].") for item in value]
+        elif isinstance(value, list):
+            written[name] = [factored(item) for item in value]
+        else:
+            is_number = key is not None and (key.quantity is not None or key.kind == "number")
+            written[name] = factored(value) if is_number else value
+    return written
+
+
+def factored(value):
+    """The value with a factor, if it is a number with or without a unit."""
+    if isinstance(value, float) or (isinstance(value, str) and re.match(r"-?[0-9]", value)):
+        return f"one*({value})"
+    return value
+
+
+def test_every_number_may_be_an_expression(every_key_text):
+    plain = loads(every_key_text)
+    tables = with_factor(tomllib.loads(every_key_text))
+    tables["parameters"] = {"one": 1.0}
+    tables["cell"]["pitch"] = "one*7 mm"
+    study = read(Study, tables)
+    written = study.to_toml()
+    expressions = [text for text in flat(tables) if text.startswith("one*")]
+    assert len(expressions) > 100
+    for text in set(expressions):
+        assert written.count(f'"{text}"') == expressions.count(text), text
+    assert replaced(study, Entries()) == replaced(plain, Entries())
+    assert loads(written) == study
+    larger = study.with_keys({"parameters.one": 1.001})
+    assert larger.cell.lattice.pitch == 7.007e-3
+    assert larger.touch.speed == study.touch.speed * 1.001
+
+
+def replaced(study, parameters):
+    return unchecked(study, named_parameters=parameters)
+
+
+def flat(tables):
+    """All texts in tables."""
+    values = tables.values() if isinstance(tables, dict) else tables
+    for value in values:
+        if isinstance(value, dict | list):
+            yield from flat(value)
+        elif isinstance(value, str):
+            yield value

@@ -82,15 +82,15 @@ class Links:
         if not named:
             return {}
         scope = self._at(named)
-        found: dict[str, dict[str, float]] = {}
+        directions: dict[str, dict[str, float]] = {}
         for path in named:
             name, moved = path.removeprefix(NAMED), {}
             for at, text in self.dependents(path).items():
                 slope = scope.value(text).slopes.get(name)
                 if slope and not at.endswith(LOSSES):
                     moved[at] = float(slope)
-            found[path] = moved
-        return found
+            directions[path] = moved
+        return directions
 
     def _at(self, named: Mapping[str, float]) -> Scope:
         return self.scope.changed({

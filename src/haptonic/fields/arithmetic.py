@@ -38,7 +38,7 @@ class CalculationError(Exception):
 
 
 @dataclass(frozen=True)
-class Number:
+class ExactNumber:
     """A number in SI base units, with its dimension and its derivatives.
 
     slopes : by name of a parameter; zeros are left out
@@ -48,7 +48,7 @@ class Number:
     dimension: Dimension = PLAIN
     slopes: Slopes = field(default_factory=dict)
 
-    def plus(self, other: Number, sign: int = 1) -> Number:
+    def plus(self, other: ExactNumber, sign: int = 1) -> ExactNumber:
         """The sum, or with a ``sign`` of -1 the difference."""
         if self.dimension != other.dimension:
             first, second = kind_text(self.dimension), kind_text(other.dimension)
@@ -58,23 +58,23 @@ class Number:
                 "give both terms the same kind of unit",
             )
         slopes = _sum((self.slopes, Fraction(1)), (other.slopes, Fraction(sign)))
-        return Number(_bounded(self.value + sign * other.value), self.dimension, slopes)
+        return ExactNumber(_bounded(self.value + sign * other.value), self.dimension, slopes)
 
-    def times(self, other: Number) -> Number:
+    def times(self, other: ExactNumber) -> ExactNumber:
         """The product."""
         slopes = _sum((self.slopes, other.value), (other.slopes, self.value))
         of = combined(self.dimension, other.dimension)
-        return Number(_bounded(self.value * other.value), of, slopes)
+        return ExactNumber(_bounded(self.value * other.value), of, slopes)
 
-    def over(self, other: Number) -> Number:
+    def over(self, other: ExactNumber) -> ExactNumber:
         """The quotient."""
         if other.value == 0:
             raise CalculationError("out-of-range", "it is divided by zero", "give the divisor another value")
         value = _bounded(self.value / other.value)
         slopes = _sum((self.slopes, 1 / other.value), (other.slopes, -value / other.value))
-        return Number(value, combined(self.dimension, other.dimension, -1), slopes)
+        return ExactNumber(value, combined(self.dimension, other.dimension, -1), slopes)
 
-    def power(self, other: Number) -> Number:
+    def power(self, other: ExactNumber) -> ExactNumber:
         """The number to a power: a whole number of a small size, or for positive numbers any plain number."""
         exponent = other.value
         if other.dimension != PLAIN:
@@ -93,7 +93,7 @@ class Number:
             lower = int(exponent) - 1
             steep = exponent * self.value**lower if self.value or lower >= 0 else Fraction(0)
             slopes = _sum((self.slopes, _bounded(steep)))
-            return Number(value, raised(self.dimension, exponent), slopes)
+            return ExactNumber(value, raised(self.dimension, exponent), slopes)
         if self.value <= 0:
             cause = "a number that is not positive has a broken power"
             raise CalculationError("out-of-range", cause, "write a whole number as the power")
@@ -102,9 +102,9 @@ class Number:
             (self.slopes, value * exponent / self.value),
             (other.slopes, value * _rounded(lambda: math.log(self.value))),
         )
-        return Number(value, raised(self.dimension, exponent), slopes)
+        return ExactNumber(value, raised(self.dimension, exponent), slopes)
 
-    def of_function(self, name: str) -> Number:
+    def of_function(self, name: str) -> ExactNumber:
         """The square root, or the sine, cosine or tangent of an angle."""
         function, slope = FUNCTIONS[name]
         if name == "sqrt":
@@ -119,19 +119,19 @@ class Number:
             raise CalculationError("mismatch", cause, "write an angle, such as 30 deg, or a plain number")
         value = _rounded(lambda: function(float(self.value)))
         if not self.slopes:
-            return Number(value, of)
+            return ExactNumber(value, of)
         if name == "sqrt" and self.value == 0:
             cause = "the square root of zero has no slope"
             raise CalculationError("out-of-range", cause, "give the parameter another value")
-        return Number(value, of, _sum((self.slopes, _rounded(lambda: slope(float(self.value))))))
+        return ExactNumber(value, of, _sum((self.slopes, _rounded(lambda: slope(float(self.value))))))
 
-    def negative(self) -> Number:
+    def negative(self) -> ExactNumber:
         """The number with the other sign."""
-        return Number(-self.value, self.dimension, _sum((self.slopes, Fraction(-1))))
+        return ExactNumber(-self.value, self.dimension, _sum((self.slopes, Fraction(-1))))
 
-    def named(self, name: str) -> Number:
+    def named(self, name: str) -> ExactNumber:
         """The value of the parameter of this name."""
-        return Number(self.value, self.dimension, {**self.slopes, name: Fraction(1)})
+        return ExactNumber(self.value, self.dimension, {**self.slopes, name: Fraction(1)})
 
     def rounded(self) -> float:
         """The nearest float; neither infinite nor zero for another number."""

@@ -55,14 +55,14 @@ def raised(of: Dimension, power: Fraction) -> Dimension:
 @cache
 def symbols() -> dict[str, tuple[Fraction, Dimension]]:
     """Units of one word that need no registry: factor to SI units, and dimension."""
-    found = {}
+    units = {}
     for unit, powers in BASES.items():
         of = dimension({name: Fraction(power) for name, power in powers.items()})
         for prefix in ("", *PREFIXES_OF.get(unit, "")):
-            found[f"{prefix}{unit}"] = (Fraction(10) ** PREFIXES[prefix], of)
+            units[f"{prefix}{unit}"] = (Fraction(10) ** PREFIXES[prefix], of)
     second = dimension({"s": Fraction(1)})
-    found |= {name: (factor, second) for name, factor in TIMES.items()}
-    return found | {name.replace("µ", "u", 1): value for name, value in found.items() if "µ" in name}
+    units |= {name: (factor, second) for name, factor in TIMES.items()}
+    return units | {name.replace("µ", "u", 1): value for name, value in units.items() if "µ" in name}
 
 
 @cache

@@ -14,7 +14,7 @@ from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from haptonic.errors import HaptonicError, StudyError, shown
-from haptonic.fields.arithmetic import FUNCTIONS, CalculationError, Number
+from haptonic.fields.arithmetic import FUNCTIONS, CalculationError, ExactNumber
 from haptonic.fields.dimension import Dimension, dimension_of, kind_text, symbols, unit_of
 from haptonic.fields.grammar import ALLOWED, CONSTANTS, evaluate, names_in
 from haptonic.units import TYPOGRAPHIC, as_quantity, example_of, format_quantity
@@ -95,7 +95,7 @@ class Scope:
 
     def __init__(self, texts: Mapping[str, Any]) -> None:
         self.texts = {name: text for name, text in texts.items() if not reason_against(name)}
-        self.numbers: dict[str, Number] = {}
+        self.numbers: dict[str, ExactNumber] = {}
         self.problems: dict[str, HaptonicError] = {}
         for name in self._order():
             try:
@@ -133,7 +133,7 @@ class Scope:
             next_step="give one of them a number with its unit",
         )
 
-    def value(self, given: object) -> Number:
+    def value(self, given: object) -> ExactNumber:
         """Value of an expression or a plain number, with dimension and slopes, not yet rounded.
 
         Raises
@@ -142,20 +142,20 @@ class Scope:
         """
         if isinstance(given, ExpressedNumber):
             if not given.text:
-                return Number(Fraction(float(given)), given.dimension)
+                return ExactNumber(Fraction(float(given)), given.dimension)
             given = given.text
         if isinstance(given, str):
             return self._of_text(given)
         if isinstance(given, float) and math.isfinite(given):
-            return Number(Fraction(given))
+            return ExactNumber(Fraction(given))
         if isinstance(given, int) and not isinstance(given, bool):
-            return Number(Fraction(given))
+            return ExactNumber(Fraction(given))
         raise StudyError.malformed(
             argument="", given=shown(given), allowed=ALLOWED,
             cause="it is neither a finite number nor a text", next_step='write a text such as "7 mm"',
         )  # fmt: skip
 
-    def _of_text(self, text: str) -> Number:
+    def _of_text(self, text: str) -> ExactNumber:
         for name in sorted(names_in(text) & self.problems.keys()):
             raise FollowingError.conflict(
                 argument="", given=shown(text), allowed="parameters that have a value",
@@ -194,24 +194,25 @@ class Scope:
 
     def changed(self, values: Mapping[str, object]) -> Scope:
         """A scope with other values of some parameters: texts, or numbers in SI units."""
-        changes = {}
+        changes = dict(values)
         for name, value in values.items():
             own = self.texts[name]
-            old = own if isinstance(own, ExpressedNumber) else ExpressedNumber(0.0)
-            is_number = isinstance(value, int | float) and not isinstance(value, ExpressedNumber)
-            changes[name] = old.changed(float(value)) if is_number else value  # type: ignore[arg-type]
+            if isinstance(value, bool | ExpressedNumber) or not isinstance(value, int | float):
+                continue
+            if isinstance(own, ExpressedNumber) and math.isfinite(value):
+                changes[name] = own.changed(value)
         return Scope({**self.texts, **changes})
 
     def uses(self, text: str) -> set[str]:
         """Names of the parameters on which an expression depends, through other parameters too."""
-        found, left = set[str](), names_in(text) & self.texts.keys()
+        used_names, left = set[str](), names_in(text) & self.texts.keys()
         while left:
-            found |= left
+            used_names |= left
             texts = (self.texts[name] for name in left)
             inner = (t.text if isinstance(t, ExpressedNumber) else t for t in texts)
             used = {name for each in inner if isinstance(each, str) for name in names_in(each)}
-            left = (used & self.texts.keys()) - found
-        return found
+            left = (used & self.texts.keys()) - used_names
+        return used_names
 
 
 class ScopedText(str):

@@ -22,13 +22,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from haptonic.errors import StudyError, nearest, shown
-from haptonic.fields.arithmetic import FUNCTIONS, CalculationError, Number
+from haptonic.fields.arithmetic import FUNCTIONS, CalculationError, ExactNumber
 from haptonic.fields.dimension import UnknownUnitError, measured, symbols
 from haptonic.units import LARGEST_EXPONENT, TYPOGRAPHIC
 
 LONGEST_TEXT = 200
 DEEPEST = 20  # parentheses, functions and powers inside each other
-CONSTANTS = {"pi": Number(Fraction(math.pi))}
+CONSTANTS = {"pi": ExactNumber(Fraction(math.pi))}
 ALLOWED = "numbers with units and names of [parameters], with + - * / ** ( ), sqrt, sin, cos, tan and pi"
 
 _TOKEN = re.compile(
@@ -55,7 +55,7 @@ def names_in(text: str) -> set[str]:
     return {match["name"] for match in _TOKEN.finditer(text.translate(TYPOGRAPHIC)) if match["name"]}
 
 
-def evaluate(text: str, parameters: Mapping[str, Number], known: Iterable[str] = ()) -> Number:
+def evaluate(text: str, parameters: Mapping[str, ExactNumber], known: Iterable[str] = ()) -> ExactNumber:
     """Value of an expression, with dimension and slopes.
 
     Parameters
@@ -68,7 +68,7 @@ def evaluate(text: str, parameters: Mapping[str, Number], known: Iterable[str] =
         without a finite result
     """
     try:
-        return _Reader(text, parameters, known).value()
+        return _Evaluation(text, parameters, known).value()
     except CalculationError as error:
         raise StudyError(
             error.code, argument="", given=shown(text), allowed=ALLOWED, cause=error.cause,
@@ -76,10 +76,10 @@ def evaluate(text: str, parameters: Mapping[str, Number], known: Iterable[str] =
         ) from None  # fmt: skip
 
 
-class _Reader:
+class _Evaluation:
     """Reads a text from left to right and computes at the same time."""
 
-    def __init__(self, text: str, parameters: Mapping[str, Number], known: Iterable[str]) -> None:
+    def __init__(self, text: str, parameters: Mapping[str, ExactNumber], known: Iterable[str]) -> None:
         self.text, self.parameters, self.known = text, parameters, list(known or parameters)
         if len(text) > LONGEST_TEXT:
             cause = f"the text is {len(text)} characters long; an expression has at most {LONGEST_TEXT}"
@@ -108,7 +108,7 @@ class _Reader:
             next_step = "give the number a name in [parameters], and write that name in both places"
         return CalculationError("malformed", f"the character {character!a} is not expected here", next_step)
 
-    def value(self) -> Number:
+    def value(self) -> ExactNumber:
         value = self._sum()
         if (left := self._next()) is not END:
             raise self._misplaced(left, "an operator, such as + or *,")
@@ -126,27 +126,27 @@ class _Reader:
         self.position += 1
         return token.text
 
-    def _sum(self) -> Number:
+    def _sum(self) -> ExactNumber:
         total = self._product()
         while operator := self._taken("+", "-"):
             total = total.plus(self._product(), 1 if operator == "+" else -1)
         return total
 
-    def _product(self) -> Number:
+    def _product(self) -> ExactNumber:
         total = self._signed()
         while operator := self._taken("*", "/"):
             factor = self._signed()
             total = total.times(factor) if operator == "*" else total.over(factor)
         return total
 
-    def _signed(self) -> Number:
+    def _signed(self) -> ExactNumber:
         negative = False
         while sign := self._taken("+", "-"):
             negative ^= sign == "-"
         value = self._power()
         return value.negative() if negative else value
 
-    def _power(self) -> Number:
+    def _power(self) -> ExactNumber:
         base = self._atom()
         if not self._taken(*_POWERS):
             return base
@@ -155,7 +155,7 @@ class _Reader:
         self.depth -= 1
         return base.power(exponent)
 
-    def _atom(self) -> Number:
+    def _atom(self) -> ExactNumber:
         token = self._next()
         self.position += 1
         if token.kind == "number":
@@ -171,7 +171,7 @@ class _Reader:
             return self._in_parentheses().of_function(token.text)
         raise self._misplaced(token, "a number, a parameter or (")
 
-    def _in_parentheses(self) -> Number:
+    def _in_parentheses(self) -> ExactNumber:
         self._deeper()
         value = self._sum()
         if not self._taken(")"):
@@ -185,7 +185,7 @@ class _Reader:
             cause = f"more than {DEEPEST} parentheses or powers are inside each other"
             raise CalculationError("too-large", cause, "give parts of it names in [parameters]")
 
-    def _named(self, name: str) -> Number:
+    def _named(self, name: str) -> ExactNumber:
         if name in self.parameters:
             return self.parameters[name]
         if name in CONSTANTS:
@@ -206,11 +206,11 @@ class _Reader:
             "unknown", f"{shown(name)} is not the name of a parameter; {listed}", next_step
         )
 
-    def _quantity(self, number: str) -> Number:
+    def _quantity(self, number: str) -> ExactNumber:
         """A number with the unit that follows it, if any."""
         first = self._next()
         if first.kind != "name":
-            return Number(Fraction(number))
+            return ExactNumber(Fraction(number))
         self._unambiguous(first.text, f"{number}*{first.text}")
         unit = self._unit_word()
         while (word := self._continued(number)) is not None:
@@ -222,7 +222,7 @@ class _Reader:
             next_step = f"write {guess}, or" if guess else "write a known unit, or"
             cause = f"{shown(unit)} is not a known unit"
             raise CalculationError("unknown", cause, f"{next_step} * before a parameter") from None
-        return Number(Fraction(number) * factor, dimension)
+        return ExactNumber(Fraction(number) * factor, dimension)
 
     def _continued(self, number: str) -> str | None:
         """The next word of a unit with its operator, such as "/m^3"; None at its end."""

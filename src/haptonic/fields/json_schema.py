@@ -61,7 +61,7 @@ def _at_top(kind: type) -> Iterator[Slot]:
 def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
     key = keys[path]
     about: Schema = {"title": key.title, "description": _described(key)}
-    if key.example and key.kind != "quantities":
+    if key.example and key.kind not in {"quantities", "entries"}:
         about["examples"] = [key.example]
     match key.kind:
         case "table":

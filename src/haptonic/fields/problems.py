@@ -208,7 +208,7 @@ def allowed_at(key: Key | None) -> str:
     if key.kind == "quantities":
         return f"a list of {key.count} quantities with their units, such as {_list(key)}"
     if key.kind == "entries":
-        value = key.quantity.example if key.quantity else '"..."'
+        value = key.quantity.example if key.quantity else f'"{key.example or "..."}"'
         return f"a table, [{key.path.replace('[]', '')}], of lines such as name = {value}"
     if key.quantity:
         return key.quantity.allowed

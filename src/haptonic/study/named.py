@@ -66,8 +66,8 @@ def varied_expressions(study: Any) -> dict[str, str]:
 
 def expressions_of(study: Any) -> dict[str, str]:
     """Expressions of the numbers of a study, by path; quantities as such are left out."""
-    found = {path: number.expression for path, number in expressed_numbers(study)}
-    return {path: text for path, text in found.items() if text}
+    texts = {path: number.expression for path, number in expressed_numbers(study)}
+    return {path: text for path, text in texts.items() if text}
 
 
 def links_of(study: Any) -> Links:

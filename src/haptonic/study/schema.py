@@ -100,7 +100,7 @@ class Description:
     title: str = setting("Study", "Heading of the report.", min_length=1, max_length=200, strict=True)
     named_parameters: Entries[Annotated[ExpressedNumber, AnyUnit()]] = setting(
         Entries(), 'Numbers with names, for expressions such as "a/2" in place of numbers.',
-        title="Named numbers", alias=PARAMETERS,
+        title="Named numbers", alias=PARAMETERS, examples=["7 mm"],
     )  # fmt: skip
     carrier: Annotated[float, CARRIER] | None = setting(
         None, "Frequency of the drive; marked in the diagrams."
