@@ -22,7 +22,7 @@ from haptonic.fields.arithmetic import ExactNumber
 from haptonic.fields.dimension import dimension_of
 from haptonic.fields.grammar import evaluate
 from haptonic.lattice import Lattice
-from haptonic.store import content_key
+from haptonic.store import Store, content_key
 from haptonic.study import loads
 from quick import PROTOTYPE
 
@@ -284,6 +284,24 @@ class TestStudies:
         assert plain.cell == STUDY.cell
         assert content_key({"study": STUDY.inputs()}) == content_key({"study": plain.inputs()})
 
+    def test_bands_are_those_of_plain_texts_to_the_bit(self, tmp_path):
+        coarse = "points = 5\n[mesh]\norder = 2\nfoot_rings = 0\n"
+        texts = {"named": NAMED, "plain": NUMBERS}
+        bands = {
+            name: loads(text + coarse).bands(store=Store(tmp_path / name)).dataset["frequency"].values
+            for name, text in texts.items()
+        }
+        assert bands["named"].tobytes() == bands["plain"].tobytes()
+        assert bands["named"].size > 20
+
+    def test_the_plan_shows_values_and_expressions(self):
+        sizes = next(table for table in STUDY.plan().tables() if table.title == "sizes of the cell")
+        assert ("parameters.d", "3.5 mm", "0.5*a") in sizes.rows
+        assert ("thickness", "1.5 mm", "a/4 - 0.25 mm") in sizes.rows
+        assert ("parameters.a", "7 mm", None) in sizes.rows
+        plain = next(table for table in loads(NUMBERS).plan().tables() if table.title == sizes.title)
+        assert ("thickness", "1.5 mm") in plain.rows
+
     def test_written_as_given(self):
         written = STUDY.to_toml()
         for line in ('a = "7 mm"', 'd = "0.5*a"', "share = 0.6", 'pitch = "a"', 'height = "2.1*a"'):
@@ -468,7 +486,7 @@ def test_every_number_may_be_an_expression(every_key_text):
     assert loads(written) == study
     larger = study.with_keys({"parameters.one": 1.001})
     assert larger.cell.lattice.pitch == 7.007e-3
-    assert larger.touch.speed == study.touch.speed * 1.001
+    assert larger.touch.speed == pytest.approx(study.touch.speed * 1.001, rel=1e-15)
 
 
 def replaced(study, parameters):

@@ -142,12 +142,12 @@ class Scope:
         """
         if isinstance(given, ExpressedNumber):
             if not given.text:
-                return ExactNumber(Fraction(float(given)), given.dimension)
+                return ExactNumber(Fraction(repr(float(given))), given.dimension)
             given = given.text
         if isinstance(given, str):
             return self._of_text(given)
         if isinstance(given, float) and math.isfinite(given):
-            return ExactNumber(Fraction(given))
+            return ExactNumber(Fraction(repr(float(given))))  # as it is written, 0.1 for a tenth
         if isinstance(given, int) and not isinstance(given, bool):
             return ExactNumber(Fraction(given))
         raise StudyError.malformed(
