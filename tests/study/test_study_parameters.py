@@ -285,7 +285,7 @@ class TestStudies:
         assert content_key({"study": STUDY.inputs()}) == content_key({"study": plain.inputs()})
 
     def test_bands_are_those_of_plain_texts_to_the_bit(self, tmp_path):
-        coarse = "points = 5\n[mesh]\norder = 2\nfoot_rings = 0\n"
+        coarse = "points = 8\n[mesh]\norder = 2\nfoot_rings = 0\n"
         texts = {"named": NAMED, "plain": NUMBERS}
         bands = {
             name: loads(text + coarse).bands(store=Store(tmp_path / name)).dataset["frequency"].values

@@ -16,7 +16,9 @@ from haptonic.fields.quantity import AnyUnit, Quantity
 
 DRAFT = "http://json-schema.org/draft-07/schema#"
 WITH_UNIT = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[A-Za-zµ\u03bc]"  # `haptonic.units` is stricter
-EXPRESSION = r"^\s*[A-Za-z_(]|[*/()]|[0-9.A-Za-z]\s*[+-]"  # `haptonic.fields.grammar` is stricter
+UNIT = r"[µum]?[msVN]|k[mVN]|n[msF]|[µu]?F|[kMGT]?(?:Hz|Pa)|kg|rad"  # alone it is no expression
+# `haptonic.fields.grammar` is stricter
+EXPRESSION = rf"^(?!\s*(?:{UNIT})\s*$)\s*[A-Za-z_(]|[*/()]|[0-9.A-Za-z]\s*[+-]"
 ZERO = [{"enum": [0]}, {"type": "string", "pattern": r"^\s*[+-]?[0.]+\s*$"}]  # zero needs no unit
 
 Schema = dict[str, Any]
