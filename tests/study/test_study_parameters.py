@@ -378,6 +378,8 @@ class TestStudies:
             assert 'pitch = "7.5 mm"' in study.to_toml()
             assert 'diameter = "d"' in study.to_toml()
             assert study.with_parameter("parameters.a", 8e-3).cell.lattice.pitch == 7.5e-3
+        both = STUDY.with_parameters({"parameters.a": 8e-3, "cell.pitch": 7.5e-3})
+        assert (both.cell.lattice.pitch, both.cell.pillar.diameter) == (7.5e-3, 4e-3)
         cell = replace(STUDY.cell, thickness=2e-3)
         replaced = Study(cell=cell, parameters=dict(STUDY.named_parameters))
         assert 'thickness = "2 mm"' in replaced.to_toml()
