@@ -305,6 +305,14 @@ def _split(text: str, refused: Callable[[str], HaptonicError]) -> tuple[Fraction
     return Fraction(match["number"]), match["unit"] or ""
 
 
+def as_quantity(text: str) -> str | None:
+    """Unit of a text that `to_si` reads, or refuses, as one number with a unit; None for any other text."""
+    if not text.strip() or _NOT_FINITE.match(text):
+        return ""
+    match = _QUANTITY.fullmatch(text.translate(TYPOGRAPHIC)) if len(text) <= LONGEST_TEXT else None
+    return None if match is None else match["unit"] or ""
+
+
 def _why_not_a_quantity(text: str) -> str:
     if re.search(r"[0-9],[0-9]", text):
         return "a decimal comma, where a decimal point is needed"

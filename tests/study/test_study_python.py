@@ -77,7 +77,7 @@ REFUSED = {
         "cell.argument_9",
         "",
     ),
-    "no number": (lambda: Lattice.square("wide"), "malformed", "cell.pitch", ""),
+    "no number": (lambda: Lattice.square("wide"), "unknown", "cell.pitch", ""),
     "a wide pillar": (
         lambda: UnitCell(CELL.lattice, 1e-3, "steel", WIDE),
         "out-of-range",

@@ -151,7 +151,7 @@ REFUSED = {
     "beyond the edge": (
         SQUARE + FREE.replace('"5.5 mm"', '"7.5 mm"'), "cell.site[3].position", "out-of-range"
     ),
-    "no number": (SQUARE + FREE.replace('"1/3"', '"1/0"'), "cell.site[2].at[1]", "malformed"),
+    "no number": (SQUARE + FREE.replace('"1/3"', '"1/0"'), "cell.site[2].at[1]", "out-of-range"),
     "one place twice": (SQUARE + FREE.replace('"1/3", 0.4', "0, 0"), "cell.site[2].at", "repeated"),
     "too wide": (STUDY + EQUAL.replace("1.5 mm", "4 mm"), "cell.pillar.diameter", "out-of-range"),
     "one too wide": (

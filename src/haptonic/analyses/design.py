@@ -21,6 +21,7 @@ from haptonic.materials import IsotropicMaterial
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.design import Design
+from haptonic.study.named import links_of
 from haptonic.study.schema import Description
 
 # share of the estimate for one mesh, per design of a search: twenty drawn searches of square lattices took
@@ -79,6 +80,7 @@ def brief(study: Description) -> Brief:
         count=study.bands_settings.count,
         bounds={item.parameter: (item.low, item.high) for item in section.vary},
         allowed=section.limits,
+        links=links_of(study),
     )
 
 

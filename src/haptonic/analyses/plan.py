@@ -9,6 +9,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.results.cost import Cost
 from haptonic.results.plan import StudyPlan
+from haptonic.study.named import expressions_of
 from haptonic.study.plating import plate_of
 from haptonic.study.schema import Description
 
@@ -27,6 +28,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
         plate=plate,
         costs=costs,
         inputs=study.inputs(),
+        parameters=study.named_parameters,
+        expressions=expressions_of(study),
     )
 
 

@@ -15,15 +15,25 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import made_of_parts
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
-from haptonic.design.parameters import values_of
+from haptonic.design.links import NAMED
 from haptonic.design.quick import QUICK
-from haptonic.design.tolerance import REACH, Chances, Surface, edges_of, first_order, samples, terms_needed
+from haptonic.design.tolerance import (
+    REACH,
+    Chances,
+    Surface,
+    deviations,
+    edges_of,
+    first_order,
+    samples,
+    terms_needed,
+)
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.tolerance import Tolerance
+from haptonic.study.named import links_of
 from haptonic.study.schema import Description
 
 BATCH = 8  # designs of one task
@@ -65,9 +75,10 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     check(study, options)
     section = study.tolerance_settings
     cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
+    links, paths = links_of(study), [spread.parameter for spread in spreads]
     gap = need_gap_at(runner.gaps(cell, study.bands_settings), carrier)
     try:
-        designs = samples(cell, spreads, count)
+        designs = samples(cell, spreads, count, links)
     except HaptonicError as error:
         raise StudyError.out_of_range(
             argument="tolerance.of",
@@ -84,12 +95,10 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     *parts, nominal = (dataset["frequency"].values for dataset in datasets)
     offset = np.array([gap.lower, gap.upper]) - edges_of(nominal)[0]
     frequency = np.concatenate(parts) + offset[:, None]
-    slopes = edge_slopes(cell, gap, [spread.parameter for spread in spreads])
+    own = {path: float(links.own(path)) for path in paths if path.startswith(NAMED)}
+    slopes = edge_slopes(cell, gap, paths, links.directions(own))
     widths = np.array([spread.spread for spread in spreads])
-    at_rest = np.array([values_of(cell)[spread.parameter] for spread in spreads])
-    moved = np.array([[values_of(design)[s.parameter] for s in spreads] for design in designs])
-    deviations = (moved - at_rest) / widths
-    surface = Surface.fitted(deviations, frequency)
+    surface = Surface.fitted(deviations(spreads, count) / widths, frequency)
     chances = Chances(
         surface=surface, spreads=spreads, carrier=carrier, margin=section.margin, pillars=section.pillars
     )
@@ -112,7 +121,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             "first_order_deviation": ("side", np.sqrt(variance.sum(axis=0)), {"units": "Hz"}),
             "fit_doubt": ("side", surface.doubt, {"units": "Hz"}),
         },
-        coords={"parameter": [spread.parameter for spread in spreads], "side": ["lower", "upper"]},
+        coords={"parameter": paths, "side": ["lower", "upper"]},
         attrs={
             "carrier_hz": carrier,
             "margin_hz": section.margin,
@@ -120,6 +129,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
             "chance_to_first_order": straight.of_a_plate(),
         },
     )  # fmt: skip
+    dataset["parameter"].attrs |= links.attributes(paths)
     if study.bands_settings.resolution is None:
         dataset.attrs |= {"accuracy": study.bands_settings.accuracy, "largest_error": gap.relative_error}
     return Tolerance(

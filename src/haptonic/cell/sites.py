@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from itertools import product
 from typing import Annotated
 
 import numpy as np
-from pydantic import field_validator
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell.disc import Disc
@@ -65,12 +63,6 @@ class Site:
         max_length=MOST_DISCS,
     )
 
-    @field_validator("at", mode="before")
-    @classmethod
-    def _fractions(cls, given: object) -> object:
-        """Accept texts such as "1/3" as numbers, because no decimal number is a third."""
-        return [_number(share) for share in given] if isinstance(given, list | tuple) else given
-
     def scaled(self, factor: float) -> Site:
         """A copy with every length multiplied by ``factor``."""
         place = self.position and (self.position[0] * factor, self.position[1] * factor)
@@ -84,13 +76,6 @@ class Site:
             rounded = (np.abs(position - np.round(position)) < SAME) & (position < 1)
             return np.where(rounded, np.round(position) % 1.0, position)
         return None if self.at is None else np.array(self.at)
-
-
-def _number(given: object) -> object:
-    try:
-        return float(Fraction(given)) if isinstance(given, str) and "/" in given else given
-    except (ValueError, ZeroDivisionError):
-        return given
 
 
 @dataclass(frozen=True, eq=False)

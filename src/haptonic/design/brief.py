@@ -17,6 +17,7 @@ from haptonic.cell.sites import MOST_POINTED
 from haptonic.cell.stack import LEAST_APART, Stack
 from haptonic.cell.tile import inradius, room_in
 from haptonic.design.discs import with_shared
+from haptonic.design.links import NAMED, Links
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import StudyError
@@ -41,6 +42,7 @@ class Brief:
     bounds : by path, lowest and highest value (SI) of the parameters
     allowed : limits of the workshop, and the load on the plate
     held : by path, fixed values (SI) instead of the cell's own; alone they need not make a possible cell
+    links : expressions of the cell's numbers, for named parameters among the paths
     """
 
     cell: UnitCell
@@ -49,6 +51,7 @@ class Brief:
     bounds: Mapping[str, tuple[float, float]]
     allowed: DesignLimits = field(default_factory=DesignLimits)
     held: Mapping[str, float] = field(default_factory=dict)
+    links: Links = field(default_factory=Links)
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -70,7 +73,15 @@ class Brief:
 
     def made(self, values: Mapping[str, float]) -> UnitCell:
         """The cell with these values (SI) of the parameters; for errors see `at`."""
-        return self.cell.with_numbers(with_shared(self.cell, {**self.held, **values}))
+        return self.cell.with_numbers(self._numbers(values))
+
+    def _numbers(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Numbers of the cell for values of the parameters."""
+        return with_shared(self.cell, self.links.numbers({**self.held, **values}))
+
+    def directions(self, share: Array) -> dict[str, dict[str, float]]:
+        """Derivatives of numbers of the cell with respect to the named parameters, at a position."""
+        return self.links.directions(dict(zip(self.paths, self.values(share), strict=True)))
 
     def values(self, share: Array) -> list[float]:
         """Values of the parameters (SI) at a position in the box."""
@@ -78,9 +89,13 @@ class Brief:
         return [float(v) for v in low + np.clip(share, 0.0, 1.0) * (high - low)]
 
     def share(self, cell: UnitCell) -> Array:
-        """Position of a cell in the box, moved to its border if it lies outside."""
+        """Position of a cell in the box, moved to its border if it lies outside.
+
+        Named parameters have the values of the study.
+        """
         low, high = self.box.T
-        numbers = values_of(cell)
+        named = [path for path in self.paths if path.startswith(NAMED)]
+        numbers = values_of(cell) | {path: self.links.own(path) for path in named}
         values = np.array([numbers[path] for path in self.paths])
         return np.asarray(np.clip((values - low) / (high - low), 0.0, 1.0))
 
@@ -94,8 +109,8 @@ class Brief:
 
         Each is a share of a length of the design, so that they can be compared.
         """
-        values = {**self.held, **dict(zip(self.paths, self.values(share), strict=True))}
-        cell = with_numbers(self.cell, with_shared(self.cell, values), "cell.", checked=False)
+        values = dict(zip(self.paths, self.values(share), strict=True))
+        cell = with_numbers(self.cell, self._numbers(values), "cell.", checked=False)
         room: dict[str, float] = {}
         if self.allowed.finger_force is not None:
             assert isinstance(self.cell.material, IsotropicMaterial)

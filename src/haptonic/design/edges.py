@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from types import MappingProxyType
 
 import numpy as np
 
@@ -12,15 +13,19 @@ from haptonic.bloch.exact import exact_modes
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.cell import UnitCell
 from haptonic.design.quick import QuickDesign
-from haptonic.design.sensitivity import sensitivity
+from haptonic.design.sensitivity import Directions, sensitivity
 from haptonic.design.tolerance import Surface, terms_needed
 from haptonic.later import xarray as xr
 
 DIVISIONS = 10  # of the irreducible zone's sides, for the bands next to the gap
 
 
-def edge_slopes(cell: UnitCell, gap: Gap, paths: Sequence[str]) -> Array:
+def edge_slopes(
+    cell: UnitCell, gap: Gap, paths: Sequence[str], directions: Directions = MappingProxyType({})
+) -> Array:
     """(parameters, 2) exact slopes of a gap's lower and upper edge, Hz per SI unit.
+
+    ``paths`` and ``directions`` are those of `haptonic.design.sensitivity.eigenvalue_derivatives`.
 
     If an edge is degenerate, its modes split as a parameter changes: the lower edge follows the steepest
     slope, the upper edge the least steep one.
@@ -32,7 +37,7 @@ def edge_slopes(cell: UnitCell, gap: Gap, paths: Sequence[str]) -> Array:
         # from the same mesh: on another mesh the frequency may be nearer to a neighbouring band
         value = eigenpairs(fine.pencil, np.array(kappa), number)[0][-1]
         modes = exact_modes(quick.shared, np.array(kappa), float(np.sqrt(value)))
-        derivatives = sensitivity(quick.shared, modes, paths)
+        derivatives = sensitivity(quick.shared, modes, paths, directions)
         columns.append([derivatives.slopes[path][pick] for path in paths])
     return np.array(columns).T
 

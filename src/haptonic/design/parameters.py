@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import ClassVar
 
 from pydantic import field_validator
 
@@ -37,7 +38,9 @@ A fillet's radius may vary, but not to zero: a sharp edge needs another mesh.
 
 @described("")
 class OfCell(OfNumber):
-    """A value for one number of the cell."""
+    """A value for one number of the cell, or for a named parameter of its numbers."""
+
+    takes_parameters: ClassVar[bool] = True
 
     @classmethod
     def unit_of(cls, path: str) -> str | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
-from haptonic.design.sensitivity import eigenvalue_derivatives
+from haptonic.design.sensitivity import Directions, eigenvalue_derivatives
 from haptonic.parallel import one_thread
 from haptonic.superelement import TiledMesh, Tiling
 
@@ -79,8 +80,13 @@ class QuickDesign:
         frequency = np.array(self.zone.frequency)
         return np.stack([frequency[:, :-1].max(axis=0), frequency[:, 1:].min(axis=0)])
 
-    def sides(self, band: int, paths: Sequence[str]) -> tuple[Side, Side]:
-        """Frequencies that limit the gap above a band, counted from 1, from below and from above."""
+    def sides(
+        self, band: int, paths: Sequence[str], directions: Directions = MappingProxyType({})
+    ) -> tuple[Side, Side]:
+        """Frequencies that limit the gap above a band, counted from 1, from below and from above.
+
+        ``paths`` and ``directions`` as in `eigenvalue_derivatives`.
+        """
         for edge, sign in ((band - 1, +1), (band, -1)):
             self.zone.edge(edge, sign)
         chosen = self._critical(band - 1, +1) + self._critical(band, -1)
@@ -88,7 +94,7 @@ class QuickDesign:
         values, unknowns = np.array([value for value, _ in modes]), np.hstack([mode for _, mode in modes])
         tiling = self.model.fine.tiling
         trace = unknowns[: tiling.trace_size]
-        forms = eigenvalue_derivatives(self.shared, tiling.lifted(unknowns), trace, values, paths)
+        forms = eigenvalue_derivatives(self.shared, tiling.lifted(unknowns), trace, values, paths, directions)
         frequency = np.sqrt(values) / (2 * np.pi)
         slopes = np.stack([np.diagonal(forms[path]).real for path in paths], axis=1)
         slopes /= 8 * np.pi**2 * frequency[:, None]

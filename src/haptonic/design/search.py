@@ -222,7 +222,8 @@ def _evaluated(
 ) -> tuple[Visited, tuple[Array, Array]]:
     """A design, and the room (2 CRITICAL,) between the carrier and the critical frequencies with its slopes
     (2 CRITICAL, parameters), both as shares of the carrier."""
-    low, high = QuickDesign.of(brief.at(share), brief.count).sides(band, brief.paths)
+    quick = QuickDesign.of(brief.at(share), brief.count)
+    low, high = quick.sides(band, brief.paths, brief.directions(share))
     span = np.diff(brief.box, axis=1).ravel()
 
     def seen(side: Side, sign: int, shift: float) -> tuple[Array, Array]:

@@ -13,8 +13,9 @@ the change v of the displacement at the lateral faces.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,8 @@ from haptonic.superelement import FoldedMesh, TiledMesh, through_levels
 
 MATERIAL = "material."  # in a path, before the name of a constant of a material
 SAME_BLOCKS = 1e-2  # of a piece of an outline: largest shift of the ends of blocks between two meshes
+Directions = Mapping[str, Mapping[str, float]]
+"""By the name of a parameter, derivatives of numbers of the cell with respect to it."""
 STEP = 1e-5  # of differences of the nodes' positions, relative to the parameter's scale
 
 
@@ -49,11 +52,14 @@ class Sensitivity:
     slopes: dict[str, Array]
 
 
-def sensitivity(shared: TiledMesh, modes: ExactModes, paths: Sequence[str] | None = None) -> Sensitivity:
+def sensitivity(
+    shared: TiledMesh, modes: ExactModes, paths: Sequence[str] | None = None,
+    directions: Directions = MappingProxyType({}),
+) -> Sensitivity:  # fmt: skip
     """Derivatives of the frequency of exact modes with respect to parameters, by default all of them."""
     chosen = list(values_of(shared.cell)) if paths is None else paths
     derivatives = eigenvalue_derivatives(
-        shared, modes.fields, modes.trace, np.array([modes.omega**2]), chosen
+        shared, modes.fields, modes.trace, np.array([modes.omega**2]), chosen, directions
     )
     per_hertz = 1.0 / (4 * np.pi * modes.omega)  # L = (2 pi f)^2
     slopes = {path: np.linalg.eigvalsh(form) * per_hertz for path, form in derivatives.items()}
@@ -61,8 +67,9 @@ def sensitivity(shared: TiledMesh, modes: ExactModes, paths: Sequence[str] | Non
 
 
 def eigenvalue_derivatives(
-    shared: TiledMesh, fields: Fields, trace: Fields, values: Array, paths: Sequence[str]
-) -> dict[str, Fields]:
+    shared: TiledMesh, fields: Fields, trace: Fields, values: Array, paths: Sequence[str],
+    directions: Directions = MappingProxyType({}),
+) -> dict[str, Fields]:  # fmt: skip
     """``u_i* (K' - L_j M') u_j`` by path, (k, k) each in (rad/s)^2 per SI unit.
 
     The diagonal contains the derivatives of the eigenvalues; for degenerate modes the whole block matters.
@@ -73,27 +80,49 @@ def eigenvalue_derivatives(
     fields : (nodes, 3, k) modes of unit mass
     trace : (t, k) the unknowns on their sides
     values : (k,) their eigenvalues L, (rad/s)^2, or (1,) if all are equal
+    paths : numbers of the cell, or names of ``directions``
+    directions : by name, derivatives of several numbers of the cell with respect to one parameter
     """
     joint, start, cell = shared.joint, 0, shared.cell
     derivatives = {path: np.zeros((fields.shape[2],) * 2, dtype=complex) for path in paths}
-    cells_beside = {path: _beside(cell, path) for path in paths if MATERIAL not in path}
+    moving = {
+        path: directions[path] if path in directions
+        else {path: 1.0} if MATERIAL in path
+        else with_shared(cell, {path: 1.0})
+        for path in paths
+    }  # fmt: skip
+    sizes = {
+        path: {at: slope for at, slope in numbers.items() if MATERIAL not in at}
+        for path, numbers in moving.items()
+    }
+    cells_beside = {path: _beside(cell, path, numbers) for path, numbers in sizes.items() if numbers}
     for number, mesh in enumerate(shared.meshes):
         end = start + mesh.mesh.topology.nodes
         tile_fields = joint.placed[number].turn.T @ fields[start:end]
         tile_trace = joint.turned(number, trace[joint.of_tile(number)], back=True)
         energies = _Energies.of(mesh.mesh, mesh.cell, tile_fields, values)
         for path in paths:
-            if MATERIAL in path:
-                table, _, constant = path.rpartition(".")
-                form = energies.by_constant(constant, _regions(cell, number, table))
-            else:
+            form = np.zeros_like(derivatives[path])
+            for (constant, region), slope in _constants(cell, number, moving[path]).items():
+                form = form + slope * energies.by_constant(constant, {region})
+            if path in cells_beside:
                 velocity, of_trace = _velocities(mesh, joint.placed[number], number, *cells_beside[path])
-                form = energies.by_motion(velocity)
+                form = form + energies.by_motion(velocity)
                 if np.abs(of_trace).max() > 0:
                     form = form + energies.by_displacement(_on_rim(mesh, of_trace, tile_trace))
             derivatives[path] = derivatives[path] + form
         start = end
     return derivatives
+
+
+def _constants(cell: UnitCell, number: int, moving: Mapping[str, float]) -> dict[tuple[str, int], float]:
+    """Slopes of the constants of materials in a tile, by constant and region; regions share a material."""
+    slopes: dict[tuple[str, int], float] = {}
+    for path, slope in moving.items():
+        if MATERIAL in path:
+            table, _, constant = path.rpartition(".")
+            slopes |= {(constant, region): slope for region in _regions(cell, number, table)}
+    return slopes
 
 
 def _regions(cell: UnitCell, number: int, table: str) -> set[int]:
@@ -111,17 +140,24 @@ def _regions(cell: UnitCell, number: int, table: str) -> set[int]:
     return {own[table]} if table in own else set()
 
 
-def _beside(cell: UnitCell, path: str) -> tuple[UnitCell, UnitCell, float]:
+def _beside(cell: UnitCell, path: str, moving: Mapping[str, float]) -> tuple[UnitCell, UnitCell, float]:
     """Cells with a slightly larger and a slightly smaller parameter, and the difference of the two.
+
+    ``moving`` : sizes and angles of the cell that change with the parameter, with their derivatives
 
     Raises
     ------
     GeometryError : one of them is not possible, for example because four tiles no longer meet in a point
     """
-    here = values_of(cell)[path]
-    step = STEP * (1.0 if UNITS[path] == "rad" else here)
+    here = cell.numbers()
+    step = STEP / max(
+        abs(slope) / (1.0 if UNITS[at] == "rad" else abs(here[at])) for at, slope in moving.items()
+    )
     try:
-        ahead, behind = (cell.with_numbers(with_shared(cell, {path: here + sign * step})) for sign in (1, -1))
+        ahead, behind = (
+            cell.with_numbers({at: here[at] + sign * step * slope for at, slope in moving.items()})
+            for sign in (1, -1)
+        )
     except GeometryError as error:
         raise GeometryError.conflict(
             argument=path,

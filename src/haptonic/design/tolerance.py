@@ -24,6 +24,7 @@ from pydantic import Field
 from haptonic.arrays import Array
 from haptonic.cell import UnitCell
 from haptonic.design.discs import is_divided_alike, with_shared
+from haptonic.design.links import Links
 from haptonic.design.parameters import FEATURE, OfCell, values_of
 from haptonic.errors import GeometryError
 from haptonic.fields import FASTEST, Quantity, described, needed, once, problem, setting
@@ -116,18 +117,28 @@ class ToleranceSettings:
         once(self.of, "of")
 
 
-def samples(cell: UnitCell, spreads: Sequence[Spread], count: int) -> list[UnitCell]:
-    """Designs that fill `REACH` times the ranges evenly, a scrambled Sobol sequence of a fixed seed.
+def deviations(spreads: Sequence[Spread], count: int) -> Array:
+    """(count, parameters) deviations, SI, that fill `REACH` times the ranges evenly.
+
+    They are a scrambled Sobol sequence of a fixed seed.
+    """
+    places = REACH * (2 * _sobol(len(spreads), count) - 1)
+    return np.asarray(places * [spread.half_range for spread in spreads])
+
+
+def samples(
+    cell: UnitCell, spreads: Sequence[Spread], count: int, links: Links | None = None
+) -> list[UnitCell]:
+    """Designs with the `deviations`; ``links`` for spreads of named parameters.
 
     Raises
     ------
     GeometryError : a spread so large that some designs are not possible, or ends or borders of discs cross
     """
-    values, names = values_of(cell), [spread.parameter for spread in spreads]
-    places = REACH * (2 * _sobol(len(spreads), count) - 1)
-    rows = places * [spread.half_range for spread in spreads]
-    changes = [{name: values[name] + float(d) for name, d in zip(names, row, strict=True)} for row in rows]
-    designs = [cell.with_numbers(with_shared(cell, change)) for change in changes]
+    links, values, rows = links or Links(), values_of(cell), deviations(spreads, count)
+    own = {s.parameter: links.own(s.parameter) if s.names_parameter else values[s.parameter] for s in spreads}
+    changes = [{name: own[name] + float(d) for name, d in zip(own, row, strict=True)} for row in rows]
+    designs = [cell.with_numbers(with_shared(cell, links.numbers(change))) for change in changes]
     if not all(is_divided_alike(cell, design) for design in designs):
         raise GeometryError.conflict(
             argument="cell.disc",

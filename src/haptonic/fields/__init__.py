@@ -3,6 +3,7 @@
 from haptonic.fields.aliases import Aliases, absent, meant
 from haptonic.fields.described import described, extended, needed, remade, setting, unchecked
 from haptonic.fields.entries import Entries
+from haptonic.fields.expressions import PARAMETERS, ExpressedNumber, Scope
 from haptonic.fields.keys import ByPattern, Key, leaves, table
 from haptonic.fields.numbers import numbers, unknown_number, with_numbers
 from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
@@ -13,12 +14,14 @@ from haptonic.fields.quantity import (
     FROM_FILE,
     LARGEST,
     SMALLEST,
+    AnyUnit,
     Frequency,
     Length,
     Name,
     Quantity,
     handed_on,
     number_of,
+    number_of_any_unit,
     problem,
     size,
 )
@@ -31,11 +34,14 @@ __all__ = [
     "FROM_FILE",
     "INLINE",
     "LARGEST",
+    "PARAMETERS",
     "SMALLEST",
     "TOP",
     "Aliases",
+    "AnyUnit",
     "ByPattern",
     "Entries",
+    "ExpressedNumber",
     "Frequency",
     "Key",
     "Length",
@@ -45,6 +51,7 @@ __all__ = [
     "OfNumber",
     "Placed",
     "Quantity",
+    "Scope",
     "absent",
     "ascending",
     "caller",
@@ -55,6 +62,7 @@ __all__ = [
     "meant",
     "needed",
     "number_of",
+    "number_of_any_unit",
     "numbers",
     "once",
     "problem",

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, TypeVar, get_args
 
-from pydantic import GetCoreSchemaHandler
+from pydantic import GetCoreSchemaHandler, ValidatorFunctionWrapHandler
 from pydantic_core import core_schema
+
+from haptonic.fields.expressions import ExpressedNumber
 
 V = TypeVar("V")
 
@@ -43,8 +45,16 @@ class Entries(Mapping[str, V]):
     ) -> core_schema.CoreSchema:
         """Schema of a mapping from texts to the type in ``Entries[...]``."""
         (value,) = get_args(source)
+        schema = handler.generate_schema(value)
+        if value is float:  # pydantic would make a plain float of it
+            schema = core_schema.no_info_wrap_validator_function(_with_expression, schema)
         return core_schema.no_info_after_validator_function(
             cls,
-            core_schema.dict_schema(core_schema.str_schema(), handler.generate_schema(value)),
+            core_schema.dict_schema(core_schema.str_schema(), schema),
             serialization=core_schema.plain_serializer_function_ser_schema(dict),
         )
+
+
+def _with_expression(value: object, handler: ValidatorFunctionWrapHandler) -> object:
+    """A number that keeps its expression."""
+    return value if isinstance(value, ExpressedNumber) else handler(value)

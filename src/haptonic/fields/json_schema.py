@@ -12,10 +12,13 @@ from typing import Any, get_args
 import annotated_types
 
 from haptonic.fields.keys import Key, Slot, metadata_of, slots, table
-from haptonic.fields.quantity import Quantity
+from haptonic.fields.quantity import AnyUnit, Quantity
 
 DRAFT = "http://json-schema.org/draft-07/schema#"
 WITH_UNIT = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[A-Za-zµ\u03bc]"  # `haptonic.units` is stricter
+UNIT = r"[µum]?[msVN]|k[mVN]|n[msF]|[µu]?F|[kMGT]?(?:Hz|Pa)|kg|rad"  # alone it is no expression
+# `haptonic.fields.grammar` is stricter
+EXPRESSION = rf"^(?!\s*(?:{UNIT})\s*$)\s*[A-Za-z_(]|[*/()]|[0-9.A-Za-z]\s*[+-]"
 ZERO = [{"enum": [0]}, {"type": "string", "pattern": r"^\s*[+-]?[0.]+\s*$"}]  # zero needs no unit
 
 Schema = dict[str, Any]
@@ -60,7 +63,7 @@ def _at_top(kind: type) -> Iterator[Slot]:
 def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
     key = keys[path]
     about: Schema = {"title": key.title, "description": _described(key)}
-    if key.example and key.kind != "quantities":
+    if key.example and key.kind not in {"quantities", "entries"}:
         about["examples"] = [key.example]
     match key.kind:
         case "table":
@@ -77,6 +80,8 @@ def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
             (value,) = get_args(slot.field.annotation)
             quantity = slot.quantities[0] if slot.quantities else None
             inner: Schema = _quantity(quantity) if quantity else {} if value is float else {"type": "string"}
+            if any(isinstance(mark, AnyUnit) for mark in metadata_of(slot.field)):
+                inner = {"type": ["string", "number"]}
             # TOML reads a path without quotes as nested tables
             return about | {"type": "object", "additionalProperties": inner if value is not float else True}
     return about | _plain(slot, key) | ({"default": _default(key)} if key.default else {})
@@ -107,7 +112,11 @@ def _plain(slot: Slot, key: Key) -> Schema:
 def _quantity(quantity: Quantity) -> Schema:
     """Schema of a text with its unit; without a dimension, of a plain number within its bounds."""
     if quantity.unit:
-        given = {"type": "string", "pattern": WITH_UNIT, "examples": [quantity.example.strip('"')]}
+        given = {
+            "type": "string",
+            "anyOf": [{"pattern": WITH_UNIT}, {"pattern": EXPRESSION}],
+            "examples": [quantity.example.strip('"')],
+        }
         return {"anyOf": [given, *ZERO]} if quantity.holds(0.0) else given
     bounds = {
         "minimum": quantity.at_least,

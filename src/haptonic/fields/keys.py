@@ -13,8 +13,9 @@ import annotated_types
 from pydantic.fields import FieldInfo
 
 from haptonic.fields.entries import Entries
+from haptonic.fields.expressions import ExpressedNumber
 from haptonic.fields.placing import Named, Placed
-from haptonic.fields.quantity import Quantity
+from haptonic.fields.quantity import AnyUnit, Quantity
 from haptonic.units import format_quantity
 
 T = TypeVar("T")
@@ -198,7 +199,7 @@ def leaves(
                     yield f"{path}[{index}]", item, slot.quantities[index - 1]
         elif isinstance(value, Entries):
             for entry, item in value.items():
-                declared = None if isinstance(item, str) else unit_of(model, slot.field, entry)
+                declared = None if isinstance(item, str) else declared_entry(model, slot.field, entry, item)
                 yield f"{path}.{entry}", item, declared
         elif value is not None:
             yield path, value, slot.declared(model, value)
@@ -234,9 +235,11 @@ def key_of(path: str, keys: Mapping[str, Key]) -> Key | None:
     return key if key and (pattern == whole or key.kind in {"quantities", "entries"}) else None
 
 
-def unit_of(model: object, field: FieldInfo, entry: str) -> Quantity | None:
+def declared_entry(model: object, field: FieldInfo, entry: str, item: object) -> Quantity | None:
     """Declaration of a number in a table with keys of the user."""
     declared = quantity_of(field)
+    if declared is None and any(isinstance(mark, AnyUnit) for mark in metadata_of(field)):
+        return Quantity(item.unit) if isinstance(item, ExpressedNumber) else Quantity("")
     return Quantity(model.units[entry]) if declared is None and hasattr(model, "units") else declared
 
 

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import ClassVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.errors import StudyError
 from haptonic.fields.described import described, needed
-from haptonic.fields.quantity import handed_on, number_of, problem
+from haptonic.fields.expressions import PARAMETERS, ExpressedNumber
+from haptonic.fields.quantity import handed_on, number_of, number_of_any_unit, problem
 from haptonic.units import format_quantity
 
 
 @described("")
 class OfNumber:
     """A table on one number of the study; a subclass defines `unit_of` and `known`."""
+
+    takes_parameters: ClassVar[bool] = False  # True if it may name one of [parameters]
 
     parameter: str = needed("Name of a number in this file; tables of one name count from 1.", strict=True)
 
@@ -31,6 +35,8 @@ class OfNumber:
     @field_validator("parameter")
     @classmethod
     def _known(cls, path: str) -> str:
+        if cls.takes_parameters and path.startswith(f"{PARAMETERS}."):
+            return path  # the study has its name and unit
         if cls.unit_of(path) is None:
             cause = "no number of this name can be changed here"
             raise handed_on(StudyError.unknown("", path, cls.known(), cause))
@@ -41,11 +47,21 @@ class OfNumber:
     def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
         if "parameter" not in info.data:  # already refused; the unit is then unknown
             return 0.0
+        if cls.takes_parameters and info.data["parameter"].startswith(f"{PARAMETERS}."):
+            return number_of_any_unit(value)
         return number_of(value, cls.unit_of(info.data["parameter"]) or "", info.context)
+
+    @property
+    def names_parameter(self) -> bool:
+        """True for a number of [parameters], whose unit only the study has."""
+        return self.parameter.startswith(f"{PARAMETERS}.")
 
     @property
     def unit(self) -> str:
         """SI unit of the number; empty for a dimensionless number."""
+        if self.names_parameter:
+            given = (getattr(self, name, None) for name in ("high", "low", "spread"))
+            return next((end.unit for end in given if isinstance(end, ExpressedNumber) and end), "")
         return self.unit_of(self.parameter) or ""
 
 

@@ -10,6 +10,7 @@ from pydantic import ValidationError
 from haptonic.errors import HaptonicError, StudyError, nearest, shown
 from haptonic.fields.aliases import Alias, aliases
 from haptonic.fields.keys import Key, key_of, slots, table
+from haptonic.fields.quantity import FOLLOWING
 
 TAG = "<"  # beginning of the tags of a union, which pydantic puts into the path
 MISPLACED = "\0"  # prefix of a key that is in a table but belongs to the top; no file contains a NUL
@@ -52,6 +53,7 @@ def refusal(
             each["path"] = ""  # the blamed key is at the top
     slips = {_meant(each["pattern"], keys, known_aliases) for each in details if each["type"] in UNKNOWN}
     details = [each for each in details if _left_out(each) not in slips]
+    details = [each for each in details if each["type"] != FOLLOWING] or details
     details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains later errors
     first, *others = (_in_parts(each, keys, known_aliases) for each in details)
     next_step = first.next_step
@@ -71,7 +73,7 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known_aliases: Mapping[str,
     """Convert one error of pydantic to five parts."""
     kind, context = details["type"], details.get("ctx", {})
     path, pattern = details["path"], details["pattern"]
-    if kind == "haptonic":
+    if kind in ("haptonic", FOLLOWING):
         where = ".".join(part for part in (path, context["at"]) if part) or "the study"
         return StudyError(context["code"], argument=where, **{name: context[name] for name in PARTS})
     if kind == EXTRA:
@@ -206,7 +208,7 @@ def allowed_at(key: Key | None) -> str:
     if key.kind == "quantities":
         return f"a list of {key.count} quantities with their units, such as {_list(key)}"
     if key.kind == "entries":
-        value = key.quantity.example if key.quantity else '"..."'
+        value = key.quantity.example if key.quantity else f'"{key.example or "..."}"'
         return f"a table, [{key.path.replace('[]', '')}], of lines such as name = {value}"
     if key.quantity:
         return key.quantity.allowed

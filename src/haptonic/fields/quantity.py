@@ -16,11 +16,14 @@ from pydantic import AfterValidator, Field, GetCoreSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
 from haptonic.errors import HaptonicError, shown
+from haptonic.fields.expressions import ExpressedNumber, FollowingError, ScopedText, scope_of
 from haptonic.names import hidden_in
 from haptonic.units import example_of, format_quantity, to_si
 
 FROM_FILE = {"from a file": True}  # validation context for files: a number with a dimension needs its unit
 
+
+FOLLOWING = "haptonic_following"  # pydantic's name for a `FollowingError`
 
 FASTEST = 1e11  # Hz; waves of higher frequency are too short for a continuum
 SMALLEST, LARGEST = 1e-9, 1e3  # m; smaller parts are no continuum, larger ones no plate for a hand
@@ -54,6 +57,8 @@ class Quantity:
 
     def _bounded(self, number: float, given: object) -> float:
         if self.holds(number):
+            if isinstance(number, ExpressedNumber):
+                return number
             return number + 0.0  # a negative zero becomes the ordinary one, which is written in the same way
         size = self.unit == "m"
         if math.isnan(number):
@@ -151,11 +156,40 @@ def handed_on(error: HaptonicError, at: str | None = None) -> PydanticCustomErro
 
 
 def number_of(value: object, unit: str, context: object, allowed: str = "") -> float:
-    """SI value of a quantity: a text with its unit, or, except in files, a plain number in SI units."""
+    """SI value of a quantity: a text with its unit, or, except in files, a plain number in SI units.
+
+    The text may be an expression, which the number then keeps.
+    """
+    if isinstance(value, ExpressedNumber):
+        with collected():
+            return value.checked(unit)
+    if isinstance(value, str) and scope_of(value).is_expression(value):
+        with collected():
+            return scope_of(value).expressed(value).checked(unit)
     if context != FROM_FILE and isinstance(value, int | float) and not isinstance(value, bool):
         return float(value)
     with collected(allowed):
         return to_si(value, unit, "")
+
+
+def number_of_any_unit(value: object) -> ExpressedNumber:
+    """SI value of a text with any unit, of an expression or of a plain number, with its dimension."""
+    if isinstance(value, ExpressedNumber):
+        return value
+    with collected():
+        if isinstance(value, ScopedText) and value.problem is not None:
+            raise value.problem
+        return scope_of(value).expressed(value)
+
+
+@dataclass(frozen=True)
+class AnyUnit:
+    """Mark of a number whose text determines its unit."""
+
+    def __get_pydantic_core_schema__(
+        self, source: type[Any], handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(number_of_any_unit)
 
 
 @contextmanager
@@ -166,6 +200,8 @@ def collected(allowed: str = "", within: str = "") -> Iterator[None]:
     """
     try:
         yield
+    except FollowingError as error:
+        raise PydanticCustomError(FOLLOWING, "{cause}", {**error.parts(), "at": ""}) from None
     except HaptonicError as error:
         at = error.argument.removeprefix(f"{within}.") if within else ""
         raise handed_on(error.changed(HaptonicError, allowed=allowed or error.allowed), at) from None

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
+from haptonic.fields.expressions import PARAMETERS, scoped
 from haptonic.fields.keys import is_described, slots
 from haptonic.fields.placing import Placed
 from haptonic.fields.problems import MISPLACED, refusal
@@ -28,12 +29,19 @@ def read(kind: type[T], tables: Mapping[str, Any], origin: str = "") -> T:
     """
     value: Any = kind
     try:
-        result: T = value.__pydantic_validator__.validate_python(arranged(kind, tables), context=FROM_FILE)
+        given = arranged(kind, tables)
+        given = scoped(given) if has_parameters(kind) else given
+        result: T = value.__pydantic_validator__.validate_python(given, context=FROM_FILE)
     except ValidationError as error:
         refused = refusal(error, kind, origin=origin)
     else:
         return result
     raise refused  # outside of the except clause, so that the file is not pickled as its context
+
+
+def has_parameters(kind: type) -> bool:
+    """True for a class with a table of named parameters: a study."""
+    return any(slot.key == PARAMETERS for slot in slots(kind))
 
 
 def any_placed(kind: type) -> bool:

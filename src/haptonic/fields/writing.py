@@ -8,14 +8,31 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from haptonic.fields.entries import Entries
-from haptonic.fields.keys import is_described, slots, unit_of
+from haptonic.fields.expressions import PARAMETERS, ExpressedNumber, Scope
+from haptonic.fields.keys import declared_entry, is_described, slots
 from haptonic.fields.quantity import Quantity
 from haptonic.units import format_quantity
 
 
 def toml_of(model: object) -> str:
-    """TOML that reads back to an equal value, with all values and defaults to full precision."""
-    return "\n".join(_lines(document(model, _value), "")).strip() + "\n"
+    """TOML that reads back to an equal value, with all values and defaults to full precision.
+
+    A number that was given by an expression is written as this expression if it still has the same value.
+    """
+    scope = parameters_of(model)
+
+    def leaf(value: Any, unit: str) -> str:
+        if isinstance(value, ExpressedNumber) and scope.contains(value):
+            return _value(value.text, "")
+        return _value(value, unit)
+
+    return "\n".join(_lines(document(model, leaf), "")).strip() + "\n"
+
+
+def parameters_of(model: object) -> Scope:
+    """The named parameters of a study, in which its expressions have values."""
+    named = next((slot.name for slot in slots(type(model)) if slot.key == PARAMETERS), "")
+    return Scope(getattr(model, named) if named else {})
 
 
 Leaf = Callable[[Any, str], Any]
@@ -49,7 +66,9 @@ def document(
             where[slot.key] = document(value, leaf, absent=absent, top=top)
         elif isinstance(value, Entries):
             entries = value.items()
-            result[slot.key] = {name: of(item, unit_of(model, slot.field, name)) for name, item in entries}
+            result[slot.key] = {
+                name: of(item, declared_entry(model, slot.field, name, item)) for name, item in entries
+            }
         elif isinstance(value, tuple):
             result[slot.key] = [
                 document(item, leaf, absent=absent, top=top)

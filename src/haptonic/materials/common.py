@@ -10,7 +10,7 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.errors import StudyError, shown
-from haptonic.fields import Entries, Quantity
+from haptonic.fields import Entries, ExpressedNumber, Quantity
 from haptonic.units import format_quantity
 
 Rows = tuple[tuple[float, ...], ...]
@@ -87,7 +87,10 @@ def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -
             at, cause = f"material.uncertainty.{name}", "this material has no such property"
             raise StudyError.unknown(at, name, properties, cause, next_step="leave it out")
         require_between(f"uncertainty.{name}", width, properties[name], at_least=0.0)
-    return Entries({name: float(width) for name, width in uncertainty.items()})
+    return Entries({
+        name: width if isinstance(width, ExpressedNumber) else float(width)
+        for name, width in uncertainty.items()
+    })  # fmt: skip
 
 
 def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:

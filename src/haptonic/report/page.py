@@ -24,6 +24,7 @@ from haptonic.plots.text import gap_text
 from haptonic.report.chapter import Absent, Chapter, Results, Table
 from haptonic.report.chapters import IN_ORDER, others
 from haptonic.report.first import first_screen
+from haptonic.study.named import expressions_of
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity, hz_text
 
@@ -147,10 +148,12 @@ def _appendix(results: Results) -> Chapter:
 def _inputs(results: Results) -> Table:
     """Every key that has a value, defaults included, and the constants of a material given by name."""
     study, keys, rows = results.study, table(Description), []
+    expressions = expressions_of(study)
     for path, value, quantity in leaves(study):
         key = key_of(path, keys)
         assert key is not None, path
-        rows.append((path, key.title, _shown(value, quantity)))
+        formula = f" = {expressions[path]}" if path in expressions else ""
+        rows.append((path, key.title, f"{_shown(value, quantity)}{formula}"))
     for at, solid in study.cell.materials.items():
         if built_in_name(solid):
             name = at if at == "material" else f"cell.{at}"

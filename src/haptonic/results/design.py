@@ -9,7 +9,7 @@ from typing import Any
 
 from haptonic import plots
 from haptonic.bloch import Gap
-from haptonic.design.parameters import UNITS
+from haptonic.design.links import units_of
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plots.text import gap_text
 from haptonic.results.common import write_netcdf
@@ -55,6 +55,11 @@ class Design(Result):
         """Designs that could not be computed: ``stage`` of the search, ``values`` by path (SI), ``cause``."""
         return list(json.loads(self.dataset.attrs["left_out"]))
 
+    @property
+    def units(self) -> dict[str, str]:
+        """SI units of the varied numbers, by path."""
+        return units_of(self.dataset["parameter"])
+
     def summary(self) -> list[str]:
         gap, carrier = self.gap, float(self.dataset.attrs["carrier_hz"])
         sentences = [
@@ -63,16 +68,18 @@ class Design(Result):
             f"{hz_text(self.margin, form='.3f')}.",
             f"The margin is limited by {', '.join(self.held_back_by) or 'no bound and no limit'}.",
         ]
+        units = self.units
         return sentences + [
             "left out: "
-            + ", ".join(f"{path} = {format_quantity(v, UNITS[path])}" for path, v in design["values"].items())
+            + ", ".join(f"{path} = {format_quantity(v, units[path])}" for path, v in design["values"].items())
             + f", because {design['cause']}"
             for design in self.left_out
         ]
 
     def tables(self) -> list[Table]:
+        units = self.units
         values = [
-            (path, *(format_quantity(v, UNITS[path], digits=4) for v in (self.own.get(path, value), value)))
+            (path, *(format_quantity(v, units[path], digits=4) for v in (self.own.get(path, value), value)))
             for path, value in self.values.items()
         ]
         table = Table("design", ("parameter", "study", "best design"), values)
@@ -82,7 +89,7 @@ class Design(Result):
         "search", "Simulated designs of the search: their sizes, and the margin of the carrier in the gap."
     )
     def _search(self) -> Figure:
-        return plots.search(self.dataset, UNITS)
+        return plots.search(self.dataset, self.units)
 
     @figure("front", "The widest gap against the pitch.", when=_has_front)
     def _front(self, *, ax: Axes | None = None) -> Figure:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ import numpy as np
 from haptonic import plots
 from haptonic.cell import UnitCell
 from haptonic.cell.sites import steps_between
+from haptonic.fields import PARAMETERS, ExpressedNumber
 from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
 from haptonic.plate import Layout, Plate
@@ -30,6 +31,7 @@ class StudyPlan(Result):
     study : its title; carrier : Hz, if any
     costs : estimates for the commands that apply to it, by name
     inputs : plain values of the study
+    parameters : named parameters; expressions : texts of the numbers that are given by expressions, by path
     """
 
     title = "Plan"
@@ -40,6 +42,8 @@ class StudyPlan(Result):
     plate: Plate | None
     costs: Mapping[str, Cost]
     inputs: Mapping[str, Any]
+    parameters: Mapping[str, ExpressedNumber] = field(default_factory=dict)
+    expressions: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -83,18 +87,27 @@ class StudyPlan(Result):
             else (f"haptonic {name}", cost.time, cost.gigabytes)
             for name, cost in self.costs.items()
         ]
-        sizes: list[tuple[Cell, ...]] = [
-            (path.removeprefix("cell."), format_quantity(value, declared.unit) if declared else value)
+        values = [
+            (f"{PARAMETERS}.{name}", format_quantity(value, value.unit))
+            for name, value in self.parameters.items()
+        ]
+        values += [
+            (path, format_quantity(value, declared.unit) if declared else str(value))
             for path, value, declared in leaves(self.cell, "cell.")
             if path.startswith("cell.") and value and (declared or path.endswith(".section"))
         ]
+        sizes: list[tuple[Cell, ...]] = [
+            (path.removeprefix("cell."), value, *([self.expressions.get(path)] if self.expressions else []))
+            for path, value in values
+        ]
+        head = ("size", "value", "expression") if self.expressions else ("size", "value")
         return [
             Table(
                 "estimated cost of each command, as an order of magnitude",
                 ("command", "processor time", "memory"),
                 costs,
             ),
-            Table("sizes of the cell", ("size", "value"), sizes),
+            Table("sizes of the cell", head, sizes),
             *([_of_the_file(self.cell)] if self.cell.solid else []),
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]

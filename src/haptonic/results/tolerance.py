@@ -7,7 +7,7 @@ from typing import Any
 
 from haptonic import plots
 from haptonic.bloch import Gap
-from haptonic.design.parameters import UNITS
+from haptonic.design.links import units_of
 from haptonic.design.tolerance import REACH
 from haptonic.later import Figure, xarray as xr
 from haptonic.results.plain import split
@@ -59,12 +59,13 @@ class Tolerance(Result):
 
     def tables(self) -> list[Table]:
         rows: list[tuple[Cell, ...]] = []
+        units = units_of(self.dataset["parameter"])
         for path, slopes, index in zip(
             *(self.dataset[name].values.tolist() for name in ("parameter", "slope", "total_index")),
             strict=True,
         ):
             per = {"m": (1e-5, "10 µm"), "rad": (1.745e-3, "0.1°"), "Pa": (1e9, "GPa")}
-            factor, word = per.get(UNITS[path], (0.01, "0.01"))
+            factor, word = per.get(units[path], (0.01, "0.01"))
             if path == "material.density":
                 factor, word = 10.0, "10 kg/m³"
             rows.append((path, *(f"{slope * factor:+.0f} Hz per {word}" for slope in slopes), *index))

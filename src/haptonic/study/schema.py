@@ -12,14 +12,21 @@ from functools import cached_property
 from types import FrameType
 from typing import Annotated, Any, ClassVar, Self
 
+from pydantic import field_validator
+
 from haptonic.bloch.settings import BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
+from haptonic.design.links import NAMED
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import (
     CARRIER,
+    PARAMETERS,
     Aliases,
+    AnyUnit,
+    Entries,
+    ExpressedNumber,
     absent,
     caller,
     described,
@@ -27,7 +34,6 @@ from haptonic.fields import (
     meant,
     needed,
     numbers,
-    problem,
     remade,
     setting,
     table,
@@ -37,6 +43,7 @@ from haptonic.fields import (
     warn_caller,
     with_numbers,
 )
+from haptonic.fields.expressions import check_names
 from haptonic.fields.keys import key_of
 from haptonic.fields.reading import read, with_value
 from haptonic.fields.writing import document, toml_of
@@ -46,14 +53,14 @@ from haptonic.materials import IsotropicMaterial, built_in_name
 from haptonic.plate.layout.parts import Plate
 from haptonic.study.doubts import doubts_of
 from haptonic.study.experiment_tables import ProtocolSettings
+from haptonic.study.named import varied_expressions, with_dependents
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import check_carriers, plate_of
 from haptonic.study.ribbon_tables import RibbonSettings
 from haptonic.study.sweeps import SweepSettings, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
-from haptonic.study.varied import check_varied
-from haptonic.study.vary import Expression, check_names, solve
-from haptonic.units import format_quantity
+from haptonic.study.varied import check_reached, check_sweeps, check_varied
+from haptonic.study.vary import Expression, solve
 from haptonic.updating.settings import FitSettings
 from haptonic.vibrometry.settings import ScanSettings
 
@@ -71,10 +78,11 @@ class Description:
     aliases: ClassVar[Aliases] = {
         **meant("title", "name", "description"),
         **meant("carrier", "frequency", "f", "f0", "drive", "carrier_frequency", "target"),
-        **meant("sweep", "sweeps", "parameters", "scan_parameters"),
+        **meant("sweep", "sweeps", "scan_parameters"),
         **meant("cell", "unit_cell", "unitcell", "lattice", "geometry",
                 cause="lattice, pitch, thickness and pillar are keys of the cell",
                 next_step="write them in [cell]"),
+        **meant("parameters", "variables", "constants", "definitions"),
         **absent(
             "e", "nu", "rho", cause="constants of a material belong to the table [material]",
             next_step="write youngs_modulus, poisson_ratio and density in [material]",
@@ -90,6 +98,10 @@ class Description:
     }  # fmt: skip
 
     title: str = setting("Study", "Heading of the report.", min_length=1, max_length=200, strict=True)
+    named_parameters: Entries[Annotated[ExpressedNumber, AnyUnit()]] = setting(
+        Entries(), 'Numbers with names, for expressions such as "a/2" in place of numbers.',
+        title="Named numbers", alias=PARAMETERS, examples=["7 mm"],
+    )  # fmt: skip
     carrier: Annotated[float, CARRIER] | None = setting(
         None, "Frequency of the drive; marked in the diagrams."
     )
@@ -136,41 +148,18 @@ class Description:
                 self.ribbon_settings.ribbon(self.cell)
         except HaptonicError as error:
             raise handed_on(error) from None
-        check_varied(
-            self.design_settings,
-            self.tolerance_settings,
-            self.cell,
-            self.absent_parameters(),
-            table(Description),
-        )
+        check_varied(self, table(Description))
         self.fit_settings.check(plate, self.absent_parameters())
-        for row, sweep in enumerate(self.sweep_settings, start=1):
-            for axis, table_name in zip(sweep.axes, ("", "second."), strict=False):
-                self._check_expression(axis.expression, f"sweep[{row}].{table_name}vary")
-            for step, values in enumerate(sweep.designs, start=1):
-                try:
-                    self._design(sweep, values)
-                except HaptonicError as error:
-                    reached = " and ".join(
-                        f"{axis.vary} = {format_quantity(value, axis.unit)}"
-                        for axis, value in zip(sweep.axes, values, strict=True)
-                    )
-                    raise problem(
-                        "out-of-range",
-                        f"{reached} at step {step} of {sweep.count}",
-                        f"a range in which every design is possible; {error.argument}: {error.allowed}",
-                        f"{error.argument} would be {error.given}: {error.cause}",
-                        "narrow the range between from and to",
-                        at=f"sweep[{row}]",
-                    ) from None
+        check_sweeps(self)
 
-    def _check_expression(self, expression: Expression, at: str) -> None:
-        """Refuse an expression that has no value for the study's own parameters."""
+    @field_validator("named_parameters")
+    @classmethod
+    def _has_names(cls, named: Entries[ExpressedNumber]) -> Entries[ExpressedNumber]:
         try:
-            check_names(expression, self.parameters(), self.absent_parameters())
-            expression.value(self.parameters())
+            check_names(named)
         except StudyError as error:
-            raise handed_on(error, at) from None
+            raise handed_on(error) from None
+        return named
 
     def mounted_plate(self, carrier: float | None = None) -> Plate:
         """Build the finite plate of the study, with the drives of one carrier.
@@ -221,7 +210,14 @@ class Description:
     @cached_property
     def _parameters(self) -> dict[str, float]:
         allowed = numeric_parameters()  # a study with sweeps needs the values at every step
-        return {path: value for path, value in numbers(self, names=True).items() if path in allowed}
+        every = numbers(self, names=True).items()
+        return {path: value for path, value in every if path in allowed or path.startswith(NAMED)}
+
+    def units(self) -> dict[str, str]:
+        """SI units of the `parameters`, by path."""
+        of_named = {f"{NAMED}{name}": value.unit for name, value in self.named_parameters.items()}
+        allowed = numeric_parameters()
+        return {path: of_named[path] if path in of_named else allowed[path] for path in self._parameters}
 
     def absent_parameters(self) -> dict[str, str]:
         """Reason why a numeric parameter has no value in this study, by path."""
@@ -258,7 +254,8 @@ class Description:
 
     def _no_parameter(self, path: object, parameters: Mapping[str, float]) -> StudyError:
         """Error for a path that is not a numeric parameter; for other keys with the way to change them."""
-        key = None if path in self.absent_parameters() else key_of(str(path), table(Description))
+        is_named = str(path).startswith(NAMED)
+        key = None if is_named or path in self.absent_parameters() else key_of(str(path), table(Description))
         if key is None:
             return unknown_number(path, parameters, self.absent_parameters())
         return StudyError.malformed(
@@ -301,7 +298,7 @@ class Description:
 
     def _with_numbers(self, values: Mapping[str, float]) -> Self:
         try:
-            return with_numbers(self, values)
+            return with_numbers(self, with_dependents(self, values))
         except HaptonicError as error:  # the class of error depends on the owner of the number
             raise error.changed(StudyError) from None
 
@@ -324,6 +321,8 @@ class Description:
         design = self
         for axis in sweep.order:
             design = design.solved(sweep.axes[axis].expression, values[axis])
+        if self.named_parameters:
+            check_reached(sweep, values, design.parameters())
         return design
 
     def unusual(self) -> tuple[str, ...]:
@@ -375,7 +374,7 @@ class Description:
         by its constants, so that a correction in the library changes the key.
         """
         data = document(self, lambda value, unit: value, absent=True)
-        left = {"title"} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
+        left = {"title", PARAMETERS} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
         left |= {"ribbon"} if self.ribbon_settings is None else set()
         data = {key: value for key, value in data.items() if key not in left}
         if self.finite_plate is not None:
@@ -385,4 +384,6 @@ class Description:
         data["material"] = solids.pop("material")
         if solids:
             data["cell"]["materials"] = solids
+        if dependents := varied_expressions(self):
+            data["expressions"] = dependents
         return data

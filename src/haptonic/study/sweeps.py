@@ -14,13 +14,16 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.fields import (
     CARRIER,
+    PARAMETERS,
     Aliases,
     ByPattern,
+    ExpressedNumber,
     absent,
     described,
     meant,
     needed,
     number_of,
+    number_of_any_unit,
     problem,
     setting,
     table,
@@ -38,6 +41,11 @@ def numeric_parameters() -> Mapping[str, str]:
     keys = table(UnitCell, "cell.") | table(BandSettings, "bands.")
     units = {path + "[]" * (key.count > 1): key.unit for path, key in keys.items() if key.quantity}
     return ByPattern({"carrier": CARRIER.unit, **units})
+
+
+def named_in(expression: Expression) -> list[str]:
+    """Named parameters in an expression, ``parameters.a``."""
+    return [name for name, _ in expression.powers if name.startswith(f"{PARAMETERS}.")]
 
 
 @described("sweep.second", kw_only=True)
@@ -81,7 +89,14 @@ class SweepAxis:
     @classmethod
     def _names_parameters(cls, text: str) -> str:
         with collected():
-            check_names(parse(text), numeric_parameters(), {})
+            expression = parse(text)
+            named = dict.fromkeys(named_in(expression), "")  # the study has their names and units
+            short = {
+                name: f'a named parameter is written with its table, "{PARAMETERS}.{name}"'
+                for name, _ in expression.powers
+                if "." not in name
+            }
+            check_names(expression, ByPattern({**numeric_parameters(), **named}), short)
         return text
 
     @field_validator("start", "stop", mode="plain")
@@ -89,6 +104,8 @@ class SweepAxis:
     def _has_dimension(cls, value: object, info: ValidationInfo) -> float:
         if "vary" not in info.data:  # already refused; the dimension is then unknown
             return 0.0
+        if named_in(parse(info.data["vary"])):
+            return number_of_any_unit(value)
         return number_of(value, parse(info.data["vary"]).unit(numeric_parameters()), info.context)
 
     def __post_init__(self) -> None:
@@ -103,12 +120,20 @@ class SweepAxis:
             )
 
     @property
+    def names_parameters(self) -> bool:
+        """True if the expression uses named parameters, whose units only the study has."""
+        return bool(named_in(self.expression))
+
+    @property
     def expression(self) -> Expression:
         return parse(self.vary)
 
     @property
     def unit(self) -> str:
         """SI unit of ``start``, ``stop`` and ``values``; empty for dimensionless values."""
+        if self.names_parameters:
+            ends = (self.start, self.stop)
+            return next((end.unit for end in ends if isinstance(end, ExpressedNumber) and end), "")
         return self.expression.unit(numeric_parameters())
 
     @property

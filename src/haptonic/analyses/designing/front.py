@@ -11,7 +11,7 @@ import numpy as np
 from haptonic.analyses.designing.tasks import front_dataset, front_task, visits_of
 from haptonic.analyses.runner import Runner
 from haptonic.design.brief import Brief
-from haptonic.design.parameters import FEATURE, UNITS
+from haptonic.design.parameters import FEATURE
 from haptonic.design.quick import QUICK
 from haptonic.gate import declared
 from haptonic.jobs import Task
@@ -29,8 +29,12 @@ def compute_front(
     briefs = {pitch: brief.fixed("cell.pitch", pitch) for pitch in pitches}
     for pitch, at_pitch in briefs.items():
         scale = pitch / best["cell.pitch"]
+        sizes = [FEATURE.search(path) and brief.links.unit(path) == "m" for path in at_pitch.paths]
         scaled = np.array(
-            [best[p] * (scale if FEATURE.search(p) and UNITS[p] == "m" else 1.0) for p in at_pitch.paths]
+            [
+                best[path] * (scale if is_size else 1.0)
+                for path, is_size in zip(at_pitch.paths, sizes, strict=True)
+            ]
         )
         low, high = at_pitch.box.T
         share = at_pitch.feasible(np.clip((scaled - low) / (high - low), 0.0, 1.0))

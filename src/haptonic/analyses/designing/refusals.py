@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.design.brief import Brief
-from haptonic.design.parameters import UNITS
 from haptonic.design.search import Visited
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.units import format_quantity
@@ -21,7 +20,7 @@ def held_back_by(brief: Brief, share: Array) -> list[str]:
     """Bounds and limits that a design has reached, as texts; each could be widened or relaxed."""
     values = zip(brief.paths, brief.values(share), share, strict=True)
     reached = [
-        f"{path} = {format_quantity(value, UNITS[path])}"
+        f"{path} = {format_quantity(value, brief.links.unit(path))}"
         for path, value, place in values
         if min(place, 1 - place) < AT_BOUND
     ]
@@ -82,7 +81,7 @@ def _closest(carrier: float, best: Gap | None, seen: Sequence[Visited]) -> str:
 def uncomputed(brief: Brief, summit: Visited, failure: HaptonicError) -> HaptonicError:
     """Error if the coarse model has gaps, but none of their designs has a mesh within the limits."""
     values = zip(brief.paths, brief.values(summit.share), strict=True)
-    named = ", ".join(f"{path} = {format_quantity(value, UNITS[path])}" for path, value in values)
+    named = ", ".join(f"{path} = {format_quantity(value, brief.links.unit(path))}" for path, value in values)
     lower, upper = in_khz(summit.lower, summit.upper)
     return failure.changed(
         type(failure),

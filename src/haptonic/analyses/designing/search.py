@@ -17,7 +17,6 @@ from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.design.brief import SLACK, Brief
-from haptonic.design.parameters import UNITS
 from haptonic.design.search import HeightRow, Visited, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
@@ -210,7 +209,7 @@ def _round_to_micrometres(brief: Brief, visit: Visited) -> dict[str, float]:
     """
     exact, (low, high) = np.array(brief.values(visit.share)), brief.box.T
     least, most = np.ceil(np.round(low * 1e6, 6)), np.floor(np.round(high * 1e6, 6))
-    whole = np.array([UNITS[path] == "m" for path in brief.paths]) & (least <= most)
+    whole = np.array([brief.links.unit(path) == "m" for path in brief.paths]) & (least <= most)
 
     def in_si(micrometres: Array) -> Array:
         return np.where(whole, micrometres / 1e6, exact)

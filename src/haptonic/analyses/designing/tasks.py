@@ -111,4 +111,5 @@ def all_seen(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset
     for name, (unit, title) in TITLES.items():
         dataset[name].attrs = {"units": unit, "long_name": title}
     dataset.attrs |= {"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))}
+    dataset["parameter"].attrs |= brief.links.attributes(brief.paths)
     return dataset
