@@ -7,9 +7,10 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
+from haptonic.errors import StudyError
 from haptonic.fields.keys import is_described, slots
 from haptonic.fields.placing import Placed
-from haptonic.fields.problems import MISPLACED, refusal
+from haptonic.fields.problems import MISPLACED, problems_of, refusal
 from haptonic.fields.quantity import FROM_FILE
 
 T = TypeVar("T")
@@ -34,6 +35,15 @@ def read(kind: type[T], tables: Mapping[str, Any], origin: str = "") -> T:
     else:
         return result
     raise refused  # outside of the except clause, so that the file is not pickled as its context
+
+
+def read_listing(kind: type[T], tables: Mapping[str, Any]) -> tuple[T | None, list[StudyError]]:
+    """The described value of the tables of a file, or else each of their problems as an error of its own."""
+    value: Any = kind
+    try:
+        return value.__pydantic_validator__.validate_python(arranged(kind, tables), context=FROM_FILE), []
+    except ValidationError as error:
+        return None, problems_of(error, kind)
 
 
 def any_placed(kind: type) -> bool:
