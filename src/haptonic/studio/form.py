@@ -31,5 +31,5 @@ def _plain(key: Key) -> dict[str, Any]:
         "closed": bool(key.choices),
         "numbers": list(key.numbers),
         "count": key.count,
-        "example": key.example,
+        "example": key.example or (key.quantity.example.strip('"') if key.quantity and key.unit else ""),
     }

@@ -23,6 +23,7 @@ def offers() -> list[dict[str, Any]]:
         {
             "name": name,
             "help": NAMES[name],
+            "interactive": bool(named(name).interactive),
             "options": list(_options(named(name))),
         }
         for name in NAMES
