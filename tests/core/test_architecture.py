@@ -89,8 +89,7 @@ ALLOWED: dict[str, set[str]] = {
     "verification": {"arrays", "atomic", "errors", "plots", "results", "store", "study", "units"},
     "studio": BASE
     | {"analyses", "atomic", "description", "pages", "plots", "results", "study", "views", "__init__"},
-    "cli": CORE
-    | {"analyses", "atomic", "results", "store", "studio", "study", "verification", "__init__"},
+    "cli": CORE | {"analyses", "atomic", "results", "store", "studio", "study", "verification", "__init__"},
 }
 TOP = {"__init__", "__main__"}
 ROOMS = {"plate": ("layout", "body", "vibration")}  # folders of a part; each may import those before it

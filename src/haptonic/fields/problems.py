@@ -56,7 +56,7 @@ def refusal(
 def problems_of(
     error: ValidationError, kind: type, *, place: str = "", names: Sequence[str] = ()
 ) -> list[StudyError]:
-    """Each problem of a value as an error of its own, the most likely cause of others first; see `refusal`."""
+    """Each problem of a value as an error of its own, likely causes of others first; see `refusal`."""
     keys = table(kind, f"{place}." if place else "")
     known_aliases = aliases(kind, f"{place}." if place else "")
     details: list[Any] = [dict(each) for each in error.errors(include_url=False)]

@@ -19,7 +19,6 @@ from haptonic import __version__
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.gate import json_from
 from haptonic.pages import filled
-from haptonic.study import templates
 from haptonic.studio.checking import checked, described
 from haptonic.studio.editing import changed, lines_of
 from haptonic.studio.form import form
@@ -28,6 +27,7 @@ from haptonic.studio.jobs import Job, Jobs
 from haptonic.studio.offers import chosen, offered, offers
 from haptonic.studio.worker import Order
 from haptonic.studio.workspace import Workspace
+from haptonic.study import templates
 
 PROGRAM = "studio.js"
 PICTURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
@@ -81,7 +81,11 @@ class Studio:
         """Wake all pages; called from any thread."""
         if self._loop is not None:
             with suppress(RuntimeError):  # the server ended a moment ago
-                self._loop.call_soon_threadsafe(lambda: [each.set() for each in self._listeners])
+                self._loop.call_soon_threadsafe(self._wake)
+
+    def _wake(self) -> None:
+        for listener in self._listeners:
+            listener.set()
 
     async def page(self, request: Request) -> Response:
         """The page, which contains nothing but its program."""

@@ -9,9 +9,9 @@ from typing import Any
 
 from haptonic.errors import HaptonicError
 from haptonic.fields import unusual_values
+from haptonic.studio.editing import lines_of
 from haptonic.study import Study
 from haptonic.study.loading import examined
-from haptonic.studio.editing import lines_of
 
 LINE = re.compile(r", line (\d+)$")  # end of the argument of an error in the syntax
 MOST = 50  # problems

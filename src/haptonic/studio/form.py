@@ -11,7 +11,7 @@ from haptonic.study import Study
 
 @cache
 def form() -> list[dict[str, Any]]:
-    """All keys in the order of their declaration; a path such as ``sweep[].from`` has the shape of the form."""
+    """All keys in the order of their declaration; ``sweep[].from`` is a key of every [[sweep]]."""
     return [_plain(key) for key in table(Study).values()]
 
 

@@ -16,6 +16,7 @@ from haptonic.errors import ResourceError, StudyError
 from haptonic.paths import source
 from haptonic.studio.app import Studio
 from haptonic.studio.guard import Guard
+from haptonic.studio.offers import offers
 from haptonic.studio.workspace import Workspace
 from haptonic.study.loading import text_of
 
@@ -46,8 +47,16 @@ def serve(study: Path | None, port: int, ready: Callable[[str], object]) -> None
     port = listening.getsockname()[1]
     studio = Studio(Workspace(folder), opened)
     guard = Guard(studio.app(), port)
+    # the page asks for the list of analyses, whose modules take a second to load
+    threading.Thread(target=offers, daemon=True).start()
     ready(f"http://{ADDRESS}:{port}/?token={guard.token}")
-    config = uvicorn.Config(
+    with suppress(KeyboardInterrupt):
+        uvicorn.Server(settings(guard)).run(sockets=[listening])
+
+
+def settings(guard: Guard) -> uvicorn.Config:
+    """Settings of the server: a plain protocol, small messages, no compression, no log of requests."""
+    return uvicorn.Config(
         guard,
         log_level="warning",
         access_log=False,
@@ -60,8 +69,6 @@ def serve(study: Path | None, port: int, ready: Callable[[str], object]) -> None
         lifespan="on",
         timeout_graceful_shutdown=2,
     )
-    with suppress(KeyboardInterrupt):
-        uvicorn.Server(config).run(sockets=[listening])
 
 
 def listen(port: int) -> socket.socket:

@@ -21,10 +21,10 @@ from typing import Any
 from haptonic.analyses.runner import Runner
 from haptonic.errors import HaptonicError, HaptonicWarning, ResourceError
 from haptonic.later import leave_out
-from haptonic.study import Study
-from haptonic.study.loading import examined
 from haptonic.studio.answers import answer_of, pictures_of
 from haptonic.studio.offers import offered
+from haptonic.study import Study
+from haptonic.study.loading import examined
 
 
 @dataclass(frozen=True)

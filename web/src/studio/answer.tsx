@@ -4,13 +4,13 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { Dataset } from "../dataset";
 import { show } from "../views";
 import { Parts } from "./editor";
-import { jobs, shown, whole } from "./jobs";
+import { jobs, whole } from "./jobs";
 import { server, type Answer, type ResultTable, type WholeJob } from "./server";
 import { setText, text } from "./study";
 
 export function Result() {
   const job = whole.value;
-  if (job === null || job.number !== shown.value || job.state === "running") return null;
+  if (job === null) return null;
   return (
     <section class="result" aria-label={`Result of ${job.analysis}`}>
       {job.text !== text.value && (

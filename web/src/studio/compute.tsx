@@ -119,8 +119,8 @@ function Running({ job }: { job: Job }) {
     <div class="running">
       <progress {...share} aria-label={`Computing ${job.analysis}`} />
       <p>
-        Computing {job.analysis}
-        {planned > 0 && `: ${done} of ${planned}`} {what && `(${what})`}, {Math.floor(elapsed(job, now))} s.{" "}
+        {`Computing ${job.analysis}${planned > 0 ? `: ${done} of ${planned}` : ""}${what && ` (${what})`}, `}
+        {Math.floor(elapsed(job, now))} s.{" "}
         <span class="quiet">{job.cost}</span>
       </p>
     </div>

@@ -28,7 +28,7 @@ export function follow(): void {
   );
   effect(() => {
     const job = jobs.value.find((each) => each.number === shown.value);
-    if (job === undefined) return;
+    if (job === undefined || job.state === "running") return; // until then the result before stays
     const known = whole.peek();
     if (known?.number === job.number && known.state === job.state) return;
     void attempt(async () => {

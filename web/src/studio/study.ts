@@ -50,7 +50,8 @@ export async function attempt(action: () => Promise<void>): Promise<void> {
 function replace(next: string, isTyped = false): void {
   if (next === text.peek()) return;
   const now = performance.now();
-  if (!(isTyped && now - typed < STEP)) past.value = [...past.peek(), text.peek()].slice(-MOST_STEPS);
+  const begins = past.peek().length === 0 && text.peek() === ""; // an empty page is nothing to go back to
+  if (!begins && !(isTyped && now - typed < STEP)) past.value = [...past.peek(), text.peek()].slice(-MOST_STEPS);
   typed = isTyped ? now : 0;
   future.value = [];
   text.value = next;

@@ -11,7 +11,9 @@ from haptonic.cli.console import speaking
 from haptonic.studio.serving import open_browser, serve
 
 STUDY = typer.Argument(
-    metavar="STUDY", help="Study file (TOML); its folder becomes the folder of the studio.", show_default=False
+    metavar="STUDY",
+    help="Study file (TOML); its folder becomes the folder of the studio.",
+    show_default=False,
 )
 
 
