@@ -80,6 +80,14 @@ def test_a_job_goes_on_while_no_page_is_open(studio):
     assert [job["state"] for job in jobs if job["number"] == number] == ["done"]
 
 
+def test_pictures_of_a_job_do_not_become_those_of_the_next(studio):
+    first = start(studio, "bands")
+    assert studio.finished(first)["state"] == "done"  # its pictures are not drawn yet
+    second = studio.finished(start(studio, "plan"), drawn=True)
+    assert second["pictures"] == []
+    assert studio.finished(first, drawn=True)["state"] == "done"
+
+
 def test_a_job_is_cancelled(studio):
     number = start(studio, "bands", SLOW)
     assert studio.post("cancel", number=number).status == 200

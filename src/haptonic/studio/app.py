@@ -159,6 +159,7 @@ class Studio:
         options = chosen(analysis, asked.get("options"))
         analysis.chosen(options)  # refuse a wrong option before a process is asked
         order = Order(
+            number=0,  # given when the job begins
             text=_text(asked),
             folder=self.workspace.folder,
             file=file if isinstance(file, str) and file in self.workspace.names() else UNNAMED,

@@ -6,7 +6,7 @@ import multiprocessing
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from haptonic.errors import ResourceError
@@ -21,13 +21,14 @@ class Job:
     """An ordered analysis and its answer so far.
 
     state : "running", "done", "failed" or "cancelled"
+    begun : True after the worker has received the order
     progress : steps done and planned, and the name of the current one; planned is 0 while it is unknown
     picture : SVG by name
     """
 
-    number: int
     order: Order
     state: str = "running"
+    begun: bool = False
     started: float = field(default_factory=time.time)
     seconds: float = 0.0
     cost: str = ""
@@ -37,6 +38,11 @@ class Job:
     view: bytes | None = None
     pictures: dict[str, bytes] = field(default_factory=dict)
     drawn: bool = False
+
+    @property
+    def number(self) -> int:
+        """Number of the order."""
+        return self.order.number
 
     def brief(self) -> dict[str, Any]:
         """State for the list of jobs."""
@@ -65,7 +71,7 @@ class Job:
 class Worker:
     """A worker process and the thread that listens to it."""
 
-    def __init__(self, heard: Callable[[Worker, str, Any], None]) -> None:
+    def __init__(self, heard: Callable[[Worker, str, int, Any], None]) -> None:
         # spawned, because the fork of a process with threads may hang
         context = multiprocessing.get_context("spawn")
         self.connection, theirs = context.Pipe()
@@ -81,7 +87,7 @@ class Worker:
                 self._heard(self, *self.connection.recv())
         except (EOFError, OSError):
             self.process.join()
-            self._heard(self, "ended", self.process.exitcode)
+            self._heard(self, "ended", 0, self.process.exitcode)
 
     def end(self) -> None:
         """End the process without waiting for its work."""
@@ -109,7 +115,7 @@ class Jobs:
                 self._worker = Worker(self._heard)
 
     def start(self, order: Order) -> Job:
-        """Begin a job; one that still runs is cancelled.
+        """Begin a job with the next number; one that still runs is cancelled.
 
         Raises
         ------
@@ -118,22 +124,31 @@ class Jobs:
         with self._lock:
             self._stop_running()
             self._count += 1
-            job = Job(self._count, order)
-            for attempt in (1, 2):
-                try:
-                    self.warm()
-                    assert self._worker is not None
-                    self._worker.connection.send(order)
-                    break
-                except OSError as error:  # the worker ended a moment ago, or none can be started
-                    self._worker = None
-                    if attempt == 2:
-                        raise _not_started(error) from error
+            job = Job(replace(order, number=self._count))
+            self._send(job)
             self._current = self.jobs[job.number] = job
             for number in list(self.jobs)[:-KEPT]:
                 del self.jobs[number]
         self.tell()
         return job
+
+    def _send(self, job: Job) -> None:
+        """Give a job to the worker; one that has ended a moment ago is replaced.
+
+        Raises
+        ------
+        ResourceError : no process can be started
+        """
+        for attempt in (1, 2):
+            try:
+                self.warm()
+                assert self._worker is not None
+                self._worker.connection.send(job.order)
+                return
+            except OSError as error:
+                self._worker = None
+                if attempt == 2:
+                    raise _not_started(error) from error
 
     def cancel(self, number: int) -> None:
         """End a job if it still runs."""
@@ -156,23 +171,23 @@ class Jobs:
             self.close()
         self._current = None
 
-    def _heard(self, worker: Worker, kind: str, content: Any) -> None:
+    def _heard(self, worker: Worker, kind: str, number: int, content: Any) -> None:
         """Note a message of a worker; those of a worker that was ended on purpose are late."""
         with self._lock:
             if worker is not self._worker:
                 return
-            self._note(kind, content)
+            self._note(kind, number, content)
         self.tell()
 
-    def _note(self, kind: str, content: Any) -> None:
-        job = self._current
+    def _note(self, kind: str, number: int, content: Any) -> None:
         if kind == "ended":
             self._worker = None
-            if job is not None and job.state == "running":
-                job.error = _died(content).parts()
-                job.finish("failed")
-        elif job is not None:
+            if self._current is not None and self._current.state == "running":
+                self._lose(self._current, content)
+        elif (job := self.jobs.get(number)) is not None:  # the worker may still draw for the job before
             match kind:
+                case "begun":
+                    job.begun = True
                 case "cost":
                     job.cost = content
                 case "progress":
@@ -189,6 +204,19 @@ class Jobs:
                         job.finish("failed")
                 case "idle":
                     job.drawn = True
+
+    def _lose(self, job: Job, code: int | None) -> None:
+        """End a job whose worker has died; an order that no worker received is given once more."""
+        error: ResourceError = _died(code)
+        if not job.begun:
+            job.begun = True
+            try:
+                self._send(job)
+                return
+            except ResourceError as refusal:
+                error = refusal
+        job.error = error.parts()
+        job.finish("failed")
 
 
 def _died(code: int | None) -> ResourceError:

@@ -1,7 +1,8 @@
 """The worker process: it computes one order after another and reports on a connection.
 
-Messages are pairs of a kind and its content: ("cost", sentence), ("progress", (done, planned, step)),
-("done", (answer, view)), ("picture", (name, svg)), ("failed", parts), ("idle", None).
+A message is a kind, the number of the order, and a content: "begun"; "cost" with a sentence; "progress" with
+the steps done and planned and the name of the current one; "done" with answer and view; "picture" with name
+and SVG; "failed" with the parts of an error; "idle" at the end.
 """
 
 from __future__ import annotations
@@ -31,10 +32,12 @@ from haptonic.study.loading import examined
 class Order:
     """An analysis to compute.
 
+    number : of the job
     text : of the study; folder : of its file, which may have no such name yet
     analysis : name of an offered analysis
     """
 
+    number: int
     text: str
     folder: Path
     file: str
@@ -52,14 +55,15 @@ def serve(connection: Connection) -> None:
             order = connection.recv()
         except EOFError:
             return
+        connection.send(("begun", order.number, None))
         try:
             _compute(order, connection)
         except HaptonicError as error:
-            connection.send(("failed", error.parts()))
+            connection.send(("failed", order.number, error.parts()))
         except Exception as error:  # noqa: BLE001  a fault of the program must not end in silence
             traceback.print_exc()
-            connection.send(("failed", _unexpected(error).parts()))
-        connection.send(("idle", None))
+            connection.send(("failed", order.number, _unexpected(error).parts()))
+        connection.send(("idle", order.number, None))
 
 
 def _compute(order: Order, connection: Connection) -> None:
@@ -69,10 +73,10 @@ def _compute(order: Order, connection: Connection) -> None:
     analysis = offered(order.analysis)
     if analysis.cost is not None:
         cost = analysis.cost(study, analysis.chosen(order.options))
-        connection.send(("cost", cost.sentence))
+        connection.send(("cost", order.number, cost.sentence))
 
     def progress(done: int, planned: int, what: str = "", /) -> None:
-        connection.send(("progress", (done, planned, what)))
+        connection.send(("progress", order.number, (done, planned, what)))
 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", HaptonicWarning)
@@ -81,9 +85,9 @@ def _compute(order: Order, connection: Connection) -> None:
     answer, view = answer_of(result)
     words = [str(each.message) for each in caught if issubclass(each.category, HaptonicWarning)]
     answer["remarks"] = list(dict.fromkeys([*answer["remarks"], *words]))
-    connection.send(("done", (answer, view)))
+    connection.send(("done", order.number, (answer, view)))
     for picture in pictures_of(result):
-        connection.send(("picture", picture))
+        connection.send(("picture", order.number, picture))
         if connection.poll():  # the next order is more urgent than pictures of this one
             return
 
