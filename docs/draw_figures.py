@@ -148,8 +148,9 @@ def draw_pages() -> None:
 
 def draw_studio() -> None:
     """The studio with the touchpad's study and its bands, drawn by a browser."""
-    from browser import chromium, page_at  # of the tests
     from served import served
+
+    from browser import chromium, page_at  # of the tests
 
     with TemporaryDirectory() as folder, chromium() as browser:
         (Path(folder) / TOUCHPAD.name).write_text(TOUCHPAD.read_text("utf-8"), "utf-8")

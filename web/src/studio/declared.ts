@@ -28,7 +28,7 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
 /** The value of the file for a typed text; null for none. The server refuses what is not allowed. */
 export function parsed(key: Key, typed: string): Value | null {
-  const text = typed.trim();
+  const text = typed.trim().replace(/^"([^"]*)"$/, "$1"); // the quotes of the file are not needed here
   if (text === "") return null;
   switch (key.kind) {
     case "integer":
