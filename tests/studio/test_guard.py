@@ -112,7 +112,7 @@ def test_a_large_message_ends_the_websocket(studio):
         live.recv()
         live.send("x" * (LARGEST_MESSAGE + 1))
         with pytest.raises(ConnectionClosed):
-            list(live)
+            live.recv(timeout=20)
 
 
 def test_messages_are_not_compressed(studio):
@@ -133,13 +133,10 @@ def test_pages_may_run_their_own_program_only(studio):
 
 
 def test_the_server_listens_on_this_machine_only(studio):
-    others = {entry[4][0] for entry in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)} - {
-        "127.0.0.1"
-    }
-    for address in others:
-        with socket.socket() as other:
-            other.settimeout(2)
-            assert other.connect_ex((address, studio.port)) != 0
+    # a server of all addresses would answer at the second address of the loopback device as well
+    with socket.socket() as other:
+        other.settimeout(2)
+        assert other.connect_ex(("127.0.0.2", studio.port)) != 0
     sources = [path.read_text("utf-8") for path in Path(__file__).parents[2].glob("src/haptonic/studio/*.py")]
     assert not any(word in text for text in sources for word in ("0.0.0.0", "eval(", "shell=True", "pickle"))
 
