@@ -1,8 +1,8 @@
 """Draw the pictures of these pages that no page computes itself: `python docs/draw_figures.py [NAME ...]`.
 
-Names are `badges`, `mesh`, `convergence`, `maps` and `pages`; without one all are drawn. `maps` and `pages`
-compute the plate of the prototype, which takes about two minutes. `pages` needs Chromium, and the tests in
-PYTHONPATH. The others take seconds.
+Names are `badges`, `mesh`, `convergence`, `maps`, `pages` and `studio`; without one all are drawn. `maps` and
+`pages` compute the plate of the prototype, which takes about two minutes. `pages` and `studio` need Chromium,
+and `tests` and `tests/studio` in PYTHONPATH. The others take seconds.
 """
 
 from __future__ import annotations
@@ -146,6 +146,23 @@ def draw_pages() -> None:
                 page.locator(".pair").screenshot(path=IMAGES / f"{name}-page.png")
 
 
+def draw_studio() -> None:
+    """The studio with the touchpad's study and its bands, drawn by a browser."""
+    from served import served
+
+    from browser import chromium, page_at  # of the tests
+
+    with TemporaryDirectory() as folder, chromium() as browser:
+        (Path(folder) / TOUCHPAD.name).write_text(TOUCHPAD.read_text("utf-8"), "utf-8")
+        with (
+            served(Path(folder), TOUCHPAD.name, admit=False) as studio,
+            page_at(browser, studio.link, 1440, reduced_motion="reduce") as page,
+        ):
+            page.get_by_role("button", name="Compute bands").click()
+            page.wait_for_selector("canvas[data-shown]", timeout=120_000)
+            page.screenshot(path=IMAGES / "studio.png", full_page=True)
+
+
 def draw_badges() -> None:
     """Python versions, licence and state of the project, from pyproject.toml."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
@@ -172,7 +189,7 @@ def draw_badges() -> None:
 
 DRAWN: dict[str, Callable[[], None]] = {
     "badges": draw_badges, "mesh": draw_mesh, "convergence": draw_convergence, "maps": draw_maps,
-    "pages": draw_pages,
+    "pages": draw_pages, "studio": draw_studio,
 }  # fmt: skip
 
 if __name__ == "__main__":

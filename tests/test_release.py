@@ -27,7 +27,7 @@ ROOT = Path(__file__).parents[1]
 SOURCE = Path(haptonic.__file__).parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
-BY_NAME = {"h5netcdf"}  # xarray's engine, which is chosen by its name
+BY_NAME = {"h5netcdf", "websockets"}  # xarray's engine and uvicorn's protocol, chosen by their names
 AS_CONDA = {"matplotlib-base": "matplotlib"}  # without the windows that nobody opens
 
 

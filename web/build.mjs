@@ -9,7 +9,7 @@ const out = process.argv[2] ?? join(here, "../src/haptonic/views/bundle");
 
 const { metafile } = await build({
   absWorkingDir: here, // names of modules in the output do not depend on the place of the project
-  entryPoints: { sent: "src/sent.tsx" },
+  entryPoints: { sent: "src/sent.tsx", studio: "src/studio.tsx" },
   outdir: out,
   bundle: true,
   minify: true,

@@ -32,7 +32,7 @@ from haptonic.later import xarray as xr
 from haptonic.paths import target
 
 # parts of the package that show or compare results without computing them
-SHOWING = frozenset({"cli", "plots", "report", "verification", "views", "workshop"})
+SHOWING = frozenset({"cli", "plots", "report", "studio", "verification", "views", "workshop"})
 
 DIGEST_BYTES = hashlib.sha256().digest_size
 

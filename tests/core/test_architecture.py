@@ -87,7 +87,9 @@ ALLOWED: dict[str, set[str]] = {
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},
     "verification": {"arrays", "atomic", "errors", "plots", "results", "store", "study", "units"},
-    "cli": CORE | {"analyses", "atomic", "results", "store", "study", "verification", "__init__"},
+    "studio": BASE
+    | {"analyses", "atomic", "description", "pages", "plots", "results", "study", "views", "__init__"},
+    "cli": CORE | {"analyses", "atomic", "results", "store", "studio", "study", "verification", "__init__"},
 }
 TOP = {"__init__", "__main__"}
 ROOMS = {"plate": ("layout", "body", "vibration")}  # folders of a part; each may import those before it

@@ -21,7 +21,8 @@ export function show(data: Dataset, element: HTMLElement): () => void {
   return () => render(null, element);
 }
 
-function addStyle(): void {
+/** Add the style of the views to the page, once. */
+export function addStyle(): void {
   if (document.getElementById("haptonic-style") !== null) return;
   const sheet = document.createElement("style");
   sheet.id = "haptonic-style";

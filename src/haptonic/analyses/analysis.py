@@ -49,6 +49,7 @@ class Analysis:
     folder : ending of the name of its folder; by default the name of the analysis
     writes : True if the result consists of files only, which always need a folder
     watches : True if it is fast enough to be repeated whenever the study is saved
+    interactive : name of the option that adds the data of the interactive view; empty without one
     """
 
     name: str
@@ -67,6 +68,7 @@ class Analysis:
     folder: str = ""
     writes: bool = False
     watches: bool = False
+    interactive: str = ""
 
     @property
     def method(self) -> str:

@@ -120,4 +120,5 @@ ANALYSIS = Analysis(
     check=check,
     reported=lambda study: BandsOptions(surface=True),
     options=BandsOptions,
+    interactive="html",
 )

@@ -174,4 +174,5 @@ ANALYSIS = Analysis(
     options=PlateOptions,
     check=check,
     doing="shifts",
+    interactive="html",
 )

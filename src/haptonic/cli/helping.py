@@ -16,7 +16,7 @@ from haptonic.cli import commands
 GROUPS = {"simulate": "Simulate a measurement whose truth is known."}  # first word of names with two words
 # first words of the commands, in the order of the help
 PANELS = {
-    "Start": ("new", "plan", "bands", "reproduce"),
+    "Start": ("new", "studio", "plan", "bands", "reproduce"),
     "Design": ("design", "sweep", "tolerance", "layers", "waveguide", "ribbon", "compare"),
     "Plate": ("plate", "feel", "export"),
     "Measurements": ("chirp", "scan", "verdict", "protocol", "friction", "simulate"),

@@ -40,6 +40,24 @@ def refusal(
     family : class of the error
     names : fields of positional arguments, in order
     """
+    first, *others = problems_of(error, kind, place=place, names=names)
+    next_step = first.next_step
+    if others:
+        lines = [
+            f"    {other.argument}: got {other.given}; {other.cause}; {other.next_step}" for other in others
+        ]
+        hidden = len(lines) - MOST_LISTED
+        lines = lines[:MOST_LISTED] + ([f"    and {hidden} more"] if hidden > 0 else [])
+        count = f"{len(others)} other problem{'s' if len(others) > 1 else ''}"
+        next_step = "\n".join([f"{next_step}\n  {count} in the same study:", *lines])
+    argument = f"{origin}: {first.argument}" if origin else first.argument
+    return first.changed(family, argument=argument, next_step=next_step)
+
+
+def problems_of(
+    error: ValidationError, kind: type, *, place: str = "", names: Sequence[str] = ()
+) -> list[StudyError]:
+    """Each problem of a value as an error of its own, likely causes of others first; see `refusal`."""
     keys = table(kind, f"{place}." if place else "")
     known_aliases = aliases(kind, f"{place}." if place else "")
     details: list[Any] = [dict(each) for each in error.errors(include_url=False)]
@@ -55,18 +73,7 @@ def refusal(
     details = [each for each in details if _left_out(each) not in slips]
     details = [each for each in details if each["type"] != FOLLOWING] or details
     details.sort(key=lambda each: each["type"] not in UNKNOWN)  # a slip in a name explains later errors
-    first, *others = (_in_parts(each, keys, known_aliases) for each in details)
-    next_step = first.next_step
-    if others:
-        lines = [
-            f"    {other.argument}: got {other.given}; {other.cause}; {other.next_step}" for other in others
-        ]
-        hidden = len(lines) - MOST_LISTED
-        lines = lines[:MOST_LISTED] + ([f"    and {hidden} more"] if hidden > 0 else [])
-        count = f"{len(others)} other problem{'s' if len(others) > 1 else ''}"
-        next_step = "\n".join([f"{next_step}\n  {count} in the same study:", *lines])
-    argument = f"{origin}: {first.argument}" if origin else first.argument
-    return first.changed(family, argument=argument, next_step=next_step)
+    return [_in_parts(each, keys, known_aliases) for each in details]
 
 
 def _in_parts(details: Any, keys: Mapping[str, Key], known_aliases: Mapping[str, Alias]) -> StudyError:

@@ -7,10 +7,11 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
+from haptonic.errors import StudyError
 from haptonic.fields.expressions import PARAMETERS, scoped
 from haptonic.fields.keys import is_described, slots
 from haptonic.fields.placing import Placed
-from haptonic.fields.problems import MISPLACED, refusal
+from haptonic.fields.problems import MISPLACED, problems_of, refusal
 from haptonic.fields.quantity import FROM_FILE
 
 T = TypeVar("T")
@@ -29,14 +30,27 @@ def read(kind: type[T], tables: Mapping[str, Any], origin: str = "") -> T:
     """
     value: Any = kind
     try:
-        given = arranged(kind, tables)
-        given = scoped(given) if has_parameters(kind) else given
-        result: T = value.__pydantic_validator__.validate_python(given, context=FROM_FILE)
+        result: T = value.__pydantic_validator__.validate_python(_given(kind, tables), context=FROM_FILE)
     except ValidationError as error:
         refused = refusal(error, kind, origin=origin)
     else:
         return result
     raise refused  # outside of the except clause, so that the file is not pickled as its context
+
+
+def read_listing(kind: type[T], tables: Mapping[str, Any]) -> tuple[T | None, list[StudyError]]:
+    """The described value of the tables of a file, or else each of their problems as an error of its own."""
+    value: Any = kind
+    try:
+        return value.__pydantic_validator__.validate_python(_given(kind, tables), context=FROM_FILE), []
+    except ValidationError as error:
+        return None, problems_of(error, kind)
+
+
+def _given(kind: type, tables: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables in the shape of a described class; numbers of a study know its named parameters."""
+    given = arranged(kind, tables)
+    return scoped(given) if has_parameters(kind) else given
 
 
 def has_parameters(kind: type) -> bool:

@@ -283,10 +283,14 @@ class Bands(Result):
 
     @file("bands.html", when=_moving)
     def _write_page(self, path: Path) -> None:
-        path.write_text(sent_page(self._view()), "utf-8")
+        view = self.view()
+        assert view is not None, "a page without moving modes"
+        path.write_text(sent_page(view), "utf-8")
 
-    def _view(self) -> InteractiveView:
-        """Interactive view of the diagram and its modes."""
+    def view(self) -> InteractiveView | None:
+        """Interactive view of the diagram and its modes; None if the modes were not computed."""
+        if not _moving(self):
+            return None
         top = plots.shown_up_to(self.dataset, self.dataset.attrs.get("carrier_hz"))
         return InteractiveView(
             kind="bands",

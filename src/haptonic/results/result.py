@@ -29,6 +29,7 @@ from haptonic.results.common import Writer, accuracy_remarks, refuse_taken, writ
 from haptonic.results.pictures import write_pictures
 from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
+from haptonic.views import InteractiveView
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -149,6 +150,10 @@ class Result:
         @property
         def dataset(self) -> xr.Dataset:
             """The whole answer: labelled arrays with units, stamped with their inputs."""
+
+    def view(self) -> InteractiveView | None:
+        """Contents of the interactive view; None for a result that has none."""
+        return None
 
     def summary(self) -> list[str]:
         """The answer in sentences, the most important first."""

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from haptonic.errors import HaptonicWarning, StudyError, nearest, shown
 from haptonic.fields import read, table
+from haptonic.fields.reading import read_listing
 from haptonic.paths import source
 from haptonic.study.schema import Description
 from haptonic.study.template import ENDING
@@ -42,7 +43,7 @@ def load_as(path: str | Path, kind: type[S]) -> S:
     HaptonicWarning : a value outside its typical range
     """
     checked = source(path, "study", StudyError)
-    return loads_as(_read(checked), kind, str(path), checked.parent)
+    return loads_as(text_of(checked), kind, str(path), checked.parent)
 
 
 def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | None = None) -> S:
@@ -54,6 +55,41 @@ def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | Non
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
+
+
+def examined(
+    text: str, kind: type[S], folder: Path, origin: str = "study"
+) -> tuple[S | None, dict[str, Any], list[StudyError]]:
+    """The study of a text, its tables as plain values, and each problem as an error of its own.
+
+    The study is None if there is a problem; without tables the text is not TOML. A CAD file has to be in
+    ``folder``, because the text may come from somebody else.
+    """
+    try:
+        data = _parsed(text, origin)
+    except StudyError as error:
+        return None, {}, [error]
+    placed = _placed(_parsed(text, origin), folder)
+    if outside := _outside(data, placed, folder):
+        return None, data, [outside]
+    study, problems = read_listing(kind, placed)
+    return study, data, problems
+
+
+def _outside(data: dict[str, Any], placed: dict[str, Any], folder: Path) -> StudyError | None:
+    """Error for a CAD file outside of the folder of studies; None if there is none."""
+    cell = placed.get("cell")
+    solid = cell.get("solid") if isinstance(cell, dict) else None
+    file = solid.get("file") if isinstance(solid, dict) else None
+    if not isinstance(file, str) or Path(file).resolve().is_relative_to(folder.resolve()):
+        return None
+    return StudyError.forbidden(
+        argument="cell.solid.file",
+        given=shown(data["cell"]["solid"]["file"], 200),
+        allowed="a file in the folder of the studies, or below it",
+        cause="the path leads out of the folder",
+        next_step="copy the file beside the study, and give its name",
+    )
 
 
 def _placed(data: dict[str, Any], folder: Path | None) -> dict[str, Any]:
@@ -72,14 +108,20 @@ def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | 
     ------
     StudyError : as `load_as`
     """
-    data = _parsed(_read(source(path, "study", StudyError)), str(path))
+    data = _parsed(text_of(source(path, "study", StudyError)), str(path))
     if not data.keys() <= table(TrialsFile).keys():
         study = load_as(path, kind)
         return study.trials, study
     return read(TrialsFile, data, str(path)).trials, None
 
 
-def _read(path: Path) -> str:
+def text_of(path: Path) -> str:
+    """Text of a study file.
+
+    Raises
+    ------
+    StudyError : the file cannot be read, or is not a text of a possible size
+    """
     try:
         with path.open("rb") as file:
             content = file.read(LARGEST_FILE + 1)

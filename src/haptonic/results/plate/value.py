@@ -29,7 +29,7 @@ from haptonic.results.plate.tables import carriers_table, lines_table, modes_tab
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
 from haptonic.units import hz_text
-from haptonic.views import sent_page
+from haptonic.views import InteractiveView, sent_page
 from haptonic.vtu import write_body
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for an arbitrary plate is known.
@@ -214,6 +214,10 @@ class PlateResult(Result):
     @file("plate.html", when=lambda result: result.interactive)
     def _write_page(self, path: Path) -> None:
         path.write_text(sent_page(plate_view(self)), "utf-8")
+
+    def view(self) -> InteractiveView | None:
+        """Interactive view of the response; None if it was not asked for."""
+        return plate_view(self) if self.interactive else None
 
     @file("carrier.webp")
     def _animate(self, path: Path) -> None:

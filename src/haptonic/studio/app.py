@@ -1,0 +1,273 @@
+"""Addresses of the studio: the page, its program, and what the program asks for."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from contextlib import asynccontextmanager, suppress
+from importlib.resources import files
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import JSONResponse, PlainTextResponse, Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from haptonic import __version__
+from haptonic.errors import HaptonicError, StudyError, shown
+from haptonic.gate import json_from
+from haptonic.pages import filled
+from haptonic.studio.checking import checked, described
+from haptonic.studio.editing import changed, lines_of
+from haptonic.studio.form import form
+from haptonic.studio.guard import TooLargeError
+from haptonic.studio.jobs import Job, Jobs
+from haptonic.studio.offers import chosen, offered, offers
+from haptonic.studio.worker import Order
+from haptonic.studio.workspace import Workspace
+from haptonic.study import templates
+
+PROGRAM = "studio.js"
+PICTURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+UNNAMED = "my.toml"  # name in commands for a study that is not saved yet
+Asked = dict[str, Any]
+
+
+class Studio:
+    """State of a running studio; each method below answers an address.
+
+    opened : name of the study with which the page begins; None for none
+    """
+
+    def __init__(self, workspace: Workspace, opened: str | None = None) -> None:
+        self.workspace, self.opened = workspace, opened
+        self.jobs = Jobs(self._tell)
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._listeners: set[asyncio.Event] = set()
+
+    def app(self) -> Starlette:
+        """The application without its guard."""
+        asking: dict[str, Callable[[Asked], Any]] = {
+            "check": self.check, "change": self.change, "open": self.open, "template": self.template,
+            "save": self.save, "run": self.run, "cancel": self.cancel,
+        }  # fmt: skip
+        return Starlette(
+            routes=[
+                Route("/", self.page),
+                Route(f"/{PROGRAM}", self.program),
+                Route("/api/start", _answering(lambda asked: self.start())),
+                *(
+                    Route(f"/api/{name}", _answering(answer), methods=["POST"])
+                    for name, answer in asking.items()
+                ),
+                Route("/api/jobs/{number:int}", self.job),
+                Route("/api/jobs/{number:int}/view", self.view),
+                Route("/api/jobs/{number:int}/pictures/{name}", self.picture),
+                WebSocketRoute("/api/live", self.live),
+            ],
+            lifespan=self._lifespan,
+        )
+
+    @asynccontextmanager
+    async def _lifespan(self, app: Starlette) -> Any:
+        self._loop = asyncio.get_running_loop()
+        yield
+        self._loop = None
+        self.jobs.close()
+
+    def _tell(self) -> None:
+        """Wake all pages; called from any thread."""
+        if self._loop is not None:
+            with suppress(RuntimeError):  # the server ended a moment ago
+                self._loop.call_soon_threadsafe(self._wake)
+
+    def _wake(self) -> None:
+        for listener in self._listeners:
+            listener.set()
+
+    async def page(self, request: Request) -> Response:
+        """The page, which contains nothing but its program."""
+        return Response(filled("studio.html"), media_type="text/html")
+
+    async def program(self, request: Request) -> Response:
+        """The program of the page."""
+        text = files("haptonic.views").joinpath("bundle", PROGRAM).read_bytes()
+        return Response(text, media_type="text/javascript")
+
+    def start(self) -> dict[str, Any]:
+        """Everything that the page needs to begin."""
+        return {
+            "version": __version__,
+            "folder": self.workspace.folder.name,
+            "form": form(),
+            "analyses": offers(),
+            "templates": {name: text.about for name, text in templates().items()},
+            "files": self.workspace.names(),
+            "opened": self.opened,
+        }
+
+    def check(self, asked: Asked) -> dict[str, Any]:
+        """State of a text."""
+        return checked(_text(asked), self.workspace.folder)
+
+    def change(self, asked: Asked) -> dict[str, Any]:
+        """The text with another value of one key, and its state."""
+        steps = asked.get("steps")
+        if not isinstance(steps, list) or not steps or not all(isinstance(step, str | int) for step in steps):
+            raise _unasked("steps", steps, "names of tables and keys, and numbers in lists")
+        text = changed(_text(asked), steps, asked.get("value"))
+        return {"text": text} | checked(text, self.workspace.folder)
+
+    def open(self, asked: Asked) -> dict[str, Any]:
+        """Text and state of a file."""
+        text = self.workspace.read(asked.get("name"))
+        return {"name": asked["name"], "text": text} | checked(text, self.workspace.folder)
+
+    def template(self, asked: Asked) -> dict[str, Any]:
+        """Text and state of a template."""
+        known, name = templates(), asked.get("name")
+        if not isinstance(name, str) or name not in known:
+            raise StudyError.unknown("template", shown(name), known, "no template has this name")
+        text = str(known[name])
+        return {"text": text} | checked(text, self.workspace.folder)
+
+    def save(self, asked: Asked) -> dict[str, Any]:
+        """Write a file, unless it was changed elsewhere since the page read or wrote it."""
+        text, name = _text(asked), asked.get("name")
+        try:
+            there: str | None = self.workspace.read(name)
+        except HaptonicError as error:
+            if error.code != "not-found":
+                raise
+            there = None
+        if there is not None and there not in (asked.get("known"), text):
+            raise StudyError.repeated(
+                argument="name of the file",
+                given=shown(name),
+                allowed="a new name, or a file that only this page has changed",
+                cause="a file of this name exists, or another program has changed it",
+                next_step="choose another name, or open the file first",
+            )
+        return {"name": self.workspace.write(name, text), "files": self.workspace.names()}
+
+    def run(self, asked: Asked) -> dict[str, Any]:
+        """Begin a job."""
+        analysis = offered(asked.get("analysis"))
+        file = asked.get("file")
+        options = chosen(analysis, asked.get("options"))
+        analysis.chosen(options)  # refuse a wrong option before a process is asked
+        order = Order(
+            number=0,  # given when the job begins
+            text=_text(asked),
+            folder=self.workspace.folder,
+            file=file if isinstance(file, str) and file in self.workspace.names() else UNNAMED,
+            analysis=analysis.name,
+            options=options,
+        )
+        return {"number": self.jobs.start(order).number}
+
+    def cancel(self, asked: Asked) -> dict[str, Any]:
+        """End a job."""
+        number = asked.get("number")
+        if not isinstance(number, int):
+            raise _unasked("number", number, "the number of a job")
+        self.jobs.cancel(number)
+        return {}
+
+    async def job(self, request: Request) -> Response:
+        """The answer of a job."""
+        job = self._job(request)
+        return _missing() if job is None else JSONResponse(job.whole())
+
+    async def view(self, request: Request) -> Response:
+        """The interactive view of a job, as `haptonic.views.packed` writes it."""
+        job = self._job(request)
+        if job is None or job.view is None:
+            return _missing()
+        return Response(job.view, media_type="application/octet-stream")
+
+    async def picture(self, request: Request) -> Response:
+        """A picture of a job."""
+        job = self._job(request)
+        content = None if job is None else job.pictures.get(request.path_params["name"])
+        if content is None:
+            return _missing()
+        headers = {"content-security-policy": PICTURE_POLICY}
+        return Response(content, media_type="image/svg+xml", headers=headers)
+
+    def _job(self, request: Request) -> Job | None:
+        return self.jobs.jobs.get(request.path_params["number"])
+
+    async def live(self, socket: WebSocket) -> None:
+        """Send the list of jobs now and after every change, until the page is closed."""
+        await socket.accept()
+        news = asyncio.Event()
+        news.set()
+        self._listeners.add(news)
+        closed = asyncio.create_task(_closed(socket, news))
+        try:
+            await run_in_threadpool(self.jobs.warm)
+            while not closed.done():
+                await news.wait()
+                news.clear()
+                if not closed.done():
+                    await socket.send_json({"jobs": [job.brief() for job in list(self.jobs.jobs.values())]})
+        except (WebSocketDisconnect, RuntimeError):  # closed while it was sent
+            pass
+        finally:
+            self._listeners.discard(news)
+            closed.cancel()
+
+
+async def _closed(socket: WebSocket, news: asyncio.Event) -> None:
+    """Wait until the page is closed; it sends nothing."""
+    with suppress(WebSocketDisconnect, RuntimeError):
+        while True:
+            await socket.receive_text()
+    news.set()
+
+
+def _answering(answer: Callable[[Asked], Any]) -> Callable[[Request], Awaitable[Response]]:
+    """Answer JSON by JSON, in a thread; an error has its five parts."""
+
+    async def answered(request: Request) -> Response:
+        try:
+            body = await request.body()
+        except TooLargeError:
+            return PlainTextResponse("The request is too large.", 413)
+        try:
+            asked = json_from(body.decode()) if body else {}
+        except ValueError:
+            return PlainTextResponse("The request is not JSON.", 400)
+        if not isinstance(asked, dict):
+            return PlainTextResponse("The request is not an object.", 400)
+        try:
+            return JSONResponse(await run_in_threadpool(answer, asked))
+        except HaptonicError as error:
+            lines = lines_of(asked["text"]) if isinstance(asked.get("text"), str) else {}
+            return JSONResponse({"error": described(error, lines)}, 422)
+
+    return answered
+
+
+def _text(asked: Asked) -> str:
+    text = asked.get("text")
+    if not isinstance(text, str):
+        raise _unasked("text", text, "the text of a study")
+    return text
+
+
+def _unasked(argument: str, given: object, allowed: str) -> StudyError:
+    return StudyError.malformed(
+        argument=argument,
+        given=shown(given),
+        allowed=allowed,
+        cause="the request is not that of the page",
+        next_step="load the page again",
+    )
+
+
+def _missing() -> Response:
+    return PlainTextResponse("There is no such job or picture.", 404)

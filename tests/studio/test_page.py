@@ -1,0 +1,239 @@
+"""The page of the studio in a real browser: form and text follow each other, and results appear."""
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+from served import Served, served
+
+from browser import WIDTHS, chromium, page_at, violations
+from haptonic.study import templates
+from quick import QUICK_CELL
+
+expect.set_options(timeout=30_000)
+STILL = {"reduced_motion": "reduce"}
+TEXT = "textarea[aria-label^='Text of the study']"
+CELL = str(templates()["bare-cell"])
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with chromium() as browser:
+        yield browser
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory) -> Iterator[Served]:
+    folder = tmp_path_factory.mktemp("page")
+    (folder / "cell.toml").write_text(CELL, "utf-8")
+    (folder / "quick.toml").write_text(QUICK_CELL, "utf-8")
+    with served(folder, "cell.toml") as running:
+        yield running
+
+
+def admitted(studio: Served) -> dict:
+    """State of a browser that was admitted."""
+    name, value = studio.cookie.split("=", 1)
+    cookie = {"name": name, "value": value, "domain": "127.0.0.1", "path": "/", "expires": -1}
+    return {"cookies": [cookie | {"httpOnly": True, "secure": False, "sameSite": "Strict"}]}
+
+
+@contextmanager
+def opened(browser: Browser, studio: Served, width: int = 1440, **context) -> Iterator[Page]:
+    """The page in a browser that was admitted, with the study in it."""
+    state = {"storage_state": admitted(studio), **STILL, **context}
+    with page_at(browser, f"{studio.origin}/", width, **state) as page:
+        expect(page.locator(TEXT)).to_have_value(re.compile("."))
+        yield page
+
+
+def text_of(page: Page) -> str:
+    return page.input_value(TEXT)
+
+
+def write(page: Page, label: str, value: str) -> None:
+    field = page.get_by_label(label, exact=True).first
+    field.fill(value)
+    field.press("Enter")
+
+
+def wait_for_text(page: Page, part: str) -> None:
+    expect(page.locator(TEXT)).to_have_value(re.compile(re.escape(part)))
+
+
+def test_the_link_opens_the_page(browser, tmp_path):
+    with served(tmp_path, admit=False) as fresh, page_at(browser, fresh.link) as page:
+        page.wait_for_selector(".form")
+        assert page.url == f"{fresh.origin}/"
+        assert page.get_by_text("Choose a template").is_visible()
+
+
+def test_the_text_follows_the_form_and_keeps_its_comments(browser, studio):
+    with opened(browser, studio) as page:
+        write(page, "Pitch with unit", "8 mm")
+        wait_for_text(page, 'pitch = "8 mm"')
+        before, after = CELL.splitlines(), text_of(page).splitlines()
+        assert [line for line in before if line not in after] == [
+            next(x for x in before if x.startswith("pitch"))
+        ]
+        page.get_by_role("button", name="Undo").click()
+        wait_for_text(page, 'pitch = "6 mm"')
+        assert text_of(page) == CELL
+        page.get_by_role("button", name="Redo").click()
+        wait_for_text(page, 'pitch = "8 mm"')
+        page.get_by_label("Lattice").select_option("triangular")
+        wait_for_text(page, 'lattice = "triangular"')
+        write(page, "Draft angle with unit", "3 deg")
+        wait_for_text(page, 'draft = "3 deg"')
+        write(page, "Draft angle with unit", "")
+        expect(page.locator(TEXT)).not_to_have_value(re.compile("draft"))
+
+
+def test_the_form_follows_the_text_also_by_the_keyboard(browser, studio):
+    with opened(browser, studio) as page:
+        page.fill(TEXT, CELL.replace('"6 mm"', '"9 mm"'))
+        expect(page.locator("[id='key-cell.pitch']")).to_have_value("9 mm")
+        page.focus(TEXT)
+        page.keyboard.press("Control+z")
+        expect(page.locator("[id='key-cell.pitch']")).to_have_value("6 mm")
+        page.keyboard.press("Control+Shift+z")
+        expect(page.locator("[id='key-cell.pitch']")).to_have_value("9 mm")
+
+
+def test_tables_are_added_and_removed(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_text("Further tables").click()
+        page.locator("summary", has_text="Sweeps").click()
+        page.get_by_role("button", name="Add to sweeps").click()
+        wait_for_text(page, "\n[[sweep]]\n")
+        page.locator("summary", has_text="Sweeps").click()
+        page.locator(".problems").get_by_text("sweep[1].vary").wait_for()
+        page.get_by_role("button", name="Remove sweeps 1").click()
+        expect(page.locator(TEXT)).not_to_have_value(re.compile(r"^\[\[sweep\]\]$", re.MULTILINE))
+
+
+def test_a_problem_is_shown_at_its_key_and_at_its_line(browser, studio):
+    with opened(browser, studio) as page:
+        write(page, "Pitch with unit", "8")
+        field = page.locator("[id='key-cell.pitch']")
+        page.wait_for_selector("[id='key-cell.pitch'][aria-invalid=true]")
+        assert "unit is missing" in page.locator("[id='key-cell.pitch-about']").inner_text()
+        line = next(k for k, text in enumerate(text_of(page).splitlines(), 1) if text.startswith("pitch"))
+        assert page.locator(".editor ol .wrong").inner_text() == str(line)
+        problem = page.locator(".problems")
+        for part in ("allowed", "likely cause", "next step", "got '8'"):
+            assert part in problem.inner_text()
+        page.get_by_role("button", name=re.compile(rf"^line {line}, cell.pitch")).click()
+        selected = page.eval_on_selector(TEXT, "a => a.value.slice(a.selectionStart, a.selectionEnd)")
+        assert selected.startswith('pitch = "8"')
+        assert page.get_by_role("button", name="Compute bands").is_disabled()
+        field.fill("8 mm")
+        field.press("Enter")
+        page.get_by_text("The study has no problem.").wait_for()
+
+
+def test_a_mistake_in_the_syntax_leaves_the_form_as_it_was(browser, studio):
+    with opened(browser, studio) as page:
+        page.fill(TEXT, CELL.replace('"6 mm"', "6 mm"))
+        page.get_by_text("mistake in its syntax").wait_for()
+        assert page.locator("[id='key-cell.pitch']").is_disabled()
+        assert page.locator("[id='key-cell.pitch']").input_value() == "6 mm"
+
+
+def test_a_study_is_made_from_a_template_saved_and_opened(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_label("New, from a template").select_option("mirror")
+        wait_for_text(page, str(templates()["mirror"])[:60])
+        page.get_by_label("File name").fill("mine")
+        page.get_by_role("button", name="Save").click()
+        page.get_by_text("saved", exact=True).wait_for()
+        path = studio.studio.workspace.folder / "mine.toml"
+        assert path.read_text("utf-8") == str(templates()["mirror"])
+        page.get_by_label(re.compile("^Open, in")).select_option("cell.toml")
+        wait_for_text(page, CELL[:60])
+
+
+def test_a_refused_name_is_explained(browser, studio):
+    # the browser reports the refusal on its console, which `page_at` would take for a fault
+    context = browser.new_context(storage_state=admitted(studio))
+    page = context.new_page()
+    page.goto(f"{studio.origin}/")
+    page.get_by_label("File name").fill("../outside")
+    page.get_by_role("button", name="Save").click()
+    page.get_by_role("alert").get_by_text("next step").wait_for()
+    context.close()
+    assert not (studio.studio.workspace.folder.parent / "outside.toml").exists()
+
+
+def test_a_hostile_title_is_text(browser, studio):
+    with opened(browser, studio) as page:
+        page.evaluate("window.harmed = false")
+        title = "<img src=x onerror='harmed = true'><script>harmed = true</script>"
+        page.fill(TEXT, CELL.replace('"My cell"', f'"{title}"'))
+        expect(page.locator("#key-title")).to_have_value(re.compile("^<img"))
+        page.get_by_label("Analysis").select_option("plan")
+        page.get_by_role("button", name="Compute plan").click()
+        page.locator(".result").get_by_text("onerror").first.wait_for(timeout=60_000)
+        assert page.evaluate("window.harmed") is False
+
+
+def test_bands_are_computed_shown_and_marked_when_the_study_has_changed(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_label(re.compile("^Open, in")).select_option("quick.toml")
+        wait_for_text(page, "Quick")
+        page.get_by_role("button", name="Compute bands").click()
+        page.wait_for_selector("canvas[data-shown]", timeout=120_000)
+        assert page.get_by_text("haptonic bands quick.toml --html").is_visible()
+        assert page.get_by_text('haptonic.load("quick.toml").bands(html=True)').is_visible()
+        pitch = text_of(page)
+        write(page, "Pitch with unit", "7.1 mm")
+        page.get_by_text("belongs to another version").wait_for()
+        page.get_by_role("button", name="Show that version").click()
+        wait_for_text(page, 'pitch = "7 mm"')
+        assert text_of(page) == pitch
+        page.get_by_text("belongs to another version").wait_for(state="detached")
+        page.locator("summary", has_text="Pictures").click()
+        page.locator(".pictures img").first.scroll_into_view_if_needed()
+        expect(page.locator(".pictures img").first).to_have_js_property("complete", True)
+        assert page.eval_on_selector(".pictures img", "image => image.naturalWidth") > 100
+
+
+def test_another_page_finds_the_result_of_one_that_was_closed(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_label("Analysis").select_option("plan")
+        page.get_by_role("button", name="Compute plan").click()
+        page.get_by_role("button", name="Cancel").or_(page.locator(".result")).first.wait_for()
+    with opened(browser, studio) as page:
+        page.locator(".result").get_by_text("haptonic plan cell.toml").wait_for(timeout=60_000)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_the_page_is_accessible_and_fits_every_width(browser, studio, scheme):
+    number = studio.post("run", analysis="plan", options={}, text=CELL, file="cell.toml").json["number"]
+    studio.finished(number)
+    with opened(browser, studio, color_scheme=scheme) as page:
+        write(page, "Pitch with unit", "8")
+        page.wait_for_selector("[aria-invalid=true]")
+        page.locator(".result table").first.wait_for()
+        assert violations(page) == []
+        for width, height in WIDTHS.items():
+            page.set_viewport_size({"width": width, "height": height})
+            assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_every_control_is_reached_by_the_keyboard_and_shows_its_focus(browser, studio):
+    with opened(browser, studio) as page:
+        seen = set()
+        for _ in range(60):
+            page.keyboard.press("Tab")
+            about = page.evaluate(
+                "() => { const e = document.activeElement, s = getComputedStyle(e);"
+                " return [e.id || e.textContent.slice(0, 20), s.outlineStyle, e.tagName] }"
+            )
+            if about[2] == "BODY":
+                break
+            assert about[1] != "none", about
+            seen.add(about[0])
+        assert {"key-cell.pitch", "Compute bands", "Undo"} & seen >= {"key-cell.pitch", "Compute bands"}

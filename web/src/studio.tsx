@@ -1,0 +1,74 @@
+/** Entry of the studio. */
+
+import { render } from "preact";
+import { Result } from "./studio/answer";
+import { Compute } from "./studio/compute";
+import { treeOf } from "./studio/declared";
+import { Editor } from "./studio/editor";
+import { Bar } from "./studio/files";
+import { Form } from "./studio/form";
+import { follow, lost } from "./studio/jobs";
+import { server, type Start } from "./studio/server";
+import { attempt, files, openFile, unsaved } from "./studio/study";
+import style from "./studio/studio.css";
+import { addStyle } from "./views";
+
+function Page({ start }: { start: Start }) {
+  const tree = treeOf(start.form);
+  return (
+    <>
+      <Bar start={start} />
+      <Lost />
+      <main>
+        <div class="workbench">
+          <section aria-label="Form">
+            <Form tree={tree} />
+          </section>
+          <section aria-label="Text and analyses">
+            <Editor />
+            <Compute analyses={start.analyses} />
+          </section>
+        </div>
+        <Result />
+      </main>
+      <footer>
+        <p>haptonic {start.version}</p>
+      </footer>
+    </>
+  );
+}
+
+function Lost() {
+  if (!lost.value) return null;
+  return (
+    <p class="notice" role="alert">
+      The server of the studio does not answer. If it has ended, run <code>haptonic studio</code> again and open its
+      new link; copy a text that is not saved first.
+    </p>
+  );
+}
+
+async function begin(): Promise<void> {
+  addStyle();
+  const sheet = document.createElement("style");
+  sheet.textContent = style;
+  document.head.append(sheet);
+  const place = document.getElementById("studio");
+  if (place === null) throw new Error("the page has no place for the studio");
+  await attempt(async () => {
+    const start = await server.start();
+    files.value = start.files;
+    render(<Page start={start} />, place);
+    if (start.opened !== null) await openFile(start.opened);
+    follow();
+  });
+  addEventListener("beforeunload", (event) => {
+    if (unsaved.peek()) event.preventDefault();
+  });
+}
+
+begin().catch((reason: unknown) => {
+  const words = document.createElement("p");
+  words.textContent = `The studio cannot be shown: ${reason instanceof Error ? reason.message : String(reason)}`;
+  document.body.replaceChildren(words);
+});

@@ -1,0 +1,161 @@
+/** The answer of a job: the interactive view or sentences, then tables, remarks and pictures. */
+
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Dataset } from "../dataset";
+import { show } from "../views";
+import { Parts } from "./editor";
+import { jobs, whole } from "./jobs";
+import { server, type Answer, type ResultTable, type WholeJob } from "./server";
+import { setText, text } from "./study";
+
+export function Result() {
+  const job = whole.value;
+  if (job === null) return null;
+  return (
+    <section class="result" aria-label={`Result of ${job.analysis}`}>
+      {job.text !== text.value && (
+        <p class="notice">
+          This result belongs to another version of the study.{" "}
+          <button type="button" onClick={() => setText(job.text)}>
+            Show that version
+          </button>
+        </p>
+      )}
+      {job.state === "cancelled" && <p>The computation of {job.analysis} was cancelled.</p>}
+      {job.error !== null && (
+        <>
+          <h2>No result of {job.analysis}</h2>
+          <Parts problem={{ ...job.error, path: job.error.argument, line: null }} />
+        </>
+      )}
+      {job.answer !== null && <Shown key={job.number} job={job} answer={job.answer} />}
+    </section>
+  );
+}
+
+function Shown({ job, answer }: { job: WholeJob; answer: Answer }) {
+  return (
+    <>
+      {job.view ? <View number={job.number} /> : <Words answer={answer} />}
+      {answer.remarks.map((remark) => (
+        <p class="doubt">{remark}</p>
+      ))}
+      <dl class="repeat">
+        <dt>The same as a command</dt>
+        <dd>
+          <code>{job.command}</code>
+        </dd>
+        <dt>in Python</dt>
+        <dd>
+          <code>{job.python}</code>
+        </dd>
+      </dl>
+      {answer.tables.length > 0 && (
+        <details class="section" open={!job.view}>
+          <summary>Tables</summary>
+          {answer.tables.map((table) => (
+            <TableOf table={table} />
+          ))}
+        </details>
+      )}
+      <Pictures job={job} answer={answer} />
+    </>
+  );
+}
+
+function Words({ answer }: { answer: Answer }) {
+  return (
+    <header>
+      <h2>{answer.title}</h2>
+      <p class="origin">{answer.origin}</p>
+      {answer.summary.map((sentence) => (
+        <p>{sentence}</p>
+      ))}
+    </header>
+  );
+}
+
+/** The interactive view; other parts of the page do not draw it anew. */
+function View({ number }: { number: number }) {
+  const place = useRef<HTMLDivElement>(null);
+  const [problem, setProblem] = useState("");
+  useEffect(() => {
+    let remove = () => {};
+    let left = false;
+    server.view(number).then(
+      (content) => {
+        if (!left && place.current !== null) remove = show(Dataset.read(content), place.current);
+      },
+      () => setProblem("The view cannot be loaded: the server does not answer."),
+    );
+    return () => {
+      left = true;
+      remove();
+    };
+  }, [number]);
+  return (
+    <>
+      {problem && <p role="alert">{problem}</p>}
+      <div ref={place} />
+    </>
+  );
+}
+
+function TableOf({ table }: { table: ResultTable }) {
+  const missing = table.count - table.rows.length;
+  return (
+    <div class="wide" tabIndex={0} role="group" aria-label={table.title}>
+      <table>
+        <caption>{table.title}</caption>
+        <thead>
+          <tr>
+            {table.head.map((head) => (
+              <th scope="col">{head}</th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {table.rows.length === 0 && (
+            <tr>
+              <td colSpan={table.head.length}>none</td>
+            </tr>
+          )}
+          {table.rows.map((row, number) => (
+            <tr class={table.strong.includes(number) ? "strong" : ""}>
+              {row.map((cell, column) => (
+                <td class={table.numeric[column] ? "number" : ""}>{cell}</td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {missing > 0 && <p class="quiet">and {missing} more rows, in the files of the command</p>}
+    </div>
+  );
+}
+
+function Pictures({ job, answer }: { job: WholeJob; answer: Answer }) {
+  const brief = jobs.value.find(({ number }) => number === job.number) ?? job;
+  if (answer.pictures.length === 0) return null;
+  const drawn = answer.pictures.filter(({ name }) => brief.pictures.includes(name));
+  return (
+    <details class="section" open={!job.view}>
+      <summary>Pictures</summary>
+      <div class="pictures">
+        {drawn.map(({ name, caption }) => (
+          <figure key={name}>
+            <img src={server.picture(job.number, name)} alt={caption || name} loading="lazy" />
+            <figcaption>{caption}</figcaption>
+          </figure>
+        ))}
+      </div>
+      {drawn.length < answer.pictures.length && (
+        <p class="quiet">
+          {brief.drawn
+            ? `${answer.pictures.length - drawn.length} pictures were left out, because another computation began.`
+            : "Pictures are drawn."}
+        </p>
+      )}
+    </details>
+  );
+}

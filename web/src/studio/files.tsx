@@ -1,0 +1,98 @@
+/** The bar at the top: templates, files of the folder, saving, undo and redo. */
+
+import { useState } from "preact/hooks";
+import type { Start } from "./server";
+import { canRedo, canUndo, file, files, notice, openFile, openTemplate, redo, save, undo, unsaved } from "./study";
+import { Parts } from "./editor";
+
+const ENDING = ".toml";
+
+export function Bar({ start }: { start: Start }) {
+  const [name, setName] = useState<string | null>(null);
+  const target = name ?? file.value ?? "";
+  const sure = () => !unsaved.peek() || confirm("The study has changes that are not saved. Leave them? Undo brings them back.");
+  return (
+    <header class="bar">
+      <h1>haptonic studio</h1>
+      <div class="row">
+        <label>
+          New, from a template
+          <select
+            value=""
+            onChange={(event) => {
+              const chosen = event.currentTarget.value;
+              event.currentTarget.value = "";
+              setName(null);
+              if (chosen && sure()) void openTemplate(chosen);
+            }}
+          >
+            <option value="">choose</option>
+            {Object.entries(start.templates).map(([template, about]) => (
+              <option value={template} title={about}>
+                {template}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label>
+          Open, in {start.folder}
+          <select
+            value={file.value ?? ""}
+            onChange={(event) => {
+              const chosen = event.currentTarget.value;
+              event.currentTarget.value = file.peek() ?? "";
+              setName(null);
+              if (chosen && sure()) void openFile(chosen);
+            }}
+          >
+            <option value="">{files.value.length > 0 ? "choose" : "no study yet"}</option>
+            {files.value.map((each) => (
+              <option>{each}</option>
+            ))}
+          </select>
+        </label>
+        <form
+          class="row"
+          onSubmit={(event) => {
+            event.preventDefault();
+            const wanted = target.trim();
+            if (wanted === "") return;
+            void save(wanted.endsWith(ENDING) ? wanted : `${wanted}${ENDING}`);
+            setName(null);
+          }}
+        >
+          <label>
+            File name
+            <input
+              value={target}
+              placeholder={`my${ENDING}`}
+              spellcheck={false}
+              autocomplete="off"
+              onInput={(event) => setName(event.currentTarget.value)}
+            />
+          </label>
+          <button type="submit" disabled={target.trim() === ""}>
+            Save
+          </button>
+        </form>
+        <button type="button" disabled={!canUndo.value} onClick={undo}>
+          Undo
+        </button>
+        <button type="button" disabled={!canRedo.value} onClick={redo}>
+          Redo
+        </button>
+        <span class="quiet" role="status">
+          {unsaved.value ? "not saved" : file.value === null ? "" : "saved"}
+        </span>
+      </div>
+      {notice.value !== null && (
+        <div class="notice" role="alert">
+          {typeof notice.value === "string" ? <p>{notice.value}</p> : <Parts problem={notice.value} />}
+          <button type="button" class="minor" onClick={() => (notice.value = null)}>
+            Close
+          </button>
+        </div>
+      )}
+    </header>
+  );
+}

@@ -1,0 +1,47 @@
+/** Jobs of the server, as all pages of this studio see them. */
+
+import { effect, signal } from "@preact/signals";
+import { followJobs, server, type Job, type WholeJob } from "./server";
+import { attempt, file, text } from "./study";
+
+export const jobs = signal<Job[]>([]);
+export const lost = signal(false); // the server does not answer
+export const shown = signal<number | null>(null); // number of the job whose answer is on the page
+export const whole = signal<WholeJob | null>(null);
+const heard = signal(0); // time of the last list
+
+export const running = () => jobs.value.find((job) => job.state === "running");
+
+/** Seconds that a running job has taken until `now`. */
+export const elapsed = (job: Job, now: number) => job.seconds + Math.max(0, now - heard.value) / 1000;
+
+export function follow(): void {
+  followJobs(
+    (list) => {
+      const newest = list.at(-1);
+      // the answer of a job that ends is shown in the page that waits for it, and in a page without an answer
+      if (newest && shown.peek() === null) shown.value = newest.number;
+      heard.value = performance.now();
+      jobs.value = list;
+    },
+    (gone) => (lost.value = gone),
+  );
+  effect(() => {
+    const job = jobs.value.find((each) => each.number === shown.value);
+    if (job === undefined || job.state === "running") return; // until then the result before stays
+    const known = whole.peek();
+    if (known?.number === job.number && known.state === job.state) return;
+    void attempt(async () => {
+      const answer = await server.job(job.number);
+      if (shown.peek() === answer.number) whole.value = answer;
+    });
+  });
+}
+
+export const compute = (analysis: string, options: object) =>
+  attempt(async () => {
+    const { number } = await server.run(analysis, options, text.peek(), file.peek());
+    shown.value = number;
+  });
+
+export const cancel = (number: number) => attempt(async () => void (await server.cancel(number)));

@@ -1,0 +1,178 @@
+/** What the page asks the server for, with the types of the answers. */
+
+export type Value = string | number | boolean | Value[] | Tables;
+export interface Tables {
+  [key: string]: Value;
+}
+export type Step = string | number;
+
+/** Declaration of a key of the study, as `haptonic.studio.form` gives it. */
+export interface Key {
+  path: string;
+  title: string;
+  kind:
+    | "quantity" | "number" | "integer" | "boolean" | "text" | "choice" | "table" | "tables" | "quantities"
+    | "entries";
+  unit: string;
+  default: string;
+  required: boolean;
+  bounds: string;
+  typical: string;
+  help: string;
+  names: string[];
+  closed: boolean;
+  numbers: string[];
+  count: number;
+  example: string;
+}
+
+export interface Option {
+  name: string;
+  form: "bool" | "int" | "float" | "str" | "text" | "choice";
+  unit: string;
+  help: string;
+  choices: string[];
+  default: string | number | boolean | null;
+}
+
+export interface Analysis {
+  name: string;
+  help: string;
+  interactive: boolean; // its result has an interactive view
+  options: Option[];
+}
+
+export interface Start {
+  version: string;
+  folder: string;
+  form: Key[];
+  analyses: Analysis[];
+  templates: Record<string, string>;
+  files: string[];
+  opened: string | null;
+}
+
+/** An error in its five parts, with the path and the line of its key. */
+export interface Problem {
+  code: string;
+  argument: string;
+  given: string;
+  allowed: string;
+  cause: string;
+  next_step: string;
+  path: string;
+  line: number | null;
+}
+
+export interface Remark {
+  path: string;
+  text: string;
+  line: number | null;
+}
+
+export interface Checked {
+  values: Tables | null;
+  problems: Problem[];
+  remarks: Remark[];
+}
+
+export interface Job {
+  number: number;
+  analysis: string;
+  file: string;
+  state: "running" | "done" | "failed" | "cancelled";
+  cost: string;
+  progress: [number, number, string];
+  seconds: number;
+  pictures: string[];
+  drawn: boolean;
+}
+
+export interface ResultTable {
+  title: string;
+  head: string[];
+  rows: string[][];
+  count: number;
+  numeric: boolean[];
+  strong: number[];
+}
+
+export interface Answer {
+  title: string;
+  origin: string;
+  summary: string[];
+  tables: ResultTable[];
+  remarks: string[];
+  pictures: { name: string; caption: string }[];
+}
+
+export interface WholeJob extends Job {
+  text: string;
+  error: Problem | null;
+  answer: Answer | null;
+  view: boolean;
+  command: string;
+  python: string;
+}
+
+/** A refusal of the server, with its parts if the user can correct it. */
+export class Refusal extends Error {
+  constructor(
+    message: string,
+    readonly problem?: Problem,
+  ) {
+    super(message);
+  }
+}
+
+async function answered<T>(request: Promise<Response>): Promise<T> {
+  let response: Response;
+  try {
+    response = await request;
+  } catch {
+    throw new Refusal("The server does not answer; is `haptonic studio` still running?");
+  }
+  if (response.ok) return (await response.json()) as T;
+  if (response.status === 422) {
+    const { error } = (await response.json()) as { error: Problem };
+    throw new Refusal(`${error.argument}: ${error.cause}`, error);
+  }
+  if (response.status === 403) throw new Refusal("The server was started again; open its new link.");
+  throw new Refusal(response.headers.get("content-type")?.startsWith("text/plain") ? await response.text() : `Error ${response.status} of the server.`);
+}
+
+function post<T>(name: string, asked: object): Promise<T> {
+  const headers = { "content-type": "application/json" };
+  return answered<T>(fetch(`api/${name}`, { method: "POST", headers, body: JSON.stringify(asked) }));
+}
+
+type Edited = Checked & { text: string };
+
+export const server = {
+  start: () => answered<Start>(fetch("api/start")),
+  check: (text: string) => post<Checked>("check", { text }),
+  change: (text: string, steps: Step[], value: Value | null) => post<Edited>("change", { text, steps, value }),
+  open: (name: string) => post<Edited & { name: string }>("open", { name }),
+  template: (name: string) => post<Edited>("template", { name }),
+  save: (name: string, text: string, known: string | null) =>
+    post<{ name: string; files: string[] }>("save", { name, text, known }),
+  run: (analysis: string, options: object, text: string, file: string | null) =>
+    post<{ number: number }>("run", { analysis, options, text, file }),
+  cancel: (number: number) => post<object>("cancel", { number }),
+  job: (number: number) => answered<WholeJob>(fetch(`api/jobs/${number}`)),
+  view: async (number: number) => (await fetch(`api/jobs/${number}/view`)).arrayBuffer(),
+  picture: (number: number, name: string) => `api/jobs/${number}/pictures/${encodeURIComponent(name)}`,
+};
+
+const AGAIN = 2000; // ms between two attempts to connect
+
+/** Follow the list of jobs; `lost` is called when the server is gone. */
+export function followJobs(heard: (jobs: Job[]) => void, lost: (gone: boolean) => void): void {
+  const socket = new WebSocket(`ws://${location.host}/api/live`);
+  socket.onopen = () => lost(false);
+  socket.onmessage = (event) => heard((JSON.parse(String(event.data)) as { jobs: Job[] }).jobs);
+  socket.onclose = () => {
+    lost(true);
+    setTimeout(() => followJobs(heard, lost), AGAIN);
+  };
+}
