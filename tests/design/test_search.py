@@ -21,7 +21,7 @@ from haptonic.design import quick, search
 from haptonic.design.brief import LEAST_GAP, Brief
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
-from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, begun_from, climb, spread, starts_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
@@ -320,6 +320,16 @@ class TestStarts:
         two_gaps = self.column(0.1, [(95, 106), (90, 99)])
         assert [visit.band for visit in starts_of([two_gaps], 100.0)] == [1, 2]
 
+    @pytest.mark.parametrize(("opened", "overlapping", "expected"), [(9, 4, 6 + 2), (3, 9, 6), (0, 9, 6)])
+    def test_bands_that_overlap_have_the_last_climbs(self, opened, overlapping, expected):
+        """Of two climbs at a time, and three times as many."""
+        widths = [5.0] * opened + [-5.0] * overlapping
+        starts = [Visited(np.zeros(1), band, 60.0, 60.0 + width, 0.0) for band, width in enumerate(widths)]
+        begun = begun_from(starts, 100.0, 2)
+        assert len(begun) == expected
+        assert [start.band for start in begun[:6]] == list(range(6))
+        assert sum(not start.is_open(100.0) for start in begun) >= 2
+
 
 CHEAP = Resolution(2, 1)
 ASKED = BandSettings(8, 8, 0.02, MeshSettings(3, 1))
@@ -448,25 +458,12 @@ class TestWhatCannotBeComputed:
         assert left["values"]["cell.pillar.height"] == pytest.approx(tried[0][0].pillar.height, abs=1e-6)
         assert found.to_json()["left_out"] == [left]
 
-    @pytest.mark.nightly  # 20 s; the next one tells the rest
+    @pytest.mark.nightly
     def test_without_an_accurate_design_the_best_one_is_named(self, cheap, monkeypatch, kept):
         self.refusing(monkeypatch, lambda _: True)
-        with refusing(ResourceError, "inaccurate", "bands.accuracy") as refusal:
+        with refusing(ResourceError, "too-large", "bands.accuracy") as refusal:
             searched(glass(), kept, replace(ASKED, accuracy=0.04))
         assert "cell.pillar.height = " in refusal.value.cause
-
-    @pytest.mark.nightly
-    def test_without_an_accurate_design_a_possible_accuracy_is_reported(self, cheap, monkeypatch, kept):
-        self.refusing(monkeypatch, lambda tried: tried[-1][1].accuracy < 0.02)
-        near = glass(start=(2.9, 16.5, 0.32))  # a short search finds a design
-        with refusing(ResourceError, "inaccurate", "bands.accuracy") as refusal:
-            searched(near, kept, replace(ASKED, accuracy=0.004), starts=2, climbs=1, steps=2)
-        accuracy = float(re.search(r"accuracy = (\S+) in \[bands\]", refusal.value.next_step)[1])
-        assert 0.02 <= accuracy <= 0.05
-        lower, upper = re.search(r"has a gap from (\S+) to (\S+) kHz", refusal.value.cause).groups()
-        assert float(lower) < 40 < float(upper)
-        found = searched(near, kept, replace(ASKED, accuracy=accuracy), starts=2, climbs=1, steps=2)
-        assert found.margin > 0
 
 
 class TestRefusal:

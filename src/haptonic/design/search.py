@@ -30,6 +30,7 @@ TRIES = 64  # positions of the box drawn for each column, before one is moved to
 OPEN = 2e-3  # of the carrier: narrower gaps are touching bands, sampled at too few wavevectors
 BEHIND = 10.0  # penalty that ranks pairs of bands without a gap behind all gaps
 PULL = 0.5  # weight of a gap's distance from the carrier before a climb, which shortens it
+MORE_CLIMBS = 3  # factor on the number of climbs if none has reached the carrier
 DISTINCT = 0.15  # of the box: smallest distance in some parameter between two starts in the same gap
 FIRST_STEP = 0.2  # of the box, in every parameter
 LAST_STEP = 4e-3  # of the box: a climb with shorter steps ends
@@ -182,6 +183,17 @@ def starts_of(columns: Sequence[HeightRow], carrier: float) -> list[Visited]:
     """Starts of climbs, the most promising first: one in every basin of the tried designs."""
     promising = [start for column in columns for start in column.finer().best(carrier, PULL)]
     return distinct([visit for _, visit in sorted(promising, key=lambda start: -start[0])], DISTINCT)
+
+
+def begun_from(starts: Sequence[Visited], carrier: float, climbs: int) -> list[Visited]:
+    """Starts of all climbs that a search may need, ``climbs`` at a time, from the starts in their order.
+
+    Bands that overlap come last, as at least ``climbs`` of all: they may part on the way. With a coated disc
+    all open starts were bands that touch; from bands that overlapped by 2 % a climb found a gap of 18 %.
+    """
+    opened = [start for start in starts if start.is_open(carrier)][: MORE_CLIMBS * climbs]
+    overlapping = [start for start in starts if not start.is_open(carrier)]
+    return opened + overlapping[: max(MORE_CLIMBS * climbs - len(opened), climbs)]
 
 
 def distinct(visits: Sequence[Visited], apart: float) -> list[Visited]:

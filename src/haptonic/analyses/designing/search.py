@@ -17,7 +17,7 @@ from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.design.brief import SLACK, Brief
-from haptonic.design.search import HeightRow, Visited, distinct, spread, starts_of
+from haptonic.design.search import HeightRow, Visited, begun_from, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
@@ -26,7 +26,6 @@ from haptonic.results.design import Design
 
 POLISH_STEPS = 5  # most designs of a climb after the coarse model has been corrected
 LAST_STEPS = 20  # most steps of the best climb before its bounds are reported
-MORE_CLIMBS = 3  # factor on the number of climbs if none has reached the carrier
 SAME = 0.02  # of the box; closer summits count as one
 REFINED = 3  # summits computed to the required accuracy
 COARSE = 0.03  # of the carrier; largest error of an edge in the coarse model: summits below are not refined
@@ -53,7 +52,7 @@ def compute_design(
     """
     brief.check()
     search = _Search(brief, settings, runner)
-    begun = starts_of(search.looked(starts), brief.carrier)[: MORE_CLIMBS * climbs]
+    begun = begun_from(starts_of(search.looked(starts), brief.carrier), brief.carrier, climbs)
     summits: list[Visited] = []
     for first in range(0, len(begun), climbs):
         summits = search.ranked(summits + search.climbed(begun[first : first + climbs], steps))
@@ -137,12 +136,17 @@ class _Search:
         )
 
     def refine(self, summits: Sequence[Visited]) -> None:
-        """Compute, the best first, the summits that may exceed the best computed design."""
+        """Compute, the best first, the summits that may exceed the best computed design.
+
+        They are at most ``REFINED``, and further ones of later climbs that exceed all of these.
+        """
         for summit in summits:
             reached = -np.inf if self.best is None else self.best.margin / self.brief.carrier
             hopeful = summit.is_open(self.brief.carrier) and summit.margin > max(reached, -COARSE)
             computed = len(self.tried) - len(self.refused)
-            if hopeful and computed < REFINED and not any(summit is other for other in self.tried):
+            higher = all(summit.margin > other.margin for other in self.tried)
+            untried = not any(summit is other for other in self.tried)
+            if hopeful and untried and (higher or computed < REFINED):
                 self.tried.append(summit)
                 candidates = self.refined(summit)
                 candidates += [] if self.best is None else [self.best]
