@@ -1,10 +1,11 @@
 """Errors of cells with discs against a finer mesh: drawn over features, outlines, materials and lattices.
 
-    python discs.py              # forty cells of seed 1; some minutes each
-    python discs.py 20 --seed 7
+    python discs.py                      # cells of seed 1, the cheapest first, for ten minutes
+    python discs.py --seed 7 --cells 80 --minutes 30 --meshes 3-1 4-1 5-1
 
-Each cell is asked as a user would ask, for ten bands at the default accuracy. For each: what was stated, how
-far the finer mesh is, and the least and the median ratio of the two over ten bands at four wavevectors.
+Each cell is computed on some meshes, and on a finer one of order six with two rings. For each mesh: the
+estimate over the distance to the finer mesh, or over its own uncertainty if that is larger, for ten bands at
+four wavevectors. The last table has the factor that each class of edges needs, see `Resolution.remaining`.
 """
 
 from __future__ import annotations
@@ -12,29 +13,38 @@ from __future__ import annotations
 import argparse
 import math
 import time
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
+from record import write
 
-from haptonic.bloch import BlochModel, Resolution
-from haptonic.bloch.model import bloch_model
-from haptonic.bloch.settings import BandSettings
-from haptonic.cell import Disc, Site, UnitCell
-from haptonic.errors import GeometryError, HaptonicError, ResourceError
+from haptonic.arrays import Array
+from haptonic.bloch import Resolution
+from haptonic.bloch.centred import lattice_pencil, parted
+from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.cell import Disc, MeshPlan, Site, UnitCell
+from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
+from haptonic.parallel import one_thread
+from haptonic.superelement import Tiling
 
-# finer meshes, of which the first that takes so many seconds at most is used
-FINE = tuple(
-    Resolution(order, rings, 3, 24) for order, rings in ((9, 2), (8, 2), (6, 2), (5, 2), (6, 1), (5, 1))
-)
-LONGEST = 60.0
+INTERIOR = (3, 24)  # of all meshes, so that its truncation is the same
+REFERENCE = 6  # order of the finer mesh, with two rings; the order below shows its uncertainty
+UNSURE = 0.6  # uncertainty of the finer mesh as a share of that distance
+MODES = 12  # bands, of which ten are judged
+JUDGED = 10
 SHARES = np.array([(0.35, 0.73), (1.0, 0.0), (0.13, -0.83), (1.0, 1.0)])  # of pi
 TUNGSTEN = IsotropicMaterial(411e9, 0.28, 19250.0, name="tungsten")
 RUBBER = IsotropicMaterial(1.175e5, 0.469, 1300.0, name="rubber")
 SOLIDS = (material("steel"), material("epoxy"), material("silicon"), TUNGSTEN, RUBBER)
 SECTIONS = ("round", "round", "square", "hexagon", "ellipse")
-FEATURES = ("hole", "blind hole", "inclusion", "coated inclusion", "pillar on glue", "cap", "hollow pillar")
+FEATURES = (
+    "hole", "blind hole", "inclusion", "coated inclusion", "pillar on glue", "cap", "hollow pillar",
+    "countersunk hole", "undercut", "drafted inclusion", "drafted coating", "hollow cone",
+)  # fmt: skip
 
 
 def drawn(seed: int, number: int) -> tuple[str, UnitCell]:
@@ -78,6 +88,11 @@ def _discs(rng: np.random.Generator, feature: str, room: float, thickness: float
     inner = shape | {name: share * shape[name] for name in ("length", "corner_radius") if name in shape}
     solid, other = (SOLIDS[k] for k in rng.choice(len(SOLIDS), 2, replace=False))
     height, glue = room * 10 ** rng.uniform(-0.8, 0.2), thickness * rng.uniform(0.1, 0.5)
+    depth, draft = thickness * rng.uniform(0.2, 0.8), rng.uniform(0.1, 0.7)
+    sink = math.atan(0.5 * (1 - share) * wide / depth)
+    steep = min(
+        draft, 0.5 * math.atan(0.5 * share * wide / max(height, thickness))
+    )  # of what reaches farther
     made = {
         "hole": [Disc(wide, empty=True, **shape)],
         "blind hole": [Disc(wide, low=-thickness * rng.uniform(0.2, 0.8), empty=True, **shape)],
@@ -98,69 +113,158 @@ def _discs(rng: np.random.Generator, feature: str, room: float, thickness: float
             Disc(wide, low=0.0, high=height, **shape),
             Disc(share * wide, low=0.0, high=height, empty=True, **inner),
         ],
+        "countersunk hole": [
+            Disc(share * wide, high=-depth, empty=True, **inner),
+            Disc(share * wide, low=-depth, draft=-sink, empty=True, **inner),
+        ],
+        "undercut": [Disc(wide, low=-depth, draft=min(draft, 0.4 * wide / depth), material=other, **shape)],
+        "drafted inclusion": [Disc(wide, material=solid, draft=steep, **shape)],
+        "drafted coating": [
+            Disc(wide, material=other, draft=steep, **shape),
+            Disc(0.8 * share * wide, material=solid, draft=-0.5 * steep, **inner),
+        ],
+        "hollow cone": [
+            Disc(wide, low=0.0, high=height, draft=steep, **shape),
+            Disc(0.8 * share * wide, low=0.0, high=height, draft=0.5 * steep, empty=True, **inner),
+        ],
     }  # fmt: skip
     return tuple(made[feature])
 
 
-def survey(cell: UnitCell) -> tuple[str, float, float]:
-    """A line of text, the least and the median ratio of what is stated and what the finer mesh shows."""
-    start = time.process_time()
-    settings = BandSettings()
-    model = bloch_model(cell, settings)
-    solved = [model.solve(np.pi * share) for share in SHARES]
-    seconds = time.process_time() - start
-    used = model.resolution
-    fine = [mesh for mesh in FINE if mesh.order > used.order or mesh.foot_rings > used.foot_rings]
-    fine = [mesh for mesh in fine if mesh.seconds(cell) < LONGEST]
-    if not fine:
-        raise ResourceError.too_large(
-            argument="cell", given="a finer mesh", allowed=f"{LONGEST:g} s", cause="it takes longer",
-            next_step="none",
-        )  # fmt: skip
-    finer = BlochModel.of(cell, fine[0], settings.count, measured=False)
-    ratios, own, off = [], 0.0, 0.0
-    for share, found in zip(SHARES, solved, strict=True):
-        exact = finer.solve(np.pi * share)
-        distance = np.abs(found.frequency - exact.frequency)
-        ratios.append(found.error / np.maximum(distance, 1e-3 * found.error))
-        own = max(own, float((exact.error / exact.frequency).max()))
-        off = max(off, float((distance / exact.frequency).max()))
-    text = (
-        f"order {used.order}, {used.foot_rings} rings, {seconds:.0f} s: stated {model.worst_error:.1e}, "
-        f"off {off:.1e} (order {fine[0].order}, {fine[0].foot_rings} rings: {own:.1e})"
+@dataclass(frozen=True)
+class Row:
+    """A cell on one mesh: what its estimates are over the distance to the finer mesh.
+
+    edges : class of its edges; off, stated : largest relative distance and estimate
+    below : estimates smaller than the distance by more than its uncertainty
+    factor : smallest factor in `Resolution.remaining` without any of these
+    """
+
+    seed: int
+    number: int
+    feature: str
+    lattice: str
+    edges: str
+    mesh: str
+    frequencies: int
+    below: int
+    least: float
+    median: float
+    off: float
+    stated: float
+    factor: float
+    seconds: float
+
+
+def edges_of(cell: UnitCell) -> str:
+    """Class of a cell's edges, as its factors distinguish them."""
+    stacks = [feature for feature in cell.features if feature is not None]
+    if any(stack.has_corners for stack in stacks):
+        return "upright corners"
+    if any(stack.singular.any() and stack.raised is not None for stack in stacks):
+        return "edges above the plate"
+    if any(stack.singular.any() for stack in stacks):
+        return "edges in the plate"
+    return "interfaces" if any(len(stack.solids) for stack in stacks) else "no edges"
+
+
+def frequencies(cell: UnitCell, plans: Sequence[MeshPlan]) -> Array:
+    """(wavevectors, MODES) frequencies on some meshes of the tiles, Hz."""
+    with one_thread():
+        pencil = parted(lattice_pencil(Tiling.condensed(cell, plans, *INTERIOR, measured=False)))[0]
+        return np.array([hertz(eigenpairs(pencil, np.pi * share, MODES)[0]) for share in SHARES])
+
+
+def survey(seed: int, number: int, meshes: Sequence[str]) -> list[Row]:
+    """Compare the estimates of a cell on each mesh with the finer mesh."""
+    feature, cell = drawn(seed, number)
+    fine, lower = (
+        frequencies(cell, Resolution(order, 2).plans(cell)) for order in (REFERENCE, REFERENCE - 1)
     )
-    return text, float(np.min(ratios)), float(np.median(ratios))
+    unsure = UNSURE * np.abs(fine - lower)
+    rows = []
+    for mesh in meshes:
+        start, used = time.process_time(), Resolution(*(int(part) for part in mesh.split("-")))
+        found, coarse = (frequencies(cell, plans) for plans in (used.plans(cell), used.lowered(cell)))
+        estimate = np.array([
+            used.estimate(cell, row, np.abs(row - low), row > 1e-4 * found.max())
+            for row, low in zip(found, coarse, strict=True)
+        ])  # fmt: skip
+        off = np.abs(found - fine)
+        moving = found > 1e-4 * found.max()
+        moving[:, JUDGED:] = False
+        ratio = (estimate / np.maximum(off, unsure))[moving]
+        certain = ((off - unsure) / estimate)[moving]
+        rows.append(
+            Row(
+                seed=seed, number=number, feature=feature, lattice=cell.lattice.name, edges=edges_of(cell),
+                mesh=mesh, frequencies=int(moving.sum()), below=int((certain > 1).sum()),
+                least=float(ratio.min()), median=float(np.median(ratio)),
+                off=float((off / found)[moving].max()), stated=float((estimate / found)[moving].max()),
+                factor=float(certain.max() * used.remaining(cell)), seconds=time.process_time() - start,
+            )
+        )  # fmt: skip
+    return rows
 
 
-def main(count: int, seed: int) -> None:
-    """Survey cells, and say what all of them together show."""
-    least, refused = math.inf, 0
-    medians: list[float] = []
-    for number in range(count):
-        feature, cell = drawn(seed, number)
+def summary(rows: Sequence[Row]) -> dict[str, Any]:
+    """Figures of some rows."""
+    return {
+        "cells": len(rows),
+        "frequencies": sum(row.frequencies for row in rows),
+        "below": sum(row.below for row in rows),
+        "least": round(min(row.least for row in rows), 2),
+        "median": round(float(np.median([row.median for row in rows])), 1),
+        "factor": round(max(row.factor for row in rows), 2),
+    }
+
+
+def main(count: int, seed: int, minutes: float, meshes: Sequence[str]) -> None:
+    """Survey cells in the order of their cost, and store what all of them together show."""
+    cost = {number: Resolution(REFERENCE, 2).seconds(drawn(seed, number)[1]) for number in range(count)}
+    rows: list[Row] = []
+    refused = run = 0
+    start = time.monotonic()
+    for number in sorted(cost, key=lambda number: cost[number]):
+        if time.monotonic() - start > 60 * minutes:
+            break
+        run += 1
         try:
-            text, lowest, median = survey(cell)
+            found = survey(seed, number, meshes)
         except HaptonicError as error:
             refused += 1
-            print(f"{number} {feature}, {cell.lattice.name}: refused, {error.cause}", flush=True)
+            print(f"{number}: refused, {error.cause}", flush=True)
             continue
-        least, medians = min(least, lowest), [*medians, median]
-        sections = {disc.section for discs in cell.disc_tables.values() for disc in discs}
-        print(
-            f"{number} {feature}, {', '.join(sections)}, {cell.lattice.name}: {text}, "
-            f"ratio {lowest:.2f}, median {median:.1f}",
-            flush=True,
-        )
-    print(
-        f"least ratio {least:.2f}, median of medians {np.median(medians):.1f}, {refused} of {count} refused"
-    )
+        rows += found
+        for row in found:
+            print(
+                f"{row.number} {row.feature}, {row.lattice}, {row.edges}, {row.mesh}: off {row.off:.1e}, "
+                f"stated {row.stated:.1e}, {row.below} below, ratio {row.least:.2f}, {row.median:.1f}, "
+                f"factor {row.factor:.2f}, {row.seconds:.0f} s",
+                flush=True,
+            )
+    groups = {(row.mesh, row.edges): summary([r for r in rows if (r.mesh, r.edges) == (row.mesh, row.edges)])
+              for row in rows}  # fmt: skip
+    by_mesh = {mesh: summary([row for row in rows if row.mesh == mesh]) for mesh in meshes}
+    for (mesh, edges), figures in sorted(groups.items()):
+        print(mesh, edges, figures)
+    write(
+        "discs",
+        {
+            "seed": seed, "drawn": count, "run": run, "refused": refused, "all": by_mesh,
+            "classes": [{"mesh": mesh, "edges": edges} | of for (mesh, edges), of in sorted(groups.items())],
+            "rows": [asdict(row) for row in rows],
+        },
+    )  # fmt: skip
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("count", nargs="?", type=int, default=40)
+    parser.add_argument("--cells", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--minutes", type=float, default=10.0)
+    parser.add_argument("--meshes", nargs="+", default=["3-1", "4-1"])
     given = parser.parse_args()
-    main(given.count, given.seed)
+    main(given.cells, given.seed, given.minutes, given.meshes)

@@ -361,3 +361,20 @@ def test_the_memory_that_is_used_is_near_the_estimate(number):
     """It was estimated at 0.7 to 3.6 times of it."""
     estimated, used = measured(number)
     assert 0.8 * used <= estimated <= 2 * used
+
+
+def test_a_forecast_for_upright_edges_has_all_meshes_within_the_limits():
+    """A square hole in a round inclusion, on a triangular lattice, took three and a half minutes."""
+    discs = (Disc(5e-3, material=material("steel")), Disc(2.5e-3, section="square", empty=True))
+    lattice, plate = Lattice.triangular(7e-3), material("aluminium-7075")
+    square, round_one = (
+        UnitCell(lattice, 1.5e-3, plate, disc=stack)
+        for stack in (discs, (discs[0], Disc(2.5e-3, empty=True)))
+    )
+    limits = MeshLimits(600.0, math.inf)
+    meshes = started(square, 10, 2e-3, limits)
+    assert sum(mesh.seconds(square) for mesh in meshes) > 15 * meshes[0].seconds(square)
+    assert sum(mesh.seconds(square) for mesh in meshes) < limits.seconds
+    assert len(started(square, 10, 2e-3, MeshLimits(12.0, math.inf))) == 1
+    assert len(started(square, 10, 3e-2, limits)) == 2  # which the first mesh may reach
+    assert len(started(round_one, 10, 2e-3, limits)) == 2
