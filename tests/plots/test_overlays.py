@@ -7,7 +7,8 @@ import pytest
 from seeing import artists, assert_readable
 
 from haptonic import plots
-from haptonic.plots.modes import FACES, clearance
+from haptonic.cell.skin import FACES
+from haptonic.plots.modes import clearance
 
 PLACES = np.linspace(0, 3, 31)
 BANDS = np.stack([20e3 * np.abs(np.sin(PLACES)), 50e3 + 5e3 * PLACES], axis=1)

@@ -213,7 +213,7 @@ HOSTILE = "</script><script>window.broken = 1</script><img src=x onerror='window
 
 
 def test_hostile_words_are_only_words(browser, bands, tmp_path: Path):
-    view = bands._view()
+    view = bands.view()
     data: xr.Dataset = view.dataset.copy()
     data["gap_direction"] = data["gap_direction"].astype(object).astype("U200")
     data["gap_direction"][:] = HOSTILE
@@ -233,7 +233,7 @@ def test_hostile_words_are_only_words(browser, bands, tmp_path: Path):
 
 
 def test_a_damaged_page_says_so(browser, address, tmp_path: Path, bands):
-    text = sent_page(bands._view())
+    text = sent_page(bands.view())
     start = text.index('id="data">') + 2000
     place = tmp_path / "damaged.html"
     place.write_text(text[:start] + "AAAA" + text[start + 4 :], "utf-8")
