@@ -83,6 +83,22 @@ def test_a_click_on_a_band_shows_its_mode(browser, address, bands):
         assert uncertain(frequency[row, band] / 1e3, bands.error[row, band] / 1e3) in words
 
 
+def test_the_canvas_gets_the_displacement_of_the_mode(browser, address, bands):
+    """What is drawn, against the sum of shapes and amplitudes of the result."""
+    data = bands.dataset
+    surface = "document.querySelector('.mode canvas').moving.surface"
+    field = f"part => Array.from({surface}.getAttribute(part).array)"
+    with page_at(browser, address, **STILL) as page:
+        page.wait_for_selector("canvas[data-shown]")
+        for key in ("ArrowUp", "ArrowRight", "ArrowRight"):
+            page.locator(".walk").press(key)
+            row, band = shown(page)
+            for part in ("real", "imag"):
+                drawn = np.reshape(page.evaluate(field, part), (-1, 3))
+                amounts, shapes = data[f"path_mode_{part}"][row, band].values, data["path_shape"].values
+                np.testing.assert_allclose(drawn, np.einsum("s,snx->nx", amounts, shapes), atol=2e-3)
+
+
 def test_the_mode_moves_until_it_is_stopped(browser, address):
     frames = "() => document.querySelector('.mode canvas').moving.frames"
     with page_at(browser, address) as page:

@@ -12,7 +12,7 @@ export function Result() {
   const job = whole.value;
   if (job === null) return null;
   return (
-    <section class="result" aria-label={`Result of ${job.analysis}`}>
+    <section id="result" class="result" aria-label={`Result of ${job.analysis}`}>
       {job.text !== text.value && (
         <p class="notice">
           This result belongs to another version of the study.{" "}

@@ -1,7 +1,7 @@
 /** The list of analyses with their options, and the jobs of this studio. */
 
 import { useEffect, useState } from "preact/hooks";
-import { cancel, compute, elapsed, jobs, running, shown } from "./jobs";
+import { cancel, compute, elapsed, jobs, running, shown, whole } from "./jobs";
 import type { Analysis, Job, Option } from "./server";
 import { broken, problems, text } from "./study";
 
@@ -37,6 +37,7 @@ export function Compute({ analyses }: { analyses: Analysis[] }) {
             Cancel
           </button>
         )}
+        {whole.value !== null && <a href="#result">Go to the result</a>}
         {wrong && <span class="quiet">The study has problems, or is empty.</span>}
       </div>
       <p class="quiet">{analysis.help}</p>

@@ -4329,6 +4329,7 @@ button, select, input[type="number"] {
   border-radius: 0.35rem; padding: 0.2rem 0.6rem; min-height: 1.9rem;
 }
 button { cursor: pointer; }
+a { color: var(--accent); }
 input[type="range"] { accent-color: var(--accent); min-width: 10rem; }
 .controls .long { flex: 1 1 100%; }
 .wide { overflow-x: auto; }
