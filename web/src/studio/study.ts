@@ -25,7 +25,7 @@ export const canRedo = computed(() => future.value.length > 0);
 
 let number = 0; // of the newest check; answers to older ones are dropped
 let timer = 0;
-let typed = 0; // time of the last letter
+let typed = -Infinity; // time of the last letter, ms since the page was loaded
 let queue: Promise<void> = Promise.resolve();
 
 function take(state: Checked): void {
@@ -52,7 +52,7 @@ function replace(next: string, isTyped = false): void {
   const now = performance.now();
   const begins = past.peek().length === 0 && text.peek() === ""; // an empty page is nothing to go back to
   if (!begins && !(isTyped && now - typed < STEP)) past.value = [...past.peek(), text.peek()].slice(-MOST_STEPS);
-  typed = isTyped ? now : 0;
+  typed = isTyped ? now : -Infinity;
   future.value = [];
   text.value = next;
 }
@@ -102,7 +102,7 @@ export function undo(): void {
   if (before === undefined) return;
   past.value = past.peek().slice(0, -1);
   future.value = [...future.peek(), text.peek()];
-  typed = 0;
+  typed = -Infinity;
   text.value = before;
   checkLater(0);
 }
@@ -112,7 +112,7 @@ export function redo(): void {
   if (next === undefined) return;
   future.value = future.peek().slice(0, -1);
   past.value = [...past.peek(), text.peek()];
-  typed = 0;
+  typed = -Infinity;
   text.value = next;
   checkLater(0);
 }
