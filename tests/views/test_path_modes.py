@@ -8,6 +8,7 @@ import pytest
 
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.path_modes import path_modes
+from haptonic.bloch.tracking import diagram
 from haptonic.later import xarray as xr
 from haptonic.study import loads
 from haptonic.views import InteractiveView, packed
@@ -21,7 +22,8 @@ def study():
 
 @pytest.fixture(scope="module")
 def modes(study):
-    return path_modes(study.cell, study.bands_settings)
+    model = bloch_model(study.cell, study.bands_settings)
+    return path_modes(model, diagram(model, study.cell.zone.path(study.bands_settings.points)))
 
 
 def field(modes: xr.Dataset, row: int, band: int) -> np.ndarray:

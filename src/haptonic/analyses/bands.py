@@ -14,7 +14,6 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.bands import add_further_gaps
-from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.cell import UnitCell
@@ -27,7 +26,7 @@ from haptonic.study.schema import Description
 
 DIAGRAM, PER_WAVEVECTOR = 1.5, 0.02  # s, of names, shapes and pictures; of ten bands
 COUNTED = 1.2  # factor for the exact eigenvalue counts, which need meshes of their own; 1.09 to 1.17 measured
-MOVING = 1.3  # further factor for all modes of the path, which need the meshes again
+MOVING = 0.03  # s per wavevector, of ten bands, for their modes on the surface of the cell
 SURFACE = 6.0  # s, for the whole zone
 
 
@@ -89,14 +88,10 @@ def compute_bands(
     carrier : Hz, marked in the diagram
     """
     dataset = store.kept(
-        {"kind": "bands", "surface": surface, "modes_at": modes_at, "cell": cell, "settings": settings},
-        lambda: bands_dataset(cell, settings, surface=surface, modes_at=modes_at),
-    )
-    if moving:
-        modes = store.kept(
-            {"kind": "path modes", "cell": cell, "settings": settings}, lambda: path_modes(cell, settings)
-        )
-        dataset = dataset.merge(modes, combine_attrs="no_conflicts")
+        {"kind": "bands", "surface": surface, "modes_at": modes_at, "moving": moving, "cell": cell,
+         "settings": settings},
+        lambda: bands_dataset(cell, settings, surface=surface, modes_at=modes_at, moving=moving),
+    )  # fmt: skip
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier
     return Bands(stamped(dataset, inputs))
@@ -104,8 +99,9 @@ def compute_bands(
 
 def cost(study: Description, options: BandsOptions) -> Cost:
     """Estimated cost of meshes, diagram and zone."""
-    shown = DIAGRAM + PER_WAVEVECTOR * study.bands_settings.points + (SURFACE if options.surface else 0.0)
-    total = meshes(study).times(COUNTED + MOVING * options.html) + Cost(shown)
+    per_wavevector = PER_WAVEVECTOR + (MOVING if options.html else 0.0)
+    shown = DIAGRAM + per_wavevector * study.bands_settings.points + (SURFACE if options.surface else 0.0)
+    total = meshes(study).times(COUNTED) + Cost(shown)
     for cell in further_lattices(study).values():
         total += gaps(unchecked(study, cell=cell))
     return total

@@ -16,6 +16,7 @@ from haptonic.bloch.character import NAMES, characters
 from haptonic.bloch.gaps import Gap, complete_gaps, parity_gaps, partial_gaps
 from haptonic.bloch.mesh_levels import Lack
 from haptonic.bloch.model import BlochModel, best_model, candidate_models
+from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.symmetry import WAVES
@@ -38,7 +39,12 @@ MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if th
 
 @one_thread()
 def bands_dataset(
-    cell: UnitCell, settings: BandSettings, *, surface: bool = False, modes_at: str | None = None
+    cell: UnitCell,
+    settings: BandSettings,
+    *,
+    surface: bool = False,
+    modes_at: str | None = None,
+    moving: bool = False,
 ) -> xr.Dataset:
     """Band diagram, gaps and mode shapes of a cell.
 
@@ -47,6 +53,7 @@ def bands_dataset(
     surface : also sample the whole zone evenly, for contours and the density of states
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; by default the middle of the
         path's second segment
+    moving : also the surface of the cell in every mode of the diagram, see `haptonic.bloch.path_modes`
 
     Returns
     -------
@@ -68,7 +75,9 @@ def bands_dataset(
         along = diagram(model, path)
         listed = (*gaps, *parity_gaps(model, gaps), *partial_gaps(along, gaps))
         parts = [_gaps_dataset(listed), mode_shapes(model, kappa)]
-        return xr.merge([_diagram_dataset(along), *parts, *([_surface_dataset(model)] if surface else [])])
+        parts += [path_modes(model, along)] if moving else []
+        parts += [_surface_dataset(model)] if surface else []
+        return xr.merge([_diagram_dataset(along), *parts])
 
     # the counts use a separate mesh, and take about as long as the rest
     with ThreadPoolExecutor(1) as aside:

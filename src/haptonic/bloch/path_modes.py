@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 
 import numpy as np
 
 from haptonic.arrays import Array, Complex
-from haptonic.bloch.model import best_model
-from haptonic.bloch.settings import BandSettings
-from haptonic.bloch.tracking import diagram
-from haptonic.cell import UnitCell
+from haptonic.bloch.model import BlochModel
+from haptonic.bloch.tracking import Diagram
 from haptonic.cell.skin import drawing_cells, outer_faces, outline_edges
 from haptonic.later import xarray as xr
-from haptonic.parallel import one_thread
 
 # Smallest singular values that are kept, relative to the largest: of the unknowns, which only saves time, and
 # of the displacements. A mode is then within 1e-3 of its largest displacement, less than the width of a line.
 RANK, KEPT = 1e-9, 1e-4
 
 
-@one_thread()
-def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
-    """Displacement of the surface of the cell for all modes of `haptonic.bloch.bands_dataset`.
+def path_modes(model: BlochModel, along: Diagram) -> xr.Dataset:
+    """Displacement of the surface of the cell for all modes of a diagram.
 
     A mode is a sum of real shapes, ``u = sum_s (real_s + i imag_s) shape_s``, with the largest displacement
     1. The modes of a diagram are so much alike that less than a hundred shapes describe them all (singular
@@ -32,14 +27,7 @@ def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
     Returns
     -------
     dataset with dimensions ``wavevector``, ``band``, ``shape``, ``skin_node``, ``face``, ``edge``
-
-    Raises
-    ------
-    ResourceError : as `haptonic.bloch.bands_dataset`
     """
-    model = best_model(cell, settings).model
-    path = cell.zone.path(settings.points)
-    fields = diagram(model, path).fields
     tiling = model.fine.tiling
     cells, _ = drawing_cells(
         tiling.linear_subcells(), [list(grid) for mesh in tiling.meshes for grid in mesh.grids()]
@@ -47,8 +35,8 @@ def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
     faces = outer_faces(cells)
     used, corners = np.unique(faces, return_inverse=True)
     position, faces = tiling.points[used], corners.reshape(faces.shape)
-    shapes, amplitudes = _separated(lambda unknowns: tiling.lifted(unknowns)[used], fields)
-    by_mode = amplitudes.T.reshape(len(path.kappa), -1, len(shapes)).astype(np.complex64)
+    shapes, amplitudes = _separated(lambda unknowns: tiling.lifted(unknowns)[used], along.fields)
+    by_mode = amplitudes.T.reshape(len(along.path.kappa), -1, len(shapes)).astype(np.complex64)
     of_modes = ("wavevector", "band", "shape")
     dataset = xr.Dataset(
         {
@@ -58,8 +46,7 @@ def path_modes(cell: UnitCell, settings: BandSettings) -> xr.Dataset:
             "path_shape": (("shape", "skin_node", "xyz"), shapes.astype(np.float32)),
             "path_mode_real": (of_modes, by_mode.real),
             "path_mode_imag": (of_modes, by_mode.imag),
-        },
-        attrs={"lattice_vectors": json.dumps(cell.lattice.vectors.tolist())},
+        }
     )
     for name, (unit, title) in {
         "skin_position": ("m", "position of the nodes on the surface of the cell"),

@@ -296,7 +296,12 @@ class Bands(Result):
             kind="bands",
             title=self.title,
             dataset=self.dataset[SEEN + SEEN_SHORT],
-            extra={"summary": self.summary(), "colours": plots.shades(64), "top": top},
+            extra={
+                "summary": self.summary(),
+                "colours": plots.shades(64),
+                "top": top,
+                "lattice_vectors": lattice_of(self.dataset).vectors.tolist(),
+            },
             short=SEEN_SHORT,
         )
 

@@ -76,7 +76,7 @@ export class MovingMode {
     colours: number[][],
   ) {
     this.renderer = new three.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-    this.vectors = data.parsed("lattice_vectors");
+    this.vectors = data.header.extra["lattice_vectors"] as [[number, number], [number, number]];
     this.period = Math.hypot(...this.vectors[0]);
     const position = Float32Array.from(data.values("skin_position"), (metres) => metres / this.period);
     const shared = {
