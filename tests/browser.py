@@ -34,6 +34,9 @@ def need_browser() -> None:
         pytest.skip("no Chromium on this machine")
 
 
+STILL = {"reduced_motion": "reduce"}  # context of a page without motion
+
+
 @contextmanager
 def chromium() -> Iterator[Browser]:
     need_browser()
@@ -66,6 +69,16 @@ def pixels(page: Page, selector: str) -> NDArray[np.int64]:
     url = page.eval_on_selector(selector, "canvas => canvas.toDataURL()")
     image = Image.open(io.BytesIO(base64.b64decode(url.split(",")[1])))
     return np.asarray(image.convert("RGBA")).astype(int)
+
+
+def advances(page: Page, frames: str) -> bool:
+    """True if the number of drawn frames, an expression of the page, grows by more than three in 10 s."""
+    first = page.evaluate(frames)
+    for _ in range(200):
+        page.wait_for_timeout(50)
+        if page.evaluate(frames) > first + 3:
+            return True
+    return False
 
 
 def violations(page: Page) -> list[object]:

@@ -37,3 +37,12 @@ def _forget_what_tests_shared(request: pytest.FixtureRequest) -> Iterator[None]:
         own = getattr(value, "__module__", "") == request.module.__name__
         if own and callable(clear := getattr(value, "cache_clear", None)):
             clear()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[object]:
+    """A headless browser; see `browser.page_at`."""
+    from browser import chromium  # needs a driver, which most tests do not
+
+    with chromium() as running:
+        yield running

@@ -8,20 +8,13 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 from served import Served, served
 
-from browser import WIDTHS, chromium, page_at, violations
+from browser import STILL, WIDTHS, page_at, violations
 from haptonic.study import templates
 from quick import QUICK_CELL
 
 expect.set_options(timeout=30_000)
-STILL = {"reduced_motion": "reduce"}
 TEXT = "textarea[aria-label^='Text of the study']"
 CELL = str(templates()["bare-cell"])
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as browser:
-        yield browser
 
 
 @pytest.fixture(scope="module")

@@ -1,18 +1,15 @@
 """The page of a plate that can be sent: its numbers against the result, and the page in a real browser."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 
-from browser import WIDTHS, chromium, page_at, pixels, violations
+from browser import STILL, WIDTHS, advances, page_at, pixels, violations
 from haptonic.results.plate import PlateResult
 from haptonic.results.plate.interactive import STEPS, plate_view
 from haptonic.study import loads
 from quick import QUICK_CELL
 
-STILL = {"reduced_motion": "reduce"}
 MAP = ".map canvas"
 PLATE = """
 [plate]
@@ -37,12 +34,6 @@ lowest = "2 kHz"
 highest = "20 kHz"
 points = 19
 """
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as browser:
-        yield browser
 
 
 @pytest.fixture(scope="module")
@@ -165,6 +156,20 @@ def test_a_click_in_the_spectra_selects_the_frequency(browser, address, result):
             assert f"{frequency[line] / 1e3:g} kHz" in page.locator("#point").inner_text()
 
 
+def test_a_drag_in_the_spectra_enlarges_them_and_selects_nothing(browser, address):
+    with page_at(browser, address, **STILL) as page:
+        page.wait_for_selector(f"{MAP}[data-shown]")
+        first, before = shown(page), pixels(page, ".uplot canvas")
+        box = page.locator(".u-over").bounding_box()
+        page.mouse.move(box["x"] + 20, box["y"] + 50)
+        page.mouse.down()
+        page.mouse.move(box["x"] + 150, box["y"] + 50, steps=5)
+        page.mouse.up()
+        page.wait_for_timeout(100)
+        assert shown(page) == first
+        assert (pixels(page, ".uplot canvas") != before).any()
+
+
 def test_facts_of_a_frequency_are_those_of_the_result(browser, address, result):
     with page_at(browser, address, **STILL) as page:
         page.wait_for_selector(f"{MAP}[data-shown]")
@@ -185,12 +190,7 @@ def test_the_plate_moves_until_it_is_stopped(browser, address):
     frames = f"() => document.querySelector('{MAP}').counted.frames"
     with page_at(browser, address) as page:
         page.wait_for_selector(f"{MAP}[data-shown]")
-        first = page.evaluate(frames)
-        for _ in range(200):
-            page.wait_for_timeout(50)
-            if page.evaluate(frames) > first + 3:
-                break
-        assert page.evaluate(frames) > first + 3
+        assert advances(page, frames)
         page.get_by_role("button", name="Stop").click()
         page.wait_for_timeout(100)
         still = page.evaluate(frames)

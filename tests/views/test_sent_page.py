@@ -1,14 +1,13 @@
 """The page of bands that can be sent, in a real browser: what is drawn, pressed and read."""
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 
-from browser import WIDTHS, chromium, page_at, pixels, violations
+from browser import STILL, WIDTHS, advances, page_at, pixels, violations
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.later import xarray as xr
 from haptonic.results.bands import Bands
@@ -18,13 +17,6 @@ from haptonic.views import InteractiveView, sent_page
 from quick import QUICK_CELL
 
 POINT = "#point"
-STILL = {"reduced_motion": "reduce"}
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as browser:
-        yield browser
 
 
 @pytest.fixture(scope="module")
@@ -83,6 +75,20 @@ def test_a_click_on_a_band_shows_its_mode(browser, address, bands):
         assert uncertain(frequency[row, band] / 1e3, bands.error[row, band] / 1e3) in words
 
 
+def test_a_drag_in_the_diagram_enlarges_it_and_selects_nothing(browser, address):
+    with page_at(browser, address, **STILL) as page:
+        page.wait_for_selector("canvas[data-shown]")
+        first, before = shown(page), pixels(page, ".uplot canvas")
+        box = page.locator(".u-over").bounding_box()
+        page.mouse.move(box["x"] + 20, box["y"] + 50)
+        page.mouse.down()
+        page.mouse.move(box["x"] + 150, box["y"] + 180, steps=5)
+        page.mouse.up()
+        page.wait_for_timeout(100)
+        assert shown(page) == first
+        assert (pixels(page, ".uplot canvas") != before).any()
+
+
 def test_the_canvas_gets_the_displacement_of_the_mode(browser, address, bands):
     """What is drawn, against the sum of shapes and amplitudes of the result."""
     data = bands.dataset
@@ -103,12 +109,7 @@ def test_the_mode_moves_until_it_is_stopped(browser, address):
     frames = "() => document.querySelector('.mode canvas').moving.frames"
     with page_at(browser, address) as page:
         page.wait_for_selector("canvas[data-shown]")
-        first = page.evaluate(frames)
-        for _ in range(200):
-            page.wait_for_timeout(50)
-            if page.evaluate(frames) > first + 3:
-                break
-        assert page.evaluate(frames) > first + 3
+        assert advances(page, frames)
         page.get_by_role("button", name="Stop").click()
         page.wait_for_timeout(100)  # a frame that was under way
         still = page.evaluate(frames)

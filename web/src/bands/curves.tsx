@@ -3,8 +3,9 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
-import { onTheme, themeColour } from "../parts/colours";
+import { themeColour } from "../parts/colours";
 import { FREQUENCY_UNITS } from "../parts/numbers";
+import { kept, onClick, widthIn, within } from "../parts/plot";
 import type { BandDiagram, Point } from "./diagram_data";
 import type { Choice } from "./state";
 
@@ -36,7 +37,7 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
     ...branches.map((curve) => curve.map((value) => (value === null ? null : value / factor()))),
   ];
   const size = () => {
-    const width = Math.max(element.clientWidth, 240);
+    const width = widthIn(element);
     return { width, height: Math.max(LOWEST, Math.min(ASPECT * width, 0.7 * innerHeight)) };
   };
   const cornerAt = diagram.corners.map(({ row }) => diagram.distance[row] ?? 0);
@@ -77,24 +78,18 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
           points: { show: false },
         })),
       ],
-      hooks: { drawClear: [(u) => paintGaps(u, diagram, factor())], draw: [(u) => paintMarks(u, diagram, choice)] },
+      hooks: { drawClear: [(u) => within(u, () => paintGaps(u, diagram, factor()))], draw: [(u) => paintMarks(u, diagram, choice)] },
     },
     data(),
     element,
   );
   const whole = () => plot.setScale("y", { min: 0, max: diagram.top / factor() });
   whole();
-  let pressed: [number, number] | undefined;
-  plot.over.addEventListener("pointerdown", ({ clientX, clientY }) => (pressed = [clientX, clientY]));
-  plot.over.addEventListener("click", (event) => {
-    const dragged = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 5;
-    const box = plot.over.getBoundingClientRect();
-    const point = dragged
-      ? undefined
-      : nearest(plot, diagram, factor(), event.clientX - box.left, event.clientY - box.top);
+  onClick(plot, (left, top) => {
+    const point = nearest(plot, diagram, factor(), left, top);
     if (point !== undefined) choice.point.value = point;
   });
-  const stops = [
+  return kept(plot, element, size, [
     effect(() => {
       const label = plot.axes[1];
       if (label !== undefined) label.label = `frequency / ${choice.unit.value}`;
@@ -106,15 +101,7 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
       if (high > (plot.scales["y"]?.max ?? Infinity)) plot.setScale("y", { min: 0, max: 1.03 * high });
       else plot.redraw(false, false);
     }),
-    onTheme(() => plot.redraw(false, true)),
-  ];
-  const resized = new ResizeObserver(() => plot.setSize(size()));
-  resized.observe(element);
-  return () => {
-    resized.disconnect();
-    for (const stop of stops) stop();
-    plot.destroy();
-  };
+  ]);
 }
 
 /** Mode whose point is nearest to a place in CSS pixels; none beyond `REACH`. */
@@ -139,10 +126,6 @@ function nearest(
 
 function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
   const { ctx, bbox } = plot;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-  ctx.clip();
   for (const gap of diagram.gaps) {
     const high = plot.valToPos(gap.upper / factor, "y", true);
     const height = plot.valToPos(gap.lower / factor, "y", true) - high;
@@ -161,7 +144,6 @@ function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
     ctx.lineTo(bbox.left + bbox.width, y);
     ctx.stroke();
   }
-  ctx.restore();
 }
 
 /** Lines across a gap that one parity has and the other has not. */

@@ -3,7 +3,8 @@
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
-import { onTheme, themeColour } from "../parts/colours";
+import { themeColour } from "../parts/colours";
+import { kept, onClick, widthIn, within } from "../parts/plot";
 import type { PlateResponse } from "./plate_data";
 import type { Choice } from "./state";
 
@@ -33,7 +34,7 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
   const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") } };
   const labelled = { font: "13px system-ui, sans-serif", labelFont: "14px system-ui, sans-serif" };
   const kilohertz = Array.from(plate.frequency, (value) => value / 1e3);
-  const size = () => ({ width: Math.max(element.clientWidth, 240), height: HEIGHT });
+  const size = () => ({ width: widthIn(element), height: HEIGHT });
   const plot = new uPlot(
     {
       ...size(),
@@ -61,29 +62,18 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
           points: { show: false },
         })),
       ],
-      hooks: { drawClear: [(u) => paintGap(u, plate)], draw: [(u) => paintLine(u, plate, choice)] },
+      hooks: { drawClear: [(u) => within(u, () => paintGap(u, plate))], draw: [(u) => paintLine(u, plate, choice)] },
     },
     [kilohertz, ...curves.map(({ values }) => values)],
     element,
   );
-  plot.over.addEventListener("click", (event) => {
-    const left = event.clientX - plot.over.getBoundingClientRect().left;
-    choice.line.value = plate.nearest(1e3 * plot.posToVal(left, "x"));
-  });
-  const stops = [
+  onClick(plot, (left) => (choice.line.value = plate.nearest(1e3 * plot.posToVal(left, "x"))));
+  return kept(plot, element, size, [
     effect(() => {
       choice.line.value;
       plot.redraw(false, false);
     }),
-    onTheme(() => plot.redraw(false, true)),
-  ];
-  const resized = new ResizeObserver(() => plot.setSize(size()));
-  resized.observe(element);
-  return () => {
-    resized.disconnect();
-    for (const stop of stops) stop();
-    plot.destroy();
-  };
+  ]);
 }
 
 /** A tick: powers of ten on a logarithmic scale, else the number. */
@@ -95,16 +85,10 @@ function written(value: number, logarithmic: boolean): string {
 
 function paintGap(plot: uPlot, plate: PlateResponse): void {
   const { ctx, bbox } = plot;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-  ctx.clip();
-  if (plate.gap !== null) {
-    const [low, high] = plate.gap.map((edge) => plot.valToPos(edge / 1e3, "x", true)) as [number, number];
-    ctx.fillStyle = themeColour("gap");
-    ctx.fillRect(low, bbox.top, high - low, bbox.height);
-  }
-  ctx.restore();
+  if (plate.gap === null) return;
+  const [low, high] = plate.gap.map((edge) => plot.valToPos(edge / 1e3, "x", true)) as [number, number];
+  ctx.fillStyle = themeColour("gap");
+  ctx.fillRect(low, bbox.top, high - low, bbox.height);
 }
 
 function paintLine(plot: uPlot, plate: PlateResponse, choice: Choice): void {

@@ -1,6 +1,6 @@
 /** The study that the page edits: its text is the truth, and the form shows its values. */
 
-import { computed, signal } from "@preact/signals";
+import { computed, signal, type Signal } from "@preact/signals";
 import { Refusal, server, type Checked, type Problem, type Remark, type Step, type Tables, type Value } from "./server";
 
 const PAUSE = 250; // ms after the last letter before the text is checked
@@ -97,25 +97,19 @@ export function change(steps: Step[], value: Value | null): void {
   );
 }
 
-export function undo(): void {
-  const before = past.peek().at(-1);
-  if (before === undefined) return;
-  past.value = past.peek().slice(0, -1);
-  future.value = [...future.peek(), text.peek()];
-  typed = -Infinity;
-  text.value = before;
-  checkLater(0);
-}
-
-export function redo(): void {
-  const next = future.peek().at(-1);
+/** Take the newest text of one list, and put the current one into the other. */
+function swap(from: Signal<string[]>, to: Signal<string[]>): void {
+  const next = from.peek().at(-1);
   if (next === undefined) return;
-  future.value = future.peek().slice(0, -1);
-  past.value = [...past.peek(), text.peek()];
+  from.value = from.peek().slice(0, -1);
+  to.value = [...to.peek(), text.peek()];
   typed = -Infinity;
   text.value = next;
   checkLater(0);
 }
+
+export const undo = () => swap(past, future);
+export const redo = () => swap(future, past);
 
 export const openFile = (name: string) =>
   attempt(async () => {
