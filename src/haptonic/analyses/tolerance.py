@@ -15,7 +15,6 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import made_of_parts
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
-from haptonic.design.links import NAMED
 from haptonic.design.quick import QUICK
 from haptonic.design.tolerance import (
     REACH,
@@ -28,6 +27,7 @@ from haptonic.design.tolerance import (
     terms_needed,
 )
 from haptonic.errors import HaptonicError, StudyError
+from haptonic.fields.expressions import NAMED
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped

@@ -174,23 +174,23 @@ def finer_level(
 def started(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[Resolution]:
     """Meshes computed first: the first level, and the next if it fits; errors as in `first_level`.
 
-    For a cell that reaches no accuracy they are all meshes up to the limits.
+    If the accuracy is out of reach of all meshes, they are all meshes up to the limits.
     """
     level = first_level(cell, count, accuracy, limits)
     first, *after = (rung.for_bands(cell, count) for rung in LADDER[level : level + 2])
-    if not reaches_none(cell, accuracy):
+    if not is_out_of_reach(cell, accuracy):
         return [first, *(mesh for mesh in after if limits.lack(cell, mesh, first.seconds(cell)) is None)]
-    meshes, spent, finer = [first], first.seconds(cell), None
-    while not isinstance(finer, Lack):
+    meshes, spent = [first], first.seconds(cell)
+    while True:
         finer = finer_level(cell, meshes[-1], level, UPRIGHT / accuracy, limits, spent)
-        if not isinstance(finer, Lack):
-            level, mesh = finer
-            meshes.append(mesh)
-            spent += mesh.seconds(cell)
-    return meshes
+        if isinstance(finer, Lack):
+            return meshes
+        level, mesh = finer
+        meshes.append(mesh)
+        spent += mesh.seconds(cell)
 
 
-def reaches_none(cell: UnitCell, accuracy: float) -> bool:
+def is_out_of_reach(cell: UnitCell, accuracy: float) -> bool:
     """True if upright edges of discs are expected to prevent an accuracy on every mesh."""
     stacks = (placed.tile.stack for placed in cell.tiles)
     return accuracy < UPRIGHT and any(stack is not None and stack.has_corners for stack in stacks)

@@ -17,11 +17,12 @@ from haptonic.cell.sites import MOST_POINTED
 from haptonic.cell.stack import LEAST_APART, Stack
 from haptonic.cell.tile import inradius, room_in
 from haptonic.design.discs import with_shared
-from haptonic.design.links import NAMED, Links
+from haptonic.design.links import Links
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
 from haptonic.errors import StudyError
 from haptonic.fields import with_numbers
+from haptonic.fields.expressions import NAMED
 from haptonic.lattice import LEAST_SIDE
 from haptonic.materials import IsotropicMaterial
 

@@ -9,13 +9,8 @@ from functools import cached_property
 
 from haptonic.design.parameters import UNITS
 from haptonic.errors import HaptonicError
-from haptonic.fields import PARAMETERS, Scope
-from haptonic.fields.expressions import ExpressedNumber
+from haptonic.fields.expressions import NAMED, ExpressedNumber, Scope
 from haptonic.later import xarray as xr
-
-NAMED = f"{PARAMETERS}."
-"""Beginning of the path of a named parameter, ``parameters.a``."""
-
 
 LOSSES = ".loss_factor"  # end of the path of a number that lossless bands do not depend on
 UNITS_OF_NAMED = "units_of_named"

@@ -24,10 +24,9 @@ from pydantic import ConfigDict, Field, ValidationError
 from pydantic.dataclasses import dataclass
 
 from haptonic.errors import HaptonicError, StudyError
-from haptonic.fields.expressions import scoped
 from haptonic.fields.keys import slots
 from haptonic.fields.problems import refusal
-from haptonic.fields.reading import any_placed, arranged, has_parameters
+from haptonic.fields.reading import any_placed, in_shape
 from haptonic.fields.unusual import caller, unusual_values, warn_caller
 
 T = TypeVar("T")
@@ -67,17 +66,12 @@ def described(
         value: Any = dataclass(frozen=True, kw_only=kw_only, config=ConfigDict(extra="forbid"))(kind)
         check: Callable[..., None] = value.__init__
         names = [field.name for field in fields(value) if field.init]
-        moved, named_numbers = any_placed(value), has_parameters(value)
+        moved = any_placed(value)
 
         @wraps(check)
         def checked(self: Any, *given: Any, **named: Any) -> None:
-            fields_given = scoped(named) if named_numbers else named
             try:
-                check(
-                    self,
-                    *given,
-                    **(arranged(value, fields_given, complete=not given) if moved else fields_given),
-                )
+                check(self, *given, **(in_shape(value, named, complete=not given) if moved else named))
             except ValidationError as error:
                 refused = refusal(error, value, place=place, family=family, names=names)
             else:

@@ -20,6 +20,7 @@ from haptonic.fields.grammar import ALLOWED, CONSTANTS, evaluate, names_in
 from haptonic.units import TYPOGRAPHIC, as_quantity, example_of, format_quantity
 
 PARAMETERS = "parameters"  # name of the table of a study
+NAMED = f"{PARAMETERS}."  # beginning of the path of a named parameter, ``parameters.a``
 MOST_PARAMETERS = 100
 LONGEST_NAME = 40
 FREE = {"h"}  # a unit of time that studies hardly use, and everybody's letter for a height

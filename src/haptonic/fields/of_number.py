@@ -9,7 +9,7 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.errors import StudyError
 from haptonic.fields.described import described, needed
-from haptonic.fields.expressions import PARAMETERS, ExpressedNumber
+from haptonic.fields.expressions import NAMED, ExpressedNumber
 from haptonic.fields.quantity import handed_on, number_of, number_of_any_unit, problem
 from haptonic.units import format_quantity
 
@@ -35,7 +35,7 @@ class OfNumber:
     @field_validator("parameter")
     @classmethod
     def _known(cls, path: str) -> str:
-        if cls.takes_parameters and path.startswith(f"{PARAMETERS}."):
+        if cls.takes_parameters and path.startswith(NAMED):
             return path  # the study has its name and unit
         if cls.unit_of(path) is None:
             cause = "no number of this name can be changed here"
@@ -47,14 +47,14 @@ class OfNumber:
     def _in_its_unit(cls, value: object, info: ValidationInfo) -> float:
         if "parameter" not in info.data:  # already refused; the unit is then unknown
             return 0.0
-        if cls.takes_parameters and info.data["parameter"].startswith(f"{PARAMETERS}."):
+        if cls.takes_parameters and info.data["parameter"].startswith(NAMED):
             return number_of_any_unit(value)
         return number_of(value, cls.unit_of(info.data["parameter"]) or "", info.context)
 
     @property
     def names_parameter(self) -> bool:
         """True for a number of [parameters], whose unit only the study has."""
-        return self.parameter.startswith(f"{PARAMETERS}.")
+        return self.parameter.startswith(NAMED)
 
     @property
     def unit(self) -> str:

@@ -30,7 +30,7 @@ def read(kind: type[T], tables: Mapping[str, Any], origin: str = "") -> T:
     """
     value: Any = kind
     try:
-        result: T = value.__pydantic_validator__.validate_python(_given(kind, tables), context=FROM_FILE)
+        result: T = value.__pydantic_validator__.validate_python(in_shape(kind, tables), context=FROM_FILE)
     except ValidationError as error:
         refused = refusal(error, kind, origin=origin)
     else:
@@ -42,20 +42,18 @@ def read_listing(kind: type[T], tables: Mapping[str, Any]) -> tuple[T | None, li
     """The described value of the tables of a file, or else each of their problems as an error of its own."""
     value: Any = kind
     try:
-        return value.__pydantic_validator__.validate_python(_given(kind, tables), context=FROM_FILE), []
+        return value.__pydantic_validator__.validate_python(in_shape(kind, tables), context=FROM_FILE), []
     except ValidationError as error:
         return None, problems_of(error, kind)
 
 
-def _given(kind: type, tables: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables in the shape of a described class; numbers of a study know its named parameters."""
-    given = arranged(kind, tables)
-    return scoped(given) if has_parameters(kind) else given
+def in_shape(kind: type, given: Mapping[str, Any], *, complete: bool = False) -> dict[str, Any]:
+    """Tables in the shape of a described class; texts of a study know its named parameters.
 
-
-def has_parameters(kind: type) -> bool:
-    """True for a class with a table of named parameters: a study."""
-    return any(slot.key == PARAMETERS for slot in slots(kind))
+    complete : see `arranged`
+    """
+    is_study = any(slot.key == PARAMETERS for slot in slots(kind))
+    return arranged(kind, scoped(given) if is_study else given, complete=complete)
 
 
 def any_placed(kind: type) -> bool:

@@ -13,7 +13,7 @@ import numpy as np
 from haptonic import plots
 from haptonic.cell import UnitCell
 from haptonic.cell.sites import steps_between
-from haptonic.fields import PARAMETERS, ExpressedNumber
+from haptonic.fields.expressions import NAMED, ExpressedNumber
 from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
 from haptonic.plate import Layout, Plate
@@ -88,8 +88,7 @@ class StudyPlan(Result):
             for name, cost in self.costs.items()
         ]
         values = [
-            (f"{PARAMETERS}.{name}", format_quantity(value, value.unit))
-            for name, value in self.parameters.items()
+            (f"{NAMED}{name}", format_quantity(value, value.unit)) for name, value in self.parameters.items()
         ]
         values += [
             (path, format_quantity(value, declared.unit) if declared else str(value))

@@ -69,7 +69,7 @@ def examined(
         data = _parsed(text, origin)
     except StudyError as error:
         return None, {}, [error]
-    placed = _placed(_parsed(text, origin), folder)
+    placed = _placed(data, folder)
     if outside := _outside(data, placed, folder):
         return None, data, [outside]
     study, problems = read_listing(kind, placed)
@@ -96,9 +96,9 @@ def _placed(data: dict[str, Any], folder: Path | None) -> dict[str, Any]:
     """The data of a study, with the path of its CAD file relative to the working directory."""
     cell = data.get("cell")
     solid = cell.get("solid") if isinstance(cell, dict) else None
-    if folder is not None and isinstance(solid, dict) and isinstance(solid.get("file"), str):
-        solid["file"] = str(folder / solid["file"])
-    return data
+    if folder is None or not isinstance(solid, dict) or not isinstance(solid.get("file"), str):
+        return data
+    return {**data, "cell": {**data["cell"], "solid": {**solid, "file": str(folder / solid["file"])}}}
 
 
 def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | None]:

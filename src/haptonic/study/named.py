@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from haptonic.design.links import NAMED, Links
+from haptonic.design.links import Links
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import ExpressedNumber
+from haptonic.fields.expressions import NAMED
 from haptonic.fields.keys import leaves
 from haptonic.fields.writing import parameters_of
 

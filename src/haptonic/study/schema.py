@@ -16,7 +16,6 @@ from pydantic import field_validator
 
 from haptonic.bloch.settings import BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
-from haptonic.design.links import NAMED
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
@@ -43,7 +42,7 @@ from haptonic.fields import (
     warn_caller,
     with_numbers,
 )
-from haptonic.fields.expressions import check_names
+from haptonic.fields.expressions import NAMED, check_names
 from haptonic.fields.keys import key_of
 from haptonic.fields.reading import read, with_value
 from haptonic.fields.writing import document, toml_of

@@ -14,7 +14,6 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.fields import (
     CARRIER,
-    PARAMETERS,
     Aliases,
     ByPattern,
     ExpressedNumber,
@@ -28,6 +27,7 @@ from haptonic.fields import (
     setting,
     table,
 )
+from haptonic.fields.expressions import NAMED
 from haptonic.fields.quantity import collected
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
@@ -45,7 +45,7 @@ def numeric_parameters() -> Mapping[str, str]:
 
 def named_in(expression: Expression) -> list[str]:
     """Named parameters in an expression, ``parameters.a``."""
-    return [name for name, _ in expression.powers if name.startswith(f"{PARAMETERS}.")]
+    return [name for name, _ in expression.powers if name.startswith(NAMED)]
 
 
 @described("sweep.second", kw_only=True)
@@ -92,7 +92,7 @@ class SweepAxis:
             expression = parse(text)
             named = dict.fromkeys(named_in(expression), "")  # the study has their names and units
             short = {
-                name: f'a named parameter is written with its table, "{PARAMETERS}.{name}"'
+                name: f'a named parameter is written with its table, "{NAMED}{name}"'
                 for name, _ in expression.powers
                 if "." not in name
             }

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 from pydantic_core import PydanticCustomError
 
 from haptonic.design.discs import SLIGHT, is_divided_alike, moving_together, reason_fixed
-from haptonic.design.links import LOSSES, NAMED
+from haptonic.design.links import LOSSES
 from haptonic.design.parameters import FILLET, OfCell, values_of
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import ExpressedNumber, handed_on, problem, with_numbers
+from haptonic.fields.expressions import NAMED
 from haptonic.fields.keys import Key, key_of
 from haptonic.study.named import expressed_numbers, links_of
 from haptonic.study.sweeps import SweepAxis, SweepSettings
