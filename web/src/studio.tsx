@@ -19,21 +19,23 @@ function Page({ start }: { start: Start }) {
     <>
       <Bar start={start} />
       <Lost />
-      <main>
-        <div class="workbench">
-          <section aria-label="Form">
+      <main class="workbench">
+        <div class="study">
+          <section id="form" aria-label="Form" tabIndex={0}>
             <Form tree={tree} />
           </section>
-          <section aria-label="Text and analyses">
+          <section id="text" aria-label="Text">
             <Editor />
-            <Compute analyses={start.analyses} />
           </section>
         </div>
-        <Result />
+        <div class="results" tabIndex={0} role="group" aria-label="Analyses and result">
+          <Compute analyses={start.analyses} />
+          <Result />
+          <footer>
+            <p>haptonic {start.version}</p>
+          </footer>
+        </div>
       </main>
-      <footer>
-        <p>haptonic {start.version}</p>
-      </footer>
     </>
   );
 }

@@ -98,7 +98,7 @@ function OptionField({ option, value, set }: OptionProps) {
           )}
         </>
       )}
-      <p id={`${id}-help`} class="quiet small">
+      <p id={`${id}-help`} class="help">
         {option.help}
       </p>
     </div>

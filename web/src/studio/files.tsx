@@ -13,8 +13,8 @@ export function Bar({ start }: { start: Start }) {
   const sure = () => !unsaved.peek() || confirm("The study has changes that are not saved. Leave them? Undo brings them back.");
   return (
     <header class="bar">
-      <h1>haptonic studio</h1>
       <div class="row">
+        <h1>haptonic studio</h1>
         <label>
           New, from a template
           <select

@@ -4288,7 +4288,7 @@ body {
   color: var(--ink);
   font: 1rem/1.45 system-ui, sans-serif;
 }
-#view { max-width: 84rem; margin: 0 auto; padding: 0.75rem 1rem 2rem; }
+#view { max-width: 84rem; margin: 0 auto; padding: 0.75rem 1rem 2rem; container-type: inline-size; }
 h1 { font-size: 1.3rem; margin: 0; display: inline-block; }
 .origin {
   display: inline-block; margin: 0 0 0 0.75rem; padding: 0 0.5rem;
@@ -4296,7 +4296,7 @@ h1 { font-size: 1.3rem; margin: 0; display: inline-block; }
 }
 header p { margin: 0.25rem 0; max-width: 60rem; }
 .pair { display: grid; gap: 1rem; grid-template-columns: minmax(0, 1fr); margin-top: 0.75rem; }
-@media (min-width: 62rem) { .pair { grid-template-columns: minmax(0, 1.15fr) minmax(0, 1fr); } }
+@container (min-width: 52rem) { .pair { grid-template-columns: minmax(0, 1.15fr) minmax(0, 1fr); } }
 .walk:focus-visible, button:focus-visible, input:focus-visible, select:focus-visible, canvas:focus-visible {
   outline: 3px solid var(--accent); outline-offset: 2px;
 }
