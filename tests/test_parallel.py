@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from haptonic.parallel import each, finished, streamed, threads
+from haptonic.parallel import each, finished, one_thread, streamed, threads
 
 
 @pytest.mark.parametrize("count", ["1", "3"])
@@ -26,6 +26,15 @@ def test_results_come_in_the_order_of_the_items(count, monkeypatch):
     assert [square for square, _ in found] == [item**2 for item in range(12)]
     assert all(limits == {1} for _, limits in found), "linear algebra inside has one thread"
     assert each(slow, []) == []
+
+
+def test_libraries_are_searched_for_only_once(monkeypatch):
+    """A search beside a thread that loads a library can wait for ever."""
+    with one_thread():
+        pass
+    monkeypatch.setattr("haptonic.parallel.ThreadpoolController", None)
+    with threadpool_limits(2), one_thread():
+        assert {library["num_threads"] for library in threadpool_info()} == {1}
 
 
 def test_an_error_stops_what_has_not_begun(monkeypatch):

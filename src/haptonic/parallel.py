@@ -14,11 +14,12 @@ from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import ExitStack, contextmanager, suppress
+from functools import cache
 from importlib import import_module
 from multiprocessing import resource_tracker
 from typing import TypeVar
 
-from threadpoolctl import threadpool_limits
+from threadpoolctl import ThreadpoolController
 
 from haptonic.later import psutil
 
@@ -47,14 +48,22 @@ def threads() -> int:
 
 @contextmanager
 def one_thread() -> Iterator[None]:
-    """Run linear algebra on one thread: our own threads are faster, and most matrices are too small for more.
+    """Run linear algebra on one thread: our threads are faster, and most matrices are too small for more."""
+    with _linear_algebra().limit(limits=1):
+        yield
 
-    A limit applies to loaded libraries only, and SciPy loads its own library on first use. Without the import
-    here, a first result used one thread more than the next and differed in the seventh digit.
+
+@cache
+def _linear_algebra() -> ThreadpoolController:
+    """Loaded libraries of linear algebra.
+
+    SciPy loads its own on first use; without the import here, a first result used one thread more than the
+    next and differed in the seventh digit. The search takes 3 ms and never ends if another thread loads a
+    library meanwhile: it waits for the interpreter, and the other thread for the list of libraries. So there
+    is one search, before our threads begin.
     """
     import_module("scipy.linalg")
-    with threadpool_limits(1):
-        yield
+    return ThreadpoolController()
 
 
 def each(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
