@@ -88,7 +88,8 @@ ALLOWED: dict[str, set[str]] = {
     "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},
     "verification": {"arrays", "atomic", "errors", "plots", "results", "store", "study", "units"},
     "studio": BASE
-    | {"analyses", "atomic", "description", "pages", "plots", "results", "study", "views", "__init__"},
+    | {"analyses", "atomic", "description", "pages", "plate", "plots", "results", "study", "views"}
+    | {"workshop", "__init__"},
     "cli": CORE | {"analyses", "atomic", "results", "store", "studio", "study", "verification", "__init__"},
 }
 TOP = {"__init__", "__main__"}

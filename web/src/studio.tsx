@@ -8,6 +8,8 @@ import { Editor } from "./studio/editor";
 import { Bar } from "./studio/files";
 import { Form } from "./studio/form";
 import { follow, lost } from "./studio/jobs";
+import { Paint } from "./studio/paint/paint";
+import paintStyle from "./studio/paint/paint.css";
 import { server, type Start } from "./studio/server";
 import { attempt, files, openFile, unsaved } from "./studio/study";
 import style from "./studio/studio.css";
@@ -30,6 +32,7 @@ function Page({ start }: { start: Start }) {
         </div>
         <div class="results" tabIndex={0} role="group" aria-label="Analyses and result">
           <Compute analyses={start.analyses} />
+          <Paint />
           <Result />
           <footer>
             <p>haptonic {start.version}</p>
@@ -53,7 +56,7 @@ function Lost() {
 async function begin(): Promise<void> {
   addStyle();
   const sheet = document.createElement("style");
-  sheet.textContent = style;
+  sheet.textContent = style + paintStyle;
   document.head.append(sheet);
   const place = document.getElementById("studio");
   if (place === null) throw new Error("the page has no place for the studio");

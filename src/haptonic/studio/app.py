@@ -25,12 +25,15 @@ from haptonic.studio.form import form
 from haptonic.studio.guard import TooLargeError
 from haptonic.studio.jobs import Job, Jobs
 from haptonic.studio.offers import chosen, offered, offers
+from haptonic.studio.painting import forecast
 from haptonic.studio.worker import Order
 from haptonic.studio.workspace import Workspace
-from haptonic.study import templates
+from haptonic.study import Study, templates
+from haptonic.study.loading import examined
 
 PROGRAM = "studio.js"
 PICTURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+MOST_CHANGES = 10  # of keys in one step
 UNNAMED = "my.toml"  # name in commands for a study that is not saved yet
 Asked = dict[str, Any]
 
@@ -50,8 +53,8 @@ class Studio:
     def app(self) -> Starlette:
         """The application without its guard."""
         asking: dict[str, Callable[[Asked], Any]] = {
-            "check": self.check, "change": self.change, "open": self.open, "template": self.template,
-            "save": self.save, "run": self.run, "cancel": self.cancel,
+            "check": self.check, "change": self.change, "forecast": self.forecast, "open": self.open,
+            "template": self.template, "save": self.save, "run": self.run, "cancel": self.cancel,
         }  # fmt: skip
         return Starlette(
             routes=[
@@ -113,12 +116,25 @@ class Studio:
         return checked(_text(asked), self.workspace.folder)
 
     def change(self, asked: Asked) -> dict[str, Any]:
-        """The text with another value of one key, and its state."""
-        steps = asked.get("steps")
-        if not isinstance(steps, list) or not steps or not all(isinstance(step, str | int) for step in steps):
-            raise _unasked("steps", steps, "names of tables and keys, and numbers in lists")
-        text = changed(_text(asked), steps, asked.get("value"))
+        """The text with other values of some keys, and its state."""
+        text, changes = _text(asked), asked.get("changes")
+        if not isinstance(changes, list) or not 0 < len(changes) <= MOST_CHANGES:
+            raise _unasked("changes", changes, "a list of changes")
+        for change in changes:
+            steps = change.get("steps") if isinstance(change, dict) else None
+            if (
+                not isinstance(steps, list)
+                or not steps
+                or not all(isinstance(step, str | int) for step in steps)
+            ):
+                raise _unasked("steps", steps, "names of tables and keys, and numbers in lists")
+            text = changed(text, steps, change.get("value"))
         return {"text": text} | checked(text, self.workspace.folder)
+
+    def forecast(self, asked: Asked) -> dict[str, Any]:
+        """Estimated cost of each command for the study of a text; none while it has a problem."""
+        study, *_ = examined(_text(asked), Study, self.workspace.folder)
+        return {"costs": [] if study is None else forecast(study)}
 
     def open(self, asked: Asked) -> dict[str, Any]:
         """Text and state of a file."""

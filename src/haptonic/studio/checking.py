@@ -10,6 +10,7 @@ from typing import Any
 from haptonic.errors import HaptonicError
 from haptonic.fields import unusual_values
 from haptonic.studio.editing import lines_of
+from haptonic.studio.painting import painting
 from haptonic.study import Study
 from haptonic.study.loading import examined
 
@@ -18,9 +19,9 @@ MOST = 50  # problems
 
 
 def checked(text: str, folder: Path) -> dict[str, Any]:
-    """Values, problems and remarks of a text, in plain values for the page.
+    """Values, problems and remarks of a text, in plain values for the page, and the drawing of its plate.
 
-    Without ``values`` the text is not TOML.
+    Without ``values`` the text is not TOML. The drawing is that of `painting`, None if there is a problem.
     """
     try:
         study, data, problems = examined(text, Study, folder)
@@ -35,6 +36,7 @@ def checked(text: str, folder: Path) -> dict[str, Any]:
             for path, words in unusual_values(study).items()
         ],
         "title": "" if study is None else study.title,
+        "plate": None if study is None else painting(study),
     }  # fmt: skip
 
 

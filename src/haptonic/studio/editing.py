@@ -9,6 +9,7 @@ from typing import Any
 
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import String, StringType, Trivia
 
 from haptonic.errors import StudyError
 
@@ -89,10 +90,8 @@ def _change(place: Any, steps: list[Step], value: Any) -> None:
             del place[step]
         elif isinstance(step, int):
             place.insert(step, _item(value)) if step == len(place) else place.__setitem__(step, _item(value))
-        elif isinstance(step, str) and step in place and not isinstance(value, dict):
-            place[step] = value  # keeps the comment behind the value
         else:
-            place[step] = _item(value)
+            place[step] = _item(value)  # keeps the comment behind a value
         return
     if isinstance(step, str) and step not in place:
         place[step] = tomlkit.aot() if isinstance(rest[0], int) else tomlkit.table()
@@ -102,6 +101,9 @@ def _change(place: Any, steps: list[Step], value: Any) -> None:
 
 
 def _item(value: Any) -> Any:
+    if isinstance(value, str) and "\n" in value and "\r" not in value:
+        lines = tomlkit.string(value, multiline=True).as_string()[3:-3]
+        return String(StringType.MLB, value, f"\n{lines}", Trivia())  # the first line break does not count
     if not isinstance(value, dict):
         return value
     table = tomlkit.table()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations, product
+from itertools import accumulate, combinations, product
 from typing import TypeVar
 
 from haptonic.cell import Brickwork, UnitCell
@@ -75,13 +75,19 @@ def plate_of(section: PlateSettings | None, cell: UnitCell) -> Plate:
     )
 
 
+def lines_of_map(section: PlateSettings, cell: UnitCell) -> tuple[list[float], list[float]]:
+    """Positions of the lines between the letters of a map along x and along y, from 0 upwards, m.
+
+    Raises
+    ------
+    StudyError : letters of different sizes share a column or a row
+    """
+    widths, heights = _sizes_of_map(section, cell, _cells(section, cell))
+    return [0.0, *accumulate(widths)], [0.0, *accumulate(heights)]
+
+
 def _layout(section: PlateSettings, cell: UnitCell) -> Layout:
-    tiles = section.grid
-    cells = {
-        name: cell_of_tiles
-        for name, cell_of_tiles in lattices(section.cell, cell, "plate.cell")
-        if name in section.tiles.values()
-    }
+    cells = _cells(section, cell)
     for letter, name in section.tiles.items():
         if name in cells and not cells[name].has_features:
             raise _refused(
@@ -89,6 +95,24 @@ def _layout(section: PlateSettings, cell: UnitCell) -> Layout:
                 "a lattice whose cell has a pillar or discs",
                 "the cell of this study is plain plate", f'add [cell.pillar], or write {letter} = "plain"',
             )  # fmt: skip
+    widths, heights = _sizes_of_map(section, cell, cells)
+    return Layout.laid(section.grid, widths, heights, cells, cell.thickness, cell.material)
+
+
+def _cells(section: PlateSettings, cell: UnitCell) -> dict[str, UnitCell]:
+    """Cells of the lattices that the map contains, by name."""
+    return {
+        name: cell_of_tiles
+        for name, cell_of_tiles in lattices(section.cell, cell, "plate.cell")
+        if name in section.tiles.values()
+    }
+
+
+def _sizes_of_map(
+    section: PlateSettings, cell: UnitCell, cells: Mapping[str, UnitCell]
+) -> tuple[list[float], list[float]]:
+    """Widths of the columns and heights of the rows of the map, m."""
+    tiles = section.grid
     columns = [{row[j] or "" for row in tiles} for j in range(len(tiles[0]))]
     rows = [{name or "" for name in row} for row in tiles]
     bricks, usual = {name: Brickwork.of(each) for name, each in cells.items()}, Brickwork.of(cell)
@@ -96,7 +120,7 @@ def _layout(section: PlateSettings, cell: UnitCell) -> Layout:
                     usual.width, "plate.widths")  # fmt: skip
     heights = _sizes("row", rows, {name: brick.height for name, brick in bricks.items()}, section.heights,
                      usual.height, "plate.heights")  # fmt: skip
-    return Layout.laid(tiles, [*widths], [*heights], cells, cell.thickness, cell.material)
+    return [*widths], [*heights]
 
 
 def lattices(

@@ -4,7 +4,8 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { onTheme, themeColour } from "../parts/colours";
 import { Cycle } from "../parts/cycle";
-import type { Loop, PlateResponse } from "./plate_data";
+import { corners, drawHeld, nameRegion, ON_MAP, strokeLoop, traceFeatures, type Placed } from "../parts/plan";
+import type { PlateResponse } from "./plate_data";
 import type { Choice } from "./state";
 
 const TALLEST = 0.62; // of the window
@@ -58,10 +59,11 @@ function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): 
     context.imageSmoothingEnabled = true;
     context.imageSmoothingQuality = "high";
     context.drawImage(small, 0, 0, canvas.width, canvas.height);
-    drawParts(context, plate, ([x, y]) => [
+    const placed: Placed = ([x, y]) => [
       (canvas.width * (x - left)) / (right - left),
       (canvas.height * (top - y)) / (top - bottom),
-    ]);
+    ];
+    drawParts(context, plate, placed, choice.plan.peek());
     canvas.dataset["shown"] = String(line);
   };
   const cycle = new Cycle(choice, draw);
@@ -81,6 +83,7 @@ function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): 
   const stops = [
     effect(() => {
       choice.line.value;
+      choice.plan.value;
       draw();
     }),
     onTheme(draw),
@@ -92,47 +95,24 @@ function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): 
   };
 }
 
-type Placed = (point: [number, number]) => [number, number];
-
-function drawParts(context: CanvasRenderingContext2D, plate: PlateResponse, placed: Placed): void {
-  const { plate: border, regions, patches } = plate.parts;
-  context.strokeStyle = "#1c2126"; // on the map's colours, which are the same in light and dark
+function drawParts(context: CanvasRenderingContext2D, plate: PlateResponse, placed: Placed, whole: boolean): void {
+  const { plate: border, regions, patches, features, held } = plate.parts;
+  context.strokeStyle = ON_MAP;
   context.lineWidth = 1.2 * devicePixelRatio;
-  for (const loop of Object.values(regions).flat()) stroke(context, loop, placed);
+  for (const loop of Object.values(regions).flat()) strokeLoop(context, loop, placed);
+  if (whole) {
+    context.lineWidth = 0.8 * devicePixelRatio;
+    traceFeatures(context, features, placed);
+    context.stroke();
+    drawHeld(context, held, placed);
+  }
+  context.lineWidth = 1.2 * devicePixelRatio;
   context.strokeStyle = themeColour("quiet");
-  for (const loop of border) stroke(context, loop, placed);
+  for (const loop of border) strokeLoop(context, loop, placed);
   context.strokeStyle = "#855a12";
   context.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio]);
-  for (const [x, y, width, height] of Object.values(patches)) {
-    const [across, up] = [width / 2, height / 2];
-    const corners: Loop = [[x - across, y - up], [x + across, y - up], [x + across, y + up], [x - across, y + up]];
-    stroke(context, corners, placed);
-  }
+  for (const [x, y, width, height] of Object.values(patches))
+    strokeLoop(context, corners([x, y], [width, height]), placed);
   context.setLineDash([]);
   for (const [name, loops] of Object.entries(regions)) nameRegion(context, name, loops, placed);
-}
-
-/** Write the name of a region in the middle of its upper end. */
-function nameRegion(context: CanvasRenderingContext2D, name: string, loops: Loop[], placed: Placed): void {
-  const corners = loops.flat().map(placed);
-  const [across, up] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
-  const size = 13 * devicePixelRatio;
-  context.font = `${size}px system-ui, sans-serif`;
-  context.textAlign = "center";
-  context.lineWidth = 3 * devicePixelRatio;
-  context.strokeStyle = "#ffffff";
-  context.fillStyle = "#1c2126";
-  const middle = (Math.min(...across) + Math.max(...across)) / 2;
-  const wide = context.measureText(name).width / 2;
-  const x = Math.min(Math.max(middle, wide), context.canvas.width - wide);
-  const y = Math.min(...up) + 1.3 * size;
-  context.strokeText(name, x, y);
-  context.fillText(name, x, y);
-}
-
-function stroke(context: CanvasRenderingContext2D, loop: Loop, placed: Placed): void {
-  context.beginPath();
-  loop.forEach((corner, k) => (k === 0 ? context.moveTo(...placed(corner)) : context.lineTo(...placed(corner))));
-  context.closePath();
-  context.stroke();
 }

@@ -1,6 +1,7 @@
 /** Numbers of a plate's response with the names that the view uses. */
 
 import type { Dataset, Numbers } from "../dataset";
+import type { Drawing } from "../parts/plan";
 
 export interface Curve {
   name: string;
@@ -13,15 +14,7 @@ export interface Mode {
   quality: number;
 }
 
-export type Loop = [number, number][]; // corners of a closed line, m
 export type Shown = "level" | "contrast";
-
-/** Parts of the plate that are drawn over the map, m. */
-interface Parts {
-  plate: Loop[];
-  regions: Record<string, Loop[]>;
-  patches: Record<string, [number, number, number, number]>; // middle and size
-}
 
 export class PlateResponse {
   readonly frequency: Numbers;
@@ -30,7 +23,7 @@ export class PlateResponse {
   readonly gap: [number, number] | null;
   readonly carrier: number;
   readonly drive: string; // " at 60 V"
-  readonly parts: Parts;
+  readonly parts: Drawing; // drawn over the map
   readonly modes: Mode[];
   readonly colours: number[][];
   private readonly real: Numbers;
@@ -49,7 +42,7 @@ export class PlateResponse {
     this.gap = extra["gap"] as [number, number] | null;
     this.carrier = Number(extra["carrier"]);
     this.drive = String(extra["drive"]);
-    this.parts = extra as unknown as Parts;
+    this.parts = extra as unknown as Drawing;
     this.colours = extra["colours"] as number[][];
     const [frequency, quality] = [data.values("mode_frequency"), data.values("mode_quality")];
     this.modes = Array.from(frequency, (value, k) => ({

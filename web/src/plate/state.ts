@@ -11,6 +11,7 @@ const FAST = 10; // frequencies
 export interface Choice extends Pace {
   line: Signal<number>; // number of the frequency, from 0
   shown: Signal<Shown>;
+  plan: Signal<boolean>; // pillars and supports over the map
   listing: Signal<Listed>;
 }
 
@@ -18,6 +19,7 @@ export function startingChoice(plate: PlateResponse): Choice {
   return {
     line: signal(plate.first),
     shown: signal<Shown>(plate.has("level") ? "level" : "contrast"),
+    plan: signal(false),
     playing: signal(!wantsStill()),
     pace: signal(0.7),
     listing: signal<Listed>("none"),
@@ -48,6 +50,7 @@ export function plateKeys(plate: PlateResponse, choice: Choice): Key[] {
     },
     { keys: "c", effect: "carrier", actions: { c: () => jump(plate.nearest(plate.carrier)) } },
     { keys: "g", effect: "resonance in the gap", actions: { g: () => jump(plate.first) } },
+    { keys: "l", effect: "pillars and supports", actions: { l: () => (choice.plan.value = !choice.plan.value) } },
     {
       keys: "space",
       effect: "move or stop",

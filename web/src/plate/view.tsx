@@ -65,6 +65,13 @@ function PlateView({ data }: { data: Dataset }) {
             <PlayButton playing={choice.playing} />
             <FrequencySlider plate={plate} choice={choice} />
             <PaceSlider pace={choice.pace} />
+            <label class="check">
+              <input
+                type="checkbox" checked={choice.plan.value}
+                onChange={(event) => (choice.plan.value = event.currentTarget.checked)}
+              />
+              pillars and supports
+            </label>
           </div>
         </section>
       </div>

@@ -1,5 +1,7 @@
 /** What the page asks the server for, with the types of the answers. */
 
+import type { Drawing, Point } from "../parts/plan";
+
 export type Value = string | number | boolean | Value[] | Tables;
 export interface Tables {
   [key: string]: Value;
@@ -70,10 +72,45 @@ export interface Remark {
   line: number | null;
 }
 
+/** Another value of one key; null removes it. */
+export interface Change {
+  steps: Step[];
+  value: Value | null;
+}
+
+/** Something on the plate that can be moved, as `haptonic.studio.painting` gives it; lengths in m. */
+export interface Part {
+  steps: Step[]; // to its table
+  name: string;
+  centre: Point; // on the plate
+  corner: Point; // that its key counts from
+  size: number[]; // along x, along y and further ones; empty for a point and a disc
+  diameter: number | null;
+}
+
+export interface PlateDrawing extends Drawing {
+  x: number[]; // lines between the letters of the map, m
+  y: number[];
+  lattices: string[];
+  parts: Part[];
+  clamp: number | null; // supported length at the corners, m
+  mass: number | null; // kg
+  contents: string;
+  remarks: string[];
+}
+
+export interface Forecast {
+  command: string;
+  time: string;
+  memory: string;
+  refusal: string;
+}
+
 export interface Checked {
   values: Tables | null;
   problems: Problem[];
   remarks: Remark[];
+  plate: PlateDrawing | null;
 }
 
 export interface Job {
@@ -151,7 +188,8 @@ type Edited = Checked & { text: string };
 export const server = {
   start: () => answered<Start>(fetch("api/start")),
   check: (text: string) => post<Checked>("check", { text }),
-  change: (text: string, steps: Step[], value: Value | null) => post<Edited>("change", { text, steps, value }),
+  change: (text: string, changes: Change[]) => post<Edited>("change", { text, changes }),
+  forecast: (text: string) => post<{ costs: Forecast[] }>("forecast", { text }),
   open: (name: string) => post<Edited & { name: string }>("open", { name }),
   template: (name: string) => post<Edited>("template", { name }),
   save: (name: string, text: string, known: string | null) =>

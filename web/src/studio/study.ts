@@ -1,7 +1,7 @@
 /** The study that the page edits: its text is the truth, and the form shows its values. */
 
 import { computed, signal, type Signal } from "@preact/signals";
-import { Refusal, server, type Checked, type Problem, type Remark, type Step, type Tables, type Value } from "./server";
+import { Refusal, server, type Change, type Checked, type PlateDrawing, type Problem, type Remark, type Step, type Tables, type Value } from "./server";
 
 const PAUSE = 250; // ms after the last letter before the text is checked
 const STEP = 800; // ms; letters within it are undone together
@@ -10,6 +10,7 @@ const MOST_STEPS = 300;
 export const text = signal("");
 export const values = signal<Tables>({});
 export const broken = signal(false); // the text is not TOML, so the values are those of an earlier text
+export const plate = signal<PlateDrawing | null>(null); // the last one that could be built; null without a plate
 export const problems = signal<Problem[]>([]);
 export const remarks = signal<Remark[]>([]);
 export const file = signal<string | null>(null);
@@ -24,14 +25,18 @@ export const canUndo = computed(() => past.value.length > 0);
 export const canRedo = computed(() => future.value.length > 0);
 
 let number = 0; // of the newest check; answers to older ones are dropped
+let examined = ""; // the text that values and problems belong to
 let timer = 0;
 let typed = -Infinity; // time of the last letter, ms since the page was loaded
 let queue: Promise<void> = Promise.resolve();
 
-function take(state: Checked): void {
+/** Take the state of a text. */
+function take(state: Checked, of: string): void {
   number += 1;
+  examined = of;
   broken.value = state.values === null && text.peek().trim() !== "";
   if (!broken.value) values.value = state.values ?? {};
+  if (state.plate !== null || values.peek()["plate"] === undefined) plate.value = state.plate;
   problems.value = state.problems;
   remarks.value = state.remarks;
 }
@@ -64,8 +69,9 @@ function checkLater(pause = PAUSE): void {
 
 async function checkNow(): Promise<void> {
   const mine = (number += 1);
-  const state = await server.check(text.peek());
-  if (mine === number) take(state);
+  const asked = text.peek();
+  const state = await server.check(asked);
+  if (mine === number) take(state, asked);
 }
 
 /** The text was edited by hand. */
@@ -80,21 +86,26 @@ export function setText(next: string): void {
   checkLater(0);
 }
 
-/** Change one key; null removes it. Changes are made one after another. */
-export function change(steps: Step[], value: Value | null): void {
-  queue = queue.then(() =>
+/** Change one key; null removes it. */
+export const change = (steps: Step[], value: Value | null) => void changeAll(() => [{ steps, value }]);
+
+/** Change several keys as one step of the history, determined when all earlier changes have been made. */
+export function changeAll(wanted: () => Change[]): Promise<void> {
+  return (queue = queue.then(() =>
     attempt(async () => {
       for (;;) {
-        const before = text.peek();
-        const state = await server.change(before, steps, value);
+        if (examined !== text.peek()) await checkNow(); // after an undo, `values` are older than the text
+        const [before, changes] = [text.peek(), wanted()];
+        if (changes.length === 0) return;
+        const state = await server.change(before, changes);
         if (text.peek() !== before) continue; // letters were typed meanwhile
         replace(state.text);
         clearTimeout(timer);
-        take(state);
+        take(state, state.text);
         return;
       }
     }),
-  );
+  ));
 }
 
 /** Take the newest text of one list, and put the current one into the other. */
@@ -117,7 +128,7 @@ export const openFile = (name: string) =>
     replace(state.text);
     file.value = state.name;
     saved.value = state.text;
-    take(state);
+    take(state, state.text);
   });
 
 export const openTemplate = (name: string) =>
@@ -126,7 +137,7 @@ export const openTemplate = (name: string) =>
     replace(state.text);
     file.value = null;
     saved.value = null;
-    take(state);
+    take(state, state.text);
   });
 
 export const save = (name: string) =>

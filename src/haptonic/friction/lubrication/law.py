@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 import scipy
@@ -16,6 +16,7 @@ from haptonic.friction.lubrication.prediction import predict
 from haptonic.later import xarray as xr
 
 End = Literal["value", "low", "high"]
+ENDS: tuple[End, ...] = get_args(End)
 
 STRONGEST = 1e4  # V or N: the search for a drive ends there
 SMALLEST, LARGEST = 1e-9, 5e-5  # m, amplitudes between which the law is tabulated

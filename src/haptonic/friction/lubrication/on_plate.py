@@ -9,14 +9,13 @@ from functools import cached_property
 import numpy as np
 
 from haptonic.arrays import Bools
-from haptonic.friction.lubrication.law import End, FrictionLaw
+from haptonic.friction.lubrication.law import ENDS, FrictionLaw
 from haptonic.friction.lubrication.parameters import Fingertip, Touch
 from haptonic.friction.lubrication.perception import Margin, rise_time, time_constant
 from haptonic.later import xarray as xr
 from haptonic.response import Reference
 from haptonic.units import share_text
 
-ENDS: tuple[End, ...] = ("value", "low", "high")
 CURVE = 41  # drives in the curve of reduction against drive
 BEYOND = 2.0  # times the drive: where that curve ends
 

@@ -28,12 +28,13 @@ VALID = {
     "load_sharing": "a film of air all the time; not where the excursion reaches 0.95 of the gap (NaN)",
     "intermittent": VALIDITY,
 }
+SAMPLES = 200  # draws from the plausible intervals
 QUANTILES = (0.025, 0.975)
 DIRECT = 200  # amplitudes; of more, a curve is interpolated, because friction depends on the amplitude alone
 
 
 def predict(
-    amplitude: xr.DataArray, touch: Touch, finger: Fingertip, *, samples: int = 200, seed: int = 0
+    amplitude: xr.DataArray, touch: Touch, finger: Fingertip, *, samples: int = SAMPLES, seed: int = 0
 ) -> xr.Dataset:
     """Friction over that without vibration, mu / mu0, by both models.
 
@@ -67,12 +68,11 @@ def predict(
     moving = checked_amplitude(amplitude.values)
     line, place = np.unique(moving, return_inverse=True)
     knots = line if line.size <= DIRECT else np.linspace(line[0], line[-1], DIRECT)
-    drawn = {name: numbers[:, None] for name, numbers in finger.sampled(samples, seed).items()}
     friction: dict[str, Array] = {}
     for name, model in MODELS.items():
-        friction[name] = model(knots, touch, finger.values)
-        cloud = model(knots, touch, drawn)
-        friction[f"{name}_low"], friction[f"{name}_high"] = np.quantile(cloud, QUANTILES, axis=0)
+        friction[name], friction[f"{name}_low"], friction[f"{name}_high"] = with_interval(
+            model, knots, touch, finger, samples=samples, seed=seed
+        )
     friction["low"] = np.fmin(friction["load_sharing_low"], friction["intermittent_low"])
     friction["high"] = np.fmax(friction["load_sharing_high"], friction["intermittent_high"])
     data = {
@@ -94,6 +94,21 @@ def predict(
         "haptonic_version": version("haptonic"),
     }
     return xr.Dataset(data, coords=amplitude.coords, attrs=attributes)
+
+
+def with_interval(
+    model: Model,
+    amplitude: Array,
+    touch: Touch,
+    finger: Fingertip,
+    *,
+    samples: int = SAMPLES,
+    seed: int = 0,
+) -> Array:
+    """(3, amplitude) friction by one model: the value, and the ends of its interval; see `predict`."""
+    drawn = {name: numbers[:, None] for name, numbers in finger.sampled(samples, seed).items()}
+    cloud = model(amplitude, touch, drawn)
+    return np.stack([model(amplitude, touch, finger.values), *np.quantile(cloud, QUANTILES, axis=0)])
 
 
 def explained(

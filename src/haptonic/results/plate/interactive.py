@@ -8,7 +8,7 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.later import xarray as xr
-from haptonic.plate.layout.outline import outline
+from haptonic.plate.layout.drawing import drawing_of
 from haptonic.plots.text import driven
 from haptonic.response.measures import along
 from haptonic.views import InteractiveView
@@ -58,8 +58,6 @@ def plate_view(result: PlateResult) -> InteractiveView:
 
 
 def _extra(result: PlateResult) -> dict[str, Any]:
-    plate = result.plate
-    layout = plate.layout
     return {
         "summary": result.summary(),
         "colours": plots.shades(2 * STEPS + 1, signed=True),
@@ -67,7 +65,5 @@ def _extra(result: PlateResult) -> dict[str, Any]:
         "carrier": result.carrier,
         "first": result.resonance,
         "drive": driven(result.response.units, result.drive),
-        "plate": [loop.tolist() for loop in outline(layout, set(layout.there.values()))],
-        "regions": {name: [loop.tolist() for loop in outline(layout, {name})] for name in layout.regions},
-        "patches": {actuator.name: [*actuator.centre, *actuator.size[:2]] for actuator in plate.actuators},
+        **drawing_of(result.plate),
     }

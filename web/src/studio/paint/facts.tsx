@@ -1,0 +1,107 @@
+/** Sizes, counts and mass of a plate, and the estimated costs of its commands. */
+
+import { useEffect, useState } from "preact/hooks";
+import { plate, problems, text } from "../study";
+import { server, type Forecast } from "../server";
+import { ABSENT } from "./grid";
+import { grid, isPending, tiles } from "./state";
+
+const PAUSE = 800; // ms after the last change before costs are estimated
+
+/** A number with three digits, without a power of ten. */
+const short = (value: number): string => String(Number(value.toPrecision(3)));
+
+export function Facts() {
+  const [map, drawing] = [grid.value, plate.value];
+  if (map === null) return null;
+  const counts = new Map<string, number>();
+  for (const letter of map.flat()) counts.set(letter, (counts.get(letter) ?? 0) + 1);
+  const fits = drawing !== null && drawing.x.length === (map[0]?.length ?? 0) + 1 && drawing.y.length === map.length + 1;
+  const isOld = isPending.value || problems.value.length > 0;
+  return (
+    <div class="facts">
+      <dl>
+        {tiles.value.filter(({ letter }) => letter !== ABSENT).map(({ letter, name }) => (
+          <div>
+            <dt>{name}</dt>
+            <dd>{counts.get(letter) ?? 0} tiles</dd>
+          </div>
+        ))}
+        <div>
+          <dt>map</dt>
+          <dd>
+            {map[0]?.length} x {map.length} tiles
+          </dd>
+        </div>
+        {drawing !== null && fits && (
+          <>
+            <div>
+              <dt>size</dt>
+              <dd>
+                {short(1e3 * (drawing.x.at(-1) ?? 0))} x {short(1e3 * (drawing.y.at(-1) ?? 0))} mm
+              </dd>
+            </div>
+            <div>
+              <dt>contents</dt>
+              <dd>{drawing.contents}</dd>
+            </div>
+            {drawing.mass !== null && (
+              <div>
+                <dt>mass without patches</dt>
+                <dd>{short(1e3 * drawing.mass)} g</dd>
+              </div>
+            )}
+          </>
+        )}
+      </dl>
+      {isOld && <p class="quiet">Size, contents and mass are those of the last map that could be built.</p>}
+      {!isOld && drawing?.remarks.map((sentence) => <p class="doubt">{sentence}</p>)}
+    </div>
+  );
+}
+
+export function Forecasts() {
+  const [costs, setCosts] = useState<{ of: string; costs: Forecast[] } | null>(null);
+  const current = text.value;
+  useEffect(() => {
+    const timer = setTimeout(() => {
+      server.forecast(current).then(
+        (answer) => setCosts({ of: current, ...answer }),
+        () => undefined, // the page reports a server that does not answer
+      );
+    }, PAUSE);
+    return () => clearTimeout(timer);
+  }, [current]);
+  const isOld = costs === null || costs.of !== current;
+  return (
+    <details open>
+      <summary>
+        Estimated costs <span class="quiet">as orders of magnitude</span>
+      </summary>
+      {isOld ? (
+        <p class="quiet">Estimated again after a moment without changes.</p>
+      ) : costs.costs.length === 0 ? (
+        <p class="quiet">Not estimated, because the study has a problem.</p>
+      ) : (
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">command</th>
+              <th scope="col">processor time</th>
+              <th scope="col">memory</th>
+            </tr>
+          </thead>
+          <tbody>
+            {costs.costs.map(({ command, time, memory, refusal }) => (
+              <tr>
+                <td>haptonic {command}</td>
+                <td>{refusal ? `refused: ${refusal}` : time}</td>
+                <td>{refusal ? "" : memory}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+    </details>
+  );
+}
