@@ -3,6 +3,7 @@
 import { render, type ComponentChildren } from "preact";
 import { bandsView } from "./bands/view";
 import type { Dataset } from "./dataset";
+import { fingerView } from "./plate/finger";
 import { plateView } from "./plate/view";
 import uplot from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
@@ -10,6 +11,7 @@ import style from "./style.css";
 const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = {
   bands: bandsView,
   plate: plateView,
+  finger: fingerView,
 };
 
 /** Draw a view into an element; the returned function removes it. */

@@ -45,6 +45,7 @@ class FeelOptions:
     reduction: float | None = option(
         None, "Also compute the drive for this reduction, 0.5 for 50 %.", metavar="SHARE"
     )
+    html: bool = option(False, "Also one interactive HTML page, with a finger that is moved over the plate.")
 
 
 def check(study: Description, options: FeelOptions) -> None:
@@ -91,7 +92,7 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
         skin=finger.skin,
         drive=drive,
     )
-    return Feel(plate, gap, friction, options.reduction)
+    return Feel(plate, gap, friction, options.reduction, pad=finger.pad, interactive=options.html)
 
 
 def compute_loaded(
@@ -155,4 +156,5 @@ ANALYSIS = Analysis(
     options=FeelOptions,
     check=check,
     doing="shifts",
+    interactive="html",
 )

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,15 +14,18 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
+from haptonic.friction.lubrication.settings import Pad
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plate import Plate
+from haptonic.results.feel.interactive import feel_view
 from haptonic.results.feel.requirements import Requirement, requirements
 from haptonic.results.plain import determined, split
-from haptonic.results.result import Result, figure
+from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity, hz_text, in_percent
+from haptonic.views import InteractiveView, sent_page
 
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # readable without colours
 COLUMNS = (
@@ -39,6 +43,7 @@ class Feel(Result):
 
     plate : the vibrating plate; gap : of its lattice around the carrier, if any
     friction : relative to that without vibration; reduction : target for which the drive is computed, if any
+    pad : load of the finger on the plate; interactive : whether the interactive page is among its files
     """
 
     title = "Friction under a finger"
@@ -48,6 +53,8 @@ class Feel(Result):
     gap: Gap | None
     friction: FrictionOnPlate
     reduction: float | None = None
+    pad: Pad = field(default_factory=Pad)
+    interactive: bool = False
 
     @cached_property
     def by_region(self) -> xr.Dataset:
@@ -135,6 +142,14 @@ class Feel(Result):
         return plots.reduction_curve(
             self.friction.curve, self.friction.drive, WEBER_FRACTION, title=title, ax=ax
         )
+
+    @file("feel.html", when=lambda result: result.interactive)
+    def _write_page(self, path: Path) -> None:
+        path.write_text(sent_page(feel_view(self)), "utf-8")
+
+    def view(self) -> InteractiveView | None:
+        """Interactive view of the finger; None if it was not asked for."""
+        return feel_view(self) if self.interactive else None
 
     def summary(self) -> list[str]:
         driven, reductions = self.friction.driven, self.friction.reductions()

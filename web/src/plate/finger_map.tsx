@@ -1,0 +1,154 @@
+/** Map of the reduction of friction, over which a finger is moved. */
+
+import { effect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { onTheme, themeColour } from "../parts/colours";
+import { corners, nameRegion, ON_MAP, strokeLoop, type Placed, type Point } from "../parts/plan";
+import type { FingerData } from "./finger_data";
+import type { Finger } from "./finger_state";
+
+const TALLEST = 0.62; // of the window
+
+export function FingerMap({ data, finger }: { data: FingerData; finger: Finger }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    if (canvas.current === null) return;
+    return kept(canvas.current, data, finger);
+  }, [data, finger]);
+  const { colours } = data.extra;
+  const steps = [0, 0.25, 0.5, 0.75, 1].map((share) => `rgb(${(colours[Math.round(share * (colours.length - 1))] ?? []).join(" ")})`);
+  return (
+    <div class="map">
+      <canvas ref={canvas} role="img" aria-label="Map of the reduction of friction" />
+      <p class="scale">
+        <span>0</span>
+        <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
+        <span>100 %</span> less friction below a finger with its middle there, model
+      </p>
+    </div>
+  );
+}
+
+/** Draw the map while the choices and the size of the canvas change; returns what ends it. */
+function kept(canvas: HTMLCanvasElement, data: FingerData, finger: Finger): () => void {
+  const [columns, rows] = [data.columns, data.rows];
+  const image = new ImageData(columns.length, rows.length);
+  const small = new OffscreenCanvas(columns.length, rows.length);
+  const [context, inner] = [canvas.getContext("2d"), small.getContext("2d")];
+  if (context === null || inner === null) return () => undefined;
+  const [across, up] = [columns, rows].map((lines) => ends(lines)) as [Point, Point];
+  const placed: Placed = ([x, y]) => [
+    (canvas.width * (x - across[0])) / (across[1] - across[0]),
+    (canvas.height * (up[1] - y)) / (up[1] - up[0]),
+  ];
+  const paint = () => {
+    const { colours } = data.extra;
+    const [law, drive] = [finger.law.peek(), finger.drive.peek()];
+    rows.forEach((_, row) =>
+      columns.forEach((_, column) => {
+        const place = data.placeIn(row, column);
+        const pixel = 4 * ((rows.length - 1 - row) * columns.length + column);
+        image.data[pixel + 3] = place === null ? 0 : 255;
+        if (place === null) return;
+        const less = 1 - data.friction(law.value, data.amplitude(place, "value", drive));
+        const colour = colours[Math.round(Math.min(Math.max(less, 0), 1) * (colours.length - 1))] ?? [];
+        colour.forEach((value, k) => (image.data[pixel + k] = value));
+      }),
+    );
+    inner.putImageData(image, 0, 0);
+  };
+  const draw = () => {
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.imageSmoothingEnabled = false; // each place has one number
+    context.drawImage(small, 0, 0, canvas.width, canvas.height);
+    drawPlan(context, data, placed);
+    drawFinger(context, data, finger.place.peek(), placed);
+    canvas.dataset["place"] = String(finger.place.peek());
+  };
+  const fit = () => {
+    const ratio = (up[1] - up[0]) / (across[1] - across[0]);
+    const width = Math.min(canvas.parentElement?.clientWidth ?? 300, (TALLEST * innerHeight) / ratio);
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${width * ratio}px`;
+    canvas.width = Math.round(width * devicePixelRatio);
+    canvas.height = Math.round(width * ratio * devicePixelRatio);
+    draw();
+  };
+  const resized = new ResizeObserver(fit);
+  if (canvas.parentElement !== null) resized.observe(canvas.parentElement);
+  const stops = [
+    effect(() => {
+      void [finger.law.value, finger.drive.value];
+      paint();
+      draw();
+    }),
+    effect(() => {
+      finger.place.value;
+      draw();
+    }),
+    onTheme(draw),
+    dragged(canvas, ([left, top]) => {
+      const point: Point = [across[0] + left * (across[1] - across[0]), up[1] - top * (up[1] - up[0])];
+      finger.place.value = data.nearest(point);
+    }),
+  ];
+  return () => {
+    resized.disconnect();
+    for (const stop of stops) stop();
+  };
+}
+
+/** Ends of the map along an axis: half a step beyond the outer places. */
+function ends(lines: number[]): Point {
+  const [first = 0, second = first + 1e-3] = lines;
+  const half = (second - first) / 2;
+  return [first - half, (lines.at(-1) ?? 0) + half];
+}
+
+function drawPlan(context: CanvasRenderingContext2D, { extra }: FingerData, placed: Placed): void {
+  context.lineWidth = 1.2 * devicePixelRatio;
+  context.strokeStyle = "#ffffff";
+  for (const loop of Object.values(extra.regions).flat()) strokeLoop(context, loop, placed);
+  context.strokeStyle = themeColour("quiet");
+  for (const loop of extra.plate) strokeLoop(context, loop, placed);
+  context.strokeStyle = "#ffffff";
+  context.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio]);
+  for (const [x, y, width, height] of Object.values(extra.patches))
+    strokeLoop(context, corners([x, y], [width, height]), placed);
+  context.setLineDash([]);
+  for (const [name, loops] of Object.entries(extra.regions)) nameRegion(context, name, loops, placed);
+}
+
+/** The disc below the finger, with a dark and a light rim. */
+function drawFinger(context: CanvasRenderingContext2D, data: FingerData, place: number, placed: Placed): void {
+  const centre: Point = [data.x[place] ?? 0, data.y[place] ?? 0];
+  const [x, y] = placed(centre);
+  const radius = placed([centre[0] + data.extra.diameter / 2, centre[1]])[0] - x;
+  for (const [colour, width] of [["#ffffff", 5], [ON_MAP, 2]] as const) {
+    context.strokeStyle = colour;
+    context.lineWidth = width * devicePixelRatio;
+    context.beginPath();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.moveTo(x - 4 * devicePixelRatio, y);
+    context.lineTo(x + 4 * devicePixelRatio, y);
+    context.moveTo(x, y - 4 * devicePixelRatio);
+    context.lineTo(x, y + 4 * devicePixelRatio);
+    context.stroke();
+  }
+}
+
+/** Follow the pressed pointer, in shares of the canvas from its upper left corner. */
+function dragged(canvas: HTMLCanvasElement, moved: (share: Point) => void): () => void {
+  const follow = (event: PointerEvent) => {
+    if (event.type === "pointerdown") canvas.setPointerCapture(event.pointerId);
+    else if (event.buttons === 0) return;
+    const box = canvas.getBoundingClientRect();
+    moved([(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height]);
+  };
+  canvas.addEventListener("pointerdown", follow);
+  canvas.addEventListener("pointermove", follow);
+  return () => {
+    canvas.removeEventListener("pointerdown", follow);
+    canvas.removeEventListener("pointermove", follow);
+  };
+}
