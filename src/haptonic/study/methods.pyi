@@ -190,6 +190,7 @@ class Methods:
         voltage: str | float | None = ...,
         at: str | float | None = ...,
         reduction: float | None = ...,
+        html: bool = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,

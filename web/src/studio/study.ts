@@ -3,6 +3,12 @@
 import { computed, signal, type Signal } from "@preact/signals";
 import { Refusal, server, type Change, type Checked, type PlateDrawing, type Problem, type Remark, type Step, type Tables, type Value } from "./server";
 
+/** A text of the history with its values, if they are known. */
+interface Version {
+  text: string;
+  values: Tables | null;
+}
+
 const PAUSE = 250; // ms after the last letter before the text is checked
 const STEP = 800; // ms; letters within it are undone together
 const MOST_STEPS = 300;
@@ -10,15 +16,15 @@ const MOST_STEPS = 300;
 export const text = signal("");
 export const values = signal<Tables>({});
 export const broken = signal(false); // the text is not TOML, so the values are those of an earlier text
-export const plate = signal<PlateDrawing | null>(null); // the last one that could be built; null without a plate
+export const plate = signal<PlateDrawing | null>(null); // null without a plate, and while it cannot be built
 export const problems = signal<Problem[]>([]);
 export const remarks = signal<Remark[]>([]);
 export const file = signal<string | null>(null);
 export const files = signal<string[]>([]);
 export const notice = signal<Problem | string | null>(null); // why the last action was refused
 const saved = signal<string | null>(null); // text of the file, as far as this page knows
-const past = signal<string[]>([]);
-const future = signal<string[]>([]);
+const past = signal<Version[]>([]);
+const future = signal<Version[]>([]);
 
 export const unsaved = computed(() => text.value !== (saved.value ?? ""));
 export const canUndo = computed(() => past.value.length > 0);
@@ -36,7 +42,7 @@ function take(state: Checked, of: string): void {
   examined = of;
   broken.value = state.values === null && text.peek().trim() !== "";
   if (!broken.value) values.value = state.values ?? {};
-  if (state.plate !== null || values.peek()["plate"] === undefined) plate.value = state.plate;
+  plate.value = state.plate;
   problems.value = state.problems;
   remarks.value = state.remarks;
 }
@@ -52,11 +58,16 @@ export async function attempt(action: () => Promise<void>): Promise<void> {
   }
 }
 
+const current = (): Version => ({
+  text: text.peek(),
+  values: examined === text.peek() && !broken.peek() ? values.peek() : null,
+});
+
 function replace(next: string, isTyped = false): void {
   if (next === text.peek()) return;
   const now = performance.now();
   const begins = past.peek().length === 0 && text.peek() === ""; // an empty page is nothing to go back to
-  if (!begins && !(isTyped && now - typed < STEP)) past.value = [...past.peek(), text.peek()].slice(-MOST_STEPS);
+  if (!begins && !(isTyped && now - typed < STEP)) past.value = [...past.peek(), current()].slice(-MOST_STEPS);
   typed = isTyped ? now : -Infinity;
   future.value = [];
   text.value = next;
@@ -109,13 +120,14 @@ export function changeAll(wanted: () => Change[]): Promise<void> {
 }
 
 /** Take the newest text of one list, and put the current one into the other. */
-function swap(from: Signal<string[]>, to: Signal<string[]>): void {
+function swap(from: Signal<Version[]>, to: Signal<Version[]>): void {
   const next = from.peek().at(-1);
   if (next === undefined) return;
   from.value = from.peek().slice(0, -1);
-  to.value = [...to.peek(), text.peek()];
+  to.value = [...to.peek(), current()];
   typed = -Infinity;
-  text.value = next;
+  text.value = next.text;
+  if (next.values !== null) [values.value, examined] = [next.values, next.text]; // so that nothing waits for the check
   checkLater(0);
 }
 

@@ -4,10 +4,10 @@ import { themeColour } from "../../parts/colours";
 import {
   corners, drawHeld, nameRegion, strokeLoop, trace, traceFeatures, writeName, type Placed, type Point,
 } from "../../parts/plan";
-import { pathOf, plate } from "../study";
+import { pathOf } from "../study";
 import type { PlateDrawing } from "../server";
 import { ABSENT, linesFor, type Grid, type Place } from "./grid";
-import { anchor, clamped, cursor, grid, inText, parts, selected, CLAMP, tiles, tool } from "./state";
+import { anchor, clamped, cursor, drawing, grid, inText, parts, selected, CLAMP, tiles, tool } from "./state";
 
 export const MARGIN = 12; // CSS pixels around the map, for handles on its border
 export const HANDLE = 5; // half of a handle, CSS pixels
@@ -25,9 +25,9 @@ export interface Scene {
 }
 
 export function sceneOf(map: Grid, width: number): Scene {
-  const drawing = plate.peek();
-  const x = linesFor(map[0]?.length ?? 1, drawing?.x ?? []);
-  const y = linesFor(map.length, drawing?.y ?? []);
+  const known = drawing.peek();
+  const x = linesFor(map[0]?.length ?? 1, known?.x ?? []);
+  const y = linesFor(map.length, known?.y ?? []);
   const [wide, high] = [x.at(-1) ?? 1, y.at(-1) ?? 1];
   const room = Math.max(width - 2 * MARGIN, 50);
   return { x, y, scale: Math.min(room / wide, (TALLEST * innerHeight) / high) };
@@ -53,7 +53,7 @@ export function placeAt({ x, y }: Scene, [across, height]: Point): Place | null 
 
 /** Colour of a tile: the first lattice is grey, the others have the colours of curves. */
 export function colourOf(letter: string): string {
-  const lattices = plate.value?.lattices ?? [];
+  const lattices = drawing.value?.lattices ?? [];
   const coloured = tiles.value.filter(({ letter: each, name }) => each !== ABSENT && name !== lattices[0]);
   const number = coloured.findIndex((tile) => tile.letter === letter);
   return number < 0 ? "rule" : `curve-${number % COLOURS}`;
@@ -68,14 +68,14 @@ export function clampHandles({ x, y }: Scene, length: number): Point[] {
 }
 
 export function drawPlate(canvas: HTMLCanvasElement, scene: Scene, isFocused: boolean): void {
-  const [context, map, drawing] = [canvas.getContext("2d"), grid.peek(), plate.peek()];
+  const [context, map, known] = [canvas.getContext("2d"), grid.peek(), drawing.peek()];
   if (context === null || map === null) return;
   const ratio = devicePixelRatio;
   const height = scene.y.at(-1) ?? 0;
   const placed: Placed = ([x, y]) => [ratio * (MARGIN + x * scene.scale), ratio * (MARGIN + (height - y) * scene.scale)];
   context.clearRect(0, 0, canvas.width, canvas.height);
   drawTiles(context, map, scene, placed);
-  if (drawing !== null) drawFeatures(context, drawing, map, scene, placed);
+  if (known !== null) drawFeatures(context, known, map, scene, placed);
   drawParts(context, scene, placed);
   const outlined: [Place | null, string, number[]][] = [
     [isFocused && tool.peek() !== "move" ? cursor.peek() : null, "accent", []],
@@ -124,22 +124,22 @@ function drawTiles(context: CanvasRenderingContext2D, map: Grid, scene: Scene, p
 
 /** Pillars and names of the last plate that could be built, where its tiles have not been painted over. */
 function drawFeatures(
-  context: CanvasRenderingContext2D, drawing: PlateDrawing, map: Grid, scene: Scene, placed: Placed,
+  context: CanvasRenderingContext2D, known: PlateDrawing, map: Grid, scene: Scene, placed: Placed,
 ): void {
   const before = inText.peek();
-  if (drawing.x.length !== scene.x.length || drawing.y.length !== scene.y.length) return;
+  if (known.x.length !== scene.x.length || known.y.length !== scene.y.length) return;
   const isSame = (point: Point) => {
     const place = placeAt(scene, point);
     return place !== null && map[place[0]]?.[place[1]] === before?.[place[0]]?.[place[1]];
   };
   context.strokeStyle = context.fillStyle = themeColour("quiet");
   context.lineWidth = devicePixelRatio;
-  traceFeatures(context, drawing.features, placed, isSame);
+  traceFeatures(context, known.features, placed, isSame);
   context.stroke();
   context.strokeStyle = themeColour("ink");
-  for (const loop of drawing.plate) strokeLoop(context, loop, placed);
-  drawHeld(context, drawing.held, placed);
-  for (const [name, loops] of Object.entries(drawing.regions)) nameRegion(context, name, loops, placed, look());
+  for (const loop of known.plate) strokeLoop(context, loop, placed);
+  drawHeld(context, known.held, placed);
+  for (const [name, loops] of Object.entries(known.regions)) nameRegion(context, name, loops, placed, look());
 }
 
 function drawParts(context: CanvasRenderingContext2D, scene: Scene, placed: Placed): void {

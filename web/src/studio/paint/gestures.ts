@@ -2,13 +2,13 @@
 
 import type { Key } from "../../parts/keys";
 import { corners, type Point } from "../../parts/plan";
-import { changeAll, pathOf, plate, values } from "../study";
+import { changeAll, pathOf, values } from "../study";
 import type { Part } from "../server";
 import { clampHandles, HANDLE, placeAt, pointAt, type Scene } from "./canvas";
 import { areaAround, lineBetween, rectangleBetween, type Place } from "./grid";
 import { lengthText, snapped, stepFor, type Held } from "./place";
 import {
-  anchor, chosen, clamp, clamped, CLAMP, commit, cursor, grid, move, paint, parts, selected, settle, stroke, tiles,
+  anchor, chosen, clamp, clamped, CLAMP, commit, cursor, drawing, grid, move, paint, parts, selected, settle, stroke, tiles,
   tool, type Tool,
 } from "./state";
 
@@ -192,7 +192,7 @@ function press(): void {
 
 /** Select the next part, the clamped corners last. */
 function selectNext(by: number): void {
-  const paths = [...parts.peek().map(({ steps }) => pathOf(steps)), ...(plate.peek()?.clamp ? [CLAMP] : [])];
+  const paths = [...parts.peek().map(({ steps }) => pathOf(steps)), ...(drawing.peek()?.clamp ? [CLAMP] : [])];
   const count = paths.length;
   const next = paths.indexOf(selected.peek()) + by;
   selected.value = paths[((next % count) + count) % count] ?? "";

@@ -2,7 +2,7 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import { pathOf, changeAll, plate, values } from "../study";
-import type { Change, Part, Tables, Value } from "../server";
+import type { Change, Part, PlateDrawing, Tables, Value } from "../server";
 import { ABSENT, changesTo, gridOf, mirrored, painted, type Grid, type Place } from "./grid";
 import { changesOf, type Held } from "./place";
 
@@ -33,6 +33,13 @@ export const table = computed<Tables | null>(() => {
   return typeof found === "object" && !Array.isArray(found) ? found : null;
 });
 
+/** The last plate that could be built. */
+export const drawing = signal<PlateDrawing | null>(null);
+
+effect(() => {
+  if (plate.value !== null || table.value === null) drawing.value = plate.value;
+});
+
 const entries = (value: Value | undefined): [string, Value][] =>
   typeof value === "object" && !Array.isArray(value) ? Object.entries(value) : [];
 
@@ -55,10 +62,10 @@ export const grid = computed<Grid | null>(() => {
 
 /** Parts of the drawing that the text still has, each where it was moved last. */
 export const parts = computed<(Part & Held)[]>(() =>
-  (plate.value?.parts ?? []).map((part) => ({ ...part, ...moved.value[pathOf(part.steps)] })),
+  (drawing.value?.parts ?? []).map((part) => ({ ...part, ...moved.value[pathOf(part.steps)] })),
 );
 
-export const clamped = computed<number | null>(() => clamp.value ?? plate.value?.clamp ?? null);
+export const clamped = computed<number | null>(() => clamp.value ?? drawing.value?.clamp ?? null);
 export const isPending = computed(() => draft.value !== null);
 
 /** The chosen tile, or else the first. */
@@ -66,7 +73,7 @@ export const letterOf = (): string =>
   tiles.value.some(({ letter }) => letter === chosen.value) ? chosen.value : (tiles.value[0]?.letter ?? ABSENT);
 
 effect(() => {
-  plate.value; // a new drawing has everything where the text has it
+  drawing.value; // a new drawing has everything where the text has it
   moved.value = {};
   clamp.value = null;
 });
