@@ -97,9 +97,9 @@ function Below({ data, finger }: Props) {
         People notice reductions above {percent(weber)}. The finger covers {written(diameter, "m")};{" "}
         {Number((frequency / 1e3).toFixed(3))} kHz. The same in the study:{" "}
         <code>
-          [touch] force = "{written(data.forces[finger.force.value] ?? 0, "N")}", speed = "
+          touch = {"{"} force = "{written(data.forces[finger.force.value] ?? 0, "N")}", speed = "
           {written(data.speeds[finger.speed.value] ?? 0, "m/s")}"
-          {drive.unit === "V" ? `, voltage = "${written(finger.drive.value, "V")}"` : ""}
+          {drive.unit === "V" ? `, voltage = "${written(finger.drive.value, "V")}"` : ""} {"}"}
         </code>
       </p>
     </div>
