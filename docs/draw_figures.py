@@ -138,7 +138,8 @@ def draw_pages() -> None:
 
     study = hp.load(TOUCHPAD)
     with TemporaryDirectory() as folder, chromium() as browser:
-        for name, result in (("bands", study.bands(html=True)), ("plate", study.plate(html=True))):
+        for name in ("bands", "plate", "feel"):
+            result = getattr(study, name)(html=True)
             result.write(Path(folder) / name)
             address = (Path(folder) / name / f"{name}.html").as_uri()
             with page_at(browser, address, 1440, reduced_motion="reduce") as page:
@@ -158,6 +159,9 @@ def draw_studio() -> None:
             served(Path(folder), TOUCHPAD.name, admit=False) as studio,
             page_at(browser, studio.link, 1440, reduced_motion="reduce") as page,
         ):
+            page.locator(".paint table", has_text="haptonic plate").wait_for()
+            page.locator(".paint").screenshot(path=IMAGES / "paint.png")
+            page.locator(".paint > summary").click()
             page.get_by_role("button", name="Compute bands").click()
             page.wait_for_selector("canvas[data-shown]", timeout=120_000)
             page.screenshot(path=IMAGES / "studio.png", full_page=True)

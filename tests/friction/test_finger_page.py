@@ -72,10 +72,10 @@ def test_numbers_below_the_finger_are_those_of_the_package(browser, address, res
     )
     drive = result.friction.drive
     with page_at(browser, address, **STILL) as page:
-        page.wait_for_selector(f"{MAP}[data-place]")
+        page.wait_for_selector(f"{MAP}[data-shown]")
 
         def check() -> None:
-            place = int(page.locator(MAP).get_attribute("data-place"))
+            place = int(page.locator(MAP).get_attribute("data-shown"))
             law = law_of(result, data, force, speed)
             moved = loaded["amplitude"].isel(point=place) * drive
             expected = {end: float(law.at(moved.sel(load=end).values, end)) for end in ENDS}
@@ -104,7 +104,7 @@ def test_numbers_below_the_finger_are_those_of_the_package(browser, address, res
         page.mouse.down()
         page.mouse.move(box["x"] + 0.27 * box["width"], box["y"] + 0.3 * box["height"], steps=3)
         page.mouse.up()
-        place = int(page.locator(MAP).get_attribute("data-place"))
+        place = int(page.locator(MAP).get_attribute("data-shown"))
         x, y = 0.27 * 49e-3, 0.7 * 28e-3  # of the plate
         away = np.hypot(loaded["x"].values - x, loaded["y"].values - y)
         assert away[place] < away.min() + 0.5e-3

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 from served import Served, served
-from test_page import opened, text_of, wait_for_text
+from test_page import TEXT, opened, text_of, wait_for_text
 
 from browser import WIDTHS, pixels, violations
 from haptonic.studio.painting import forecast, painting
@@ -60,9 +60,9 @@ def plate_in(page: Page) -> dict:
 
 
 def rows_of(page: Page) -> list[str]:
-    plate = plate_in(page)
+    plate = tomllib.loads(text_of(page)).get("plate", {"map": ""})
     lines = plate["map"].split()
-    return lines * (plate.get("rows", len(lines)) // len(lines))
+    return lines * (plate.get("rows", len(lines)) // max(len(lines), 1))
 
 
 def at(page: Page, x: float, y: float) -> tuple[float, float]:
@@ -171,7 +171,7 @@ def test_parts_and_clamps_are_dragged_and_moved_by_keys(browser, studio):
         assert "A1: centre at" in page.locator("#paint-place").inner_text()
 
 
-def test_a_stroke_is_drawn_before_the_server_answers(browser, studio):
+def test_a_stroke_is_drawn_before_the_server_answers_and_a_plate_begins(browser, studio):
     with opened(browser, studio) as page:
         page.locator(MAP).focus()
         before, asked = pixels(page, MAP), []
@@ -184,6 +184,11 @@ def test_a_stroke_is_drawn_before_the_server_answers(browser, studio):
         assert text_of(page) == PLATE
         asked[0].continue_()
         until(page, ["211o22o", *["o11o22o"] * 3])
+        page.unroute("**/api/change")
+        page.fill(TEXT, QUICK_CELL)
+        page.get_by_role("button", name="Begin a plate").click()
+        until(page, ["oooooo"] * 4)
+        expect(page.locator(".paint dd", has_text="24 pillars")).to_be_visible()
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -134,6 +134,11 @@ def test_the_keyboard_changes_the_frequency(browser, address, result):
         assert shown(page) == int(np.abs(frequency - 10e3).argmin())
         page.keyboard.press("g")
         assert shown(page) == first
+        without = pixels(page, MAP)
+        page.keyboard.press("l")
+        assert (pixels(page, MAP) != without).any(axis=-1).mean() > 0.005  # pillars and clamped corners
+        page.keyboard.press("l")
+        assert (pixels(page, MAP) == without).all()
         page.keyboard.press("?")
         assert page.get_by_role("table", name="Keys").is_visible()
         modes = [int(np.abs(frequency - f).argmin()) for f in result.modes["frequency"].values]

@@ -32,7 +32,7 @@ function Page({ start }: { start: Start }) {
         </div>
         <div class="results" tabIndex={0} role="group" aria-label="Analyses and result">
           <Compute analyses={start.analyses} />
-          <Paint />
+          <Paint first={start.plate} />
           <Result />
           <footer>
             <p>haptonic {start.version}</p>

@@ -25,7 +25,7 @@ from haptonic.studio.form import form
 from haptonic.studio.guard import TooLargeError
 from haptonic.studio.jobs import Job, Jobs
 from haptonic.studio.offers import chosen, offered, offers
-from haptonic.studio.painting import forecast
+from haptonic.studio.painting import FIRST, forecast
 from haptonic.studio.worker import Order
 from haptonic.studio.workspace import Workspace
 from haptonic.study import Study, templates
@@ -109,6 +109,7 @@ class Studio:
             "templates": {name: text.about for name, text in templates().items()},
             "files": self.workspace.names(),
             "opened": self.opened,
+            "plate": FIRST,
         }
 
     def check(self, asked: Asked) -> dict[str, Any]:
@@ -121,14 +122,7 @@ class Studio:
         if not isinstance(changes, list) or not 0 < len(changes) <= MOST_CHANGES:
             raise _unasked("changes", changes, "a list of changes")
         for change in changes:
-            steps = change.get("steps") if isinstance(change, dict) else None
-            if (
-                not isinstance(steps, list)
-                or not steps
-                or not all(isinstance(step, str | int) for step in steps)
-            ):
-                raise _unasked("steps", steps, "names of tables and keys, and numbers in lists")
-            text = changed(text, steps, change.get("value"))
+            text = changed(text, _steps(change), change.get("value"))
         return {"text": text} | checked(text, self.workspace.folder)
 
     def forecast(self, asked: Asked) -> dict[str, Any]:
@@ -273,6 +267,14 @@ def _text(asked: Asked) -> str:
     if not isinstance(text, str):
         raise _unasked("text", text, "the text of a study")
     return text
+
+
+def _steps(change: Any) -> list[str | int]:
+    """Names of tables and keys, and numbers in lists, that lead to a key."""
+    steps = change.get("steps") if isinstance(change, dict) else None
+    if isinstance(steps, list) and steps and all(isinstance(step, str | int) for step in steps):
+        return steps
+    raise _unasked("steps", steps, "names of tables and keys, and numbers in lists")
 
 
 def _unasked(argument: str, given: object, allowed: str) -> StudyError:

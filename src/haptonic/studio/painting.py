@@ -12,8 +12,11 @@ from haptonic.plate.layout.drawing import drawing_of
 from haptonic.plate.layout.parts import Actuator, Finger, Force, Plate
 from haptonic.results.plan import border_text
 from haptonic.study import Study
+from haptonic.study.plate_tables import LATTICE
 from haptonic.study.plating import lattices, lines_of_map, plate_of
 from haptonic.workshop import Part
+
+FIRST = {"map": "oooooo\n" * 4, "tiles": {"o": LATTICE}}  # of a study without a plate
 
 
 def painting(study: Study) -> dict[str, Any] | None:

@@ -63,7 +63,7 @@ function kept(canvas: HTMLCanvasElement, data: FingerData, finger: Finger): () =
     context.drawImage(small, 0, 0, canvas.width, canvas.height);
     drawPlan(context, data, placed);
     drawFinger(context, data, finger.place.peek(), placed);
-    canvas.dataset["place"] = String(finger.place.peek());
+    canvas.dataset["shown"] = String(finger.place.peek());
   };
   const fit = () => {
     const ratio = (up[1] - up[0]) / (across[1] - across[0]);

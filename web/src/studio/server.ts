@@ -52,6 +52,7 @@ export interface Start {
   templates: Record<string, string>;
   files: string[];
   opened: string | null;
+  plate: Tables; // of a study that gets its first plate
 }
 
 /** An error in its five parts, with the path and the line of its key. */

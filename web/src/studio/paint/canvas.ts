@@ -25,9 +25,9 @@ export interface Scene {
 }
 
 export function sceneOf(map: Grid, width: number): Scene {
-  const known = drawing.peek();
-  const x = linesFor(map[0]?.length ?? 1, known?.x ?? []);
-  const y = linesFor(map.length, known?.y ?? []);
+  const plan = drawing.peek();
+  const x = linesFor(map[0]?.length ?? 1, plan?.x ?? []);
+  const y = linesFor(map.length, plan?.y ?? []);
   const [wide, high] = [x.at(-1) ?? 1, y.at(-1) ?? 1];
   const room = Math.max(width - 2 * MARGIN, 50);
   return { x, y, scale: Math.min(room / wide, (TALLEST * innerHeight) / high) };
@@ -68,14 +68,14 @@ export function clampHandles({ x, y }: Scene, length: number): Point[] {
 }
 
 export function drawPlate(canvas: HTMLCanvasElement, scene: Scene, isFocused: boolean): void {
-  const [context, map, known] = [canvas.getContext("2d"), grid.peek(), drawing.peek()];
+  const [context, map, plan] = [canvas.getContext("2d"), grid.peek(), drawing.peek()];
   if (context === null || map === null) return;
   const ratio = devicePixelRatio;
   const height = scene.y.at(-1) ?? 0;
   const placed: Placed = ([x, y]) => [ratio * (MARGIN + x * scene.scale), ratio * (MARGIN + (height - y) * scene.scale)];
   context.clearRect(0, 0, canvas.width, canvas.height);
   drawTiles(context, map, scene, placed);
-  if (known !== null) drawFeatures(context, known, map, scene, placed);
+  if (plan !== null) drawFeatures(context, plan, map, scene, placed);
   drawParts(context, scene, placed);
   const outlined: [Place | null, string, number[]][] = [
     [isFocused && tool.peek() !== "move" ? cursor.peek() : null, "accent", []],
@@ -124,22 +124,22 @@ function drawTiles(context: CanvasRenderingContext2D, map: Grid, scene: Scene, p
 
 /** Pillars and names of the last plate that could be built, where its tiles have not been painted over. */
 function drawFeatures(
-  context: CanvasRenderingContext2D, known: PlateDrawing, map: Grid, scene: Scene, placed: Placed,
+  context: CanvasRenderingContext2D, plan: PlateDrawing, map: Grid, scene: Scene, placed: Placed,
 ): void {
   const before = inText.peek();
-  if (known.x.length !== scene.x.length || known.y.length !== scene.y.length) return;
+  if (plan.x.length !== scene.x.length || plan.y.length !== scene.y.length) return;
   const isSame = (point: Point) => {
     const place = placeAt(scene, point);
     return place !== null && map[place[0]]?.[place[1]] === before?.[place[0]]?.[place[1]];
   };
   context.strokeStyle = context.fillStyle = themeColour("quiet");
   context.lineWidth = devicePixelRatio;
-  traceFeatures(context, known.features, placed, isSame);
+  traceFeatures(context, plan.features, placed, isSame);
   context.stroke();
   context.strokeStyle = themeColour("ink");
-  for (const loop of known.plate) strokeLoop(context, loop, placed);
-  drawHeld(context, known.held, placed);
-  for (const [name, loops] of Object.entries(known.regions)) nameRegion(context, name, loops, placed, look());
+  for (const loop of plan.plate) strokeLoop(context, loop, placed);
+  drawHeld(context, plan.held, placed);
+  for (const [name, loops] of Object.entries(plan.regions)) nameRegion(context, name, loops, placed, look());
 }
 
 function drawParts(context: CanvasRenderingContext2D, scene: Scene, placed: Placed): void {
@@ -162,7 +162,8 @@ function drawParts(context: CanvasRenderingContext2D, scene: Scene, placed: Plac
     context.stroke();
     context.restore();
     const [x, y] = placed([part.centre[0], part.centre[1]]);
-    writeName(context, part.name, [x, y + 4 * devicePixelRatio], look());
+    const below = wide === 0 ? -10 : 4; // CSS pixels; the name of a point is above it
+    writeName(context, part.name, [x, y + below * devicePixelRatio], look());
     if (isMoving && pathOf(part.steps) === selected.peek())
       drawHandles(context, part.size.length > 0 ? around : [part.centre], placed);
   }

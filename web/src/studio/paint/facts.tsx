@@ -12,11 +12,11 @@ const PAUSE = 800; // ms after the last change before costs are estimated
 const short = (value: number): string => String(Number(value.toPrecision(3)));
 
 export function Facts() {
-  const [map, known] = [grid.value, drawing.value];
+  const [map, plan] = [grid.value, drawing.value];
   if (map === null) return null;
   const counts = new Map<string, number>();
   for (const letter of map.flat()) counts.set(letter, (counts.get(letter) ?? 0) + 1);
-  const fits = known !== null && known.x.length === (map[0]?.length ?? 0) + 1 && known.y.length === map.length + 1;
+  const fits = plan !== null && plan.x.length === (map[0]?.length ?? 0) + 1 && plan.y.length === map.length + 1;
   const isOld = isPending.value || problems.value.length > 0;
   return (
     <div class="facts">
@@ -33,29 +33,29 @@ export function Facts() {
             {map[0]?.length} x {map.length} tiles
           </dd>
         </div>
-        {known !== null && fits && (
+        {plan !== null && fits && (
           <>
             <div>
               <dt>size</dt>
               <dd>
-                {short(1e3 * (known.x.at(-1) ?? 0))} x {short(1e3 * (known.y.at(-1) ?? 0))} mm
+                {short(1e3 * (plan.x.at(-1) ?? 0))} x {short(1e3 * (plan.y.at(-1) ?? 0))} mm
               </dd>
             </div>
             <div>
               <dt>contents</dt>
-              <dd>{known.contents}</dd>
+              <dd>{plan.contents}</dd>
             </div>
-            {known.mass !== null && (
+            {plan.mass !== null && (
               <div>
                 <dt>mass without patches</dt>
-                <dd>{short(1e3 * known.mass)} g</dd>
+                <dd>{short(1e3 * plan.mass)} g</dd>
               </div>
             )}
           </>
         )}
       </dl>
       {isOld && <p class="quiet">Size, contents and mass are those of the last map that could be built.</p>}
-      {!isOld && known?.remarks.map((sentence) => <p class="doubt">{sentence}</p>)}
+      {!isOld && plan?.remarks.map((sentence) => <p class="doubt">{sentence}</p>)}
     </div>
   );
 }

@@ -6,7 +6,7 @@ import { changeAll, pathOf, values } from "../study";
 import type { Part } from "../server";
 import { clampHandles, HANDLE, placeAt, pointAt, type Scene } from "./canvas";
 import { areaAround, lineBetween, rectangleBetween, type Place } from "./grid";
-import { lengthText, snapped, stepFor, type Held } from "./place";
+import { lengthText, snapped, stepFor, type Placement } from "./place";
 import {
   anchor, chosen, clamp, clamped, CLAMP, commit, cursor, drawing, grid, move, paint, parts, selected, settle, stroke, tiles,
   tool, type Tool,
@@ -113,7 +113,7 @@ function picked(scene: Scene, point: Point): [Drag | null, () => void] {
   return [drag, () => settle(part)];
 }
 
-function placedAt(part: Part, [x, y]: Point, scene: Scene): Held {
+function placedAt(part: Part, [x, y]: Point, scene: Scene): Placement {
   const [wide = 0, high = 0] = part.diameter === null ? part.size : [part.diameter, part.diameter];
   const [step, near] = [stepOf(scene), NEAR / scene.scale];
   const centre: Point = [snapped(x, wide / 2, scene.x, step, near), snapped(y, high / 2, scene.y, step, near)];
@@ -121,7 +121,7 @@ function placedAt(part: Part, [x, y]: Point, scene: Scene): Held {
 }
 
 /** The part with one corner fixed and the opposite one at a point. */
-function stretched(part: Part, [left, low]: Point, [x, y]: Point, scene: Scene): Held {
+function stretched(part: Part, [left, low]: Point, [x, y]: Point, scene: Scene): Placement {
   const [step, near] = [stepOf(scene), NEAR / scene.scale];
   const [right, top] = [snapped(x, 0, scene.x, step, near), snapped(y, 0, scene.y, step, near)];
   const size = [Math.max(Math.abs(right - left), step), Math.max(Math.abs(top - low), step)];

@@ -110,7 +110,7 @@ export function resized(grid: Grid, border: Border, larger: boolean): Grid {
 }
 
 /** Positions of lines between letters: the known ones if their number fits, else continued evenly, m. */
-export function linesFor(count: number, known: number[]): number[] {
-  const step = known.length > 1 ? (known.at(-1) ?? 1) / (known.length - 1) : 1;
-  return known.length === count + 1 ? known : Array.from({ length: count + 1 }, (_, k) => k * step);
+export function linesFor(count: number, lines: number[]): number[] {
+  const step = lines.length > 1 ? (lines.at(-1) ?? 1) / (lines.length - 1) : 1;
+  return lines.length === count + 1 ? lines : Array.from({ length: count + 1 }, (_, k) => k * step);
 }

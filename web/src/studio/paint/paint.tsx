@@ -4,7 +4,8 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { onTheme } from "../../parts/colours";
 import { keyPressed } from "../../parts/keys";
-import { pathOf, problems, redo, remarks, undo } from "../study";
+import type { Tables } from "../server";
+import { broken, change, pathOf, problems, redo, remarks, undo, values } from "../study";
 import { drawPlate, sceneOf, sizeOf, colourOf, type Scene } from "./canvas";
 import { Facts, Forecasts } from "./facts";
 import { followPointer, paintKeys } from "./gestures";
@@ -20,8 +21,17 @@ const TOOLS: Record<Tool, string> = {
 const BORDERS: Border[] = ["left", "right", "above", "below"];
 const EMPTY: Scene = { x: [0, 1], y: [0, 1], scale: 1 };
 
-export function Paint() {
-  if (table.value === null) return null;
+export function Paint({ first }: { first: Tables }) {
+  if (Object.keys(values.value).length === 0) return null;
+  if (table.value === null)
+    return (
+      <p class="paint">
+        <button type="button" class="minor" disabled={broken.value} onClick={() => change(["plate"], first)}>
+          Begin a plate
+        </button>{" "}
+        <span class="quiet">of this cell, and paint its map</span>
+      </p>
+    );
   return (
     <details class="section paint" open>
       <summary>

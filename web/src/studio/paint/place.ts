@@ -7,8 +7,8 @@ const UNITS: Record<string, number> = { m: 1, cm: 1e-2, mm: 1e-3, um: 1e-6, "µm
 const USUAL = "mm";
 const STEPS_IN_TILE = 50; // a step of movement is the largest 1, 2 or 5 below this part of a tile
 
-/** A part, or the clamped corners. */
-export interface Held {
+/** Where a part lies, and its size. */
+export interface Placement {
   steps: Step[];
   centre: Point;
   corner: Point;
@@ -52,7 +52,7 @@ function tableAt(tables: Tables, steps: Step[]): Tables {
 const listed = (value: Value | undefined): Value[] => (Array.isArray(value) ? value : []);
 
 /** Changes of the text that put a part elsewhere, and give it another size. */
-export function changesOf(before: Part, after: Held, tables: Tables): Change[] {
+export function changesOf(before: Part, after: Placement, tables: Tables): Change[] {
   const table = tableAt(tables, before.steps);
   const [centre, size] = [listed(table["centre"]), listed(table["size"])];
   const moved = after.centre.map((value, axis) => lengthText(value - before.corner[axis as 0 | 1], centre[axis]));

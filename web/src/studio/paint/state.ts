@@ -4,7 +4,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { pathOf, changeAll, plate, values } from "../study";
 import type { Change, Part, PlateDrawing, Tables, Value } from "../server";
 import { ABSENT, changesTo, gridOf, mirrored, painted, type Grid, type Place } from "./grid";
-import { changesOf, type Held } from "./place";
+import { changesOf, type Placement } from "./place";
 
 export type Tool = "brush" | "line" | "rectangle" | "fill" | "move";
 export interface Tile {
@@ -23,14 +23,14 @@ export const cursor = signal<Place>([0, 0]);
 export const anchor = signal<Place | null>(null); // first end of a line or rectangle
 export const stroke = signal<Place[]>([]); // places below the moving pointer
 export const selected = signal(""); // path of a part, or that of the clamp
-export const moved = signal<Record<string, Held>>({}); // parts that are not yet in the drawing, by path
+export const moved = signal<Record<string, Placement>>({}); // parts that are not yet in the drawing, by path
 export const clamp = signal<number | null>(null); // length that is not yet in the drawing, m
 const draft = signal<Grid | null>(null); // map that is not yet in the text
 const added = signal<{ letter: string; name: string }[]>([]);
 
 export const table = computed<Tables | null>(() => {
-  const found = values.value["plate"];
-  return typeof found === "object" && !Array.isArray(found) ? found : null;
+  const entry = values.value["plate"];
+  return typeof entry === "object" && !Array.isArray(entry) ? entry : null;
 });
 
 /** The last plate that could be built. */
@@ -61,7 +61,7 @@ export const grid = computed<Grid | null>(() => {
 });
 
 /** Parts of the drawing that the text still has, each where it was moved last. */
-export const parts = computed<(Part & Held)[]>(() =>
+export const parts = computed<(Part & Placement)[]>(() =>
   (drawing.value?.parts ?? []).map((part) => ({ ...part, ...moved.value[pathOf(part.steps)] })),
 );
 
@@ -116,11 +116,11 @@ export function addTile(name: string): void {
 }
 
 /** Show a part elsewhere; `settle` puts it into the text. */
-export function move(part: Part, held: Held): void {
-  moved.value = { ...moved.peek(), [pathOf(part.steps)]: held };
+export function move(part: Part, placement: Placement): void {
+  moved.value = { ...moved.peek(), [pathOf(part.steps)]: placement };
 }
 
 export function settle(part: Part): void {
-  const held = moved.peek()[pathOf(part.steps)];
-  if (held !== undefined) void changeAll(() => changesOf(part, held, values.peek()));
+  const placement = moved.peek()[pathOf(part.steps)];
+  if (placement !== undefined) void changeAll(() => changesOf(part, placement, values.peek()));
 }
