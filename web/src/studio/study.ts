@@ -37,9 +37,9 @@ let typed = -Infinity; // time of the last letter, ms since the page was loaded
 let queue: Promise<void> = Promise.resolve();
 
 /** Take the state of a text. */
-function take(state: Checked, of: string): void {
+function take(state: Checked & { text: string }): void {
   number += 1;
-  examined = of;
+  examined = state.text;
   broken.value = state.values === null && text.peek().trim() !== "";
   if (!broken.value) values.value = state.values ?? {};
   plate.value = state.plate;
@@ -82,7 +82,7 @@ async function checkNow(): Promise<void> {
   const mine = (number += 1);
   const asked = text.peek();
   const state = await server.check(asked);
-  if (mine === number) take(state, asked);
+  if (mine === number) take({ ...state, text: asked });
 }
 
 /** The text was edited by hand. */
@@ -112,7 +112,7 @@ export function changeAll(wanted: () => Change[]): Promise<void> {
         if (text.peek() !== before) continue; // letters were typed meanwhile
         replace(state.text);
         clearTimeout(timer);
-        take(state, state.text);
+        take(state);
         return;
       }
     }),
@@ -140,7 +140,7 @@ export const openFile = (name: string) =>
     replace(state.text);
     file.value = state.name;
     saved.value = state.text;
-    take(state, state.text);
+    take(state);
   });
 
 export const openTemplate = (name: string) =>
@@ -149,7 +149,7 @@ export const openTemplate = (name: string) =>
     replace(state.text);
     file.value = null;
     saved.value = null;
-    take(state, state.text);
+    take(state);
   });
 
 export const save = (name: string) =>
