@@ -1,6 +1,6 @@
 /** Sizes, counts and mass of a plate, and the estimated costs of its commands. */
 
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { problems, text } from "../study";
 import { server, type Forecast } from "../server";
 import { ABSENT } from "./grid";
@@ -62,13 +62,24 @@ export function Facts() {
 
 export function Forecasts() {
   const [costs, setCosts] = useState<{ of: string; costs: Forecast[] } | null>(null);
+  const wanted = useRef<string | null>(null); // text that waits while another is estimated
+  const isBusy = useRef(false);
   const current = text.value;
   useEffect(() => {
-    const timer = setTimeout(() => {
-      server.forecast(current).then(
-        (answer) => setCosts({ of: current, ...answer }),
-        () => undefined, // the page reports a server that does not answer
-      );
+    const timer = setTimeout(async () => {
+      wanted.current = current;
+      if (isBusy.current) return;
+      isBusy.current = true;
+      while (wanted.current !== null) {
+        const of: string = wanted.current;
+        wanted.current = null;
+        try {
+          setCosts({ of, ...(await server.forecast(of)) });
+        } catch {
+          // the page reports a server that does not answer
+        }
+      }
+      isBusy.current = false;
     }, PAUSE);
     return () => clearTimeout(timer);
   }, [current]);

@@ -11,7 +11,7 @@ import { Facts, Forecasts } from "./facts";
 import { followPointer, paintKeys } from "./gestures";
 import { resized, type Border } from "./grid";
 import {
-  across, addTile, anchor, chosen, clamp, CLAMP, clamped, commit, cursor, grid, letterOf, moved, parts, selected, table,
+  across, addTile, anchor, chosen, CLAMP, clamped, commit, cursor, grid, letterOf, parts, selected, table,
   tiles, tool, up, type Tool,
 } from "./state";
 
@@ -74,8 +74,7 @@ function Board() {
       onTheme(draw),
       effect(() => {
         // everything that is drawn
-        void [grid.value, parts.value, tool.value, cursor.value, anchor.value, selected.value, clamped.value];
-        void [moved.value, clamp.value, tiles.value];
+        void [grid.value, parts.value, tool.value, cursor.value, anchor.value, selected.value, clamped.value, tiles.value];
         draw();
       }),
     ];
