@@ -67,14 +67,20 @@ export function corners([x, y]: Point, [width, height]: Point): Loop {
   return [[x - across, y - up], [x + across, y - up], [x + across, y + up], [x - across, y + up]];
 }
 
-/** Write the name of a region in the middle of its upper end. */
+/** Write the name of a region below the middle of its uppermost edge, the longest if there are several. */
 export function nameRegion(
   context: CanvasRenderingContext2D, name: string, loops: Loop[], placed: Placed, look = IN_BOTH,
 ): void {
-  const points = loops.flat().map(placed);
-  const [across, up] = [points.map(([x]) => x), points.map(([, y]) => y)];
-  const middle = (Math.min(...across) + Math.max(...across)) / 2;
-  writeName(context, name, [middle, Math.min(...up) + 17 * devicePixelRatio], look);
+  const edges = loops.flatMap((loop) =>
+    loop.map((corner, k): [Point, Point] => [placed(corner), placed(loop[(k + 1) % loop.length] ?? corner)]),
+  );
+  const level = edges.filter(([start, end]) => Math.abs(start[1] - end[1]) < 1);
+  const top = Math.min(...level.map(([start]) => start[1]));
+  const length = ([start, end]: [Point, Point]) => Math.abs(start[0] - end[0]);
+  const [uppermost] = level.filter(([start]) => start[1] < top + 1).sort((a, b) => length(b) - length(a));
+  if (uppermost === undefined) return;
+  const [start, end] = uppermost;
+  writeName(context, name, [(start[0] + end[0]) / 2, top + 17 * devicePixelRatio], look);
 }
 
 /** A text with a rim, within the canvas. */
