@@ -29,7 +29,8 @@ def cell(pitch: float) -> dict[str, object]:
     }
 
 
-@given(st.floats(-6.3, -1.5), st.sampled_from(MATERIALS), st.floats(0.05, 0.5))
+# above 15 mm, the lowest of these carriers is below 10 kHz, which is no ultrasound
+@given(st.floats(-6.3, -1.83), st.sampled_from(MATERIALS), st.floats(0.05, 0.5))
 @settings(deadline=None, max_examples=40)
 def test_a_cell_of_any_size_in_usual_proportions_is_usual(power, solid, share):
     pitch = 10.0**power
