@@ -10,7 +10,6 @@ from __future__ import annotations
 import importlib.util
 import logging
 import warnings
-from collections import Counter
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from contextlib import closing, contextmanager
@@ -55,6 +54,10 @@ class Outcome:
     from_store: bool
 
 
+def ignored(position: int, outcome: Outcome) -> None:
+    """Do nothing with the outcome of a task."""
+
+
 def run_all(
     function: Function,
     tasks: Sequence[Task],
@@ -63,6 +66,7 @@ def run_all(
     workers: int = 0,
     scheduler: str | None = None,
     progress: Progress = silent,
+    heard: Callable[[int, Outcome], object] = ignored,
 ) -> list[Outcome]:
     """Compute all tasks that are not in the store; return the outcomes in the order of the tasks.
 
@@ -72,6 +76,7 @@ def run_all(
     workers : worker processes on this machine; 0 computes in this process
     scheduler : address of a running Dask scheduler, whose workers are used instead
     progress : called with the tasks done and their number; `STORED` marks a task that was in the store
+    heard : called with the position of each task and its outcome as soon as it is finished
 
     A HaptonicError of one task becomes its outcome, as does a worker that dies twice on the same task; the
     other tasks continue. Any other exception, and Ctrl-C, ends the run; finished results are in the store,
@@ -89,16 +94,19 @@ def run_all(
     check_workers(workers, scheduler)
     keys = [content_key(task.key_inputs) for task in tasks]
     arguments = {key: task.argument for key, task in zip(keys, tasks, strict=True)}
-    copies = Counter(keys)
+    copies: dict[str, list[int]] = {}
+    for position, key in enumerate(keys):
+        copies.setdefault(key, []).append(position)
     outcomes: dict[str, Outcome] = {}
     done = 0
 
     def keep(outcome: Outcome) -> None:
         nonlocal done
         outcomes[outcome.key] = outcome
-        for _ in range(copies[outcome.key]):
+        for position in copies[outcome.key]:
             done += 1
             progress(done, len(keys), STORED if outcome.from_store else "")
+            heard(position, outcome)
 
     for key in copies:
         stored = store.get(key)

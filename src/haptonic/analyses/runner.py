@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from haptonic.analyses.options import option
+from haptonic.analyses.points import Points, no_points
 from haptonic.bloch import Gap, gaps_dataset, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicError
-from haptonic.jobs import Outcome, Task, check_workers, run_all
+from haptonic.jobs import Outcome, Task, check_workers, ignored, run_all
 from haptonic.later import xarray as xr
 from haptonic.progress import Progress, silent
 from haptonic.store import Store
@@ -24,6 +25,7 @@ class Runner:
 
     about : analysed file, a study or a measurement, if any
     folder : folder for the result, if any; an interrupted analysis may keep its state there
+    report : called with each design that an analysis of many designs computes
     """
 
     store: Store = field(default_factory=Store.default)
@@ -32,6 +34,7 @@ class Runner:
     progress: Progress = silent
     about: Path | None = None
     folder: Path | None = None
+    report: Points = no_points
 
     def __post_init__(self) -> None:
         check_workers(self.workers, self.scheduler)
@@ -49,24 +52,34 @@ class Runner:
                 )
 
     def run(
-        self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int
+        self,
+        function: Callable[[Any], xr.Dataset],
+        tasks: Sequence[Task],
+        done: int,
+        heard: Callable[[int, Outcome], object] = ignored,
     ) -> list[xr.Dataset]:
         """Datasets of all tasks; ``done`` is the number of tasks that the search finished before."""
-        outcomes = self.tried(function, tasks, done)
+        outcomes = self.tried(function, tasks, done, heard)
         for outcome in outcomes:
             if outcome.error is not None:
                 raise outcome.error
         return [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
 
-    def tried(self, function: Callable[[Any], xr.Dataset], tasks: Sequence[Task], done: int) -> list[Outcome]:
-        """Outcome of each task, in their order: a dataset or an error."""
+    def tried(
+        self,
+        function: Callable[[Any], xr.Dataset],
+        tasks: Sequence[Task],
+        done: int,
+        heard: Callable[[int, Outcome], object] = ignored,
+    ) -> list[Outcome]:
+        """Outcome of each task, in their order: a dataset or an error; see `haptonic.jobs.run_all`."""
 
         def counted(now: int, total: int, what: str = "", /) -> None:
             self.progress(done + now, done + total, what)
 
         return run_all(
             function, tasks, store=self.store, workers=min(self.workers, len(tasks)),
-            scheduler=self.scheduler, progress=counted,
+            scheduler=self.scheduler, progress=counted, heard=heard,
         )  # fmt: skip
 
     def gaps(self, cell: UnitCell, settings: BandSettings) -> tuple[Gap, ...]:

@@ -9,8 +9,10 @@ import numpy as np
 from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.options import NoOptions
+from haptonic.analyses.points import ComputedPoint, PointNumber
 from haptonic.analyses.runner import Runner, design_gaps, gaps_task
 from haptonic.analyses.support import every_cell
+from haptonic.bloch import gaps_of
 from haptonic.cell import UnitCell
 from haptonic.cell.cantilever import euler_bernoulli, timoshenko
 from haptonic.errors import StudyError
@@ -45,15 +47,44 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Sweeps:
     ------
     HaptonicError : the error of the first design, if no design could be computed
     """
-    rows = [[design.cell for design in study.designs(sweep)] for sweep in study.sweep_settings]
+    designs = [study.designs(sweep) for sweep in study.sweep_settings]
+    rows = [[design.cell for design in row] for row in designs]
     tasks = [gaps_task(cell, study.bands_settings) for row in rows for cell in row]
-    outcomes = runner.tried(design_gaps, tasks, 0)
+    steps = [
+        (sweep, values, design)
+        for sweep, row in zip(study.sweep_settings, designs, strict=True)
+        for values, design in zip(sweep.designs, row, strict=True)
+    ]
+    outcomes = runner.tried(
+        design_gaps, tasks, 0, lambda k, outcome: runner.report(swept_point(*steps[k], outcome))
+    )
     refused = [outcome.error for outcome in outcomes if outcome.error is not None]
     if len(refused) == len(outcomes):
         raise refused[0]
     remaining = iter(outcomes)
     each = zip(study.sweep_settings, rows, strict=True)
     return Sweeps(tuple(swept(study, sweep, row, [next(remaining) for _ in row]) for sweep, row in each))
+
+
+def swept_point(
+    sweep: SweepSettings, values: Sequence[float], design: Description, outcome: Outcome
+) -> ComputedPoint:
+    """A design of a sweep with the edges of its widest complete gap."""
+    parameters = design.parameters()
+    gaps = () if outcome.dataset is None else gaps_of(outcome.dataset)
+    widest = max((gap for gap in gaps if gap.complete), key=lambda gap: gap.upper - gap.lower, default=None)
+    return ComputedPoint(
+        group=" and ".join(axis.vary for axis in sweep.axes),
+        changes={axis.expression.varied: parameters[axis.expression.varied] for axis in sweep.axes},
+        varied=tuple(
+            PointNumber(axis.vary, value, axis.unit)
+            for axis, value in zip(sweep.axes, values, strict=True)
+        ),
+        results=() if widest is None else (
+            PointNumber("lower edge", widest.lower, "Hz", widest.lower_error),
+            PointNumber("upper edge", widest.upper, "Hz", widest.upper_error),
+        ),
+    )  # fmt: skip
 
 
 def swept(

@@ -11,9 +11,13 @@ from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import NoOptions
+from haptonic.analyses.points import ComputedPoint, PointNumber, Points
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import made_of_parts
+from haptonic.arrays import Array
+from haptonic.bloch import Gap
 from haptonic.bloch.gaps import need_gap_at
+from haptonic.design.discs import with_shared
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
 from haptonic.design.quick import QUICK
 from haptonic.design.tolerance import (
@@ -28,7 +32,7 @@ from haptonic.design.tolerance import (
 )
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields.expressions import NAMED
-from haptonic.jobs import Task
+from haptonic.jobs import Outcome, Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
@@ -89,10 +93,11 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
         ) from None
     batches = [designs[i : i + BATCH] for i in range(0, count, BATCH)]
     tasks = [
-        Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap)) for cells in (*batches, [cell])
+        Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap)) for cells in ([cell], *batches)
     ]
-    datasets = runner.run(beside_dataset, tasks, 1)
-    *parts, nominal = (dataset["frequency"].values for dataset in datasets)
+    drawn = DrawnPoints(study, gap, runner.report)
+    datasets = runner.run(beside_dataset, tasks, 1, drawn.heard)
+    nominal, *parts = (dataset["frequency"].values for dataset in datasets)
     offset = np.array([gap.lower, gap.upper]) - edges_of(nominal)[0]
     frequency = np.concatenate(parts) + offset[:, None]
     own = {path: float(links.own(path)) for path in paths if path.startswith(NAMED)}
@@ -142,6 +147,50 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
         pillars=section.pillars,
         confidence=section.confidence,
     )
+
+
+class DrawnPoints:
+    """Reports the designs of a study's tolerances with the edges of their gap.
+
+    The edges come from the model next to the gap, moved so that those of the study are exact, so the designs
+    wait for the nominal one, the first task.
+    """
+
+    def __init__(self, study: Description, gap: Gap, report: Points) -> None:
+        self.study, self.gap, self.report = study, gap, report
+        self.own, self.units = study.parameters(), study.units()
+        self.rows = deviations(study.tolerance_settings.of, study.tolerance_settings.samples)
+        self.offset: Array | None = None
+        self.waiting: list[tuple[int, Outcome]] = []
+
+    def heard(self, position: int, outcome: Outcome) -> None:
+        """Note a finished task; see `haptonic.jobs.run_all`."""
+        if position:
+            self.waiting.append((position, outcome))
+        elif outcome.dataset is not None:
+            nominal = edges_of(outcome.dataset["frequency"].values)[0]
+            self.offset = np.array([self.gap.lower, self.gap.upper]) - nominal
+        if self.offset is None:
+            return
+        for place, batch in self.waiting:
+            if batch.dataset is not None:
+                edges = edges_of(batch.dataset["frequency"].values) + self.offset
+                for number, pair in enumerate(edges, start=(place - 1) * BATCH):
+                    self.report(self._point(number, pair))
+        self.waiting.clear()
+
+    def _point(self, number: int, edges: Array) -> ComputedPoint:
+        paths = [spread.parameter for spread in self.study.tolerance_settings.of]
+        values = {path: self.own[path] + float(d) for path, d in zip(paths, self.rows[number], strict=True)}
+        return ComputedPoint(
+            group="designs within the spreads",
+            changes=with_shared(self.study.cell, values),
+            varied=tuple(PointNumber(path, values[path], self.units[path]) for path in paths),
+            results=(
+                PointNumber("lower edge", float(edges[0]), "Hz"),
+                PointNumber("upper edge", float(edges[1]), "Hz"),
+            ),
+        )
 
 
 def cost(study: Description, options: NoOptions) -> Cost:

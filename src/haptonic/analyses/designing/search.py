@@ -12,14 +12,16 @@ import numpy as np
 from haptonic.analyses.designing import tasks
 from haptonic.analyses.designing.refusals import held_back_by, out_of_reach, uncomputed
 from haptonic.analyses.designing.tasks import all_seen, visits_of
+from haptonic.analyses.points import ComputedPoint, PointNumber
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.settings import BandSettings
 from haptonic.design.brief import SLACK, Brief
+from haptonic.design.discs import with_shared
 from haptonic.design.search import HeightRow, Visited, begun_from, distinct, spread, starts_of
 from haptonic.errors import HaptonicError
-from haptonic.jobs import Task
+from haptonic.jobs import Outcome, Task
 from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.design import Design
@@ -28,6 +30,10 @@ POLISH_STEPS = 5  # most designs of a climb after the coarse model has been corr
 LAST_STEPS = 20  # most steps of the best climb before its bounds are reported
 SAME = 0.02  # of the box; closer summits count as one
 REFINED = 3  # summits computed to the required accuracy
+STAGES = {
+    "look": "sampled, coarse model", "climb": "climbs, coarse model", "polish": "climbs, corrected model",
+    "refine": "required accuracy",
+}  # fmt: skip
 COARSE = 0.03  # of the carrier; largest error of an edge in the coarse model: summits below are not refined
 
 
@@ -165,7 +171,7 @@ class _Search:
 
     def _at_accuracy(self, visit: Visited) -> list[_Refined]:
         """Complete gap of a design; empty without a gap, or if it cannot be computed."""
-        values, designs = _round_to_micrometres(self.brief, visit), []
+        values, designs = _round_to_micrometres(self.brief, visit.share), []
         task = tasks.gap_task(self.brief.made(values), self.settings, visit.band)
         for data in self._run("refine", tasks.gap_dataset, [task], [visit.share]):
             for gap in gaps_of(data):
@@ -193,7 +199,9 @@ class _Search:
         places: Sequence[Array],
     ) -> list[xr.Dataset]:
         """Datasets of the tasks that succeed; the failures are noted with the places of their designs."""
-        outcomes = self.runner.tried(function, asked, self.done)
+        outcomes = self.runner.tried(
+            function, asked, self.done, lambda k, outcome: self._report(stage, places[k], outcome)
+        )
         self.done += len(asked)
         for outcome, place in zip(outcomes, places, strict=True):
             if outcome.error is not None:
@@ -203,15 +211,57 @@ class _Search:
                 self.failures.append(outcome.error)
         return [outcome.dataset for outcome in outcomes if outcome.dataset is not None]
 
+    def _report(self, stage: str, place: Array, outcome: Outcome) -> None:
+        """Report the designs of a finished task."""
+        data = outcome.dataset
+        if data is None:
+            return
+        if stage == "look":
+            rows = HeightRow(data["share"].values, data["edges"].values).alone()
+            visits = [row.best(self.brief.carrier)[0][1] for row in rows]
+        elif stage == "refine":
+            self._report_gaps(place, data)
+            return
+        else:
+            visits = visits_of(data)
+        for visit in visits:
+            values = dict(zip(self.brief.paths, self.brief.values(visit.share), strict=True))
+            margin = PointNumber("margin of the carrier", visit.margin * self.brief.carrier, "Hz")
+            self._report_point(stage, values, (margin,))
 
-def _round_to_micrometres(brief: Brief, visit: Visited) -> dict[str, float]:
+    def _report_gaps(self, place: Array, data: xr.Dataset) -> None:
+        """Report a design at the required accuracy, with the margin in its gap next to the carrier."""
+        carrier, gaps = self.brief.carrier, [gap for gap in gaps_of(data) if gap.complete]
+        if not gaps:
+            return
+        gap = max(gaps, key=lambda gap: gap.margin(carrier))
+        nearer = gap.lower_error if carrier - gap.lower < gap.upper - carrier else gap.upper_error
+        value = min(carrier - gap.lower, gap.upper - carrier)
+        values = _round_to_micrometres(self.brief, place)
+        self._report_point("refine", values, (PointNumber("margin of the carrier", value, "Hz", nearer),))
+
+    def _report_point(
+        self, stage: str, values: Mapping[str, float], results: tuple[PointNumber, ...]
+    ) -> None:
+        units = self.brief.links.unit
+        self.runner.report(
+            ComputedPoint(
+                group=STAGES[stage],
+                changes=with_shared(self.brief.cell, values),
+                varied=tuple(PointNumber(path, value, units(path)) for path, value in values.items()),
+                results=results,
+            )
+        )
+
+
+def _round_to_micrometres(brief: Brief, share: Array) -> dict[str, float]:
     """Values of a design by path (SI), with lengths in whole micrometres as in a workshop.
 
     These are the nearest values inside the bounds. If they break a limit, they are changed by single
     micrometres until no limit is broken. A micrometre of diameter may cost several of height, so the direct
     neighbours are not enough.
     """
-    exact, (low, high) = np.array(brief.values(visit.share)), brief.box.T
+    exact, (low, high) = np.array(brief.values(share)), brief.box.T
     least, most = np.ceil(np.round(low * 1e6, 6)), np.floor(np.round(high * 1e6, 6))
     whole = np.array([brief.links.unit(path) == "m" for path in brief.paths]) & (least <= most)
 
