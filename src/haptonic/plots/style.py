@@ -75,6 +75,7 @@ _STYLE: dict[str, Any] = {
     "text.parse_math": False,  # a name may contain dollar signs; our own formulas switch it on
     "figure.dpi": 100,
     "svg.fonttype": "path",
+    "pdf.fonttype": 42,  # publishers refuse fonts of type 3
     "svg.hashsalt": "haptonic",  # the same picture is the same file
 }
 
@@ -300,7 +301,7 @@ def save(figure: Figure, folder: Path, name: str, *, overwrite: bool = False) ->
 
 
 def rendered(figure: Figure, kind: str) -> bytes:
-    """The figure as the bytes of a file of this kind, ``svg`` or ``png``."""
+    """The figure as the bytes of a file of this kind, ``svg``, ``pdf`` or ``png``."""
     stream = io.BytesIO()
     with styled():
         if figure.stale:
@@ -308,7 +309,7 @@ def rendered(figure: Figure, kind: str) -> bytes:
         engine = figure.get_layout_engine()
         figure.set_layout_engine(None)  # with one, every file is arranged anew, twice
         try:
-            metadata = {"Date": None} if kind == "svg" else None
+            metadata = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(kind)
             dots = figure.dots if isinstance(figure, Drawing) else DOTS_PER_INCH
             figure.savefig(stream, format=kind, dpi=dots, metadata=metadata)
         finally:

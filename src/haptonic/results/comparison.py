@@ -12,6 +12,7 @@ from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.errors import StudyError
+from haptonic.fields.keys import pattern_of
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.result import Result, figure
@@ -264,16 +265,9 @@ class Comparison(Result):
             for pair in sorted(first.keys() | (second.keys() if self.second.ours else set()))
         ]
 
-    def _changed(self) -> Iterator[tuple[Cell, ...]]:
+    def _changed(self) -> Iterator[tuple[str, str, str]]:
         if self.second.ours:
-            first, second = (dict(_flat(side.inputs)) for side in (self.first, self.second))
-            for key in dict.fromkeys([*first, *second]):
-                before, after = (inputs.get(key, "-") for inputs in (first, second))
-                if before != after:
-                    yield key, self._format_input(key, before), self._format_input(key, after)
-
-    def _format_input(self, key: str, value: object) -> str:
-        return format_quantity(value, self.units.get(key, "")) if isinstance(value, float) else str(value)
+            yield from differing_inputs(self.first.inputs, self.second.inputs, self.units)
 
     def _place(self, position: float) -> str:
         """Name of a position on the path, such as ``0.30 of X-M``."""
@@ -335,6 +329,22 @@ class Comparison(Result):
         )
 
 
+def differing_inputs(
+    first: Mapping[str, Any], second: Mapping[str, Any], units: Mapping[str, str]
+) -> Iterator[tuple[str, str, str]]:
+    """Keys of two studies whose values differ, with both values as texts; ``units`` are SI, by key."""
+
+    def text(key: str, value: object) -> str:
+        unit = units.get(pattern_of(key), "")
+        return format_quantity(value, unit) if isinstance(value, float) else str(value)
+
+    ours, theirs = dict(_flat(first)), dict(_flat(second))
+    for key in dict.fromkeys([*ours, *theirs]):
+        before, after = ours.get(key, "-"), theirs.get(key, "-")
+        if before != after:
+            yield key, text(key, before), text(key, after)
+
+
 def _loss_text(loss: float) -> str:
     return f"{loss:.3g} (Q {1 / loss:.4g})" if loss > 0 else "0, undamped"
 
@@ -343,5 +353,8 @@ def _flat(tree: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, obje
     for name, value in tree.items():
         if isinstance(value, Mapping):
             yield from _flat(value, f"{prefix}{name}.")
+        elif isinstance(value, list) and value and all(isinstance(item, Mapping) for item in value):
+            for number, item in enumerate(value, start=1):
+                yield from _flat(item, f"{prefix}{name}[{number}].")
         elif value is not None:
             yield f"{prefix}{name}", value
