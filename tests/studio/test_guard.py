@@ -1,11 +1,13 @@
 """Who may talk to the studio, with real sockets: each line is a rule of its own."""
 
 import json
+import re
 import socket
 from pathlib import Path
 
 import pytest
 from served import served
+from starlette.routing import Route
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from haptonic.studio.guard import LARGEST_BODY
@@ -54,6 +56,20 @@ def test_a_browser_without_the_cookie_is_refused(studio, cookie):
     for path in ("/", "/studio.js", "/api/start", "/api/jobs/1"):
         assert studio.ask("GET", path, cookie=given).status == 403
     assert studio.ask("POST", "/api/check", TEXT, cookie=given).status == 403
+
+
+def test_every_address_needs_the_cookie_and_changes_need_the_origin(studio):
+    routes = [route for route in studio.studio.app().routes if isinstance(route, Route)]
+    paths = {re.sub(r"{\w+(:int)?}", "1", route.path): route.methods for route in routes}
+    assert {"/api/product", "/api/remove", "/api/opened", "/api/jobs/1/page", "/api/jobs/1/points/1"} <= set(
+        paths
+    )
+    for path, methods in paths.items():
+        method = "POST" if "POST" in methods else "GET"
+        assert studio.ask(method, path, TEXT if method == "POST" else None, cookie=None).status == 403
+        if method == "POST":
+            assert studio.ask(method, path, TEXT, origin="http://evil.example").status == 403
+            assert studio.ask("GET", path).status == 405
 
 
 @pytest.mark.parametrize(

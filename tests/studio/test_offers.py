@@ -32,6 +32,7 @@ def test_the_program_of_the_page_names_no_key_and_no_analysis():
     quoted = set(re.findall(r"""["'`]([a-z_]+)["'`]""", text))
     # words of the page that are also keys
     shared = {"text", "name", "number", "table", "tables", "true", "status", "change", "section", "y"}
+    shared |= {"file", "x"}
     keys = {part for path in table(Study) for part in path.replace("[]", "").split(".")}
     assert quoted & (keys | set(analyses.NAMES)) - shared == set()
 

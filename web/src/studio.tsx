@@ -1,15 +1,21 @@
 /** Entry of the studio. */
 
 import { render } from "preact";
+import { addKeys } from "./parts/keys";
 import { Result } from "./studio/answer";
 import { Compute } from "./studio/compute";
+import { completeWith } from "./studio/completing";
+import { Comparison, followComparison } from "./studio/compare";
 import { treeOf } from "./studio/declared";
-import { Editor } from "./studio/editor";
+import { Editor, textKeys } from "./studio/editor";
 import { Bar } from "./studio/files";
 import { Form } from "./studio/form";
 import { follow, lost } from "./studio/jobs";
 import { Paint } from "./studio/paint/paint";
 import paintStyle from "./studio/paint/paint.css";
+import { Points, pointsKeys } from "./studio/points";
+import { followPoints } from "./studio/points_data";
+import { openLink } from "./studio/share";
 import { server, type Start } from "./studio/server";
 import { attempt, files, openFile, unsaved } from "./studio/study";
 import style from "./studio/studio.css";
@@ -33,7 +39,9 @@ function Page({ start }: { start: Start }) {
         <div class="results" tabIndex={0} role="group" aria-label="Analyses and result">
           <Compute analyses={start.analyses} />
           <Paint first={start.plate} />
-          <Result />
+          <Comparison />
+          <Points />
+          <Result exports={start.exports} />
           <footer>
             <p>haptonic {start.version}</p>
           </footer>
@@ -63,10 +71,17 @@ async function begin(): Promise<void> {
   await attempt(async () => {
     const start = await server.start();
     files.value = start.files;
+    completeWith(start.form, start.expressions);
+    addKeys("Text of the study", textKeys);
+    addKeys("Computed designs", pointsKeys);
     render(<Page start={start} />, place);
     if (start.opened !== null) await openFile(start.opened);
+    await openLink();
     follow();
+    followPoints();
+    followComparison();
   });
+  addEventListener("hashchange", () => void openLink());
   addEventListener("beforeunload", (event) => {
     if (unsaved.peek()) event.preventDefault();
   });

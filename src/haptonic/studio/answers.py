@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from dataclasses import asdict
 from typing import Any
 
 from haptonic import plots
 from haptonic.results.result import Result
-from haptonic.results.table import Table
+from haptonic.results.table import Cell, Column, Ranged, Table, Uncertain
 from haptonic.views import packed
 
 MOST_ROWS = 500  # of a table on the page; files have all
@@ -20,8 +22,9 @@ def answer_of(result: Result) -> tuple[dict[str, Any], bytes | None]:
         "title": result.title,
         "origin": result.origin,
         "summary": result.summary(),
-        "tables": [_table(table) for table in result.tables()],
+        "tables": [plain_table(table) for table in result.tables()],
         "remarks": result.remarks(),
+        "files": [str(name) for name in result.files],
         "pictures": [{"name": name, "caption": text} for name, text in result.figures.captions.items()],
     }
     return about, None if view is None else packed(view)
@@ -34,7 +37,8 @@ def pictures_of(result: Result) -> Iterator[tuple[str, bytes]]:
         yield name, plots.rendered(figures[name], "svg")
 
 
-def _table(table: Table) -> dict[str, Any]:
+def plain_table(table: Table) -> dict[str, Any]:
+    """A table in plain values: texts for the page, and raw cells for comparisons."""
     numeric = [
         any(not isinstance(cell, str | None) for cell in cells) for cells in zip(*table.rows, strict=True)
     ]
@@ -45,4 +49,27 @@ def _table(table: Table) -> dict[str, Any]:
         "count": len(table.rows),
         "numeric": numeric,
         "strong": sorted(table.strong),
+        "columns": [asdict(column) for column in table.columns],
+        "cells": [[_plain(cell) for cell in row] for row in table.rows[:MOST_ROWS]],
     }
+
+
+def table_of(plain: dict[str, Any]) -> Table:
+    """The table whose plain values the page has."""
+    columns = [Column(**column) for column in plain["columns"]]
+    return Table(plain["title"], columns, [[_cell(cell) for cell in row] for row in plain["cells"]])
+
+
+def _plain(cell: Cell) -> Any:
+    """A cell as plain values; a number that is not finite is None."""
+    if isinstance(cell, Uncertain | Ranged):
+        return {name: _plain(value) for name, value in asdict(cell).items()}
+    return None if isinstance(cell, float) and not math.isfinite(cell) else cell
+
+
+def _cell(plain: Any) -> Cell:
+    if not isinstance(plain, dict):
+        return plain  # type: ignore[no-any-return]  # written by `_plain`
+    if "error" not in plain:
+        return None if None in (plain["low"], plain["high"]) else Ranged(**plain)
+    return None if None in (plain["value"], plain["error"]) else Uncertain(**plain)

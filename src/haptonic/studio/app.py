@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
+from dataclasses import replace
 from importlib.resources import files
 from typing import Any
 
@@ -17,19 +18,27 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from haptonic import __version__
 from haptonic.errors import HaptonicError, StudyError, shown
+from haptonic.fields.expressions import PARAMETERS
 from haptonic.gate import json_from
 from haptonic.pages import filled
+from haptonic.studio.archive import Archive
 from haptonic.studio.checking import checked, described
+from haptonic.studio.comparing import compared
+from haptonic.studio.designs import design_text
 from haptonic.studio.editing import changed, lines_of
+from haptonic.studio.exports import Exports
+from haptonic.studio.files import choices, chosen_export
 from haptonic.studio.form import form
 from haptonic.studio.guard import TooLargeError
-from haptonic.studio.jobs import Job, Jobs
+from haptonic.studio.job import Job
+from haptonic.studio.jobs import Jobs
 from haptonic.studio.offers import chosen, offered, offers
 from haptonic.studio.painting import FIRST, forecast
 from haptonic.studio.worker import Order
 from haptonic.studio.workspace import Workspace
 from haptonic.study import Study, templates
 from haptonic.study.loading import examined
+from haptonic.views import packed_page
 
 PROGRAM = "studio.js"
 PICTURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
@@ -46,7 +55,8 @@ class Studio:
 
     def __init__(self, workspace: Workspace, opened: str | None = None) -> None:
         self.workspace, self.opened = workspace, opened
-        self.jobs = Jobs(self._tell)
+        self.jobs = Jobs(Archive(workspace.folder), self._tell)
+        self.exports = Exports()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._listeners: set[asyncio.Event] = set()
 
@@ -55,6 +65,8 @@ class Studio:
         asking: dict[str, Callable[[Asked], Any]] = {
             "check": self.check, "change": self.change, "forecast": self.forecast, "open": self.open,
             "template": self.template, "save": self.save, "run": self.run, "cancel": self.cancel,
+            "remove": self.remove, "opened": self.opened_design, "product": self.product,
+            "differences": self.differences,
         }  # fmt: skip
         return Starlette(
             routes=[
@@ -67,6 +79,8 @@ class Studio:
                 ),
                 Route("/api/jobs/{number:int}", self.job),
                 Route("/api/jobs/{number:int}/view", self.view),
+                Route("/api/jobs/{number:int}/page", self.sent),
+                Route("/api/jobs/{number:int}/points/{first:int}", self.points),
                 Route("/api/jobs/{number:int}/pictures/{name}", self.picture),
                 WebSocketRoute("/api/live", self.live),
             ],
@@ -78,7 +92,8 @@ class Studio:
         self._loop = asyncio.get_running_loop()
         yield
         self._loop = None
-        self.jobs.close()
+        self.jobs.end()
+        self.exports.close()
 
     def _tell(self) -> None:
         """Wake all pages; called from any thread."""
@@ -109,6 +124,8 @@ class Studio:
             "templates": {name: text.about for name, text in templates().items()},
             "files": self.workspace.names(),
             "opened": self.opened,
+            "exports": choices(),
+            "expressions": PARAMETERS,
             "plate": FIRST,
         }
 
@@ -175,16 +192,54 @@ class Studio:
             file=file if isinstance(file, str) and file in self.workspace.names() else UNNAMED,
             analysis=analysis.name,
             options=options,
+            title=checked(_text(asked), self.workspace.folder)["title"],
         )
         return {"number": self.jobs.start(order).number}
 
     def cancel(self, asked: Asked) -> dict[str, Any]:
         """End a job."""
-        number = asked.get("number")
-        if not isinstance(number, int):
-            raise _unasked("number", number, "the number of a job")
-        self.jobs.cancel(number)
+        self.jobs.cancel(_number(asked))
         return {}
+
+    def remove(self, asked: Asked) -> dict[str, Any]:
+        """Remove a job that has ended."""
+        self.jobs.remove(_number(asked))
+        return {}
+
+    def opened_design(self, asked: Asked) -> dict[str, Any]:
+        """Text and state of a computed point of a job."""
+        job, place = self.jobs.job(_number(asked)), _number(asked, "point")
+        if job is None or not 0 <= place < len(job.points):
+            raise _unasked("point", place, "the number of a point of a job")
+        text = design_text(job.order.text, job.points[place]["changes"], self.workspace.folder)
+        return {"text": text} | checked(text, self.workspace.folder)
+
+    def product(self, asked: Asked) -> Response:
+        """A file of a result, see `haptonic.studio.files`."""
+        job, export = self.jobs.job(_number(asked)), chosen_export(asked)
+        if job is None or job.state != "done":
+            raise _unasked("number", asked["number"], "the number of a job with a result")
+        return _download(*self.exports.made(replace(job.order, export=export)))
+
+    def differences(self, asked: Asked) -> dict[str, Any]:
+        """Differences of two runs."""
+        first, second = (self.jobs.job(_number(asked, name)) for name in ("first", "second"))
+        if first is None or second is None:
+            raise _unasked("first, second", "a run that was removed", "the numbers of two runs")
+        return compared(first, second, self.workspace.folder)
+
+    async def sent(self, request: Request) -> Response:
+        """The interactive view of a job as one page that can be sent."""
+        job = self._job(request)
+        if job is None or job.view is None:
+            return _missing()
+        text = await run_in_threadpool(packed_page, job.view)
+        return _download(f"{job.order.analysis.replace(' ', '_')}.html", text.encode())
+
+    async def points(self, request: Request) -> Response:
+        """Computed points of a job, without the first ones."""
+        job = self._job(request)
+        return _missing() if job is None else JSONResponse(job.points[request.path_params["first"] :])
 
     async def job(self, request: Request) -> Response:
         """The answer of a job."""
@@ -208,7 +263,7 @@ class Studio:
         return Response(content, media_type="image/svg+xml", headers=headers)
 
     def _job(self, request: Request) -> Job | None:
-        return self.jobs.jobs.get(request.path_params["number"])
+        return self.jobs.job(request.path_params["number"])
 
     async def live(self, socket: WebSocket) -> None:
         """Send the list of jobs now and after every change, until the page is closed."""
@@ -223,7 +278,7 @@ class Studio:
                 await news.wait()
                 news.clear()
                 if not closed.done():
-                    await socket.send_json({"jobs": [job.brief() for job in list(self.jobs.jobs.values())]})
+                    await socket.send_json({"jobs": self.jobs.briefs()})
         except (WebSocketDisconnect, RuntimeError):  # closed while it was sent
             pass
         finally:
@@ -254,7 +309,8 @@ def _answering(answer: Callable[[Asked], Any]) -> Callable[[Request], Awaitable[
         if not isinstance(asked, dict):
             return PlainTextResponse("The request is not an object.", 400)
         try:
-            return JSONResponse(await run_in_threadpool(answer, asked))
+            given = await run_in_threadpool(answer, asked)
+            return given if isinstance(given, Response) else JSONResponse(given)
         except HaptonicError as error:
             lines = lines_of(asked["text"]) if isinstance(asked.get("text"), str) else {}
             return JSONResponse({"error": described(error, lines)}, 422)
@@ -267,6 +323,13 @@ def _text(asked: Asked) -> str:
     if not isinstance(text, str):
         raise _unasked("text", text, "the text of a study")
     return text
+
+
+def _number(asked: Asked, name: str = "number") -> int:
+    number = asked.get(name)
+    if not isinstance(number, int) or isinstance(number, bool):
+        raise _unasked(name, number, "a number of the page")
+    return number
 
 
 def _steps(change: Any) -> list[str | int]:
@@ -285,6 +348,12 @@ def _unasked(argument: str, given: object, allowed: str) -> StudyError:
         cause="the request is not that of the page",
         next_step="load the page again",
     )
+
+
+def _download(name: str, content: bytes) -> Response:
+    """A file that the browser saves and never shows as a page of the studio."""
+    headers = {"content-disposition": f'attachment; filename="{name}"'}
+    return Response(content, media_type="application/octet-stream", headers=headers)
 
 
 def _missing() -> Response:

@@ -4,68 +4,18 @@ from __future__ import annotations
 
 import multiprocessing
 import threading
-import time
+import warnings
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 
-from haptonic.errors import ResourceError
-from haptonic.studio.offers import as_command, as_python, offered
+from haptonic.errors import HaptonicWarning, ResourceError, StudyError
+from haptonic.studio.archive import Archive
+from haptonic.studio.job import Job
 from haptonic.studio.worker import Order, serve
 
 KEPT = 8  # jobs whose answers stay in memory
-
-
-@dataclass(eq=False)
-class Job:
-    """An ordered analysis and its answer so far.
-
-    state : "running", "done", "failed" or "cancelled"
-    begun : True after the worker has received the order
-    progress : steps done and planned, and the name of the current one; planned is 0 while it is unknown
-    picture : SVG by name
-    """
-
-    order: Order
-    state: str = "running"
-    begun: bool = False
-    started: float = field(default_factory=time.time)
-    seconds: float = 0.0
-    cost: str = ""
-    progress: tuple[int, int, str] = (0, 0, "")
-    error: dict[str, str] | None = None
-    answer: dict[str, Any] | None = None
-    view: bytes | None = None
-    pictures: dict[str, bytes] = field(default_factory=dict)
-    drawn: bool = False
-
-    @property
-    def number(self) -> int:
-        """Number of the order."""
-        return self.order.number
-
-    def brief(self) -> dict[str, Any]:
-        """State for the list of jobs."""
-        return {
-            "number": self.number, "analysis": self.order.analysis, "file": self.order.file,
-            "state": self.state, "cost": self.cost, "progress": self.progress, "drawn": self.drawn,
-            "pictures": list(self.pictures),
-            "seconds": round(time.time() - self.started if self.state == "running" else self.seconds, 1),
-        }  # fmt: skip
-
-    def whole(self) -> dict[str, Any]:
-        """State, answer, the study's text, and the command and the line of Python that repeat it."""
-        analysis, file = offered(self.order.analysis), self.order.file
-        return self.brief() | {
-            "text": self.order.text, "error": self.error, "answer": self.answer,
-            "view": self.view is not None,
-            "command": as_command(analysis, file, self.order.options),
-            "python": as_python(analysis, file, self.order.options),
-        }  # fmt: skip
-
-    def finish(self, state: str) -> None:
-        """Set the last state and the time that the job took."""
-        self.state, self.seconds = state, time.time() - self.started
+MOST_POINTS = 5000  # of a job
 
 
 class Worker:
@@ -97,22 +47,55 @@ class Worker:
 class Jobs:
     """All jobs of a studio, newest last, and the worker that computes them.
 
+    archive : finished jobs, also those of earlier servers
     tell : called after every change, from any thread
     """
 
-    def __init__(self, tell: Callable[[], object]) -> None:
-        self.tell = tell
+    def __init__(self, archive: Archive, tell: Callable[[], object]) -> None:
+        self.archive, self.tell = archive, tell
         self.jobs: dict[int, Job] = {}
         self._lock = threading.RLock()
         self._worker: Worker | None = None
         self._current: Job | None = None
-        self._count = 0
+        self._count = max(archive.briefs, default=0)
 
     def warm(self) -> None:
         """Start a worker, so that the first job need not wait for it."""
         with self._lock:
             if self._worker is None:
                 self._worker = Worker(self._heard)
+
+    def briefs(self) -> list[dict[str, Any]]:
+        """States of all jobs in the order of their numbers."""
+        with self._lock:
+            here = {number: job.brief() for number, job in self.jobs.items()}
+            return [brief for _, brief in sorted((self.archive.briefs | here).items())]
+
+    def job(self, number: int) -> Job | None:
+        """A job with its answer, from memory or from the archive; None without one."""
+        with self._lock:
+            return self.jobs.get(number) or self.archive.read(number)
+
+    def remove(self, number: int) -> None:
+        """Remove a job that has ended, also from the archive.
+
+        Raises
+        ------
+        StudyError : the job still runs
+        """
+        with self._lock:
+            if (
+                self._current is not None
+                and self._current.number == number
+                and self._current.state == "running"
+            ):
+                raise StudyError.conflict(
+                    argument="number", given=number, allowed="a run that has ended", cause="it is computed",
+                    next_step="cancel it first",
+                )  # fmt: skip
+            self.jobs.pop(number, None)
+            self.archive.remove(number)
+        self.tell()
 
     def start(self, order: Order) -> Job:
         """Begin a job with the next number; one that still runs is cancelled.
@@ -124,7 +107,7 @@ class Jobs:
         with self._lock:
             self._stop_running()
             self._count += 1
-            job = Job(replace(order, number=self._count))
+            job = Job.ordered(replace(order, number=self._count))
             self._send(job)
             self._current = self.jobs[job.number] = job
             for number in list(self.jobs)[:-KEPT]:
@@ -158,6 +141,12 @@ class Jobs:
                 self.warm()
         self.tell()
 
+    def end(self) -> None:
+        """Cancel the running job, whose points are kept, and end the worker."""
+        with self._lock:
+            self._stop_running()
+            self.close()
+
     def close(self) -> None:
         """End the worker."""
         with self._lock:
@@ -169,7 +158,19 @@ class Jobs:
         if self._current is not None and self._current.state == "running":
             self._current.finish("cancelled")
             self.close()
+            self._keep(self._current)
         self._current = None
+
+    def _keep(self, job: Job) -> None:
+        """Write a job that has ended; a job that cannot be written stays in memory."""
+        if not job.is_kept:
+            return
+        try:
+            self.archive.keep(job)
+        except ResourceError as error:
+            warnings.warn(
+                f"run {job.number} is lost when the studio ends: {error.cause}", HaptonicWarning, stacklevel=2
+            )
 
     def _heard(self, worker: Worker, kind: str, number: int, content: Any) -> None:
         """Note a message of a worker; those of a worker that was ended on purpose are late."""
@@ -192,9 +193,12 @@ class Jobs:
                     job.cost = content
                 case "progress":
                     job.progress = content
+                case "point" if len(job.points) < MOST_POINTS:
+                    job.points.append(content)
                 case "done":
                     job.answer, job.view = content
                     job.finish("done")
+                    self._keep(job)
                 case "picture":
                     job.pictures[content[0]] = content[1]
                 case "failed":
@@ -202,12 +206,14 @@ class Jobs:
                     if job.state == "running":
                         job.error = content
                         job.finish("failed")
+                        self._keep(job)
                 case "idle":
                     job.drawn = True
+                    self._keep(job)
 
     def _lose(self, job: Job, code: int | None) -> None:
         """End a job whose worker has died; an order that no worker received is given once more."""
-        error: ResourceError = _died(code)
+        error: ResourceError = worker_died(code)
         if not job.begun:
             job.begun = True
             try:
@@ -217,9 +223,11 @@ class Jobs:
                 error = refusal
         job.error = error.parts()
         job.finish("failed")
+        self._keep(job)
 
 
-def _died(code: int | None) -> ResourceError:
+def worker_died(code: int | None) -> ResourceError:
+    """Error for a worker that ended by itself."""
     return ResourceError.worker(
         argument="worker process",
         given=f"it ended during the computation (exit code {code})",

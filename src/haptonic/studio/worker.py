@@ -1,8 +1,9 @@
 """The worker process: it computes one order after another and reports on a connection.
 
 A message is a kind, the number of the order, and a content: "begun"; "cost" with a sentence; "progress" with
-the steps done and planned and the name of the current one; "done" with answer and view; "picture" with name
-and SVG; "failed" with the parts of an error; "idle" at the end.
+the steps done and planned and the name of the current one; "point" with a computed design; "done" with answer
+and view; "picture" with name and SVG; "file" with name and content of an export; "failed" with the parts of
+an error; "idle" at the end.
 """
 
 from __future__ import annotations
@@ -14,15 +15,17 @@ import threading
 import traceback
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from haptonic.analyses.points import ComputedPoint
 from haptonic.analyses.runner import Runner
 from haptonic.errors import HaptonicError, HaptonicWarning, ResourceError
 from haptonic.later import leave_out
 from haptonic.studio.answers import answer_of, pictures_of
+from haptonic.studio.files import Export, file_of
 from haptonic.studio.offers import offered
 from haptonic.study import Study
 from haptonic.study.loading import examined
@@ -33,8 +36,9 @@ class Order:
     """An analysis to compute.
 
     number : of the job
-    text : of the study; folder : of its file, which may have no such name yet
+    text : of the study; title : in it; folder : of its file, which may have no such name yet
     analysis : name of an offered analysis
+    export : file to make of the result, instead of an answer for the page
     """
 
     number: int
@@ -43,6 +47,8 @@ class Order:
     file: str
     analysis: str
     options: Mapping[str, Any]
+    title: str = ""
+    export: Export | None = None
 
 
 def serve(connection: Connection) -> None:
@@ -71,17 +77,23 @@ def _compute(order: Order, connection: Connection) -> None:
     if study is None:
         raise problems[0]
     analysis = offered(order.analysis)
-    if analysis.cost is not None:
+    if order.export is None and analysis.cost is not None:
         cost = analysis.cost(study, analysis.chosen(order.options))
         connection.send(("cost", order.number, cost.sentence))
 
     def progress(done: int, planned: int, what: str = "", /) -> None:
         connection.send(("progress", order.number, (done, planned, what)))
 
+    def report(point: ComputedPoint, /) -> None:
+        connection.send(("point", order.number, asdict(point)))
+
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", HaptonicWarning)
-        runner = Runner(progress=progress, about=order.folder / order.file)
+        runner = Runner(progress=progress, about=order.folder / order.file, report=report)
         result = analysis.run(study, runner, order.options)
+    if order.export is not None:
+        connection.send(("file", order.number, file_of(result, order.export, analysis.method)))
+        return
     answer, view = answer_of(result)
     words = [str(each.message) for each in caught if issubclass(each.category, HaptonicWarning)]
     answer["remarks"] = list(dict.fromkeys([*answer["remarks"], *words]))

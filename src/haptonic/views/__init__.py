@@ -5,6 +5,6 @@ are attributes of its dataset.
 """
 
 from haptonic.views.packed import InteractiveView, packed
-from haptonic.views.sent import sent_page
+from haptonic.views.sent import packed_page, sent_page
 
-__all__ = ["InteractiveView", "packed", "sent_page"]
+__all__ = ["InteractiveView", "packed", "packed_page", "sent_page"]

@@ -77,5 +77,12 @@ def packed(view: InteractiveView) -> bytes:
     return b"".join([_padded(front), *blocks])
 
 
+def header_of(content: bytes) -> dict[str, Any]:
+    """The header of a packed view."""
+    (length,) = struct.unpack_from("<I", content)
+    header: dict[str, Any] = json.loads(content[4 : 4 + length])
+    return header
+
+
 def _padded(content: bytes) -> bytes:
     return content + bytes(-len(content) % ALIGNED)

@@ -4,6 +4,8 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { onTheme } from "../parts/colours";
 import { Cycle } from "../parts/cycle";
+import { FilmButtons, filmed } from "../parts/film";
+import { origin } from "../parts/frame";
 import type { BandDiagram } from "./diagram_data";
 import { MovingMode, type Side } from "./moving_mode";
 import type { Choice } from "./state";
@@ -57,6 +59,7 @@ export function Mode({ diagram, choice }: Props) {
           </button>
         ))}
       </p>
+      <FilmButtons canvas={canvas} name="mode" caption={`${diagram.data.header.title}, ${origin(diagram.data)}`} />
     </div>
   );
 }
@@ -74,6 +77,7 @@ function kept(moving: MovingMode, diagram: BandDiagram, choice: Choice): () => v
   const { canvas } = moving;
   const draw = () => moving.turn(cycle.moment);
   const cycle = new Cycle(choice, draw);
+  filmed(canvas, (moment) => cycle.at(moment));
   const resized = new ResizeObserver(() => {
     moving.resize(Math.max(canvas.clientWidth, 1), Math.max(canvas.clientHeight, 1));
     moving.look("oblique");

@@ -18,7 +18,10 @@ export class Cycle {
   private readonly stop: () => void;
 
   /** Call `draw` for every frame while the vibration plays. */
-  constructor({ playing, pace }: Pace, draw: () => void) {
+  constructor(
+    { playing, pace }: Pace,
+    private readonly draw: () => void,
+  ) {
     let before = 0;
     const step = (now: number) => {
       if (before > 0) this.moment = (this.moment + ((now - before) / 1000) * pace.peek()) % 1;
@@ -31,6 +34,12 @@ export class Cycle {
       before = 0;
       if (playing.value) this.frame = requestAnimationFrame(step);
     });
+  }
+
+  /** Draw a moment of the cycle. */
+  at(moment: number): void {
+    this.moment = moment;
+    this.draw();
   }
 
   end(): void {

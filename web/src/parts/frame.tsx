@@ -1,8 +1,9 @@
 /** Heading and foot that all views share. */
 
 import type { ComponentChildren } from "preact";
+import { useEffect } from "preact/hooks";
 import type { Dataset } from "../dataset";
-import { keyPressed, type Key } from "./keys";
+import { addKeys, keyPressed, type Key } from "./keys";
 
 interface Props {
   name: string;
@@ -12,13 +13,17 @@ interface Props {
   children: ComponentChildren;
 }
 
+/** Origin of the numbers: simulated or measured. */
+export const origin = (data: Dataset): string => String(data.header.attrs["origin"] ?? "simulated");
+
 export function Frame({ name, data, keys, foot, children }: Props) {
+  useEffect(() => addKeys(data.header.title, keys), [data, keys]);
   const summary = (data.header.extra["summary"] ?? []) as string[];
   return (
     <div class={name} onKeyDown={(event) => keyPressed(event, keys)}>
       <header>
         <h1>{data.header.title}</h1>
-        <p class="origin">{String(data.header.attrs["origin"] ?? "simulated")}</p>
+        <p class="origin">{origin(data)}</p>
         {summary.map((sentence) => (
           <p>{sentence}</p>
         ))}

@@ -44,21 +44,27 @@ export function Listing({ listing, keys, children }: Props) {
       <div id="listing" tabIndex={-1}>
         {listing.value === "table" && children}
         {listing.value === "keys" && (
-          <table>
-            <caption>Keys</caption>
-            <tbody>
-              {keys.map(({ keys: names, effect }) => (
-                <tr>
-                  <th scope="row">
-                    <kbd>{names}</kbd>
-                  </th>
-                  <td>{effect}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
+          <KeyTable title="Keys" keys={keys} />
         )}
       </div>
     </section>
+  );
+}
+
+export function KeyTable({ title, keys }: { title: string; keys: Key[] }) {
+  return (
+    <table>
+      <caption>{title}</caption>
+      <tbody>
+        {keys.map(({ keys: names, effect }) => (
+          <tr>
+            <th scope="row">
+              <kbd>{names}</kbd>
+            </th>
+            <td>{effect}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
   );
 }

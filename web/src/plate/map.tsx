@@ -4,6 +4,8 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { onTheme, themeColour } from "../parts/colours";
 import { Cycle } from "../parts/cycle";
+import { FilmButtons, filmed } from "../parts/film";
+import { origin } from "../parts/frame";
 import { corners, drawHeld, nameRegion, ON_MAP, strokeLoop, traceFeatures, type Placed } from "../parts/plan";
 import type { PlateResponse } from "./plate_data";
 import type { Choice } from "./state";
@@ -31,6 +33,7 @@ export function PlateMap({ plate, choice }: Props) {
         <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
         <span>{size(plate.largest(choice.line.value))}</span> normal displacement{plate.drive}
       </p>
+      <FilmButtons canvas={canvas} name="map" caption={`${plate.data.header.title}, ${origin(plate.data)}`} />
     </div>
   );
 }
@@ -67,6 +70,7 @@ function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): 
     canvas.dataset["shown"] = String(line);
   };
   const cycle = new Cycle(choice, draw);
+  filmed(canvas, (moment) => cycle.at(moment));
   const fit = () => {
     const ratio = (top - bottom) / (right - left);
     const room = canvas.parentElement?.clientWidth ?? 300;

@@ -5,10 +5,12 @@ import { Dataset } from "../dataset";
 import { show } from "../views";
 import { Parts } from "./editor";
 import { jobs, whole } from "./jobs";
-import { server, type Answer, type ResultTable, type WholeJob } from "./server";
+import { TableOf } from "./table";
+import { Saving } from "./saving";
+import { server, type Answer, type Exports, type WholeJob } from "./server";
 import { setText, text } from "./study";
 
-export function Result() {
+export function Result({ exports }: { exports: Exports }) {
   const job = whole.value;
   if (job === null) return null;
   return (
@@ -28,18 +30,19 @@ export function Result() {
           <Parts problem={{ ...job.error, path: job.error.argument, line: null }} />
         </>
       )}
-      {job.answer !== null && <Shown key={job.number} job={job} answer={job.answer} />}
+      {job.answer !== null && <Shown key={job.number} job={job} answer={job.answer} exports={exports} />}
     </section>
   );
 }
 
-function Shown({ job, answer }: { job: WholeJob; answer: Answer }) {
+function Shown({ job, answer, exports }: { job: WholeJob; answer: Answer; exports: Exports }) {
   return (
     <>
       {job.view ? <View number={job.number} /> : <Words answer={answer} />}
       {answer.remarks.map((remark) => (
         <p class="doubt">{remark}</p>
       ))}
+      <Saving job={job} answer={answer} exports={exports} />
       <dl class="repeat">
         <dt>The same as a command</dt>
         <dd>
@@ -98,39 +101,6 @@ function View({ number }: { number: number }) {
       {problem && <p role="alert">{problem}</p>}
       <div ref={place} />
     </>
-  );
-}
-
-function TableOf({ table }: { table: ResultTable }) {
-  const missing = table.count - table.rows.length;
-  return (
-    <div class="wide" tabIndex={0} role="group" aria-label={table.title}>
-      <table>
-        <caption>{table.title}</caption>
-        <thead>
-          <tr>
-            {table.head.map((head) => (
-              <th scope="col">{head}</th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {table.rows.length === 0 && (
-            <tr>
-              <td colSpan={table.head.length}>none</td>
-            </tr>
-          )}
-          {table.rows.map((row, number) => (
-            <tr class={table.strong.includes(number) ? "strong" : ""}>
-              {row.map((cell, column) => (
-                <td class={table.numeric[column] ? "number" : ""}>{cell}</td>
-              ))}
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      {missing > 0 && <p class="quiet">and {missing} more rows, in the files of the command</p>}
-    </div>
   );
 }
 

@@ -1,7 +1,8 @@
 /** The list of analyses with their options, and the jobs of this studio. */
 
 import { useEffect, useState } from "preact/hooks";
-import { cancel, compute, elapsed, jobs, running, shown, whole } from "./jobs";
+import { cancel, compute, elapsed, running, whole } from "./jobs";
+import { Runs } from "./runs";
 import type { Analysis, Job, Option } from "./server";
 import { broken, problems, text } from "./study";
 
@@ -50,7 +51,7 @@ export function Compute({ analyses }: { analyses: Analysis[] }) {
         </div>
       )}
       {job !== undefined && <Running job={job} />}
-      <List />
+      <Runs />
     </section>
   );
 }
@@ -125,30 +126,5 @@ function Running({ job }: { job: Job }) {
         <span class="quiet">{job.cost}</span>
       </p>
     </div>
-  );
-}
-
-const STATES = { running: "is computed", done: "", failed: "failed", cancelled: "cancelled" };
-
-/** The latest jobs, newest first; one of them is shown below. */
-function List() {
-  const list = [...jobs.value].reverse();
-  return (
-    <>
-      <p class="hidden" role="status">
-        {list[0] === undefined ? "" : `${list[0].analysis} ${STATES[list[0].state] || "is finished"}`}
-      </p>
-      {list.length > 1 && (
-        <p class="row" role="group" aria-label="Results">
-          <span>Results</span>
-          {list.map((job) => (
-            <button type="button" class="minor" aria-pressed={shown.value === job.number}
-              onClick={() => (shown.value = job.number)}>
-              {job.number}. {job.analysis} {STATES[job.state] && `(${STATES[job.state]})`}
-            </button>
-          ))}
-        </p>
-      )}
-    </>
   );
 }

@@ -1,8 +1,16 @@
 /** The text of the study with its line numbers, and the problems at their lines. */
 
 import { useRef } from "preact/hooks";
+import type { Key } from "../parts/keys";
+import { closeCompletions, completionAttributes, completionKey, Completions, moveCompletions } from "./completing";
 import type { Problem } from "./server";
 import { edit, problems, redo, remarks, text, undo } from "./study";
+
+export const textKeys: Key[] = [
+  { keys: "Ctrl+Space", effect: "list of keys and values that fit at the cursor", actions: {} },
+  { keys: "Ctrl+Z", effect: "undo", actions: {} },
+  { keys: "Ctrl+Shift+Z", effect: "redo", actions: {} },
+];
 
 export function Editor() {
   const area = useRef<HTMLTextAreaElement>(null);
@@ -30,11 +38,18 @@ export function Editor() {
           spellcheck={false}
           autocapitalize="off"
           autocomplete="off"
-          onInput={(event) => edit(event.currentTarget.value)}
+          {...completionAttributes()}
+          onInput={(event) => {
+            edit(event.currentTarget.value);
+            moveCompletions(event.currentTarget);
+          }}
+          onSelect={(event) => moveCompletions(event.currentTarget)}
+          onBlur={closeCompletions}
           onScroll={(event) => {
             if (numbers.current !== null) numbers.current.scrollTop = event.currentTarget.scrollTop;
           }}
           onKeyDown={(event) => {
+            if (completionKey(event, event.currentTarget)) return;
             if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
             const letter = event.key.toLowerCase();
             const action = letter === "y" || (letter === "z" && event.shiftKey) ? redo : letter === "z" ? undo : null;
@@ -44,6 +59,7 @@ export function Editor() {
           }}
         />
       </div>
+      <Completions area={area} />
       <section aria-label="Problems" aria-live="polite" class="problems">
         {problems.value.length > 0 && (
           <ul>

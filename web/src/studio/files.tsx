@@ -2,13 +2,16 @@
 
 import { useState } from "preact/hooks";
 import type { Start } from "./server";
-import { canRedo, canUndo, file, files, notice, openFile, openTemplate, redo, save, undo, unsaved } from "./study";
+import { canRedo, canUndo, file, files, notice, openFile, openTemplate, redo, save, text, undo, unsaved } from "./study";
 import { Parts } from "./editor";
+import { Help } from "./help";
+import { copyLink } from "./share";
 
 const ENDING = ".toml";
 
 export function Bar({ start }: { start: Start }) {
   const [name, setName] = useState<string | null>(null);
+  const [copied, setCopied] = useState("");
   const target = name ?? file.value ?? "";
   const sure = () => !unsaved.peek() || confirm("The study has changes that are not saved. Leave them? Undo brings them back.");
   return (
@@ -81,6 +84,13 @@ export function Bar({ start }: { start: Start }) {
         <button type="button" disabled={!canRedo.value} onClick={redo}>
           Redo
         </button>
+        <button type="button" disabled={text.value === ""} onClick={() => void copyLink().then(setCopied)}>
+          Copy link
+        </button>
+        <Help />
+        <span class="quiet" role="status">
+          {copied}
+        </span>
         <span class="quiet" role="status">
           {unsaved.value ? "not saved" : file.value === null ? "" : "saved"}
         </span>

@@ -44,4 +44,10 @@ export const compute = (analysis: string, options: object) =>
     shown.value = number;
   });
 
+export const remove = (number: number) =>
+  attempt(async () => {
+    if (shown.peek() === number) shown.value = whole.value = null;
+    await server.remove(number);
+  });
+
 export const cancel = (number: number) => attempt(async () => void (await server.cancel(number)));

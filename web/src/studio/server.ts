@@ -44,6 +44,13 @@ export interface Analysis {
   options: Option[];
 }
 
+/** Forms and styles of saved files, as `haptonic.studio.files` gives them. */
+export interface Exports {
+  pictures: string[];
+  looks: Record<string, string>;
+  tables: string[];
+}
+
 export interface Start {
   version: string;
   folder: string;
@@ -52,6 +59,8 @@ export interface Start {
   templates: Record<string, string>;
   files: string[];
   opened: string | null;
+  exports: Exports;
+  expressions: string; // table whose names expressions may use
   plate: Tables; // of a study that gets its first plate
 }
 
@@ -118,12 +127,29 @@ export interface Job {
   number: number;
   analysis: string;
   file: string;
+  title: string; // of the study
+  started: number; // s since 1970
+  points: number; // computed designs so far
   state: "running" | "done" | "failed" | "cancelled";
   cost: string;
   progress: [number, number, string];
   seconds: number;
   pictures: string[];
   drawn: boolean;
+}
+
+/** Numbers of a computed design, as `haptonic.analyses.points` declares them. */
+export interface PointNumber {
+  title: string;
+  value: number; // SI
+  unit: string;
+  error: number | null;
+}
+
+export interface DesignPoint {
+  group: string;
+  varied: PointNumber[];
+  results: PointNumber[];
 }
 
 export interface ResultTable {
@@ -142,6 +168,13 @@ export interface Answer {
   tables: ResultTable[];
   remarks: string[];
   pictures: { name: string; caption: string }[];
+  files: string[];
+}
+
+/** Two runs, as `haptonic.studio.comparing` gives them. */
+export interface Compared {
+  runs: { name: string; title: string; summary: string[] }[];
+  tables: ResultTable[];
 }
 
 export interface WholeJob extends Job {
@@ -163,14 +196,14 @@ export class Refusal extends Error {
   }
 }
 
-async function answered<T>(request: Promise<Response>): Promise<T> {
+async function accepted(request: Promise<Response>): Promise<Response> {
   let response: Response;
   try {
     response = await request;
   } catch {
     throw new Refusal("The server does not answer; is `haptonic studio` still running?");
   }
-  if (response.ok) return (await response.json()) as T;
+  if (response.ok) return response;
   if (response.status === 422) {
     const { error } = (await response.json()) as { error: Problem };
     throw new Refusal(`${error.argument}: ${error.cause}`, error);
@@ -179,10 +212,21 @@ async function answered<T>(request: Promise<Response>): Promise<T> {
   throw new Refusal(response.headers.get("content-type")?.startsWith("text/plain") ? await response.text() : `Error ${response.status} of the server.`);
 }
 
-function post<T>(name: string, asked: object): Promise<T> {
-  const headers = { "content-type": "application/json" };
-  return answered<T>(fetch(`api/${name}`, { method: "POST", headers, body: JSON.stringify(asked) }));
+const answered = async <T,>(request: Promise<Response>): Promise<T> => (await (await accepted(request)).json()) as T;
+
+/** A file with the name that the server gives it. */
+async function file(request: Promise<Response>): Promise<{ name: string; content: Blob }> {
+  const response = await accepted(request);
+  const name = /filename="([^"]*)"/.exec(response.headers.get("content-disposition") ?? "")?.[1] ?? "file";
+  return { name, content: await response.blob() };
 }
+
+function posted(name: string, asked: object): Promise<Response> {
+  const headers = { "content-type": "application/json" };
+  return fetch(`api/${name}`, { method: "POST", headers, body: JSON.stringify(asked) });
+}
+
+const post = <T,>(name: string, asked: object) => answered<T>(posted(name, asked));
 
 type Edited = Checked & { text: string };
 
@@ -198,6 +242,12 @@ export const server = {
   run: (analysis: string, options: object, text: string, file: string | null) =>
     post<{ number: number }>("run", { analysis, options, text, file }),
   cancel: (number: number) => post<object>("cancel", { number }),
+  compare: (first: number, second: number) => post<Compared>("differences", { first, second }),
+  export: (number: number, wanted: object) => file(posted("product", { number, ...wanted })),
+  page: (number: number) => file(fetch(`api/jobs/${number}/page`)),
+  remove: (number: number) => post<object>("remove", { number }),
+  design: (number: number, point: number) => post<Edited>("opened", { number, point }),
+  points: (number: number, first: number) => answered<DesignPoint[]>(fetch(`api/jobs/${number}/points/${first}`)),
   job: (number: number) => answered<WholeJob>(fetch(`api/jobs/${number}`)),
   view: async (number: number) => (await fetch(`api/jobs/${number}/view`)).arrayBuffer(),
   picture: (number: number, name: string) => `api/jobs/${number}/pictures/${encodeURIComponent(name)}`,

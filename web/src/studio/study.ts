@@ -152,6 +152,20 @@ export const openTemplate = (name: string) =>
     take(state);
   });
 
+/** Another study without a file, as one step of the history. */
+export function openText(next: string): void {
+  setText(next);
+  file.value = saved.value = null;
+}
+
+/** Open a computed design of a job, as one step of the history. */
+export const openDesign = (job: number, point: number) =>
+  attempt(async () => {
+    const state = await server.design(job, point);
+    replace(state.text);
+    take(state);
+  });
+
 export const save = (name: string) =>
   attempt(async () => {
     const written = text.peek();

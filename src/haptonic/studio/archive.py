@@ -1,0 +1,118 @@
+"""Finished jobs on the disk, so that nothing is lost when the server ends: one zip file for each.
+
+The folder of the archive is in the store. Its name is the hash of the folder of studies, so that every folder
+has its own list of runs.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import secrets
+import zipfile
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+
+from haptonic.atomic import write_atomically
+from haptonic.gate import json_from
+from haptonic.store import Store
+from haptonic.studio.job import Job
+from haptonic.studio.worker import Order
+
+FORM = 1  # of the files; those of another form are left alone
+MOST_RUNS, MOST_BYTES = 50, 500_000_000  # older runs leave
+BRIEF, WHOLE, VIEW = "brief.json", "whole.json", "view"
+APART = ("view", "pictures", "order")  # fields of a job with files or a form of their own
+FAULTS = (OSError, zipfile.BadZipFile, KeyError, ValueError, TypeError)  # of a damaged file
+
+
+class Archive:
+    """Runs of one folder of studies, each a file that is complete or absent.
+
+    briefs : state of each run for the list of the page, by its number
+    """
+
+    def __init__(self, studies: Path, store: Store | None = None) -> None:
+        digest = hashlib.sha256(str(studies).encode("utf-8", "surrogateescape")).hexdigest()
+        self.folder = (Store.default() if store is None else store).root / "studio" / digest[:32]
+        self.studies = studies
+        self.briefs: dict[int, dict[str, Any]] = {}
+        self._paths: dict[int, Path] = {}
+        for path in sorted(self.folder.glob("*.zip"), key=_time):
+            with suppress(*FAULTS), zipfile.ZipFile(path) as parts:
+                brief = json_from(parts.read(BRIEF).decode())
+                if brief["form"] == FORM and isinstance(brief["number"], int):
+                    # nobody draws what is missing when the server was killed
+                    self.briefs[brief["number"]] = brief | {"drawn": True}
+                    self._paths[brief["number"]] = path
+
+    def keep(self, job: Job) -> None:
+        """Write a finished job, and remove the oldest beyond the limits.
+
+        Raises
+        ------
+        ResourceError : the folder cannot be written
+        """
+        content, brief = io.BytesIO(), job.brief() | {"form": FORM}
+        with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as parts:
+            parts.writestr(BRIEF, json.dumps(brief))
+            parts.writestr(WHOLE, json.dumps(_plain(job)))
+            if job.view is not None:
+                parts.writestr(VIEW, job.view)
+            for place, picture in enumerate(job.pictures.values()):
+                parts.writestr(str(place), picture)
+        path = self._paths.get(job.number) or self.folder / f"{job.number}-{secrets.token_hex(4)}.zip"
+        write_atomically(path, lambda draft: draft.write_bytes(content.getbuffer()))
+        self.briefs[job.number], self._paths[job.number] = brief, path
+        self._make_room()
+
+    def read(self, number: int) -> Job | None:
+        """A run with its answer; None without a file that can be read."""
+        with suppress(*FAULTS), zipfile.ZipFile(self._paths[number]) as parts:
+            plain = json_from(parts.read(WHOLE).decode())
+            names = plain.pop("pictures")
+            job = Job(Order(folder=self.studies, **plain.pop("order")), **plain)
+            job.drawn = True
+            job.pictures = {name: parts.read(str(place)) for place, name in enumerate(names)}
+            job.view = parts.read(VIEW) if VIEW in parts.namelist() else None
+            return job
+        return None
+
+    def remove(self, number: int) -> None:
+        """Remove a run and its file."""
+        self.briefs.pop(number, None)
+        path = self._paths.pop(number, None)
+        if path is not None:
+            with suppress(OSError):
+                path.unlink()
+
+    def _make_room(self) -> None:
+        total = 0
+        for count, (number, size) in enumerate(list(self._sizes()), start=1):
+            total += size
+            if count > 1 and (count > MOST_RUNS or total > MOST_BYTES):
+                self.remove(number)
+
+    def _sizes(self) -> Iterator[tuple[int, int]]:
+        """Number and bytes of each run, newest first."""
+        for number in sorted(self._paths, reverse=True):
+            with suppress(OSError):
+                yield number, self._paths[number].stat().st_size
+
+
+def _plain(job: Job) -> dict[str, Any]:
+    """A job without its folder and the contents of its files."""
+    order = asdict(job.order)
+    del order["folder"]
+    values = {field.name: getattr(job, field.name) for field in fields(job) if field.name not in APART}
+    return values | {"order": order, "pictures": list(job.pictures)}
+
+
+def _time(path: Path) -> float:
+    with suppress(OSError):
+        return path.stat().st_mtime
+    return 0.0

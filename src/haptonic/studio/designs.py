@@ -1,0 +1,57 @@
+"""Text of a design that an analysis has computed, so that it can be opened in the editor."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from haptonic.errors import HaptonicError
+from haptonic.studio.editing import Step, changed
+from haptonic.study import Study
+from haptonic.study.loading import examined
+from haptonic.units import format_quantity
+
+STEP = re.compile(r"([^.\[\]]+)(?:\[(\d+)\])?")
+SAME = 1e-9  # relative difference of a number that is read again from its text
+
+
+def design_text(text: str, changes: Mapping[str, float], folder: Path) -> str:
+    """The text of a study with other numbers (SI, by path).
+
+    Comments and all other tables stay. If the text gives such a number in another way, such as by the name
+    of a material, the whole study is written anew.
+
+    Raises
+    ------
+    HaptonicError : the text is no study, or the numbers do not fit it
+    """
+    study, _, problems = examined(text, Study, folder)
+    if study is None:
+        raise problems[0]
+    units, own = study.units(), study.parameters()
+    result = text
+    try:
+        for path, value in changes.items():
+            if not _same(own.get(path), value):
+                written = format_quantity(value, units[path], digits=None) if units[path] else value
+                result = changed(result, steps_of(path), written)
+    except (HaptonicError, KeyError):
+        result = ""
+    design, _, _ = examined(result, Study, folder)
+    if design is not None and all(_same(design.parameters().get(path), v) for path, v in changes.items()):
+        return result
+    return study.with_parameters(changes).to_toml()
+
+
+def steps_of(path: str) -> list[Step]:
+    """Names of tables and keys in a path, and numbers in lists, from 0."""
+    steps: list[Step] = []
+    for name, number in STEP.findall(path):
+        steps += [name, int(number) - 1] if number else [name]
+    return steps
+
+
+def _same(given: float | None, wanted: float) -> bool:
+    return given is not None and math.isclose(given, wanted, rel_tol=SAME)

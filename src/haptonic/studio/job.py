@@ -1,0 +1,79 @@
+"""A job of the studio: an ordered analysis, and its answer as far as it is computed."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from typing import Any
+
+from haptonic.studio.offers import as_command, as_python, offered
+from haptonic.studio.worker import Order
+
+LONGEST_TITLE = 200  # characters in the list, which is sent after every change
+
+
+@dataclass(eq=False)
+class Job:
+    """An ordered analysis and its answer so far.
+
+    state : "running", "done", "failed" or "cancelled"
+    begun : True after the worker has received the order
+    progress : steps done and planned, and the name of the current one; planned is 0 while it is unknown
+    command, python : lines that repeat it
+    points : computed designs, see `haptonic.analyses.points`
+    pictures : SVG by name
+    """
+
+    order: Order
+    command: str = ""
+    python: str = ""
+    state: str = "running"
+    begun: bool = False
+    started: float = field(default_factory=time.time)
+    seconds: float = 0.0
+    cost: str = ""
+    progress: tuple[int, int, str] = (0, 0, "")
+    points: list[dict[str, Any]] = field(default_factory=list)
+    error: dict[str, str] | None = None
+    answer: dict[str, Any] | None = None
+    view: bytes | None = None
+    pictures: dict[str, bytes] = field(default_factory=dict)
+    drawn: bool = False
+
+    @classmethod
+    def ordered(cls, order: Order) -> Job:
+        """The job of an order."""
+        analysis, file = offered(order.analysis), order.file
+        options = order.options
+        return cls(order, as_command(analysis, file, options), as_python(analysis, file, options))
+
+    @property
+    def number(self) -> int:
+        """Number of the order."""
+        return self.order.number
+
+    @property
+    def is_kept(self) -> bool:
+        """True if the archive keeps the job: it has ended, with an answer or with points."""
+        return self.state != "running" and (self.answer is not None or bool(self.points))
+
+    def brief(self) -> dict[str, Any]:
+        """State for the list of jobs."""
+        return {
+            "number": self.number, "analysis": self.order.analysis, "file": self.order.file,
+            "title": self.order.title[:LONGEST_TITLE], "started": self.started,
+            "state": self.state, "cost": self.cost, "progress": self.progress, "drawn": self.drawn,
+            "pictures": list(self.pictures), "points": len(self.points),
+            "seconds": round(time.time() - self.started if self.state == "running" else self.seconds, 1),
+        }  # fmt: skip
+
+    def whole(self) -> dict[str, Any]:
+        """State, answer, the study's text, and the lines that repeat it."""
+        return self.brief() | {
+            "text": self.order.text, "error": self.error, "answer": self.answer,
+            "view": self.view is not None, "command": self.command, "python": self.python,
+        }  # fmt: skip
+
+    def finish(self, state: str) -> None:
+        """Set the last state and the time that the job took."""
+        self.state, self.seconds = state, time.time() - self.started

@@ -1,0 +1,176 @@
+"""Runs outlive their server, and points of a computation appear while it computes."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import tomllib
+import zipfile
+
+import pytest
+from served import PATIENCE, Served, served
+
+from haptonic.errors import HaptonicError
+from haptonic.studio import archive as module
+from haptonic.studio.archive import Archive
+from haptonic.studio.designs import design_text
+from haptonic.studio.job import Job
+from haptonic.studio.worker import Order
+from haptonic.study import loads
+from quick import QUICK_CELL
+
+SWEEP = (
+    QUICK_CELL
+    + """
+[[sweep]]  # heights
+vary = "cell.pillar.height"
+from = "14 mm"
+to = "15 mm"
+steps = 3
+"""
+)
+MANY = SWEEP.replace("steps = 3", "steps = 200")
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory):
+    with served(tmp_path_factory.mktemp("runs")) as running:
+        yield running
+
+
+def start(studio: Served, analysis: str, text: str) -> int:
+    reply = studio.post("run", analysis=analysis, options={}, text=text, file=None)
+    assert reply.status == 200, reply.content
+    return reply.json["number"]
+
+
+def points_of(studio: Served, number: int, first: int = 0) -> list[dict]:
+    return studio.ask("GET", f"/api/jobs/{number}/points/{first}").json
+
+
+def wait_for_points(studio: Served, number: int) -> None:
+    end = time.monotonic() + PATIENCE
+    while not points_of(studio, number) and time.monotonic() < end:
+        time.sleep(0.05)
+
+
+def test_a_killed_server_loses_no_finished_run(tmp_path):
+    (tmp_path / "quick.toml").write_text(QUICK_CELL, "utf-8")
+    command = [sys.executable, "-m", "haptonic", "studio", str(tmp_path / "quick.toml"), "--no-browser"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        process.stdout.readline()
+        running = served_elsewhere(process.stdout.readline().strip())
+        number = start(running, "bands", QUICK_CELL)
+        before = running.finished(number)  # its pictures are not drawn yet
+        view = running.ask("GET", f"/api/jobs/{number}/view").content
+        process.send_signal(signal.SIGKILL)
+        process.wait(30)
+    with served(tmp_path, "quick.toml") as again:
+        with again.listening() as page:
+            (brief,) = json.loads(page.recv())["jobs"]
+        assert brief["title"] == "Quick"
+        after = again.ask("GET", f"/api/jobs/{number}").json
+        assert after["answer"] == before["answer"]
+        assert after["drawn"]
+        assert again.ask("GET", f"/api/jobs/{number}/view").content == view
+        assert start(again, "sweep", MANY) == number + 1
+        wait_for_points(again, number + 1)
+        assert again.post("remove", number=number).status == 200
+        assert again.ask("GET", f"/api/jobs/{number}").status == 404
+    # a server that ends keeps the designs of the job that it cancels
+    ((last, brief),) = Archive(tmp_path.resolve()).briefs.items()
+    assert last == number + 1
+    assert brief["state"] == "cancelled"
+    assert brief["points"] > 0
+
+
+def served_elsewhere(link: str) -> Served:
+    """A studio of another process."""
+    running = Served(None, None, int(link.split(":")[2].split("/")[0]))
+    reply = running.ask("GET", link.removeprefix(running.origin))
+    running.cookie = reply.headers["Set-Cookie"].split(";")[0]
+    return running
+
+
+def a_run(folder, number: int) -> Job:
+    order = Order(number=number, text="", folder=folder, file="a.toml", analysis="plan", options={})
+    return Job(order, state="done", answer={"summary": []}, pictures={"../../x": b"<svg/>"})
+
+
+def test_the_archive_is_bounded_and_leaves_damaged_files_alone(tmp_path, monkeypatch):
+    runs = Archive(tmp_path)
+    monkeypatch.setattr(module, "MOST_RUNS", 3)
+    for number in range(1, 6):
+        runs.keep(a_run(tmp_path, number))
+    assert sorted(runs.briefs) == [3, 4, 5]
+    assert runs.read(5).pictures == {"../../x": b"<svg/>"}
+    paths = sorted(runs.folder.iterdir())
+    assert len(paths) == 3
+    assert not any(".." in name for path in paths for name in zipfile.ZipFile(path).namelist())
+    paths[0].write_bytes(paths[0].read_bytes()[:40])
+    paths[1].write_bytes(b"")
+    assert list(Archive(tmp_path).briefs) == [5]
+    assert Archive(tmp_path / "other").briefs == {}
+    monkeypatch.setattr(module, "MOST_BYTES", 1)  # the newest stays whatever its size
+    runs.keep(a_run(tmp_path, 6))
+    assert list(runs.briefs) == [6]
+
+
+def test_points_of_a_sweep_come_with_errors_and_open_as_designs(studio):
+    number = start(studio, "sweep", SWEEP)
+    job = studio.finished(number)
+    assert job["state"] == "done", job["error"]
+    points = points_of(studio, number)
+    assert [round(point["varied"][0]["value"] * 1e3, 6) for point in points] == [14.0, 14.5, 15.0]
+    assert [result["title"] for result in points[0]["results"]] == ["lower edge", "upper edge"]
+    assert all(result["error"] > 0 for point in points for result in point["results"])
+    assert points_of(studio, number, 2) == points[2:]
+    opened = studio.post("opened", number=number, point=2).json
+    assert opened["problems"] == []
+    assert loads(opened["text"]).cell.pillar.height == pytest.approx(15e-3, rel=1e-12)
+    assert "[[sweep]]  # heights" in opened["text"]
+    assert studio.post("opened", number=number, point=3).status == 422
+    assert studio.post("opened", number=number, point=-1).status == 422
+
+
+def test_points_appear_while_the_rest_is_computed_and_stay_when_it_is_cancelled(studio):
+    number = start(studio, "sweep", MANY)
+    wait_for_points(studio, number)
+    assert studio.ask("GET", f"/api/jobs/{number}").json["state"] == "running"
+    studio.post("cancel", number=number)
+    assert studio.finished(number)["state"] == "cancelled"
+    points = points_of(studio, number)
+    assert points
+    stored = Archive(studio.studio.workspace.folder).read(number)
+    assert stored.state == "cancelled"
+    assert stored.points == points
+
+
+def test_a_worker_that_dies_keeps_the_points(studio):
+    number = start(studio, "sweep", MANY)
+    wait_for_points(studio, number)
+    os.kill(studio.studio.jobs._worker.process.pid, signal.SIGKILL)
+    assert studio.finished(number)["state"] == "failed"
+    assert Archive(studio.studio.workspace.folder).read(number).points
+
+
+@pytest.mark.parametrize(
+    "text", [QUICK_CELL, QUICK_CELL.replace('"14.7 mm"', '"b"') + '[parameters]\nb = "14.7 mm"\n']
+)
+def test_the_text_of_a_design_keeps_its_comments(tmp_path, text):
+    varied = "parameters.b" if "parameters" in text else "cell.pillar.height"
+    result = design_text(f"{text}# end\n", {varied: 0.0151, "cell.pitch": 7e-3}, tmp_path)
+    assert result.endswith("# end\n")
+    assert tomllib.loads(result)["cell"]["pitch"] == "7 mm"
+    assert loads(result).cell.pillar.height == pytest.approx(0.0151)
+
+
+def test_a_number_that_the_text_gives_in_another_way_gives_a_new_text(tmp_path):
+    text = QUICK_CELL.replace('"aluminium-paper"', "{ youngs_modulus = '70 GPa', poisson_ratio = 0.33 }")
+    text = text.replace("0.33 }", "0.33, density = '2700 kg/m^3' } # inline")
+    result = design_text(text, {"material.density": 2800.0}, tmp_path)
+    assert loads(result).parameters()["material.density"] == pytest.approx(2800.0)
+    with pytest.raises(HaptonicError):
+        design_text(QUICK_CELL, {"material.density": 2800.0}, tmp_path)  # of a material by name

@@ -1,0 +1,82 @@
+/** The list of runs in this folder, newest first: open or remove one. */
+
+import { other } from "./compare";
+import { jobs, remove, shown } from "./jobs";
+import type { Job } from "./server";
+
+export const STATES = { running: "is computed", done: "", failed: "failed", cancelled: "cancelled" };
+
+export function Runs() {
+  const list = [...jobs.value].reverse();
+  return (
+    <>
+      <p class="hidden" role="status">
+        {list[0] === undefined ? "" : `${list[0].analysis} ${STATES[list[0].state] || "is finished"}`}
+      </p>
+      {list.length > 0 && (
+        <details class="section">
+          <summary>
+            Runs <span class="quiet">{list.length} in this folder</span>
+          </summary>
+          <div class="wide" tabIndex={0} role="group" aria-label="Runs">
+            <table>
+              <thead>
+                <tr>
+                  <th scope="col">run</th>
+                  <th scope="col">study</th>
+                  <th scope="col">file</th>
+                  <th scope="col">begun</th>
+                  <th scope="col">took</th>
+                  <th scope="col" colSpan={2}>
+                    <span class="hidden">compare and remove</span>
+                  </th>
+                </tr>
+              </thead>
+              <tbody>
+                {list.map((job) => (
+                  <Run key={job.number} job={job} />
+                ))}
+              </tbody>
+            </table>
+          </div>
+        </details>
+      )}
+    </>
+  );
+}
+
+function Run({ job }: { job: Job }) {
+  const name = `${job.number}. ${job.analysis}`;
+  return (
+    <tr>
+      <td>
+        <button type="button" class="minor" aria-pressed={shown.value === job.number}
+          onClick={() => (shown.value = job.number)}>
+          {name} {STATES[job.state] && `(${STATES[job.state]})`}
+        </button>
+      </td>
+      <td class="study-title">{job.title || "-"}</td>
+      <td>{job.file}</td>
+      <td class="number">{began(job.started)}</td>
+      <td class="number">{job.state === "running" ? "" : `${Math.round(job.seconds)} s`}</td>
+      <td>
+        {job.state === "done" && job.number !== shown.value && (
+          <button type="button" class="minor" aria-pressed={other.value === job.number}
+            onClick={() => (other.value = job.number)} aria-label={`Compare the shown run with ${name}`}>
+            Compare
+          </button>
+        )}
+      </td>
+      <td>
+        {job.state !== "running" && (
+          <button type="button" class="minor" onClick={() => void remove(job.number)} aria-label={`Remove ${name}`}>
+            Remove
+          </button>
+        )}
+      </td>
+    </tr>
+  );
+}
+
+const began = (seconds: number) =>
+  new Date(1000 * seconds).toLocaleString([], { dateStyle: "short", timeStyle: "short" });
