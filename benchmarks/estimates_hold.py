@@ -28,7 +28,8 @@ sys.path.insert(0, str(ROOT / "tests" / "core"))
 from truth import KINDS, STOUT_FROM, TILES, TILES_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
 
 from haptonic.bloch.mesh_levels import MeshLimits, first_level, started
-from haptonic.bloch.model import REST, bloch_model
+from haptonic.bloch.model import bloch_model
+from haptonic.bloch.truncation import REST
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import HaptonicError

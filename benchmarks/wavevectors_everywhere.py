@@ -19,7 +19,8 @@ from record import ROOT, STUDY, write
 from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import lattice_pencil, parted
-from haptonic.bloch.model import REST, BlochModel, bloch_model
+from haptonic.bloch.model import BlochModel, bloch_model
+from haptonic.bloch.truncation import REST
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.representative import BESIDE
 from haptonic.bloch.resolution import Resolution

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
 from haptonic.bloch.mesh_levels import MeshLimits
-from haptonic.bloch.model import BlochModel
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.study import loads
+from haptonic.superelement import Tiling
 from user_designs import study_of, study_text
 
 
@@ -22,7 +22,7 @@ def stopped(monkeypatch):
     def begin(*_, **__):
         raise StudyError.no_answer(argument="begun", given="", allowed="", cause="begun", next_step="")
 
-    monkeypatch.setattr(BlochModel, "of", begin)
+    monkeypatch.setattr(Tiling, "condensed", begin)
 
 
 @pytest.fixture

@@ -12,10 +12,11 @@ from daily import daily
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.mesh_levels import starting_rung
-from haptonic.bloch.model import REST, TRUSTED_TRUNCATION, _ranked, bloch_model, interior_error
+from haptonic.bloch.model import bloch_model
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.truncation import REST, TRUSTED_TRUNCATION, interior_error, ranked
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.cell.pillar_parts import Step
 from haptonic.errors import ResourceError
@@ -50,7 +51,7 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     for kappa, expected in zip(SEEN, exact, strict=True):
         values, modes = eigenpairs(pencil, kappa, count + 2)
         fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
-        told = _ranked(np.sqrt(values) / (2 * np.pi), model._lost(values, fields))[:count]
+        told = ranked(np.sqrt(values) / (2 * np.pi), model._lost(values, fields))[:count]
         lost = np.sqrt(values[:count]) / (2 * np.pi) - expected
         assert (lost <= told + 1e-5 * expected).all()
 
@@ -190,7 +191,7 @@ def test_a_band_is_the_mode_of_its_rank(modes):
     """Modes that are each within their error give bands that are, also where they change places."""
     found, error, share = np.array(sorted(modes)).T
     bands = np.sort(found - share * error)
-    assert (found - bands <= _ranked(found, error) + 1e-12).all()
+    assert (found - bands <= ranked(found, error) + 1e-12).all()
 
 
 @pytest.mark.parametrize("order", daily([4, 5], 4))

@@ -16,12 +16,12 @@ from daily import daily
 from five_parts import refused
 from haptonic.bloch import BlochModel, Resolution, mode_shapes
 from haptonic.bloch.centred import parted
-from haptonic.bloch.model import REST
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import IDENTITY, Representative, images, signed_operations
 from haptonic.bloch.ribbon import ACROSS, bulk_bands
 from haptonic.bloch.tracking import group_velocity
+from haptonic.bloch.truncation import REST
 from haptonic.cell import Pillar, Ribbon, UnitCell
 from haptonic.cell.sites import Site
 from haptonic.errors import StudyError

@@ -13,10 +13,11 @@ from truth import plain_plate
 from daily import daily
 from haptonic.bloch.bands import count_check
 from haptonic.bloch.centred import CentredPencil, PhasedPencil, lattice_pencil
-from haptonic.bloch.model import TRUSTED_TRUNCATION, BlochModel
+from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import Periodic, eigenpairs
 from haptonic.bloch.resolution import Resolution, meeting
 from haptonic.bloch.tracking import diagram, group_velocity
+from haptonic.bloch.truncation import TRUSTED_TRUNCATION
 from haptonic.cell import Pillar, PlacedTile, Site, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import HALF_TURN, Lattice

@@ -16,10 +16,10 @@ import scipy.linalg as la
 from numpy.typing import NDArray
 
 from haptonic.bloch.centred import lattice_pencil
-from haptonic.bloch.model import REST, interior_error
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.truncation import REST, interior_error
 from haptonic.cell import Pillar, Site, UnitCell
 from haptonic.cell.pillar import Faces
 from haptonic.cell.pillar_parts import Step

@@ -92,7 +92,8 @@ class CentredPencil:
     def at(self, kappa: Array) -> tuple[Array, Array]:
         """(n, n) real symmetric stiffness and mass at the phases (2,)."""
         factor = self.phases(kappa)
-        K, M = (np.asarray((factor.conj()[:, None] * A * factor).real) for A in self.pencil.at(kappa))
+        turn = np.outer(factor.conj(), factor)
+        K, M = (turn.real * real - turn.imag * imaginary for real, imaginary in self.pencil.components(kappa))
         return K, M
 
     def free(self, modes: Fields, kappa: Array) -> Complex:

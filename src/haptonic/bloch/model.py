@@ -20,7 +20,6 @@ from haptonic.bloch.mesh_levels import (
     check_thickness,
     finer_level,
     first_level,
-    growth_for,
     refusal,
 )
 from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
@@ -28,23 +27,22 @@ from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.truncation import (
+    REST,
+    TRUNCATION_SHARE,
+    TRUSTED_TRUNCATION,
+    interior_error,
+    largest_truncation,
+    ranked,
+    reach_truncation,
+)
 from haptonic.cell import UnitCell
 from haptonic.parallel import one_thread
 from haptonic.superelement import Tiling, on_each
 
-# Largest relative truncation error for which the first-order estimate is reliable: at an estimate of 1.4e-2
-# the error was 4.7e-2, and bands had changed places. The interior need not grow below the share of the
-# accuracy.
-TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
-FIRST_ORDER = 1.5  # largest ratio of the error to its first-order estimate, below the trusted one
-MOST_GROWTH = 4  # number of enlargements of the interior
-# Times the accuracy: mesh error at which a finer mesh is used before the interior is reliable. In nine cells
-# with truncation errors of 1e-3 to 2e-2, a tenth of these changed the error of the mesh by at most 6 %.
-CLEARLY = 1.1
 ABOVE = 2  # modes above the last band that may change places with it; with none, a tenth band was 1.3 % off
 HALVES_DIVISIONS = 6  # of the zone's sides, for the wavevectors at which bands of each parity are counted
 ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which errors of a model are estimated
-REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
 
 @dataclass(frozen=True)
@@ -102,7 +100,14 @@ class BlochModel:
 
     @classmethod
     def of(
-        cls, cell: UnitCell, resolution: Resolution, count: int, *, measured: bool = True, many: bool = True
+        cls,
+        cell: UnitCell,
+        resolution: Resolution,
+        count: int,
+        *,
+        measured: bool = True,
+        many: bool = True,
+        whole: Tiling | None = None,
     ) -> BlochModel:
         """Make a model for ``count`` bands.
 
@@ -110,6 +115,7 @@ class BlochModel:
         ----------
         measured : whether characters of modes are needed
         many : whether errors are needed at many wavevectors; then the coarse pencil is reduced
+        whole : the cell condensed with this resolution; by default it is condensed here
         """
         resolution = resolution.for_bands(cell, count)
         goal = resolution.projection_goal
@@ -127,7 +133,8 @@ class BlochModel:
         # for symmetry classes, the larger model first
         with one_thread(), ThreadPoolExecutor(1) as aside:
             coarse = aside.submit(lowered)
-            whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
+            if whole is None:
+                whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
             return cls(
                 cell=cell,
                 resolution=resolution,
@@ -176,7 +183,7 @@ class BlochModel:
         error = self.resolution.estimate(self.cell, frequency, distance, moving)
         error += self._lost(values, fields) + frequency * self.fine.projection_error
         error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
-        error = _ranked(frequency, error)
+        error = ranked(frequency, error)
         return Solution(source=source, frequency=frequency, error=error, fields=fields, modes=modes).lowest(
             count
         )
@@ -192,14 +199,7 @@ class BlochModel:
     @cached_property
     def truncation(self) -> float:
         """Largest relative truncation error of the interior at the corners of the zone."""
-        worst = 0.0
-        for kappa in self.cell.zone.corner_phases.values():
-            values, modes = eigenpairs(self.fine.pencil, kappa, self.count)
-            moving = values > (2 * np.pi * REST * self.highest) ** 2
-            frequency = hertz(values)
-            lost = _ranked(frequency, self._lost(values, self.fine.expanded(modes, kappa)))
-            worst = max(worst, float((lost[moving] / frequency[moving]).max(initial=0.0)))
-        return worst
+        return largest_truncation(self.fine.tiling, self.fine.pencil, self.fine.expanded, self.count)
 
     @cached_property
     def _worst(self) -> tuple[float, float]:
@@ -258,24 +258,6 @@ class BlochModel:
         return source.gradient(slopes)
 
 
-def interior_error(values: Array, left_out: Array) -> Array:
-    """(k,) first-order decrease of frequencies due to omitted interior fields, for eigenvalues (k,), Hz.
-
-    left_out : (k,) values of the truncation form on each mode
-    """
-    return np.asarray(0.5 * FIRST_ORDER * values * np.abs(left_out) * hertz(values))
-
-
-def _ranked(frequency: Array, error: Array) -> Array:
-    """(k,) errors of bands from those of k modes, lowest first, Hz.
-
-    Bands are numbered by frequency. If the error interval of a mode reaches below lower modes, their order is
-    uncertain, and the errors of these bands include this.
-    """
-    lowest = frequency - error
-    return np.asarray(frequency - np.minimum(lowest, np.sort(lowest)))
-
-
 def candidate_models(
     cell: UnitCell, settings: BandSettings, *, gaps_only: bool = False, limits: MeshLimits | None = None
 ) -> Iterator[BlochModel | Lack]:
@@ -304,37 +286,27 @@ def candidate_models(
         check_thickness(cell)
         mesh, level, limits = chosen.for_bands(cell, count), len(LADDER), replace(limits, seconds=math.inf)
         check_memory(cell, chosen, count, limits)
-    spent, grown, answered = 0.0, 0, False
+    goal = min(TRUSTED_TRUNCATION, TRUNCATION_SHARE * accuracy)
+    spent, answered = 0.0, False
     while True:
-        model = BlochModel.of(cell, mesh, count, measured=not gaps_only, many=not gaps_only)
-        spent += mesh.seconds(cell)
-        trusted = model.truncation <= TRUSTED_TRUNCATION
-        if trusted or (chosen is not None and grown == MOST_GROWTH):
+        with one_thread():
+            mesh, whole, truncation, lack = reach_truncation(
+                cell, mesh, count, goal=goal, limits=limits, spent=spent, measured=not gaps_only
+            )
+        excess = 1.0
+        if truncation <= TRUSTED_TRUNCATION or (chosen is not None and lack is None):
+            model = BlochModel.of(cell, mesh, count, many=not gaps_only, whole=whole)
+            spent += mesh.seconds(cell)
             answered = True
             yield model
-        enough = trusted and model.truncation <= TRUNCATION_SHARE * accuracy
-        growth = 0
-        if not enough:
-            needed = growth_for(model.truncation, TRUNCATION_SHARE * accuracy)
-            growth = min(needed, max(MOST_GROWTH - grown, 1))
-        grown += growth
-        wanted = mesh.grown(growth)
-        # for gaps only, the error of a mesh takes as long as the next interior
-        judged = chosen is None and (trusted or not gaps_only)
-        too_coarse = judged and model.mesh_error > (1.0 if trusted else CLEARLY) * accuracy
-        if enough or too_coarse or grown > MOST_GROWTH:
-            finer = finer_level(cell, wanted, level, model.mesh_error / accuracy, limits, spent)
+            excess = model.mesh_error / accuracy
+        if lack is None:
+            finer = finer_level(cell, mesh, level, excess, limits, spent)
             if not isinstance(finer, Lack):
                 level, mesh = finer
                 continue
-            if trusted or grown > MOST_GROWTH:
-                lack = finer
-                break
-        mesh = wanted
-        missing = limits.lack(cell, mesh, spent)
-        if missing is not None and (answered or missing.of == "memory"):
-            lack = missing
-            break
+            lack = finer
+        break
     if not answered:
         raise refusal(cell, count, accuracy, lack)
     yield lack

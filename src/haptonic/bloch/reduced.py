@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
 from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil, parted, split
-from haptonic.bloch.pencil import Pencil, SplitPencil, eigenpairs
+from haptonic.bloch.pencil import Evaluated, Pencil, SplitPencil, eigenpairs
 from haptonic.brillouin import IrreducibleZone
 from haptonic.later import linalg as la
 from haptonic.superelement import Tiling, definite
@@ -112,6 +112,18 @@ class ReducedCell:
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the tiling from (r, k) modes of the small pencil."""
         return self.whole.periodic.expanded(self.whole.free(self.basis @ modes, kappa), kappa)
+
+
+def unreduced(tiling: Tiling) -> tuple[Evaluated, Callable[[Fields, Array], Complex]]:
+    """Pencil of a tiling, and a function that maps its modes at phases (2,) to unknowns of the tiling."""
+    full = lattice_pencil(tiling)
+    solved, parts = parted(full)
+
+    def expanded(modes: Fields, kappa: Array) -> Complex:
+        modes = np.hstack(parts) @ modes if parts else modes
+        return full.periodic.expanded(full.free(modes, kappa), kappa)
+
+    return solved, expanded
 
 
 def _training(zone: IrreducibleZone) -> Iterator[Array]:

@@ -14,9 +14,10 @@ import numpy as np
 
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.chain import BlockChain, eigenpairs_within
-from haptonic.bloch.model import BlochModel, interior_error
+from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import Periodic, hertz
 from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.truncation import interior_error
 from haptonic.cell import Ribbon
 from haptonic.later import sparse as sp
 from haptonic.superelement import Tiling, definite, on_each

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.character import characters
-from haptonic.bloch.model import REST, BlochModel, Solution
+from haptonic.bloch.model import BlochModel, Solution
 from haptonic.bloch.reduced import SPARE_MODES
 from haptonic.bloch.symmetry import (
     WAVES,
@@ -21,6 +21,7 @@ from haptonic.bloch.symmetry import (
     sorted_by_parity,
     split_groups,
 )
+from haptonic.bloch.truncation import REST
 from haptonic.brillouin import Path
 from haptonic.later import csgraph, sparse as sp
 from haptonic.superelement import JointImage
