@@ -90,9 +90,10 @@ class Resolution:
     def grown(self, times: int = 1) -> Resolution:
         """Enlarge the interior: each time wider blocks, and one more block if they would be too wide.
 
-        In twelve of fourteen cells of pillars and discs, wider blocks reduced the truncation error more than
-        further blocks of the same size altogether: around a hole from 1.8e-2 to 4.9e-4 with 2 blocks of 33,
-        and to 6.8e-4 with 4 of 22.
+        Around wide holes and below caps, where the first interior omits most, wider blocks are better: around
+        a hole the truncation error fell from 1.8e-2 to 4.9e-4 with 2 blocks of 33, and to 6.8e-4 with 4 of 22
+        and a larger pencil. In other cells further blocks are better, but the first wider ones were enough
+        for an accuracy of 2e-3: 4.6e-4 instead of 2.3e-3 for pillars on a triangular lattice.
         """
         steps, block = self.steps, self.block
         for _ in range(times):
