@@ -29,9 +29,9 @@ from truth import KINDS, STOUT_FROM, TILES, TILES_FROM, Drawn, Truth, drawn, for
 
 from haptonic.bloch.mesh_levels import MeshLimits, first_level, started
 from haptonic.bloch.model import bloch_model
-from haptonic.bloch.truncation import REST
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.truncation import REST
 from haptonic.errors import HaptonicError
 
 Array = NDArray[np.float64]

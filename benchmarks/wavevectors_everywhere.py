@@ -20,11 +20,11 @@ from threadpoolctl import threadpool_limits
 
 from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.model import BlochModel, bloch_model
-from haptonic.bloch.truncation import REST
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.representative import BESIDE
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.truncation import REST
 from haptonic.cell import Pillar, Site, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
