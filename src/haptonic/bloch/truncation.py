@@ -72,7 +72,7 @@ def reach_truncation(
     """Condense a cell with an interior that reaches a truncation error, and return what it reaches.
 
     An interior without a reliable error grows beyond the budget of time. The last value is the limit that
-    prevented more. Condensing takes a tenth to a third of the time of a model.
+    prevented more.
     """
     for further in range(MOST_GROWTH, -1, -1):
         whole = Tiling.condensed(cell, mesh.plans(cell), mesh.steps, mesh.block, measured=measured)
