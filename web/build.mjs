@@ -9,12 +9,12 @@ const out = process.argv[2] ?? join(here, "../src/haptonic/views/bundle");
 
 const { metafile } = await build({
   absWorkingDir: here, // names of modules in the output do not depend on the place of the project
-  entryPoints: { sent: "src/sent.tsx", studio: "src/studio.tsx" },
+  entryPoints: { views: "src/hosts.ts", studio: "src/studio.tsx" },
   outdir: out,
   bundle: true,
   minify: true,
   metafile: true,
-  format: "iife",
+  format: "esm",
   target: "es2022",
   charset: "utf8",
   legalComments: "none", // the licences are in a file of their own

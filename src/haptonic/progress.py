@@ -25,13 +25,19 @@ def silent(done: int, planned: int, what: str = "", /) -> None:
     """Report nothing."""
 
 
+def in_kernel() -> bool:
+    """True in the kernel of a notebook."""
+    module = sys.modules.get("IPython")  # loaded if this is a notebook
+    return module is not None and hasattr(module.get_ipython(), "kernel")
+
+
 @contextmanager
 def in_notebook(doing: str) -> Iterator[Progress]:
     """A progress bar below the cell of a notebook if the work takes longer; no output elsewhere."""
-    module = sys.modules.get("IPython")  # loaded if this is a notebook
-    if module is None or not hasattr(module.get_ipython(), "kernel"):
+    if not in_kernel():
         yield silent
         return
+    module = sys.modules["IPython"]
     due, bar = time.monotonic() + PATIENCE, None
 
     def tell(done: int, planned: int, what: str = "", /) -> None:

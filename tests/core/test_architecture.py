@@ -80,7 +80,7 @@ ALLOWED: dict[str, set[str]] = {
     "workshop": BASE | {"atomic", "cell", "materials", "plate", "plots"},
     "pages": {"plots"},
     # from here on down to the command line: what is told, what is asked, what is computed, what shows it
-    "views": {"gate", "pages"},
+    "views": {"gate", "pages", "progress"},
     "results": LOWER | {"pages", "plots", "views", "vtu"},
     "description": LOWER - {"atomic", "store"} | {"results"},
     "report": LOWER | {"description", "pages", "plots", "results"},
@@ -106,6 +106,7 @@ INSIDE_FUNCTIONS = {
         "scipy",
     },  # a child process loads what a file needs and no more
     "jobs": {"dask", "distributed"},
+    "views": {"anywidget", "traitlets"},
     "workshop": {"netgen"},
     "vibrometry": {"nptdms", "sdypy"},
     "friction": {"nptdms", "statsmodels"},

@@ -20,6 +20,12 @@ export interface Header {
   variables: Record<string, Described>;
 }
 
+/** Content that zlib has compressed. */
+export async function inflated(content: Uint8Array<ArrayBuffer>): Promise<ArrayBuffer> {
+  const stream = new Blob([content]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
+}
+
 const ALIGNED = 8;
 const READERS = {
   "<f8": Float64Array,

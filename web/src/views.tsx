@@ -19,15 +19,16 @@ export function show(data: Dataset, element: HTMLElement): () => void {
   const make = VIEWS[data.header.kind];
   if (make === undefined) throw new Error(`this version has no view "${data.header.kind}"`);
   addStyle();
+  element.classList.add("haptonic", "view");
   render(make(data), element);
   return () => render(null, element);
 }
 
-/** Add the style of the views to the page, once. */
+/** Add the style of the views to the page, once; it concerns elements of class "haptonic", not the rest of a page. */
 export function addStyle(): void {
   if (document.getElementById("haptonic-style") !== null) return;
   const sheet = document.createElement("style");
   sheet.id = "haptonic-style";
-  sheet.textContent = uplot + style;
+  sheet.textContent = `${uplot}:where(.haptonic) { ${style} }`; // specificity 0, so the studio can change it
   document.head.append(sheet);
 }

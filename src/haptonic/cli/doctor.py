@@ -27,6 +27,7 @@ OPTIONAL = {  # extra of pyproject.toml -> the package that it installs
     "cholmod": "scikit-sparse",
     "fast": "pypardiso",
     "modal": "sdypy-EMA",
+    "notebook": "anywidget",
     "scheduler": "distributed",
     "tdms": "npTDMS",
 }

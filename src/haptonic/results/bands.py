@@ -20,7 +20,7 @@ from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity, hz_text, in_percent
-from haptonic.views import InteractiveView, sent_page
+from haptonic.views import InteractiveView, write_page
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
@@ -283,9 +283,7 @@ class Bands(Result):
 
     @file("bands.html", when=_moving)
     def _write_page(self, path: Path) -> None:
-        view = self.view()
-        assert view is not None, "a page without moving modes"
-        path.write_text(sent_page(view), "utf-8")
+        write_page(self.view(), path)
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the diagram and its modes; None if the modes were not computed."""

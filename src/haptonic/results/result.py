@@ -29,7 +29,7 @@ from haptonic.results.common import Writer, accuracy_remarks, refuse_taken, writ
 from haptonic.results.pictures import write_pictures
 from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
-from haptonic.views import InteractiveView
+from haptonic.views import InteractiveView, widget_bundle, widgets_work
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -289,6 +289,11 @@ class Result:
     def _repr_html_(self) -> str:
         text = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in self.summary())
         return text + "".join(table.written("html") for table in self.tables()) + self._thumbnail()
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+        """The interactive view for a notebook; a notebook gets its other formats from the methods above."""
+        view = self.view() if widgets_work() else None
+        return {} if view is None else widget_bundle(view)
 
     def _thumbnail(self) -> str:
         """Small version of the first picture, as HTML."""

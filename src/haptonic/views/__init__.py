@@ -1,10 +1,19 @@
-"""Interactive views of results: one program for the sent page, the studio and the notebook.
+"""Interactive views of results, the same in the studio, on a page that can be sent, and in a notebook.
 
-The program is built from ``web/`` into ``bundle/``. It gets an `InteractiveView` as bytes. Titles and units
-are attributes of its dataset.
+The programs are built from ``web/`` into ``bundle/``. They get an `InteractiveView` as bytes. Titles and
+units are attributes of its dataset.
 """
 
+from haptonic.views.notebook import widget_bundle, widgets_work
 from haptonic.views.packed import InteractiveView, packed
-from haptonic.views.sent import packed_page, sent_page
+from haptonic.views.sent import packed_page, sent_page, write_page
 
-__all__ = ["InteractiveView", "packed", "packed_page", "sent_page"]
+__all__ = [
+    "InteractiveView",
+    "packed",
+    "packed_page",
+    "sent_page",
+    "widget_bundle",
+    "widgets_work",
+    "write_page",
+]

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import struct
+import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ import numpy as np
 from haptonic.gate import passed
 from haptonic.later import xarray as xr
 
+PROGRAM = "views.js"
 ALIGNED = 8  # bytes; arrays begin at multiples, as the browser's typed arrays require
 STEPS = np.iinfo(np.int16).max
 FORMS = {"f": (np.float64, np.float32), "i": (np.int32, np.int8), "u": (np.int32,), "b": (np.int32,)}
@@ -82,6 +85,16 @@ def header_of(content: bytes) -> dict[str, Any]:
     (length,) = struct.unpack_from("<I", content)
     header: dict[str, Any] = json.loads(content[4 : 4 + length])
     return header
+
+
+def compressed(content: bytes) -> bytes:
+    """A packed view, compressed by zlib."""
+    return zlib.compress(content, 6)
+
+
+def program() -> str:
+    """The program that shows views on pages and in notebooks, an ES module."""
+    return files("haptonic.views").joinpath("bundle", PROGRAM).read_text("utf-8")
 
 
 def _padded(content: bytes) -> bytes:

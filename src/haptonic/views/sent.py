@@ -4,24 +4,38 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import zlib
-from importlib.resources import files
+from pathlib import Path
 
 from haptonic.pages import filled
-from haptonic.views.packed import InteractiveView, header_of, packed
-
-PROGRAM = "sent.js"
+from haptonic.views.packed import InteractiveView, compressed, header_of, packed, program
 
 
 def sent_page(view: InteractiveView) -> str:
-    """The page as text. It needs a browser of 2023 or later, and neither a server nor a network."""
+    """The page as text. It needs a browser of 2024 or later, and neither a server nor a network."""
     return packed_page(packed(view))
 
 
-def packed_page(view: bytes) -> str:
+def packed_page(content: bytes) -> str:
     """The page of a packed view."""
-    program = files("haptonic.views").joinpath("bundle", PROGRAM).read_text("utf-8")
-    digest = base64.b64encode(hashlib.sha256(program.encode()).digest()).decode()
-    data = base64.b64encode(zlib.compress(view, 6)).decode()
-    title = header_of(view)["title"]
-    return filled("view.html", title=title, program=program, digest=digest, data=data)
+    title = header_of(content)["title"]
+    return filled("view.html", title=title, program=program(), digest=digest(), data=_coded(content))
+
+
+def write_page(view: InteractiveView | None, path: Path) -> None:
+    """Write the page of a result that has a view."""
+    assert view is not None, "a page without a view"
+    path.write_text(sent_page(view), "utf-8")
+
+
+def digest() -> str:
+    """SHA-256 of the program, as a content security policy contains it."""
+    return base64.b64encode(hashlib.sha256(program().encode()).digest()).decode()
+
+
+def embedded_data(view: InteractiveView) -> str:
+    """The compressed view as text for a page."""
+    return _coded(packed(view))
+
+
+def _coded(content: bytes) -> str:
+    return base64.b64encode(compressed(content)).decode()

@@ -1,7 +1,8 @@
 /** Colours of the page's theme for what is drawn on canvases. */
 
 export function themeColour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  const themed = document.querySelector(".haptonic") ?? document.documentElement;
+  return getComputedStyle(themed).getPropertyValue(`--${name}`).trim();
 }
 
 /** Call a function now and whenever the system changes between light and dark; returns what ends it. */

@@ -1,6 +1,7 @@
 /** The list of keys and the tables below a view, opened by buttons or keys. */
 
 import { useSignalEffect, type Signal } from "@preact/signals";
+import { useRef } from "preact/hooks";
 import type { ComponentChildren } from "preact";
 import type { Key } from "./keys";
 
@@ -25,8 +26,9 @@ interface Props {
 }
 
 export function Listing({ listing, keys, children }: Props) {
+  const place = useRef<HTMLDivElement>(null);
   useSignalEffect(() => {
-    if (listing.value !== "none") document.getElementById("listing")?.focus();
+    if (listing.value !== "none") place.current?.focus();
   });
   const buttons: [Listed, string][] = [
     ["table", "Tables"],
@@ -41,7 +43,7 @@ export function Listing({ listing, keys, children }: Props) {
           </button>
         ))}
       </p>
-      <div id="listing" tabIndex={-1}>
+      <div ref={place} tabIndex={-1}>
         {listing.value === "table" && children}
         {listing.value === "keys" && (
           <KeyTable title="Keys" keys={keys} />

@@ -29,7 +29,7 @@ from haptonic.results.plate.tables import carriers_table, lines_table, modes_tab
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
 from haptonic.units import hz_text
-from haptonic.views import InteractiveView, sent_page
+from haptonic.views import InteractiveView, write_page
 from haptonic.vtu import write_body
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for an arbitrary plate is known.
@@ -213,7 +213,7 @@ class PlateResult(Result):
 
     @file("plate.html", when=lambda result: result.interactive)
     def _write_page(self, path: Path) -> None:
-        path.write_text(sent_page(plate_view(self)), "utf-8")
+        write_page(self.view(), path)
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the response; None if it was not asked for."""
