@@ -159,6 +159,10 @@ def test_a_click_in_the_spectra_selects_the_frequency(browser, address, result):
             over.click(position={"x": share * box["width"], "y": 100})
             assert shown(page) == line
             assert f"{frequency[line] / 1e3:g} kHz" in page.locator("#point").inner_text()
+        page.get_by_label("Frequencies in").select_option("Hz")
+        over.click(position={"x": box["width"] - 3, "y": 100})
+        assert shown(page) == len(frequency) - 1
+        assert f"{frequency[-1]:g} Hz" in page.locator("#point").inner_text()
 
 
 def test_a_drag_in_the_spectra_enlarges_them_and_selects_nothing(browser, address):

@@ -205,6 +205,19 @@ def test_the_shown_command_repeats_the_mode(browser, address, bands):
             np.testing.assert_allclose(kappa, expected, atol=5e-3)
 
 
+def test_frequencies_have_four_units(browser, address, bands):
+    """In Hz as computed; relative to the speed of shear waves and the pitch, as papers print them."""
+    speed = loads(QUICK_CELL).cell.material.shear_speed
+    with page_at(browser, address, **STILL) as page:
+        page.wait_for_selector("canvas[data-shown]")
+        row, band = shown(page)
+        for unit, factor in (("Hz", 1.0), ("MHz", 1e6), ("ωa/(2πcₜ)", speed / 7e-3)):
+            page.get_by_label("Frequencies in").select_option(unit)
+            text = uncertain(bands.frequency[row, band] / factor, bands.error[row, band] / factor)
+            words = page.locator(POINT).inner_text()
+            assert words.endswith(f"{unit} = {text}" if "ω" in unit else f"{text} {unit}")
+
+
 @pytest.mark.parametrize("width", WIDTHS)
 def test_a_page_fits_its_window_and_breaks_no_rule_of_accessibility(browser, address, width):
     for scheme in ("light", "dark"):

@@ -24,6 +24,7 @@ from haptonic.bloch.tracking import Diagram, diagram
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
+from haptonic.cell.scales import scales
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice
@@ -102,6 +103,7 @@ def bands_dataset(
         "path_corners": json.dumps(path.corners),
         "modes_at": name,
         "character_names": json.dumps(NAMES),
+        **scales(cell),
         **best.attributes(settings),
     }
     return dataset

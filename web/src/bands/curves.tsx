@@ -4,8 +4,8 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
-import { FREQUENCY_UNITS } from "../parts/numbers";
 import { kept, onClick, widthIn, within } from "../parts/plot";
+import { titled } from "../parts/units";
 import type { BandDiagram, Point } from "./diagram_data";
 import type { Choice } from "./state";
 
@@ -30,7 +30,7 @@ export function Curves({ diagram, choice }: Props) {
 
 /** Draw the diagram into an element and keep it up to date; returns what removes it. */
 function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () => void {
-  const factor = () => FREQUENCY_UNITS[choice.unit.peek()];
+  const factor = () => choice.unit.peek().factor;
   const branches = diagram.branches();
   const data = (): uPlot.AlignedData => [
     Array.from(diagram.distance),
@@ -92,7 +92,7 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
   return kept(plot, element, size, [
     effect(() => {
       const label = plot.axes[1];
-      if (label !== undefined) label.label = `frequency / ${choice.unit.value}`;
+      if (label !== undefined) label.label = titled("frequency", choice.unit.value);
       plot.setData(data(), true);
       whole();
     }),
@@ -168,7 +168,7 @@ function paintMarks(plot: uPlot, diagram: BandDiagram, choice: Choice): void {
   const { ctx } = plot;
   const point = choice.point.peek();
   const x = plot.valToPos(diagram.distance[point.row] ?? 0, "x", true);
-  const y = plot.valToPos(diagram.at(point) / FREQUENCY_UNITS[choice.unit.peek()], "y", true);
+  const y = plot.valToPos(diagram.at(point) / choice.unit.peek().factor, "y", true);
   ctx.save();
   ctx.beginPath();
   ctx.arc(x, y, 6 * devicePixelRatio, 0, 2 * Math.PI);

@@ -1,6 +1,7 @@
 /** Numbers of a band diagram with the names that the view uses. */
 
 import type { Dataset, Numbers } from "../dataset";
+import { frequencyUnits, type Unit } from "../parts/units";
 
 export interface Gap {
   below: number; // number of the band below, from 1
@@ -28,6 +29,7 @@ export class BandDiagram {
   readonly corners: { label: string; row: number }[];
   readonly carrier: number | undefined;
   readonly top: number; // upper end of the axis of frequencies, Hz
+  readonly units: Unit[]; // of frequency
   private readonly names: string[];
 
   constructor(readonly data: Dataset) {
@@ -42,6 +44,7 @@ export class BandDiagram {
     const carrier = data.header.attrs["carrier_hz"];
     this.carrier = typeof carrier === "number" ? carrier : undefined;
     this.top = Number(data.header.extra["top"]);
+    this.units = frequencyUnits(data);
     this.gaps = this.readGaps();
   }
 

@@ -3,7 +3,7 @@
 import { signal, type Signal } from "@preact/signals";
 import { wantsStill, type Pace } from "../parts/cycle";
 import type { Listed } from "../parts/listing";
-import { suitable, type FrequencyUnit } from "../parts/numbers";
+import { suitable, type Unit } from "../parts/units";
 import type { BandDiagram, Point } from "./diagram_data";
 
 export const MOST_COPIES = 6;
@@ -13,7 +13,7 @@ export interface Choice extends Pace {
   point: Signal<Point>;
   swing: Signal<number>; // largest drawn displacement, as a share of the period
   copies: Signal<[number, number]>; // cells along a1 and a2
-  unit: Signal<FrequencyUnit>;
+  unit: Signal<Unit>;
   listing: Signal<Listed>;
 }
 
@@ -25,7 +25,7 @@ export function startingChoice(diagram: BandDiagram): Choice {
     swing: signal(0.15),
     pace: signal(0.7),
     copies: signal<[number, number]>([2, 2]),
-    unit: signal(suitable(Math.max(...diagram.frequency))),
+    unit: signal(suitable(diagram.units, Math.max(...diagram.frequency))),
     listing: signal<Listed>("none"),
   };
 }

@@ -1,11 +1,12 @@
 /** The numbers of the diagram as tables. */
 
-import { FREQUENCY_UNITS, uncertain, type FrequencyUnit } from "../parts/numbers";
+import { uncertain } from "../parts/numbers";
+import { titled, type Unit } from "../parts/units";
 import type { BandDiagram } from "./diagram_data";
 import type { Choice } from "./state";
 
-export function GapTable({ diagram, unit }: { diagram: BandDiagram; unit: FrequencyUnit }) {
-  const factor = FREQUENCY_UNITS[unit];
+export function GapTable({ diagram, unit }: { diagram: BandDiagram; unit: Unit }) {
+  const { factor } = unit;
   if (diagram.gaps.length === 0) return <p>The computed bands have no gap.</p>;
   return (
     <div class="wide">
@@ -15,8 +16,8 @@ export function GapTable({ diagram, unit }: { diagram: BandDiagram; unit: Freque
           <tr>
             <th scope="col">bands</th>
             <th scope="col">where</th>
-            <th scope="col">lower / {unit}</th>
-            <th scope="col">upper / {unit}</th>
+            <th scope="col">{titled("lower", unit)}</th>
+            <th scope="col">{titled("upper", unit)}</th>
           </tr>
         </thead>
         <tbody>
@@ -41,7 +42,7 @@ export function GapTable({ diagram, unit }: { diagram: BandDiagram; unit: Freque
 export function ModeTable({ diagram, choice }: { diagram: BandDiagram; choice: Choice }) {
   const { row, band } = choice.point.value;
   const unit = choice.unit.value;
-  const factor = FREQUENCY_UNITS[unit];
+  const { factor } = unit;
   const points = Array.from({ length: diagram.bands }, (_, number) => ({ row, band: number }));
   return (
     <div class="wide">
@@ -50,7 +51,7 @@ export function ModeTable({ diagram, choice }: { diagram: BandDiagram; choice: C
         <thead>
           <tr>
             <th scope="col">band</th>
-            <th scope="col">frequency / {unit}</th>
+            <th scope="col">{titled("frequency", unit)}</th>
             <th scope="col">motion</th>
             <th scope="col">symmetry</th>
             <th scope="col">show</th>

@@ -2,10 +2,11 @@
 
 import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";
-import { PaceSlider, PlayButton } from "../parts/controls";
+import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
 import { Frame } from "../parts/frame";
 import { Listing } from "../parts/listing";
-import { FREQUENCY_UNITS, uncertain, type FrequencyUnit } from "../parts/numbers";
+import { uncertain } from "../parts/numbers";
+import { withUnit } from "../parts/units";
 import { Curves } from "./curves";
 import { BandDiagram } from "./diagram_data";
 import { bandsKeys } from "./keys";
@@ -39,17 +40,7 @@ function BandsView({ data }: { data: Dataset }) {
             <Curves diagram={diagram} choice={choice} />
           </div>
           <p class="axes">
-            <label>
-              Frequencies in{" "}
-              <select
-                value={choice.unit.value}
-                onChange={(event) => (choice.unit.value = event.currentTarget.value as FrequencyUnit)}
-              >
-                {Object.keys(FREQUENCY_UNITS).map((unit) => (
-                  <option>{unit}</option>
-                ))}
-              </select>
-            </label>
+            <UnitSelect title="Frequencies in" units={diagram.units} unit={choice.unit} />
             <Legend diagram={diagram} />
           </p>
         </section>
@@ -83,7 +74,6 @@ function Legend({ diagram }: { diagram: BandDiagram }) {
 function PointFacts({ diagram, choice }: { diagram: BandDiagram; choice: Choice }) {
   const point = choice.point.value;
   const unit = choice.unit.value;
-  const factor = FREQUENCY_UNITS[unit];
   const velocity = diagram.velocity(point);
   const facts = [
     ["motion", diagram.nature(point)],
@@ -94,7 +84,7 @@ function PointFacts({ diagram, choice }: { diagram: BandDiagram; choice: Choice 
   return (
     <div class="facts">
       <p id="point" aria-live="polite">
-        Band {point.band + 1} at {place}: <b>{uncertain(diagram.at(point) / factor, diagram.errorAt(point) / factor)} {unit}</b>
+        Band {point.band + 1} at {place}: <b>{withUnit(uncertain(diagram.at(point) / unit.factor, diagram.errorAt(point) / unit.factor), unit)}</b>
       </p>
       <dl>
         {facts.map(([name, value]) => (

@@ -1,6 +1,23 @@
-/** Controls of a motion. */
+/** Controls that views share: units, and the motion. */
 
 import type { Signal } from "@preact/signals";
+import type { Unit } from "./units";
+
+export function UnitSelect({ title, units, unit }: { title: string; units: Unit[]; unit: Signal<Unit> }) {
+  return (
+    <label>
+      {title}{" "}
+      <select
+        value={unit.value.name}
+        onChange={({ currentTarget }) => (unit.value = units[currentTarget.selectedIndex] ?? unit.value)}
+      >
+        {units.map(({ name }) => (
+          <option>{name}</option>
+        ))}
+      </select>
+    </label>
+  );
+}
 
 export function PlayButton({ playing }: { playing: Signal<boolean> }) {
   return (

@@ -1,8 +1,5 @@
 /** Numbers with the bounds of their errors, rounded as `haptonic.units.uncertain` does. */
 
-export type FrequencyUnit = "Hz" | "kHz" | "MHz";
-export const FREQUENCY_UNITS: Record<FrequencyUnit, number> = { Hz: 1, kHz: 1e3, MHz: 1e6 };
-
 const MOST_DECIMALS = 6;
 
 /** Value and bound, both in the unit of the text: the bound rounded up to one digit, to two after a 1. */
@@ -15,9 +12,4 @@ export function uncertain(value: number, bound: number): string {
   if (digit === 10) [digit, power] = [1, power + 1];
   const decimals = Math.min(Math.max(-power, 0), MOST_DECIMALS);
   return `${value.toFixed(decimals)} ± ${(digit * 10 ** power).toFixed(decimals)}`;
-}
-
-/** The unit in which the largest frequency has at most four digits before its point. */
-export function suitable(largest: number): FrequencyUnit {
-  return largest >= 1e7 ? "MHz" : largest >= 1e4 ? "kHz" : "Hz";
 }

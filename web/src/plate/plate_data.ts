@@ -2,6 +2,7 @@
 
 import type { Dataset, Numbers } from "../dataset";
 import type { Drawing } from "../parts/plan";
+import { frequencyUnits, type Unit } from "../parts/units";
 
 export interface Curve {
   name: string;
@@ -26,6 +27,7 @@ export class PlateResponse {
   readonly parts: Drawing; // drawn over the map
   readonly modes: Mode[];
   readonly colours: number[][];
+  readonly units: Unit[]; // of frequency
   private readonly real: Numbers;
   private readonly imag: Numbers;
   private readonly step: Numbers;
@@ -44,6 +46,7 @@ export class PlateResponse {
     this.drive = String(extra["drive"]);
     this.parts = extra as unknown as Drawing;
     this.colours = extra["colours"] as number[][];
+    this.units = frequencyUnits(data);
     const [frequency, quality] = [data.values("mode_frequency"), data.values("mode_quality")];
     this.modes = Array.from(frequency, (value, k) => ({
       frequency: value,

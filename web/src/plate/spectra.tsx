@@ -5,6 +5,7 @@ import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { kept, onClick, widthIn, within } from "../parts/plot";
+import { titled } from "../parts/units";
 import type { PlateResponse } from "./plate_data";
 import type { Choice } from "./state";
 
@@ -33,7 +34,11 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
   const unit = plate.data.unit(shown);
   const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") } };
   const labelled = { font: "13px system-ui, sans-serif", labelFont: "14px system-ui, sans-serif" };
-  const kilohertz = Array.from(plate.frequency, (value) => value / 1e3);
+  const factor = () => choice.unit.peek().factor;
+  const data = (): uPlot.AlignedData => [
+    Array.from(plate.frequency, (value) => value / factor()),
+    ...curves.map(({ values }) => values),
+  ];
   const size = () => ({ width: widthIn(element), height: HEIGHT });
   const plot = new uPlot(
     {
@@ -42,7 +47,7 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
       cursor: { points: { show: false }, y: false, drag: { x: true, y: false } },
       scales: { x: { time: false }, y: { distr: shown === "level" ? 3 : 1 } },
       axes: [
-        { ...axis, ...labelled, label: "frequency / kHz", labelSize: 22, size: 34, grid: { show: false } },
+        { ...axis, ...labelled, label: "frequency", labelSize: 22, size: 34, grid: { show: false } },
         {
           ...axis,
           ...labelled,
@@ -62,13 +67,18 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
           points: { show: false },
         })),
       ],
-      hooks: { drawClear: [(u) => within(u, () => paintGap(u, plate))], draw: [(u) => paintLine(u, plate, choice)] },
+      hooks: { drawClear: [(u) => within(u, () => paintGap(u, plate, factor()))], draw: [(u) => paintLine(u, plate, choice)] },
     },
-    [kilohertz, ...curves.map(({ values }) => values)],
+    data(),
     element,
   );
-  onClick(plot, (left) => (choice.line.value = plate.nearest(1e3 * plot.posToVal(left, "x"))));
+  onClick(plot, (left) => (choice.line.value = plate.nearest(factor() * plot.posToVal(left, "x"))));
   return kept(plot, element, size, [
+    effect(() => {
+      const label = plot.axes[0];
+      if (label !== undefined) label.label = titled("frequency", choice.unit.value);
+      plot.setData(data(), true);
+    }),
     effect(() => {
       choice.line.value;
       plot.redraw(false, false);
@@ -83,21 +93,22 @@ function written(value: number, logarithmic: boolean): string {
   return Math.abs(power - Math.round(power)) < 1e-9 ? `1e${Math.round(power)}`.replace("-", "−") : "";
 }
 
-function paintGap(plot: uPlot, plate: PlateResponse): void {
+function paintGap(plot: uPlot, plate: PlateResponse, factor: number): void {
   const { ctx, bbox } = plot;
   if (plate.gap === null) return;
-  const [low, high] = plate.gap.map((edge) => plot.valToPos(edge / 1e3, "x", true)) as [number, number];
+  const [low, high] = plate.gap.map((edge) => plot.valToPos(edge / factor, "x", true)) as [number, number];
   ctx.fillStyle = themeColour("gap");
   ctx.fillRect(low, bbox.top, high - low, bbox.height);
 }
 
 function paintLine(plot: uPlot, plate: PlateResponse, choice: Choice): void {
-  vertical(plot, plate.carrier, themeColour("carrier"), [7, 5]);
-  vertical(plot, plate.frequency[choice.line.peek()] ?? 0, themeColour("accent"), []);
+  const { factor } = choice.unit.peek();
+  vertical(plot, plate.carrier / factor, themeColour("carrier"), [7, 5]);
+  vertical(plot, (plate.frequency[choice.line.peek()] ?? 0) / factor, themeColour("accent"), []);
 }
 
-function vertical({ ctx, bbox, valToPos }: uPlot, frequency: number, colour: string, dashes: number[]): void {
-  const x = valToPos(frequency / 1e3, "x", true);
+function vertical({ ctx, bbox, valToPos }: uPlot, value: number, colour: string, dashes: number[]): void {
+  const x = valToPos(value, "x", true);
   if (x < bbox.left || x > bbox.left + bbox.width) return;
   ctx.save();
   ctx.strokeStyle = colour;

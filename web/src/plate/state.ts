@@ -4,6 +4,7 @@ import { signal, type Signal } from "@preact/signals";
 import { wantsStill, type Pace } from "../parts/cycle";
 import type { Key } from "../parts/keys";
 import { listingKeys, type Listed } from "../parts/listing";
+import { suitable, type Unit } from "../parts/units";
 import type { PlateResponse, Shown } from "./plate_data";
 
 const FAST = 10; // frequencies
@@ -12,6 +13,7 @@ export interface Choice extends Pace {
   line: Signal<number>; // number of the frequency, from 0
   shown: Signal<Shown>;
   plan: Signal<boolean>; // pillars and supports over the map
+  unit: Signal<Unit>; // of frequency
   listing: Signal<Listed>;
 }
 
@@ -20,6 +22,7 @@ export function startingChoice(plate: PlateResponse): Choice {
     line: signal(plate.first),
     shown: signal<Shown>(plate.has("level") ? "level" : "contrast"),
     plan: signal(false),
+    unit: signal(suitable(plate.units, Math.max(...plate.frequency))),
     playing: signal(!wantsStill()),
     pace: signal(0.7),
     listing: signal<Listed>("none"),

@@ -2,9 +2,10 @@
 
 import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";
-import { PaceSlider, PlayButton } from "../parts/controls";
+import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
 import { Frame } from "../parts/frame";
 import { Listing } from "../parts/listing";
+import { rounded, withUnit, type Unit } from "../parts/units";
 import { PlateMap, size } from "./map";
 import { PlateResponse, type Shown } from "./plate_data";
 import { COLOURS, DASHES, Spectra } from "./spectra";
@@ -12,7 +13,7 @@ import { plateKeys, startingChoice, type Choice } from "./state";
 
 const FOOT =
   "The map shows the flat face, each frequency on its own scale of colours; regions are outlined, patches dashed.";
-const NAMES: Record<Shown, string> = { level: "velocity of the regions", contrast: "contrast of the driven region" };
+const SHOWN: Shown[] = ["level", "contrast"];
 
 export function plateView(data: Dataset) {
   return <PlateView data={data} />;
@@ -27,7 +28,7 @@ function PlateView({ data }: { data: Dataset }) {
   const plate = useMemo(() => new PlateResponse(data), [data]);
   const choice = useMemo(() => startingChoice(plate), [plate]);
   const keys = useMemo(() => plateKeys(plate, choice), [plate, choice]);
-  const available = (Object.keys(NAMES) as Shown[]).filter((shown) => plate.has(shown));
+  const available = SHOWN.filter((shown) => plate.has(shown));
   return (
     <Frame name="plate" data={data} keys={keys} foot={FOOT}>
       <div class="pair">
@@ -44,17 +45,20 @@ function PlateView({ data }: { data: Dataset }) {
                 <Spectra plate={plate} choice={choice} />
               </div>
               <Legend plate={plate} choice={choice} />
-              <label class="axes">
-                Curves{" "}
-                <select
-                  value={choice.shown.value}
-                  onChange={(event) => (choice.shown.value = event.currentTarget.value as Shown)}
-                >
-                  {available.map((shown) => (
-                    <option value={shown}>{NAMES[shown]}</option>
-                  ))}
-                </select>
-              </label>
+              <p class="axes">
+                <label>
+                  Curves{" "}
+                  <select
+                    value={choice.shown.value}
+                    onChange={(event) => (choice.shown.value = event.currentTarget.value as Shown)}
+                  >
+                    {available.map((shown) => (
+                      <option value={shown}>{plate.data.title(shown)}</option>
+                    ))}
+                  </select>
+                </label>
+                <UnitSelect title="Frequencies in" units={plate.units} unit={choice.unit} />
+              </p>
             </>
           )}
           <LineFacts plate={plate} choice={choice} />
@@ -103,8 +107,8 @@ function Legend({ plate, choice }: Props) {
   );
 }
 
-function kilohertz(frequency: number): string {
-  return `${Number((frequency / 1e3).toFixed(3))} kHz`;
+function frequencyText(frequency: number, unit: Unit): string {
+  return withUnit(rounded(frequency / unit.factor), unit);
 }
 
 function LineFacts({ plate, choice }: Props) {
@@ -114,7 +118,7 @@ function LineFacts({ plate, choice }: Props) {
   return (
     <div class="facts">
       <p id="point" aria-live="polite">
-        <b>{kilohertz(frequency)}</b>: up to {size(plate.largest(line))}
+        <b>{frequencyText(frequency, choice.unit.value)}</b>: up to {size(plate.largest(line))}
         {plate.drive}
         {contrasts.map(({ name, values }) => `; ${name} ${values[line]?.toFixed(1) ?? "-"} dB`).join("")}
       </p>
@@ -130,10 +134,10 @@ function FrequencySlider({ plate, choice }: Props) {
   const line = choice.line.value;
   return (
     <label class="long">
-      frequency: {kilohertz(plate.frequency[line] ?? 0)}
+      frequency: {frequencyText(plate.frequency[line] ?? 0, choice.unit.value)}
       <input
         type="range" min="0" max={last} step="1" value={line} disabled={last === 0}
-        aria-valuetext={kilohertz(plate.frequency[line] ?? 0)}
+        aria-valuetext={frequencyText(plate.frequency[line] ?? 0, choice.unit.value)}
         onInput={(event) => (choice.line.value = Number(event.currentTarget.value))}
       />
     </label>
@@ -142,9 +146,9 @@ function FrequencySlider({ plate, choice }: Props) {
 
 function LevelTable({ plate, choice }: Props) {
   const line = choice.line.value;
-  const rows = (["level", "contrast"] as const).flatMap((shown) =>
+  const rows = SHOWN.flatMap((shown) =>
     plate.curves(shown).map(({ name, values }) => [
-      NAMES[shown],
+      plate.data.title(shown),
       name,
       `${values[line]?.toPrecision(3) ?? "-"} ${plate.data.unit(shown)}`,
     ]),
@@ -152,7 +156,7 @@ function LevelTable({ plate, choice }: Props) {
   return (
     <div class="wide">
       <table>
-        <caption>Regions at {kilohertz(plate.frequency[line] ?? 0)}</caption>
+        <caption>Regions at {frequencyText(plate.frequency[line] ?? 0, choice.unit.value)}</caption>
         <tbody>
           {rows.map((cells) => (
             <tr>
@@ -184,12 +188,12 @@ function ModeTable({ plate, choice }: Props) {
         <tbody>
           {plate.modes.map(({ frequency, name, quality }) => (
             <tr>
-              <td>{kilohertz(frequency)}</td>
+              <td>{frequencyText(frequency, choice.unit.value)}</td>
               <td>{name}</td>
               <td>{quality.toFixed(0)}</td>
               <td>
                 <button type="button" onClick={() => (choice.line.value = plate.nearest(frequency))}>
-                  {kilohertz(plate.frequency[plate.nearest(frequency)] ?? 0)}
+                  {frequencyText(plate.frequency[plate.nearest(frequency)] ?? 0, choice.unit.value)}
                 </button>
               </td>
             </tr>

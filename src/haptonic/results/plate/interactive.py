@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from haptonic import plots
+from haptonic.cell.scales import scales
 from haptonic.later import xarray as xr
 from haptonic.plate.layout.drawing import drawing_of
 from haptonic.plots.text import driven
@@ -47,14 +48,27 @@ def plate_view(result: PlateResult) -> InteractiveView:
             "x": ("x", grid["x"].values, {"units": "m", "long_name": "x"}),
             "y": ("y", grid["y"].values, {"units": "m", "long_name": "y"}),
         },
-        attrs={name: result.lines.attrs[name] for name in ("haptonic_version", "origin")},
+        attrs={
+            **{name: result.lines.attrs[name] for name in ("haptonic_version", "origin")},
+            **_scales(result),
+        },
     )
     if result.levels:
         levels = along({name: drive * level for name, level in result.levels.items()}, "region")
-        data["level"] = levels.assign_attrs(units="m/s", long_name="root mean square velocity")
+        data["level"] = levels.assign_attrs(
+            units="m/s", long_name="RMS velocity of the regions"
+        )
     if contrasts := result.contrasts(result.response):
-        data["contrast"] = along(contrasts, "pair").assign_attrs(units="dB", long_name="contrast")
+        data["contrast"] = along(contrasts, "pair").assign_attrs(
+            units="dB", long_name="contrast of the driven region"
+        )
     return InteractiveView(kind="plate", title=result.title, dataset=data, extra=_extra(result))
+
+
+def _scales(result: PlateResult) -> dict[str, float]:
+    """Pitch and speed of shear waves, unless lattices of the plate have different pitches."""
+    cells = list(result.plate.layout.cells.values())
+    return scales(cells[0]) if len({cell.lattice.pitch for cell in cells}) == 1 else {}
 
 
 def _extra(result: PlateResult) -> dict[str, Any]:
