@@ -89,3 +89,17 @@ def violations(page: Page) -> list[object]:
     page.evaluate(AXE.read_text("utf-8"))
     found: list[object] = page.evaluate(VIOLATIONS)
     return found
+
+
+def faults_of_layout(page: Page) -> list[object]:
+    """Windows in which a page is too wide, and violations of accessibility, in all widths, light and dark."""
+    faults = list[object]()
+    for width, height in WIDTHS.items():
+        page.set_viewport_size({"width": width, "height": height})
+        page.wait_for_timeout(100)  # plots follow the width
+        if page.evaluate("document.documentElement.scrollWidth") > width:
+            faults.append(f"wider than {width} px")
+        for scheme in ("light", "dark"):
+            page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # type: ignore[arg-type]
+            faults += violations(page)
+    return faults

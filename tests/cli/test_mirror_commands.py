@@ -16,7 +16,7 @@ pytestmark = pytest.mark.usefixtures("empty_pictures")
 
 FINE = (("order = 2", "order = 3"), ("foot_rings = 0", "foot_rings = 1"))  # else the gap is not certain
 PROTOTYPE = ("[[sweep]]", '[waveguide]\nmode = "0x17"\nwidth = "32 mm"\nrows = 20\n\n[[sweep]]')
-LAYER_FILES = {"layers.nc", "layers.svg", "layers.png", "decay.svg", "decay.png"}
+LAYER_FILES = {"layers.nc", "layers.html", "layers.svg", "layers.png", "decay.svg", "decay.png"}
 GUIDE_FILES = {"waveguide.nc", "waveguide.svg", "waveguide.png"}
 
 
@@ -43,7 +43,7 @@ def fine(study):
 
 def test_layers_writes_its_files_and_tables(inside, fine, tmp_path):
     out = tmp_path / "out"
-    ran = inside("layers", fine(), "--tables", "--out", out)
+    ran = inside("layers", fine(), "--tables", "--html", "--out", out)
     assert ran.code == 0, ran.err
     assert {path.name for path in out.iterdir()} == LAYER_FILES
     for words in ("insertion loss at 60 kHz", "incident A0", "rows needed", "dB per row at the carrier"):

@@ -4,12 +4,14 @@ import { render, type ComponentChildren } from "preact";
 import { bandsView } from "./bands/view";
 import type { Dataset } from "./dataset";
 import { fingerView } from "./plate/finger";
+import { mirrorView } from "./mirror/view";
 import { plateView } from "./plate/view";
 import uplot from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 
 const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = {
   bands: bandsView,
+  layers: mirrorView,
   plate: plateView,
   finger: fingerView,
 };

@@ -10,7 +10,7 @@ import numpy as np
 from haptonic.analyses.analysis import KEPT, Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
-from haptonic.analyses.options import NoOptions
+from haptonic.analyses.options import PageOption
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import one_loss_factor
 from haptonic.arrays import Array
@@ -27,6 +27,7 @@ from haptonic.bloch.mirrors import (
 )
 from haptonic.bloch.model import best_model
 from haptonic.cell import UnitCell
+from haptonic.cell.scales import scales
 from haptonic.errors import StudyError
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
@@ -40,14 +41,14 @@ CHUNK = 12  # frequencies of one task
 MIRROR, SQUARE_FACE = 0.035, 72  # s per row and frequency, for this number of unknowns on a face
 
 
-def check(study: Description, options: NoOptions) -> None:
+def check(study: Description, options: PageOption) -> None:
     """Refuse a study without a carrier, and rows in an impossible or too expensive direction."""
     need_carrier(study)
     need_rows(study)
 
 
 @one_thread()
-def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
+def compute(study: Description, options: PageOption, runner: Runner) -> Layers:
     """Spectra of a mirror in chunks of frequencies, and the number of rows that it needs at the carrier.
 
     Raises
@@ -87,6 +88,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
     waves, _ = bloch_waves(rows.slab(0.0).at(omega), omega)
     dataset.attrs = {
         "carrier_hz": carrier,
+        "relative_frequency_error": best.model.worst_error,
         "carrier_attenuation_db": rows.decay(waves),
         "energy_balance": max(float(np.abs(result.dissipated).max()) for result in lossless.values()),
         "angle": incidence.angle,
@@ -94,9 +96,10 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Layers:
         "loss_factor": incidence.loss_factor,
         "gap": [gap.lower, gap.upper] if gap else [],
         "mesh": json.dumps(asdict(rows.plan)),
+        **scales(cell),
         **best.attributes(settings),
     }
-    return Layers(gap, stamped(dataset, study.inputs()))
+    return Layers(gap, stamped(dataset, study.inputs()), interactive=options.html)
 
 
 def spectra(
@@ -107,7 +110,7 @@ def spectra(
     return mirror_dataset(condensed_rows(cell, resolution, along), frequency, incidence)
 
 
-def cost(study: Description, options: NoOptions) -> Cost:
+def cost(study: Description, options: PageOption) -> Cost:
     """Estimated cost of the spectra of a mirror."""
     settings = study.layers_settings
     on_face, memory = need_rows(study)
@@ -120,9 +123,11 @@ ANALYSIS = Analysis(
     result=Layers,
     compute=compute,
     supports=one_loss_factor,
+    options=PageOption,
     cost=cost,
     check=check,
-    reported=lambda study: NoOptions() if has_mirror(study) else None,
+    reported=lambda study: PageOption() if has_mirror(study) else None,
     parallel=True,
+    interactive="html",
     kept=KEPT,
 )

@@ -51,6 +51,13 @@ class NoOptions:
     """Options of an analysis that has none."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class PageOption:
+    """Option of analyses whose result has an interactive view."""
+
+    html: bool = option(False, "Also one interactive HTML page.")
+
+
 def option_of(item: Any) -> Option | None:
     """Declaration of a field of an options class; None for a field that only Python can give."""
     declaration: Option | None = item.metadata.get("option")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,10 +14,12 @@ from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.mirrors import GOALS, MOST_ROWS, first_reaching, passed_by_rows
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.results.layers_view import layers_view
 from haptonic.results.plain import plain, split
-from haptonic.results.result import Result, figure
+from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
 from haptonic.units import hz_text
+from haptonic.views import InteractiveView, write_page
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -25,6 +28,7 @@ class Layers(Result):
 
     gap : the gap that contains the carrier, or else the widest; None without a gap
     dataset : the spectra, and energies at the carrier for many rows
+    interactive : whether the interactive page is among its files
     """
 
     title = "Mirror"
@@ -32,6 +36,7 @@ class Layers(Result):
 
     gap: Gap | None
     dataset: xr.Dataset
+    interactive: bool = False
 
     @property
     def incidence(self) -> str:
@@ -81,6 +86,14 @@ class Layers(Result):
     )
     def _decay(self) -> Figure:
         return plots.decay(self.dataset)
+
+    @file("layers.html", when=lambda result: result.interactive)
+    def _write_page(self, path: Path) -> None:
+        write_page(self.view(), path)
+
+    def view(self) -> InteractiveView:
+        """Interactive view of the spectra."""
+        return layers_view(self.dataset, self.title, self.summary())
 
     def summary(self) -> list[str]:
         decay, rows = float(self.dataset.attrs["carrier_attenuation_db"]), self.dataset.sizes["rows"]

@@ -20,7 +20,8 @@ export function Frame({ name, data, keys, foot, children }: Props) {
   useEffect(() => addKeys(data.header.title, keys), [data, keys]);
   const summary = (data.header.extra["summary"] ?? []) as string[];
   return (
-    <div class={name} onKeyDown={(event) => keyPressed(event, keys)}>
+    // a click anywhere in the view takes the focus, so its keys work
+    <div class={name} tabIndex={-1} onKeyDown={(event) => keyPressed(event, keys)}>
       <header>
         <h1>{data.header.title}</h1>
         <p class="origin">{origin(data)}</p>

@@ -55,9 +55,7 @@ def plate_view(result: PlateResult) -> InteractiveView:
     )
     if result.levels:
         levels = along({name: drive * level for name, level in result.levels.items()}, "region")
-        data["level"] = levels.assign_attrs(
-            units="m/s", long_name="RMS velocity of the regions"
-        )
+        data["level"] = levels.assign_attrs(units="m/s", long_name="RMS velocity of the regions")
     if contrasts := result.contrasts(result.response):
         data["contrast"] = along(contrasts, "pair").assign_attrs(
             units="dB", long_name="contrast of the driven region"

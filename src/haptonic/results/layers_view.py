@@ -1,0 +1,70 @@
+"""Interactive view of a mirror: insertion loss of its rows, and the waves of the lattice."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from haptonic.arrays import Array
+from haptonic.bloch.mirrors import LEAST_SHARE
+from haptonic.gate import WORD
+from haptonic.later import xarray as xr
+from haptonic.views import InteractiveView
+
+DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of the phase of 1 rad
+PROPAGATING = 1e-6  # rad, imaginary part of the phase per row below which a wave does not decay
+SCALES = ("pitch_m", "shear_speed_m_per_s", "haptonic_version", "origin")
+
+
+def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> InteractiveView:
+    """View of spectra; ``data`` as in `haptonic.results.layers.Layers`.
+
+    Errors of losses, decays and phases are their largest changes if all frequencies of the lattice move by
+    the bound of their relative error. This share of the value is added, because fast decays hardly depend on
+    the frequency, but on the mesh.
+    """
+    frequency, share = data["frequency"].values, float(data.attrs["relative_frequency_error"])
+    passed = data["transmitted"].sum("outgoing", skipna=False).clip(min=LEAST_SHARE)
+    loss = -10 * np.log10(passed.transpose("incident", "rows", "frequency").values)
+    waves = data.transpose("wave", "frequency", ...)
+    decay = DECIBELS * np.maximum(waves["kappa_imag"].values, 0.0)
+    phase = np.abs(waves["kappa_real"].values) / np.pi
+    phase[waves["kappa_imag"].values >= PROPAGATING] = np.nan
+    of_wave = ("wave", "frequency")
+    variables = {}
+    for name, dims, values, unit, words in (
+        ("loss", ("incident", "rows", "frequency"), loss, "dB", "insertion loss"),
+        ("decay", of_wave, decay, "dB/row", "decay"),
+        ("phase", of_wave, phase, "π", "phase per row"),
+    ):
+        meaning = {WORD: "the wave does not propagate"}
+        attrs = {"units": unit, "long_name": words} | meaning
+        variables[name] = dims, values, attrs
+        variables[f"{name}_error"] = dims, _errors(values, frequency, share), {"units": unit} | meaning
+    gap = np.atleast_1d(data.attrs["gap"]).tolist()
+    return InteractiveView(
+        kind="layers",
+        title=title,
+        dataset=xr.Dataset(
+            variables,
+            coords={name: data[name].variable for name in ("frequency", "rows", "incident")},
+            attrs={name: data.attrs[name] for name in SCALES if name in data.attrs},
+        ),
+        extra={"summary": list(summary), "gap": gap or None, "carrier": float(data.attrs["carrier_hz"])},
+    )
+
+
+def _errors(values: Array, frequency: Array, share: float) -> Array:
+    """(..., f) errors of values (..., f) at frequencies (f,) with this relative error; NaN remains."""
+    moved = np.array(
+        [
+            [
+                np.interp(frequency * (1 + by), frequency, curve)
+                for curve in values.reshape(-1, len(frequency))
+            ]
+            for by in (-share, share)
+        ]
+    ).reshape(2, *values.shape)
+    change = np.fmax(*np.abs(moved - values))  # at the end of a wave's range only one of them is known
+    return np.asarray(np.where(np.isnan(values), np.nan, np.nan_to_num(change) + share * np.abs(values)))

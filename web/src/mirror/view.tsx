@@ -1,0 +1,296 @@
+/** Insertion loss of rows of cells and the waves of the lattice: the view of kind "layers". */
+
+import { signal, type Signal } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import type uPlot from "uplot";
+import type { Dataset } from "../dataset";
+import { Chart, dot, line, shadeInterval, verticalLine } from "../parts/chart";
+import { UnitSelect } from "../parts/controls";
+import { Frame } from "../parts/frame";
+import type { Key } from "../parts/keys";
+import { Listing, listingKeys, type Listed } from "../parts/listing";
+import { uncertain } from "../parts/numbers";
+import { rounded, suitable, titled, withUnit, type Unit } from "../parts/units";
+import { Mirror, plotted } from "./mirror_data";
+
+const FOOT =
+  "Errors are the change of a value if all frequencies of the lattice move by the bound of their relative error, and " +
+  "this share of the value. Waves of the lattice are shown at normal incidence.";
+const FAST = 10; // frequencies
+const ROOM = 1.05; // of an axis, beyond the largest value
+const MOST = 60; // dB per row, highest decay that is drawn: beyond it, waves end within the first row
+
+interface Choice {
+  line: Signal<number>; // number of the frequency, from 0
+  rows: Signal<number>; // number of the curve, from 0
+  incident: Signal<string>;
+  unit: Signal<Unit>;
+  listing: Signal<Listed>;
+}
+
+interface Props {
+  mirror: Mirror;
+  choice: Choice;
+}
+
+export function mirrorView(data: Dataset) {
+  return <MirrorView data={data} />;
+}
+
+function MirrorView({ data }: { data: Dataset }) {
+  const mirror = useMemo(() => new Mirror(data), [data]);
+  const choice = useMemo<Choice>(
+    () => ({
+      line: signal(mirror.nearest(mirror.carrier)),
+      rows: signal(mirror.rows.length - 1),
+      incident: signal(mirror.incident[0] ?? ""),
+      unit: signal(suitable(mirror.units, Math.max(...mirror.frequency))),
+      listing: signal<Listed>("none"),
+    }),
+    [mirror],
+  );
+  const keys = useMemo(() => mirrorKeys(mirror, choice), [mirror, choice]);
+  return (
+    <Frame name="mirror" data={data} keys={keys} foot={FOOT}>
+      <div class="pair">
+        <section aria-label="Insertion loss">
+          <div
+            class="walk"
+            tabIndex={0}
+            role="application"
+            aria-label="Insertion loss. Arrow keys change the frequency and the number of rows."
+            aria-describedby="point"
+          >
+            <LossChart mirror={mirror} choice={choice} />
+          </div>
+          <p class="axes">
+            <label>
+              Incident wave{" "}
+              <select value={choice.incident.value} onChange={(event) => (choice.incident.value = event.currentTarget.value)}>
+                {mirror.incident.map((kind) => (
+                  <option>{kind}</option>
+                ))}
+              </select>
+            </label>
+            <UnitSelect title="Frequencies in" units={mirror.units} unit={choice.unit} />
+            <span class="legend">
+              {mirror.gap && <span class="of-gap">gap</span>}
+              <span class="of-carrier">carrier</span>
+            </span>
+          </p>
+          <LineFacts mirror={mirror} choice={choice} />
+          <RowsChart mirror={mirror} choice={choice} />
+        </section>
+        <section aria-label="Waves of the lattice">
+          <WaveChart mirror={mirror} choice={choice} name="decay" />
+          <WaveChart mirror={mirror} choice={choice} name="phase" />
+        </section>
+      </div>
+      <Listing listing={choice.listing} keys={keys}>
+        <LossTable mirror={mirror} choice={choice} />
+        <WaveTable mirror={mirror} choice={choice} />
+      </Listing>
+    </Frame>
+  );
+}
+
+function mirrorKeys(mirror: Mirror, choice: Choice): Key[] {
+  const bounded = (value: number, count: number) => Math.min(Math.max(value, 0), count - 1);
+  const walk = (by: number) => (choice.line.value = bounded(choice.line.value + by, mirror.frequency.length));
+  const more = (by: number) => (choice.rows.value = bounded(choice.rows.value + by, mirror.rows.length));
+  const steps = (event: KeyboardEvent) => (event.shiftKey ? FAST : 1);
+  return [
+    {
+      keys: "← →",
+      effect: "previous or next frequency; ten with Shift",
+      actions: { ArrowLeft: (event) => walk(-steps(event)), ArrowRight: (event) => walk(steps(event)) },
+    },
+    { keys: "↑ ↓", effect: "one more or one less row", actions: { ArrowUp: () => more(1), ArrowDown: () => more(-1) } },
+    {
+      keys: "i",
+      effect: "next incident wave",
+      actions: {
+        i: () => {
+          const next = (mirror.incident.indexOf(choice.incident.value) + 1) % mirror.incident.length;
+          choice.incident.value = mirror.incident[next] ?? "";
+        },
+      },
+    },
+    { keys: "c", effect: "carrier", actions: { c: () => (choice.line.value = mirror.nearest(mirror.carrier)) } },
+    ...listingKeys(choice.listing),
+  ];
+}
+
+/** Paint gap, carrier and the selected frequency. */
+function marks({ mirror, choice }: Props) {
+  const { factor } = choice.unit.value;
+  const selected = (mirror.frequency[choice.line.value] ?? 0) / factor;
+  return {
+    below: (plot: uPlot) => {
+      if (mirror.gap) shadeInterval(plot, [mirror.gap[0] / factor, mirror.gap[1] / factor], "gap");
+    },
+    above: (plot: uPlot) => {
+      verticalLine(plot, mirror.carrier / factor, "carrier", [7, 5]);
+      verticalLine(plot, selected, "accent");
+    },
+    pick: (x: number) => (choice.line.value = mirror.nearest(x * factor)),
+  };
+}
+
+function useFrequencies({ mirror, choice }: Props): number[] {
+  const { factor } = choice.unit.value;
+  return useMemo(() => Array.from(mirror.frequency, (value) => value / factor), [mirror, factor]);
+}
+
+function LossChart({ mirror, choice }: Props) {
+  const [kind, selected] = [choice.incident.value, choice.rows.value];
+  const curves = useMemo(
+    () =>
+      mirror.losses(kind).map((values, k) => ({
+        values: plotted(values),
+        colour: k === selected ? "accent" : "quiet",
+        width: k === selected ? 2.6 : 1,
+      })),
+    [mirror, kind, selected],
+  );
+  return (
+    <Chart
+      x={useFrequencies({ mirror, choice })}
+      curves={curves}
+      titles={[titled("frequency", choice.unit.value), `${mirror.data.title("loss")} / dB`]}
+      height={300}
+      {...marks({ mirror, choice })}
+    />
+  );
+}
+
+/** Rows against insertion loss at the selected frequency, with errors. */
+function RowsChart({ mirror, choice }: Props) {
+  const [kind, at] = [choice.incident.value, choice.line.value];
+  const [loss, error] = (["loss", "loss_error"] as const).map((name) => mirror.losses(kind, name).map((curve) => curve[at] ?? NaN));
+  const x = useMemo(() => Array.from(mirror.rows), [mirror]);
+  const curves = useMemo(() => [{ values: plotted(loss ?? []), colour: "quiet", dash: [2, 4] }], [mirror, kind, at]);
+  const highest = Math.max(1, ...x.map((_, k) => (loss?.[k] ?? NaN) + (error?.[k] ?? NaN)).filter(Number.isFinite));
+  return (
+    <Chart
+      key={`${kind} ${at}`}
+      x={x}
+      curves={curves}
+      titles={["rows", `${mirror.data.title("loss")} / dB`]}
+      height={200}
+      whole
+      limits={{ x: [0.5, x.length + 0.5], y: [Math.min(0, ...(loss ?? []).filter(Number.isFinite)), ROOM * highest] }}
+      above={(plot) =>
+        x.forEach((rows, k) => {
+          const [value = NaN, bound = NaN] = [loss?.[k], error?.[k]];
+          if (!Number.isFinite(value)) return;
+          const place = (of: number): [number, number] => [plot.valToPos(rows, "x", true), plot.valToPos(of, "y", true)];
+          line(plot.ctx, place(value - bound), place(value + bound), "ink");
+          dot(plot.ctx, place(value), k === choice.rows.value ? "accent" : "quiet");
+        })
+      }
+      pick={(rows) => (choice.rows.value = Math.min(Math.max(Math.round(rows) - 1, 0), x.length - 1))}
+    />
+  );
+}
+
+function WaveChart({ mirror, choice, name }: Props & { name: "decay" | "phase" }) {
+  const curves = useMemo(
+    () => mirror.ofWaves(name).map((values) => ({ values: plotted(values), colour: "curve-0", points: true })),
+    [mirror, name],
+  );
+  const highest = Math.min(MOST, ROOM * Math.max(...curves.flatMap(({ values }) => values.map((value) => value ?? 0))));
+  return (
+    <Chart
+      x={useFrequencies({ mirror, choice })}
+      curves={curves}
+      titles={[titled("frequency", choice.unit.value), `${mirror.data.title(name)} / ${name === "decay" ? "(dB/row)" : "π"}`]}
+      height={name === "decay" ? 300 : 200}
+      limits={{ y: name === "decay" ? [0, highest] : [0, 1] }}
+      {...marks({ mirror, choice })}
+    />
+  );
+}
+
+function frequencyText({ mirror, choice }: Props): string {
+  const unit = choice.unit.value;
+  return withUnit(rounded((mirror.frequency[choice.line.value] ?? 0) / unit.factor), unit);
+}
+
+function lossText(loss: number | undefined, error: number | undefined): string {
+  return Number.isFinite(loss) ? `${uncertain(loss ?? NaN, error ?? NaN)} dB` : "does not propagate";
+}
+
+function LineFacts({ mirror, choice }: Props) {
+  const [kind, at, rows] = [choice.incident.value, choice.line.value, choice.rows.value];
+  const [loss, error] = (["loss", "loss_error"] as const).map((name) => mirror.losses(kind, name)[rows]?.[at]);
+  const count = mirror.rows[rows] ?? 0;
+  return (
+    <div class="facts">
+      <p id="point" aria-live="polite">
+        {kind} at <b>{frequencyText({ mirror, choice })}</b>, {count} row{count === 1 ? "" : "s"}: <b>{lossText(loss, error)}</b>
+      </p>
+      <p class="again">
+        The same as a picture, in Python: <code>study.layers().plot("layers", incident="{kind}")</code>
+      </p>
+    </div>
+  );
+}
+
+function LossTable({ mirror, choice }: Props) {
+  const at = choice.line.value;
+  return (
+    <div class="wide">
+      <table>
+        <caption>Insertion loss at {frequencyText({ mirror, choice })}</caption>
+        <thead>
+          <tr>
+            <th scope="col">rows</th>
+            {mirror.incident.map((kind) => (
+              <th scope="col">incident {kind}</th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {Array.from(mirror.rows, (rows, k) => (
+            <tr aria-current={k === choice.rows.value ? "true" : undefined}>
+              <td>{rows}</td>
+              {mirror.incident.map((kind) => (
+                <td>{lossText(mirror.losses(kind)[k]?.[at], mirror.losses(kind, "loss_error")[k]?.[at])}</td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function WaveTable({ mirror, choice }: Props) {
+  const at = choice.line.value;
+  const columns = (["decay", "decay_error", "phase", "phase_error"] as const).map((name) => mirror.ofWaves(name));
+  return (
+    <div class="wide">
+      <table>
+        <caption>Waves of the lattice at {frequencyText({ mirror, choice })}</caption>
+        <thead>
+          <tr>
+            <th scope="col">decay / (dB/row)</th>
+            <th scope="col">phase per row / π</th>
+          </tr>
+        </thead>
+        <tbody>
+          {Array.from({ length: mirror.waves }, (_, wave) => {
+            const [decay = NaN, decayError = NaN, phase = NaN, phaseError = NaN] = columns.map((column) => column[wave]?.[at]);
+            return (
+              <tr>
+                <td>{uncertain(decay, decayError)}</td>
+                <td>{Number.isFinite(phase) ? uncertain(phase, phaseError) : "decays"}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </div>
+  );
+}
