@@ -33,14 +33,14 @@ def ran(inside, tmp_path_factory):
     (folder / "guide.toml").write_text(FINER + RIBBON, "utf-8")
     with pytest.MonkeyPatch.context() as patch:
         leave_pictures_empty(patch)
-        told = inside("ribbon", folder / "guide.toml", "--json", "--out", folder / "out")
+        told = inside("ribbon", folder / "guide.toml", "--json", "--html", "--out", folder / "out")
     assert told.code == 0, told.err
     return told.json, folder / "out"
 
 
 def test_ribbon_writes_its_files_and_says_what_is_held(ran):
     told, folder = ran
-    assert {path.name for path in folder.iterdir()} == FILES
+    assert {path.name for path in folder.iterdir()} == FILES | {"ribbon.html"}
     said = " ".join(told["summary"])
     for words in ("The guide has", "dB per row", "0x3", "group velocity"):
         assert words in said, said

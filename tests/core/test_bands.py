@@ -635,7 +635,8 @@ def test_density_of_a_cone_rises_in_proportion_to_frequency():
 
 def test_the_unfolded_zone_is_whole_and_has_the_symmetry_of_the_lattice():
     surface = zone_surface(small_model(), 4)
-    k, triangles, frequency = surface.unfolded(3)
+    k, triangles, sample = surface.unfolded()
+    frequency = surface.frequency[sample, 3]
     a, b, c = np.moveaxis(k[triangles], 1, 0)
     area = 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]).sum()
     assert area == pytest.approx((2 * np.pi / 7e-3) ** 2)

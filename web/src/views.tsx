@@ -6,6 +6,7 @@ import type { Dataset } from "./dataset";
 import { fingerView } from "./plate/finger";
 import { mirrorView } from "./mirror/view";
 import { plateView } from "./plate/view";
+import { ribbonView } from "./ribbon/view";
 import uplot from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 
@@ -14,6 +15,7 @@ const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = {
   layers: mirrorView,
   plate: plateView,
   finger: fingerView,
+  ribbon: ribbonView,
 };
 
 /** Draw a view into an element; the returned function removes it. */

@@ -9,15 +9,17 @@ import numpy as np
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import meshes
-from haptonic.analyses.options import NoOptions
+from haptonic.analyses.options import PageOption
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.model import best_model
 from haptonic.bloch.ribbon import RibbonModel, bulk_bands
 from haptonic.bloch.ribbon_datasets import bulk_dataset, field_dataset, ribbon_dataset
+from haptonic.bloch.ribbon_fields import fields_dataset
 from haptonic.bloch.settings import HIGHEST, LOWEST
 from haptonic.cell import UnitCell
+from haptonic.cell.scales import scales
 from haptonic.errors import StudyError
 from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
@@ -46,13 +48,13 @@ def _need_ribbon(study: Description) -> RibbonSettings:
     return study.ribbon_settings
 
 
-def check(study: Description, options: NoOptions) -> None:
+def check(study: Description, options: PageOption) -> None:
     """Raise StudyError if the study has no ribbon."""
     _need_ribbon(study)
 
 
 @one_thread()
-def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWaves:
+def compute(study: Description, options: PageOption, runner: Runner) -> RibbonWaves:
     """Projected bands, and the modes of a guide, an edge or a strip.
 
     With a length in cells, the wavevectors are those of its resonances; a free end adds a quarter of an
@@ -87,12 +89,15 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> RibbonWav
         "range_hz": [low, high],
         "rows": rows or 0,
         "period": ribbon.period,
+        **scales(study.cell),
         "kind": ribbon.kind,
         "loss_factor": list(ribbon.first[0].loss_factors),
         "unknowns": len(model.fine.order),
         "mesh": json.dumps([resolution.order, resolution.foot_rings]),
         **max(bests, key=lambda best: best.model.worst_error).attributes(settings),
     } | ({"carrier_hz": study.carrier} if study.carrier is not None else {})
+    if options.html:
+        dataset = dataset.merge(fields_dataset(model, waves))
     result = RibbonWaves(dataset)
     best = result.best
     if best is not None:
@@ -130,7 +135,7 @@ def _range(study: Description, crystals: Sequence[UnitCell], runner: Runner) -> 
     return low, high
 
 
-def cost(study: Description, options: NoOptions) -> Cost:
+def cost(study: Description, options: PageOption) -> Cost:
     """Estimated cost of the modes of a ribbon at each wavevector, and of the bulk bands of its crystals."""
     section = _need_ribbon(study)
     ribbon = section.ribbon(study.cell)
@@ -142,9 +147,11 @@ def cost(study: Description, options: NoOptions) -> Cost:
 ANALYSIS = Analysis(
     name="ribbon",
     result=RibbonWaves,
+    options=PageOption,
+    interactive="html",
     compute=compute,
     supports=every_cell,
     cost=cost,
     check=check,
-    reported=lambda study: NoOptions() if study.ribbon_settings else None,
+    reported=lambda study: PageOption() if study.ribbon_settings else None,
 )

@@ -380,6 +380,7 @@ def _surface_dataset(model: BlochModel) -> xr.Dataset:
             "zone_kappa": (("zone_point", "axis"), surface.kappa),
             "zone_triangle": (("triangle", "vertex"), surface.triangles),
             "zone_frequency": (("zone_point", "band"), surface.frequency),
+            "zone_error": (("zone_point", "band"), surface.error),
             "density_of_states": ("bin", surface.density_of_states(edges)),
             "density_frequency": ("bin", 0.5 * (edges[:-1] + edges[1:])),
         }
@@ -388,6 +389,7 @@ def _surface_dataset(model: BlochModel) -> xr.Dataset:
         "zone_kappa": ("rad", "phases over the irreducible zone"),
         "zone_triangle": ("1", "triangles of the sampling"),
         "zone_frequency": ("Hz", "frequency"),
+        "zone_error": ("Hz", "bound of the frequency's error"),
         "density_of_states": ("1/Hz", "states per cell and hertz"),
         "density_frequency": ("Hz", "middle of the bin"),
     })  # fmt: skip

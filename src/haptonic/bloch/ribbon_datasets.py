@@ -8,6 +8,7 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
+from haptonic.bloch.ribbon_fields import flat_face
 from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
@@ -108,11 +109,7 @@ def field_dataset(
     modes = next(modes for modes in modes_by_phase if modes.kappa == float(chosen["phase"]))
     number = int(np.abs(modes.frequency - float(chosen["frequency"])).argmin())
     tiling, ribbon = model.fine.tiling, model.ribbon
-    points = tiling.points
-    faces = tiling.linear_subcells()[:, :4]
-    faces = faces[(np.abs(points[faces, 2]) < 1e-9 * ribbon.period).all(axis=1)]
-    nodes, faces = np.unique(faces, return_inverse=True)
-    faces = faces.reshape(-1, 4)
+    nodes, position, triangles = flat_face(model)
     motion = tiling.lifted(modes.fields[:, [number]])[nodes, :, 0]
     motion[:, :2] = motion[:, :2] @ ribbon.turn.T
     which = int(np.linalg.norm(motion, axis=0).argmax())
@@ -120,8 +117,8 @@ def field_dataset(
     field = field / field[np.abs(field).argmax()]
     dataset = xr.Dataset(
         {
-            "field_position": (("node", "axis"), points[nodes, :2] @ ribbon.turn.T),
-            "field_triangle": (("triangle", "vertex"), np.concatenate([faces[:, :3], faces[:, [0, 2, 3]]])),
+            "field_position": (("node", "axis"), position),
+            "field_triangle": (("triangle", "vertex"), triangles),
             "field_real": ("node", field.real),
             "field_imag": ("node", field.imag),
             "field_frequency": ((), float(chosen["frequency"])),

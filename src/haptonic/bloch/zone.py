@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 
@@ -10,7 +12,8 @@ from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.representative import images
 from haptonic.brillouin import IrreducibleZone
-from haptonic.lattice import PointGroup
+from haptonic.later import xarray as xr
+from haptonic.lattice import Lattice, PointGroup
 
 
 @dataclass(frozen=True)
@@ -18,7 +21,7 @@ class ZoneSurface:
     """Bands as surfaces over the irreducible zone.
 
     zone, group : irreducible zone, and point group that maps it to the rest of the zone
-    kappa : (n, 2) phases, rad; triangles : (m, 3); frequency : (n, k) Hz
+    kappa : (n, 2) phases, rad; triangles : (m, 3); frequency : (n, k) Hz; error : (n, k) its bounds, Hz
     """
 
     zone: IrreducibleZone
@@ -26,6 +29,25 @@ class ZoneSurface:
     kappa: Array
     triangles: Ints
     frequency: Array
+    error: Array
+
+    @classmethod
+    def of_dataset(cls, dataset: xr.Dataset) -> Self:
+        """Read the surface of a result; lattice, operations and corners of the zone are in its attributes."""
+        given, operations, corners = (
+            json.loads(dataset.attrs[name]) for name in ("lattice", "point_group", "zone")
+        )
+        sizes = {name: given[name] for name in ("pitch_y", "pitch_2", "angle")}
+        lattice = Lattice(lattice=given["form"], pitch=given["period"], **sizes)
+        group = tuple(((a, b), (c, d)) for (a, b), (c, d) in operations)
+        return cls(
+            zone=IrreducibleZone(lattice, tuple((label, tuple(point)) for label, point in corners)),
+            group=PointGroup((lattice.a1, lattice.a2), group),
+            kappa=dataset["zone_kappa"].values,
+            triangles=dataset["zone_triangle"].values,
+            frequency=dataset["zone_frequency"].values,
+            error=dataset["zone_error"].values,
+        )
 
     def density_of_states(self, edges: Array) -> Array:
         """(bins,) states per cell and Hz between the given frequencies (bins + 1,).
@@ -48,22 +70,23 @@ class ZoneSurface:
         counted = np.einsum("mkf,m->f", below, share)
         return np.asarray(np.diff(counted) / np.diff(edges))
 
-    def unfolded(self, band: int) -> tuple[Array, Ints, Array]:
-        """Band over the whole first zone by the point group: wavevectors (rad/m), triangles, Hz."""
+    def unfolded(self) -> tuple[Array, Ints, Ints]:
+        """Whole first zone by the point group: wavevectors (rad/m), triangles, and number of each sample."""
         wavevectors, number = images(self.group, self.kappa)
         starts = range(0, len(wavevectors), len(self.kappa))
         triangles = np.concatenate([self.triangles + start for start in starts])
-        return self.zone.lattice.wavevector(wavevectors), triangles, self.frequency[number, band]
+        return self.zone.lattice.wavevector(wavevectors), triangles, number
 
 
 def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:
     """Sample the irreducible zone on a regular triangulation."""
     kappa, triangles = model.cell.zone.triangles(divisions)
-    frequency = np.stack([model.frequencies(point) for point in kappa])
+    solutions = [model.solve(point) for point in kappa]
     return ZoneSurface(
         zone=model.cell.zone,
         group=model.cell.point_group,
         kappa=kappa,
         triangles=triangles,
-        frequency=frequency,
+        frequency=np.stack([solution.frequency for solution in solutions]),
+        error=np.stack([solution.error for solution in solutions]),
     )

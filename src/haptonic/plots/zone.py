@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -11,9 +9,7 @@ from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
 from haptonic.bloch.zone import ZoneSurface
-from haptonic.brillouin import IrreducibleZone
 from haptonic.later import xarray as xr
-from haptonic.lattice import Lattice, PointGroup
 from haptonic.plots import style
 from haptonic.plots.bands import complete_gaps
 from haptonic.plots.marks import above
@@ -35,7 +31,7 @@ def iso_frequency(dataset: xr.Dataset, bands: tuple[int, ...] = ()) -> Figure:
     """
     chosen = bands or _telling_bands(dataset)
     figure = style.suited(0.42, 7, 1.0 if len(chosen) > 1 else 0.55)
-    surface = _surface(dataset)
+    surface = ZoneSurface.of_dataset(dataset)
     below = dataset["gap_below"].values[dataset["gap_complete"].values.astype(bool)]
     panels = figure.subplots(1, len(chosen), squeeze=False)[0]
     for axes, band in zip(panels, chosen, strict=True):
@@ -46,9 +42,9 @@ def iso_frequency(dataset: xr.Dataset, bands: tuple[int, ...] = ()) -> Figure:
 
 
 def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int, beside: str) -> None:
-    wavevectors, triangles, frequency = surface.unfolded(band - 1)
+    wavevectors, triangles, number = surface.unfolded()
     k = wavevectors / 1e3
-    values = frequency / 1e3
+    values = surface.frequency[number, band - 1] / 1e3
     plane = Triangulation(k[:, 0], k[:, 1], triangles)
     filled = axes.tripcolor(
         plane, values, shading="gouraud", cmap=style.perceptual(), rasterized=True, gid="frequency"
@@ -118,22 +114,3 @@ def _telling_bands(dataset: xr.Dataset) -> tuple[int, ...]:
     width = (dataset["gap_upper"] - dataset["gap_lower"]).values[complete]
     below = int(dataset["gap_below"].values[complete][width.argmax()])
     return (1, below) if below > 1 else (1, 2)
-
-
-def _surface(dataset: xr.Dataset) -> ZoneSurface:
-    """The surface that a result holds: lattice, operations and corners of the zone are in its attributes."""
-    given, operations, corners = (
-        json.loads(dataset.attrs[name]) for name in ("lattice", "point_group", "zone")
-    )
-    sizes = {name: given[name] for name in ("pitch_y", "pitch_2", "angle")}
-    lattice = Lattice(lattice=given["form"], pitch=given["period"], **sizes)
-    return ZoneSurface(
-        zone=IrreducibleZone(
-            lattice,
-            tuple((label, tuple(point)) for label, point in corners),
-        ),
-        group=PointGroup((lattice.a1, lattice.a2), tuple(((a, b), (c, d)) for (a, b), (c, d) in operations)),
-        kappa=dataset["zone_kappa"].values,
-        triangles=dataset["zone_triangle"].values,
-        frequency=dataset["zone_frequency"].values,
-    )

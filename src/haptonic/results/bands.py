@@ -19,6 +19,7 @@ from haptonic.plots.text import gap_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
+from haptonic.results.zone_view import zone_corners, zone_variables
 from haptonic.units import format_quantity, hz_text, in_percent
 from haptonic.views import InteractiveView, write_page
 
@@ -289,16 +290,20 @@ class Bands(Result):
         """Interactive view of the diagram and its modes; None if the modes were not computed."""
         if not _moving(self):
             return None
+        seen, zone = self.dataset[SEEN + SEEN_SHORT], {}
+        if _over_the_zone(self):
+            seen, zone = seen.merge(zone_variables(self.dataset)), {"zone": zone_corners(self.dataset)}
         top = plots.shown_up_to(self.dataset, self.dataset.attrs.get("carrier_hz"))
         return InteractiveView(
             kind="bands",
             title=self.title,
-            dataset=self.dataset[SEEN + SEEN_SHORT],
+            dataset=seen,
             extra={
                 "summary": self.summary(),
                 "colours": plots.shades(64),
                 "top": top,
                 "lattice_vectors": lattice_of(self.dataset).vectors.tolist(),
+                **zone,
             },
             short=SEEN_SHORT,
         )

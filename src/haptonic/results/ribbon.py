@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,9 +11,11 @@ import numpy as np
 from haptonic import plots
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plots.text import uncertain_hertz
-from haptonic.results.result import Result, figure
+from haptonic.results.result import Result, figure, file
+from haptonic.results.ribbon_view import ribbon_view
 from haptonic.results.table import Column, Table
 from haptonic.units import hz_text, in_percent
+from haptonic.views import InteractiveView, write_page
 
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
 HIDING = 0.1  # of the range; larger errors may hide modes, because these lie between errors of bulk bands
@@ -48,7 +51,7 @@ class RibbonWaves(Result):
     def guided(self) -> xr.Dataset:
         """Modes between the bulk bands with more energy in the guide than at the outer edges, or all of a
         strip."""
-        modes = self.dataset.drop_dims(["node", "triangle"], errors="ignore")
+        modes = self.dataset.drop_dims(["node", "triangle", "across"], errors="ignore")
         modes = modes.isel(mode=np.flatnonzero(modes["guided"].values))
         return modes.isel(mode=np.argsort(modes["frequency"].values))
 
@@ -198,6 +201,14 @@ class RibbonWaves(Result):
     )
     def _field(self, *, ax: Axes | None = None) -> Figure:
         return plots.ribbon_field(self.dataset, ax=ax)
+
+    @file("ribbon.html", when=lambda result: "mode_real" in result.dataset)
+    def _write_page(self, path: Path) -> None:
+        write_page(self.view(), path)
+
+    def view(self) -> InteractiveView:
+        """Interactive view of the projected bands; its modes move if their fields were computed."""
+        return ribbon_view(self.dataset, self.title, self.summary())
 
     def facts(self) -> dict[str, Any]:
         modes = self.guided

@@ -13,6 +13,7 @@ import { bandsKeys } from "./keys";
 import { Mode } from "./mode";
 import { LARGEST_SWING, MOST_COPIES, startingChoice, type Choice } from "./state";
 import { GapTable, ModeTable } from "./tables";
+import { Zone } from "./zone";
 
 export function bandsView(data: Dataset) {
   return <BandsView data={data} />;
@@ -50,6 +51,7 @@ function BandsView({ data }: { data: Dataset }) {
           <MotionControls choice={choice} />
         </section>
       </div>
+      <Zone diagram={diagram} choice={choice} />
       <Listing listing={choice.listing} keys={keys}>
         <GapTable diagram={diagram} unit={choice.unit.value} />
         <ModeTable diagram={diagram} choice={choice} />

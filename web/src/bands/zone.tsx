@@ -1,0 +1,256 @@
+/** A band over the Brillouin zone: contours, and the frequencies of all bands at a wavevector that one picks. */
+
+import { signal, type Signal } from "@preact/signals";
+import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
+import { themeColour, onTheme } from "../parts/colours";
+import { UnitSelect } from "../parts/controls";
+import { keyPressed, type Key } from "../parts/keys";
+import { uncertain } from "../parts/numbers";
+import { rounded, titled, wavevectorUnits, withUnit, type Unit } from "../parts/units";
+import type { BandDiagram } from "./diagram_data";
+import type { Choice } from "./state";
+import { levelsBetween, ZoneSurface } from "./zone_data";
+
+const LARGEST = 440; // CSS pixels, side of the map
+const ROOM = 26; // CSS pixels around the zone, for names of corners
+const LEVELS = 8; // about as many contours
+
+interface ZoneChoice {
+  image: Signal<number>; // number of the wavevector among those of the whole zone
+  wavevectorUnit: Signal<Unit>;
+}
+
+interface Props {
+  diagram: BandDiagram;
+  choice: Choice;
+}
+
+/** The zone below a diagram, if its bands were computed there. */
+export function Zone({ diagram, choice }: Props) {
+  if (!diagram.data.has("zone_wavevector")) return null;
+  return <ZoneSection diagram={diagram} choice={choice} />;
+}
+
+function ZoneSection({ diagram, choice }: Props) {
+  const zone = useMemo(() => new ZoneSurface(diagram.data), [diagram]);
+  const units = useMemo(() => wavevectorUnits(Number(diagram.data.header.attrs["pitch_m"])), [diagram]);
+  const own = useMemo<ZoneChoice>(
+    () => ({ image: signal(zone.highest(choice.point.peek().band)), wavevectorUnit: signal(units[1]!) }),
+    [zone, units, choice],
+  );
+  const keys = useMemo(() => zoneKeys(zone, own), [zone, own]);
+  const { band } = choice.point.value;
+  return (
+    <section aria-label="Brillouin zone" class="pair">
+      <div>
+        <div
+          class="walk"
+          tabIndex={0}
+          role="application"
+          aria-label="Brillouin zone. Arrow keys move the wavevector."
+          aria-describedby="zone-point"
+          onKeyDown={(event) => {
+            keyPressed(event, keys);
+            if (event.defaultPrevented) event.stopPropagation(); // arrows of the diagram mean something else
+          }}
+        >
+          <ZoneMap zone={zone} band={band} own={own} />
+        </div>
+        <p class="axes">
+          <label>
+            Band{" "}
+            <select
+              value={band + 1}
+              onChange={({ currentTarget }) => (choice.point.value = { ...choice.point.value, band: currentTarget.selectedIndex })}
+            >
+              {Array.from({ length: diagram.bands }, (_, number) => (
+                <option>{number + 1}</option>
+              ))}
+            </select>
+          </label>
+          <UnitSelect title="Wavevectors in" units={units} unit={own.wavevectorUnit} />
+        </p>
+        <Scale zone={zone} diagram={diagram} band={band} unit={choice.unit.value} />
+      </div>
+      <ZoneFacts zone={zone} own={own} band={band} unit={choice.unit.value} />
+    </section>
+  );
+}
+
+function zoneKeys(zone: ZoneSurface, own: ZoneChoice): Key[] {
+  const go = (x: number, y: number) => () => (own.image.value = zone.next(own.image.value, x, y));
+  return [
+    {
+      keys: "arrows",
+      effect: "next wavevector",
+      actions: { ArrowLeft: go(-1, 0), ArrowRight: go(1, 0), ArrowUp: go(0, 1), ArrowDown: go(0, -1) },
+    },
+  ];
+}
+
+function ZoneMap({ zone, band, own }: { zone: ZoneSurface; band: number; own: ZoneChoice }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const image = own.image.value;
+  const draw = () => {
+    if (canvas.current !== null) paintZone(canvas.current, zone, band, image);
+  };
+  useLayoutEffect(draw);
+  useEffect(() => {
+    const element = canvas.current?.parentElement;
+    if (!element) return;
+    const resized = new ResizeObserver(() => latest.current());
+    resized.observe(element);
+    const stop = onTheme(() => latest.current());
+    return () => {
+      resized.disconnect();
+      stop();
+    };
+  }, []);
+  const latest = useRef(draw);
+  latest.current = draw;
+  return (
+    <div class="map zone">
+      <canvas
+        ref={canvas}
+        role="img"
+        aria-label={`Frequency of band ${band + 1} over the zone`}
+        onClick={({ offsetX, offsetY, currentTarget }) => {
+          const { toWavevector } = placed(currentTarget, zone);
+          own.image.value = zone.nearest(toWavevector(offsetX, offsetY));
+        }}
+      />
+    </div>
+  );
+}
+
+/** Places on the canvas in CSS pixels. */
+function placed(canvas: HTMLCanvasElement, zone: ZoneSurface) {
+  const side = canvas.clientWidth;
+  const scale = (side - 2 * ROOM) / (2 * zone.reach);
+  return {
+    toPixel: ([x, y]: [number, number]): [number, number] => [side / 2 + scale * x, side / 2 - scale * y],
+    toWavevector: (left: number, top: number): [number, number] => [(left - side / 2) / scale, (side / 2 - top) / scale],
+  };
+}
+
+function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, image: number): void {
+  const side = Math.min(canvas.parentElement?.clientWidth ?? LARGEST, LARGEST);
+  canvas.style.width = canvas.style.height = `${side}px`;
+  canvas.width = canvas.height = Math.round(side * devicePixelRatio);
+  const context = canvas.getContext("2d");
+  if (context === null) return;
+  context.scale(devicePixelRatio, devicePixelRatio);
+  const { toPixel } = placed(canvas, zone);
+  const [low, high] = zone.range(band);
+  for (const triangle of zone.triangles) {
+    const shade = zone.colours[Math.round(((zone.mean(triangle, band) - low) / (high - low || 1)) * (zone.colours.length - 1))];
+    context.fillStyle = context.strokeStyle = `rgb(${(shade ?? []).join(" ")})`;
+    context.beginPath();
+    for (const corner of triangle) context.lineTo(...toPixel(zone.wavevector(corner)));
+    context.closePath();
+    context.fill();
+    context.stroke(); // else the background shines through between triangles
+  }
+  context.strokeStyle = "#ffffff";
+  context.lineWidth = 1;
+  context.beginPath();
+  for (const level of levelsBetween(low, high, LEVELS))
+    for (const [from, to] of zone.contour(band, level)) {
+      context.moveTo(...toPixel(from));
+      context.lineTo(...toPixel(to));
+    }
+  context.stroke();
+  paintCorners(context, zone, toPixel);
+  context.beginPath();
+  context.arc(...toPixel(zone.wavevector(image)), 5, 0, 2 * Math.PI);
+  context.fillStyle = themeColour("accent");
+  context.strokeStyle = "#ffffff";
+  context.lineWidth = 2;
+  context.fill();
+  context.stroke();
+  canvas.dataset["shown"] = `${image},${band}`;
+  Object.assign(canvas, { zone }); // for tests
+}
+
+function paintCorners(
+  context: CanvasRenderingContext2D,
+  zone: ZoneSurface,
+  toPixel: (k: [number, number]) => [number, number],
+): void {
+  context.strokeStyle = themeColour("carrier");
+  context.setLineDash([5, 4]);
+  context.lineWidth = 1.5;
+  context.beginPath();
+  for (const corner of Object.values(zone.corners)) context.lineTo(...toPixel(corner));
+  context.closePath();
+  context.stroke();
+  context.setLineDash([]);
+  context.font = "15px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineWidth = 3;
+  context.strokeStyle = themeColour("paper");
+  context.fillStyle = themeColour("ink");
+  const places = Object.values(zone.corners);
+  const middle = [0, 1].map((axis) => places.reduce((sum, corner) => sum + (corner[axis] ?? 0), 0) / places.length);
+  for (const [label, corner] of Object.entries(zone.corners)) {
+    const [x, y] = toPixel(corner);
+    const [right, up] = [Math.sign(corner[0] - (middle[0] ?? 0)), Math.sign(corner[1] - (middle[1] ?? 0))];
+    context.strokeText(label, x + 13 * right, y - 13 * up);
+    context.fillText(label, x + 13 * right, y - 13 * up);
+  }
+}
+
+function Scale({ zone, diagram, band, unit }: { zone: ZoneSurface; diagram: BandDiagram; band: number; unit: Unit }) {
+  const [low, high] = zone.range(band).map((value) => rounded(Number((value / unit.factor).toPrecision(4))));
+  const middle = Math.floor(zone.colours.length / 2);
+  const steps = [0, middle, zone.colours.length - 1].map((k) => `rgb(${(zone.colours[k] ?? []).join(" ")})`);
+  const contours = levelsBetween(...zone.range(band), LEVELS);
+  const step = ((contours[1] ?? 0) - (contours[0] ?? 0)) / unit.factor;
+  return (
+    <p class="scale">
+      <span>{low}</span>
+      <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
+      <span>{high}</span> {titled("frequency", unit)} of band {band + 1} of {diagram.bands}
+      {contours.length > 1 && `; contours every ${Number(step.toPrecision(4))}`}
+    </p>
+  );
+}
+
+function ZoneFacts({ zone, own, band, unit }: { zone: ZoneSurface; own: ZoneChoice; band: number; unit: Unit }) {
+  const [image, along] = [own.image.value, own.wavevectorUnit.value];
+  const [x, y] = zone.wavevector(image).map((value) => Number((value / along.factor).toFixed(3)));
+  const sample = zone.sample(image);
+  const frequencyText = (number: number) =>
+    uncertain(zone.at(sample, number) / unit.factor, zone.errorAt(sample, number) / unit.factor);
+  const [first, second] = zone.phases(sample).map((phase) => Number((phase / Math.PI).toFixed(4)));
+  return (
+    <div class="facts">
+      <p id="zone-point" aria-live="polite">
+        Band {band + 1} at ({x}, {y}) {along.name}: <b>{withUnit(frequencyText(band), unit)}</b>
+      </p>
+      <div class="wide">
+        <table>
+          <caption>Frequencies at this wavevector</caption>
+          <thead>
+            <tr>
+              <th scope="col">band</th>
+              <th scope="col">{titled("frequency", unit)}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {Array.from({ length: zone.bands }, (_, number) => (
+              <tr aria-current={number === band ? "true" : undefined}>
+                <td>{number + 1}</td>
+                <td>{frequencyText(number)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="again">
+        Its modes as a picture: <code>haptonic bands STUDY --modes-at "{first}, {second}"</code>
+      </p>
+    </div>
+  );
+}

@@ -1,0 +1,118 @@
+/** Bands over the Brillouin zone with the names that the view uses. */
+
+import type { Dataset, Numbers } from "../dataset";
+
+export type Wavevector = [number, number]; // rad/m
+type Triangle = [number, number, number];
+
+const ROUND = [1, 2, 5, 10]; // steps of contours, times a power of ten
+const SIDEWAYS = 0.7; // cosine of the largest angle from a direction at which a wavevector counts as lying there
+
+export class ZoneSurface {
+  readonly bands: number;
+  readonly triangles: Triangle[];
+  readonly corners: Record<string, Wavevector>; // of the irreducible zone
+  readonly colours: number[][];
+  readonly reach: number; // rad/m, largest component of a wavevector
+  private readonly places: Numbers;
+  private readonly samples: Numbers;
+  private readonly frequency: Numbers;
+  private readonly error: Numbers;
+
+  constructor(private readonly data: Dataset) {
+    this.places = data.values("zone_wavevector");
+    this.samples = data.values("zone_sample");
+    this.frequency = data.values("zone_frequency");
+    this.error = data.values("zone_error");
+    [, this.bands = 0] = data.shape("zone_frequency");
+    const mesh = Array.from(data.values("zone_mesh"));
+    this.triangles = Array.from({ length: mesh.length / 3 }, (_, k) => mesh.slice(3 * k, 3 * k + 3) as Triangle);
+    this.corners = data.header.extra["zone"] as Record<string, Wavevector>;
+    this.colours = data.header.extra["colours"] as number[][];
+    this.reach = Math.max(...Array.from(this.places, Math.abs));
+  }
+
+  wavevector(image: number): Wavevector {
+    return [this.places[2 * image] ?? NaN, this.places[2 * image + 1] ?? NaN];
+  }
+
+  sample(image: number): number {
+    return this.samples[image] ?? 0;
+  }
+
+  phases(sample: number): [number, number] {
+    const kappa = this.data.values("zone_kappa");
+    return [kappa[2 * sample] ?? NaN, kappa[2 * sample + 1] ?? NaN];
+  }
+
+  at(sample: number, band: number): number {
+    return this.frequency[sample * this.bands + band] ?? NaN;
+  }
+
+  errorAt(sample: number, band: number): number {
+    return this.error[sample * this.bands + band] ?? NaN;
+  }
+
+  mean(triangle: Triangle, band: number): number {
+    return triangle.reduce((sum, image) => sum + this.at(this.sample(image), band), 0) / 3;
+  }
+
+  range(band: number): [number, number] {
+    const values = Array.from({ length: this.frequency.length / this.bands }, (_, sample) => this.at(sample, band));
+    return [Math.min(...values), Math.max(...values)];
+  }
+
+  /** The image of the sample with the highest frequency of a band. */
+  highest(band: number): number {
+    return this.all.reduce((best, image) => (this.at(this.sample(image), band) > this.at(this.sample(best), band) ? image : best), 0);
+  }
+
+  nearest([x, y]: Wavevector): number {
+    const away = (image: number) => Math.hypot(this.wavevector(image)[0] - x, this.wavevector(image)[1] - y);
+    return this.all.reduce((best, image) => (away(image) < away(best) ? image : best), 0);
+  }
+
+  /** The next wavevector in a direction; the same at the border of the zone. */
+  next(image: number, toX: number, toY: number): number {
+    const [x, y] = this.wavevector(image);
+    let [best, least] = [image, Infinity];
+    for (const other of this.all) {
+      const [right, up] = [this.wavevector(other)[0] - x, this.wavevector(other)[1] - y];
+      const away = Math.hypot(right, up);
+      const ahead = (right * toX + up * toY) / away;
+      if (away > 1e-9 * this.reach && ahead > SIDEWAYS && away / ahead ** 2 < least) [best, least] = [other, away / ahead ** 2];
+    }
+    return best;
+  }
+
+  /** Line segments on which a band has a frequency, linear in each triangle. */
+  contour(band: number, level: number): [Wavevector, Wavevector][] {
+    const segments: [Wavevector, Wavevector][] = [];
+    for (const triangle of this.triangles) {
+      const ends: Wavevector[] = [];
+      triangle.forEach((image, k) => {
+        const other = triangle[(k + 1) % 3] ?? 0;
+        const [from, to] = [this.at(this.sample(image), band), this.at(this.sample(other), band)];
+        if (from < level === to < level) return;
+        const share = (level - from) / (to - from);
+        const [a, b] = [this.wavevector(image), this.wavevector(other)];
+        ends.push([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
+      });
+      if (ends[0] && ends[1]) segments.push([ends[0], ends[1]]);
+    }
+    return segments;
+  }
+
+  private get all(): number[] {
+    return Array.from(this.samples, (_, image) => image);
+  }
+}
+
+/** Round levels within an interval. */
+export function levelsBetween(low: number, high: number, count: number): number[] {
+  if (!(high > low)) return [];
+  const power = 10 ** Math.floor(Math.log10((high - low) / count));
+  const step = power * (ROUND.find((factor) => factor * power * count >= high - low) ?? 10);
+  const first = Math.ceil(low / step);
+  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, k) => (first + k) * step);
+}
