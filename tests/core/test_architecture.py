@@ -83,7 +83,7 @@ ALLOWED: dict[str, set[str]] = {
     "views": {"gate", "pages", "progress"},
     "results": LOWER | {"pages", "plots", "views", "vtu"},
     "description": LOWER - {"atomic", "store"} | {"results"},
-    "report": LOWER | {"description", "pages", "plots", "results"},
+    "report": LOWER | {"description", "pages", "plots", "results", "views"},
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},
     "verification": {"arrays", "atomic", "errors", "plots", "results", "store", "study", "units"},

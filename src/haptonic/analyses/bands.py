@@ -114,7 +114,7 @@ ANALYSIS = Analysis(
     supports=every_cell,
     cost=cost,
     check=check,
-    reported=lambda study: BandsOptions(surface=True),
+    reported=lambda study: BandsOptions(surface=True, html=True),
     options=BandsOptions,
     interactive="html",
 )

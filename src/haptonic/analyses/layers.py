@@ -126,7 +126,7 @@ ANALYSIS = Analysis(
     options=PageOption,
     cost=cost,
     check=check,
-    reported=lambda study: PageOption() if has_mirror(study) else None,
+    reported=lambda study: PageOption(html=True) if has_mirror(study) else None,
     parallel=True,
     interactive="html",
     kept=KEPT,

@@ -170,7 +170,7 @@ ANALYSIS = Analysis(
     compute=compute,
     supports=whole_lower_face,
     cost=cost,
-    reported=lambda study: PlateOptions() if has_plate(study) else None,
+    reported=lambda study: PlateOptions(html=True) if has_plate(study) else None,
     options=PlateOptions,
     check=check,
     doing="shifts",

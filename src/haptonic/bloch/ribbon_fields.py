@@ -55,7 +55,7 @@ class FaceGrid:
                 inside = near[(shares >= -EDGE).all(axis=1)]
                 nodes[inside], shift[inside] = triangle, periods
                 weights[inside] = shares[(shares >= -EDGE).all(axis=1)]
-        return cls(across, along, nodes, weights, shift)
+        return cls(across=across, along=along, nodes=nodes, weights=weights, shift=shift)
 
     def values(self, field: Complex, kappa: float) -> Complex:
         """(k, across, along) values of fields (n, k) of waves with a phase (rad) from period to period."""

@@ -1,4 +1,4 @@
-"""HTML pages: each is one file with its pictures and style, without scripts and without external parts."""
+"""HTML pages: each is one file with its pictures, style and program, without external parts."""
 
 from __future__ import annotations
 

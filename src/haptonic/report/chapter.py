@@ -18,6 +18,7 @@ from haptonic.results.result import Result
 from haptonic.results.sweeps import Sweeps
 from haptonic.results.table import Table
 from haptonic.study.schema import Description
+from haptonic.views import InteractiveView
 
 R = TypeVar("R", bound=Result)
 
@@ -99,7 +100,10 @@ class Finding(str):
 
 @dataclass(frozen=True, eq=False)
 class Chapter:
-    """One part of the report; ``identifier`` is its anchor in the page."""
+    """One part of the report.
+
+    identifier : its anchor in the page; view, opens : interactive view, and words of the button that opens it
+    """
 
     title: str
     identifier: str
@@ -107,6 +111,8 @@ class Chapter:
     findings: tuple[str, ...] = ()
     pictures: tuple[Picture, ...] = ()
     tables: tuple[Table, ...] = ()
+    view: InteractiveView | None = None
+    opens: str = ""
 
     def shown(self, finding: str) -> Picture | None:
         """Return the picture that shows a finding, if any."""

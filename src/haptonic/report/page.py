@@ -27,6 +27,7 @@ from haptonic.report.first import first_screen
 from haptonic.study.named import expressions_of
 from haptonic.study.schema import Description
 from haptonic.units import format_quantity, hz_text
+from haptonic.views import digest, embedded_data, program
 
 TEMPLATE = "page.html"
 MOST_FINDINGS = 3  # of a chapter that are seen while it is folded
@@ -52,7 +53,7 @@ LIBRARIES = ("haptonic", "numpy", "scipy", "xarray", "matplotlib", "meshio")
 
 
 def write_report(results: Results, path: Path, overwrite: bool = False) -> Path:
-    """Write the report as one HTML file: pictures and style inside, no script, nothing from elsewhere.
+    """Write the report as one HTML file with everything inside: pictures, style, interactive views.
 
     Raises
     ------
@@ -85,6 +86,9 @@ def _page(results: Results) -> str:
         most=MOST_FINDINGS,
         facts=_key_numbers(results),
         chapters=chapters,
+        views={f"view-{part.identifier}": embedded_data(part.view) for part in chapters if part.view},
+        program=program(),
+        digest=digest(),
         absent=[part for part in parts if isinstance(part, Absent)],
         appendix=_appendix(results),
         version=version("haptonic"),

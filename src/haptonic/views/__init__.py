@@ -5,13 +5,16 @@ units are attributes of its dataset.
 """
 
 from haptonic.views.notebook import widget_bundle, widgets_work
-from haptonic.views.packed import InteractiveView, packed
-from haptonic.views.sent import packed_page, sent_page, write_page
+from haptonic.views.packed import InteractiveView, packed, program
+from haptonic.views.sent import digest, embedded_data, packed_page, sent_page, write_page
 
 __all__ = [
     "InteractiveView",
+    "digest",
+    "embedded_data",
     "packed",
     "packed_page",
+    "program",
     "sent_page",
     "widget_bundle",
     "widgets_work",

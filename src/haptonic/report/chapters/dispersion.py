@@ -39,6 +39,8 @@ def chapter(results: Results) -> Chapter | Absent:
         findings=(*map(visible, sentences), counted, *bands.remarks()),
         pictures=results.pictures(bands, words),
         tables=tuple(bands.tables()),
+        view=bands.view(),
+        opens="Move the modes",
     )
 
 

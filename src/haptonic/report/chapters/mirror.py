@@ -42,6 +42,8 @@ def chapter(results: Results) -> Chapter | Absent:
         findings=tuple(_findings(layers, guides)),
         pictures=pictures,
         tables=tuple(tables),
+        view=layers.view() if layers.interactive else None,
+        opens="Choose rows and frequency",
     )
 
 

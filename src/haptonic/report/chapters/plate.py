@@ -51,6 +51,8 @@ def chapter(results: Results) -> Chapter | Absent:
             table.labelled("simulated")
             for table in (*carriers_table(result.answers), lines_table(result), modes_table(_nearest(result)))
         ),
+        view=result.view(),
+        opens="Scrub through the frequencies",
     )
 
 
