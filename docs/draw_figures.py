@@ -26,6 +26,7 @@ from haptonic.cell import HexMesh, MeshPlan, UnitCell
 from haptonic.cell.mesh import mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.plots import style
+from haptonic.views import write_page
 
 ROOT = Path(__file__).parents[1]
 IMAGES = ROOT / "docs" / "images"
@@ -136,15 +137,23 @@ def draw_pages() -> None:
     """The interactive pages, drawn by a browser."""
     from browser import chromium, page_at  # of the tests
 
-    study = hp.load(TOUCHPAD)
+    touchpad, edge = hp.load(TOUCHPAD), hp.load(ROOT / "studies" / "edge.toml")
+    results = {
+        "bands": touchpad.bands(html=True, surface=True),
+        "layers": touchpad.layers(),
+        "ribbon": edge.ribbon(html=True),
+        "plate": touchpad.plate(html=True),
+        "feel": touchpad.feel(html=True),
+    }
     with TemporaryDirectory() as folder, chromium() as browser:
-        for name in ("bands", "plate", "feel"):
-            result = getattr(study, name)(html=True)
-            result.write(Path(folder) / name)
-            address = (Path(folder) / name / f"{name}.html").as_uri()
-            with page_at(browser, address, 1440, reduced_motion="reduce") as page:
-                page.wait_for_selector("canvas[data-shown]")
-                page.locator(".pair").screenshot(path=IMAGES / f"{name}-page.png")
+        for name, result in results.items():
+            file = Path(folder) / f"{name}.html"
+            write_page(result.view(), file)
+            with page_at(browser, file.as_uri(), 1440, reduced_motion="reduce") as page:
+                page.wait_for_selector(".walk canvas")
+                page.wait_for_timeout(500)  # until all parts are drawn
+                for place, picture in enumerate([name, "zone"] if name == "bands" else [name]):
+                    page.locator(".pair").nth(place).screenshot(path=IMAGES / f"{picture}-page.png")
 
 
 def draw_studio() -> None:

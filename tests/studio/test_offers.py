@@ -42,7 +42,7 @@ def test_offered_analyses_need_a_study_only():
     assert {"plan", "bands", "layers", "plate", "design"} <= set(names)
     assert not {"compare", "scan", "friction", "verdict", "export", "reproduce"} & set(names)
     interactive = [offer["name"] for offer in offers() if offer["interactive"]]
-    assert interactive == ["bands", "plate", "feel"]
+    assert interactive == ["bands", "layers", "ribbon", "plate", "feel"]
     (bands,) = [offer for offer in offers() if offer["name"] == "bands"]
     assert [each["name"] for each in bands["options"]] == ["surface", "modes_at"]
 

@@ -97,6 +97,7 @@ class Methods:
     def layers(
         self,
         *,
+        html: bool = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,
@@ -120,6 +121,7 @@ class Methods:
     def ribbon(
         self,
         *,
+        html: bool = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
         scheduler: str | None = None,
