@@ -137,7 +137,7 @@ def draw_pages() -> None:
     """The interactive pages, drawn by a browser."""
     from browser import chromium, page_at  # of the tests
 
-    touchpad, edge = hp.load(TOUCHPAD), hp.load(ROOT / "studies" / "edge.toml")
+    touchpad, edge = hp.load(TOUCHPAD), hp.load(ROOT / "src/haptonic/templates/edge.toml")
     results = {
         "bands": touchpad.bands(html=True, surface=True),
         "layers": touchpad.layers(),
