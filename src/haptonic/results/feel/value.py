@@ -25,7 +25,7 @@ from haptonic.results.plain import determined, split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity, hz_text, in_percent
-from haptonic.views import InteractiveView, sent_page
+from haptonic.views import InteractiveView, write_page
 
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # readable without colours
 COLUMNS = (
@@ -145,7 +145,7 @@ class Feel(Result):
 
     @file("feel.html", when=lambda result: result.interactive)
     def _write_page(self, path: Path) -> None:
-        path.write_text(sent_page(feel_view(self)), "utf-8")
+        write_page(feel_view(self), path)
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the finger; None if it was not asked for."""
