@@ -50,6 +50,7 @@ class Analysis:
     writes : True if the result consists of files only, which always need a folder
     watches : True if it is fast enough to be repeated whenever the study is saved
     interactive : name of the option that adds the data of the interactive view; empty without one
+    turning : makes sliders and previews for the studio, see `haptonic.analyses.turning`; None without them
     """
 
     name: str
@@ -69,6 +70,7 @@ class Analysis:
     writes: bool = False
     watches: bool = False
     interactive: str = ""
+    turning: Callable[[], Any] | None = None
 
     @property
     def method(self) -> str:

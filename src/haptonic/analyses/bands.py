@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,12 +12,14 @@ from haptonic.analyses.needs import further_lattices
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
+from haptonic.analyses.turning import BandsTurning
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.bands import add_further_gaps
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.cell import UnitCell
 from haptonic.fields import unchecked
+from haptonic.later import xarray as xr
 from haptonic.results.bands import Bands
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
@@ -59,6 +61,7 @@ def compute(study: Description, options: BandsOptions, runner: Runner) -> Bands:
     bands = compute_bands(
         study.cell, study.bands_settings, surface=options.surface, inputs=study.inputs(),
         carrier=study.carrier, store=runner.store, modes_at=options.modes_at, moving=options.html,
+        first=runner.first,
     )  # fmt: skip
     further = {
         name: runner.gaps(cell, study.bands_settings) for name, cell in further_lattices(study).items()
@@ -76,6 +79,7 @@ def compute_bands(
     store: Store,
     modes_at: str | None = None,
     moving: bool = False,
+    first: Callable[[xr.Dataset], object] | None = None,
 ) -> Bands:
     """Compute the bands of a cell, or take them from the store.
 
@@ -86,11 +90,14 @@ def compute_bands(
     moving : also the surface of the cell in every mode of the diagram
     inputs : plain values of the inputs, for the attributes of the result
     carrier : Hz, marked in the diagram
+    first : see `bands_dataset`
     """
     dataset = store.kept(
         {"kind": "bands", "surface": surface, "modes_at": modes_at, "moving": moving, "cell": cell,
          "settings": settings},
-        lambda: bands_dataset(cell, settings, surface=surface, modes_at=modes_at, moving=moving),
+        lambda: bands_dataset(
+            cell, settings, surface=surface, modes_at=modes_at, moving=moving, first=first
+        ),
     )  # fmt: skip
     if carrier is not None:
         dataset.attrs["carrier_hz"] = carrier
@@ -117,4 +124,5 @@ ANALYSIS = Analysis(
     reported=lambda study: BandsOptions(surface=True, html=True),
     options=BandsOptions,
     interactive="html",
+    turning=BandsTurning,
 )

@@ -26,6 +26,7 @@ class Runner:
     about : analysed file, a study or a measurement, if any
     folder : folder for the result, if any; an interrupted analysis may keep its state there
     report : called with each design that an analysis of many designs computes
+    first : called with the part of a dataset that is computed first, if the analysis has one
     """
 
     store: Store = field(default_factory=Store.default)
@@ -35,6 +36,7 @@ class Runner:
     about: Path | None = None
     folder: Path | None = None
     report: Points = no_points
+    first: Callable[[xr.Dataset], object] | None = None
 
     def __post_init__(self) -> None:
         check_workers(self.workers, self.scheduler)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from typing import Any
@@ -46,6 +46,7 @@ def bands_dataset(
     surface: bool = False,
     modes_at: str | None = None,
     moving: bool = False,
+    first: Callable[[xr.Dataset], object] | None = None,
 ) -> xr.Dataset:
     """Band diagram, gaps and mode shapes of a cell.
 
@@ -55,6 +56,7 @@ def bands_dataset(
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; by default the middle of the
         path's second segment
     moving : also the surface of the cell in every mode of the diagram, see `haptonic.bloch.path_modes`
+    first : called with the diagram and the gaps, before shapes of modes and exact counts are computed
 
     Returns
     -------
@@ -72,13 +74,19 @@ def bands_dataset(
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
 
-    def merged_parts() -> xr.Dataset:
+    def curves() -> tuple[Diagram, xr.Dataset]:
         along = diagram(model, path)
         listed = (*gaps, *parity_gaps(model, gaps), *partial_gaps(along, gaps))
-        parts = [_gaps_dataset(listed), mode_shapes(model, kappa)]
-        parts += [path_modes(model, along)] if moving else []
+        return along, xr.merge([_diagram_dataset(along), _gaps_dataset(listed)])
+
+    if (early := curves() if first else None) and first:
+        first(early[1])
+
+    def merged_parts() -> xr.Dataset:
+        along, drawn = early or curves()
+        parts = [mode_shapes(model, kappa), *([path_modes(model, along)] if moving else [])]
         parts += [_surface_dataset(model)] if surface else []
-        return xr.merge([_diagram_dataset(along), *parts])
+        return xr.merge([drawn, *parts])
 
     # the counts use a separate mesh, and take about as long as the rest
     with ThreadPoolExecutor(1) as aside:

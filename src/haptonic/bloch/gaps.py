@@ -97,7 +97,7 @@ class ZoneSampling:
         self.slope.append(np.nan_to_num(self.model.gradient(kappa, modes)))
         return len(self.kappa) - 1
 
-    def edge(self, band: int, sign: int) -> tuple[float, Array, float]:
+    def edge(self, band: int, sign: int, relative: float | None = None) -> tuple[float, Array, float]:
         """Highest (sign = +1) or lowest (-1) frequency of a band over the zone.
 
         Inside a triangle with corners kappa_v, a band f with gradients g_v there is assumed to stay below
@@ -107,7 +107,7 @@ class ZoneSampling:
         planes that touch the band and rise a little faster. This also applies to the lower of two crossing
         bands. A corner with zero slope, which symmetry requires at some wavevectors, gives no bound unless it
         is the maximum of its triangle. Triangles that could exceed the best value are halved until no
-        triangle can exceed it by more than the goal.
+        triangle can exceed it by more than the goal, ``relative`` or by default `SEARCH_GOAL`.
 
         Returns
         -------
@@ -128,7 +128,7 @@ class ZoneSampling:
             ceiling = np.maximum(at_corners.max(axis=1), planes.min(axis=2).max(axis=1))
             best = int(value.argmax())
             doubt = float(ceiling.max() - value[best])
-            goal = SEARCH_GOAL * abs(value[best])
+            goal = (relative or SEARCH_GOAL) * abs(value[best])
             if doubt <= goal or len(self.kappa) >= MOST_SAMPLES:
                 return float(sign * value[best]), self.kappa[best], doubt
             sides = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)

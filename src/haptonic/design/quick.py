@@ -44,12 +44,23 @@ def edges_of(cell: UnitCell, count: int) -> Array:
     different heights computes it only once.
     """
     with one_thread():
-        tiling = Tiling.condensed(cell, QUICK.plans(cell), QUICK.steps, QUICK.block, measured=False)
-        pencil = ReducedCell.of(tiling, count, np.inf).pencil
+        pencil = quick_model(cell, count).fine.pencil
         wavevectors, _ = cell.zone.triangles(GLANCE_DIVISIONS)
         values = np.array([eigenpairs(pencil, kappa, count)[0] for kappa in wavevectors])
     frequency = hertz(values)
     return np.stack([frequency[:, :-1].max(axis=0), frequency[:, 1:].min(axis=0)])
+
+
+def quick_model(cell: UnitCell, count: int) -> BlochModel:
+    """Coarse model for ``count`` bands, without an error estimate; the foot of a pillar is stored."""
+    with one_thread():
+        tiling = Tiling.condensed(cell, QUICK.plans(cell), QUICK.steps, QUICK.block, measured=False)
+        return _without_errors(cell, count, tiling)
+
+
+def _without_errors(cell: UnitCell, count: int, tiling: Tiling) -> BlochModel:
+    reduced = ReducedCell.of(tiling, count, np.inf)
+    return BlochModel(cell=cell, resolution=QUICK, count=count, fine=reduced, coarse=reduced.pencil)
 
 
 @dataclass(frozen=True)
@@ -70,9 +81,7 @@ class QuickDesign:
         """Compute ``count`` bands of a cell."""
         with one_thread():
             shared = TiledMesh.of(cell, QUICK.plans(cell))
-            tiling = shared.condensed(QUICK.steps, QUICK.block, measured=False)
-            reduced = ReducedCell.of(tiling, count, np.inf)
-            model = BlochModel(cell=cell, resolution=QUICK, count=count, fine=reduced, coarse=reduced.pencil)
+            model = _without_errors(cell, count, shared.condensed(QUICK.steps, QUICK.block, measured=False))
             return cls(shared, model, ZoneSampling(model))
 
     def edges(self) -> Array:
