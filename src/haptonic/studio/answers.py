@@ -8,9 +8,10 @@ from dataclasses import asdict
 from typing import Any
 
 from haptonic import plots
+from haptonic.later import xarray as xr
 from haptonic.results.result import Result
 from haptonic.results.table import Cell, Column, Ranged, Table, Uncertain
-from haptonic.views import packed
+from haptonic.views import InteractiveView, packed
 
 MOST_ROWS = 500  # of a table on the page; files have all
 
@@ -28,6 +29,11 @@ def answer_of(result: Result) -> tuple[dict[str, Any], bytes | None]:
         "pictures": [{"name": name, "caption": text} for name, text in result.figures.captions.items()],
     }
     return about, None if view is None else packed(view)
+
+
+def packed_part(kind: str, dataset: xr.Dataset) -> bytes:
+    """Bytes of a dataset for a view that is shown: its curves before it is complete, or a preview."""
+    return packed(InteractiveView(kind=kind, title="", dataset=dataset))
 
 
 def pictures_of(result: Result) -> Iterator[tuple[str, bytes]]:

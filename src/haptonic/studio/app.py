@@ -25,7 +25,7 @@ from haptonic.studio.archive import Archive
 from haptonic.studio.checking import checked, described
 from haptonic.studio.comparing import compared
 from haptonic.studio.designs import design_text
-from haptonic.studio.editing import changed, lines_of
+from haptonic.studio.editing import changed, lines_of, path_of
 from haptonic.studio.exports import Exports
 from haptonic.studio.files import choices, chosen_export
 from haptonic.studio.form import form
@@ -34,6 +34,7 @@ from haptonic.studio.job import Job
 from haptonic.studio.jobs import Jobs
 from haptonic.studio.offers import chosen, offered, offers
 from haptonic.studio.painting import FIRST, forecast
+from haptonic.studio.turns import LONGEST_PATH, turn_routes
 from haptonic.studio.worker import Order
 from haptonic.studio.workspace import Workspace
 from haptonic.study import Study, templates
@@ -66,7 +67,7 @@ class Studio:
             "check": self.check, "change": self.change, "forecast": self.forecast, "open": self.open,
             "template": self.template, "save": self.save, "run": self.run, "cancel": self.cancel,
             "remove": self.remove, "opened": self.opened_design, "product": self.product,
-            "differences": self.differences,
+            "differences": self.differences, "wish": self.wish,
         }  # fmt: skip
         return Starlette(
             routes=[
@@ -79,6 +80,7 @@ class Studio:
                 ),
                 Route("/api/jobs/{number:int}", self.job),
                 Route("/api/jobs/{number:int}/view", self.view),
+                *turn_routes(self.jobs),
                 Route("/api/jobs/{number:int}/page", self.sent),
                 Route("/api/jobs/{number:int}/points/{first:int}", self.points),
                 Route("/api/jobs/{number:int}/pictures/{name}", self.picture),
@@ -180,21 +182,31 @@ class Studio:
         return {"name": self.workspace.write(name, text), "files": self.workspace.names()}
 
     def run(self, asked: Asked) -> dict[str, Any]:
-        """Begin a job."""
+        """Begin a job, for the text or for the text with another value of one key."""
         analysis = offered(asked.get("analysis"))
         file = asked.get("file")
         options = chosen(analysis, asked.get("options"))
         analysis.chosen(options)  # refuse a wrong option before a process is asked
+        text, turned = _text(asked), ""
+        if asked.get("steps") is not None:
+            steps = _steps(asked)
+            text, turned = changed(text, steps, asked.get("value")), path_of(steps)
         order = Order(
             number=0,  # given when the job begins
-            text=_text(asked),
+            text=text,
             folder=self.workspace.folder,
             file=file if isinstance(file, str) and file in self.workspace.names() else UNNAMED,
             analysis=analysis.name,
             options=options,
             title=checked(_text(asked), self.workspace.folder)["title"],
+            turned=turned,
         )
         return {"number": self.jobs.start(order).number}
+
+    def wish(self, asked: Asked) -> dict[str, Any]:
+        """Prepare the preview of a number before others."""
+        self.jobs.wish(str(asked.get("path"))[:LONGEST_PATH])
+        return {}
 
     def cancel(self, asked: Asked) -> dict[str, Any]:
         """End a job."""

@@ -26,7 +26,8 @@ from haptonic.studio.worker import Order
 FORM = 1  # of the files; those of another form are left alone
 MOST_RUNS, MOST_BYTES = 50, 500_000_000  # older runs leave
 BRIEF, WHOLE, VIEW = "brief.json", "whole.json", "view"
-APART = ("view", "pictures", "order")  # fields of a job with files or a form of their own
+APART = ("view", "pictures", "order", "first", "knobs", "previews")  # with files of their own, or not kept
+NOT_KEPT = {"first": False, "turns": False, "previews": {}}
 FAULTS = (OSError, zipfile.BadZipFile, KeyError, ValueError, TypeError)  # of a damaged file
 
 
@@ -57,7 +58,7 @@ class Archive:
         ------
         ResourceError : the folder cannot be written
         """
-        content, brief = io.BytesIO(), job.brief() | {"form": FORM}
+        content, brief = io.BytesIO(), job.brief() | NOT_KEPT | {"form": FORM}
         with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as parts:
             parts.writestr(BRIEF, json.dumps(brief))
             parts.writestr(WHOLE, json.dumps(_plain(job)))

@@ -112,6 +112,23 @@ def _item(value: Any) -> Any:
     return table
 
 
+def steps_of(path: str) -> list[Step]:
+    """Steps to a key, from its path: ``sweep[1].from`` is in the first table of the list."""
+    steps: list[Step] = []
+    for part in path.split("."):
+        name, _, number = part.partition("[")
+        steps += [name, int(number.rstrip("]")) - 1] if number else [name]
+    return steps
+
+
+def path_of(steps: Sequence[Step]) -> str:
+    """Path of a key from its steps; the inverse of `steps_of`."""
+    path = ""
+    for step in steps:
+        path += f"[{step + 1}]" if isinstance(step, int) else f".{step}"
+    return path.removeprefix(".")
+
+
 def lines_of(text: str) -> dict[str, int]:
     """Line of each key and table by its path, both counted from 1: ``sweep[1].from``."""
     lines, counts = dict[str, int](), dict[str, int]()

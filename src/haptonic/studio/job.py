@@ -21,6 +21,9 @@ class Job:
     progress : steps done and planned, and the name of the current one; planned is 0 while it is unknown
     command, python : lines that repeat it
     points : computed designs, see `haptonic.analyses.points`
+    first : view with the part of the result that is computed first
+    knobs : numbers that can be turned, see `haptonic.analyses.turning`
+    previews : by path of a number, count of the improvements so far and view
     pictures : SVG by name
     """
 
@@ -36,7 +39,10 @@ class Job:
     points: list[dict[str, Any]] = field(default_factory=list)
     error: dict[str, str] | None = None
     answer: dict[str, Any] | None = None
+    first: bytes | None = None
     view: bytes | None = None
+    knobs: list[dict[str, Any]] | None = None
+    previews: dict[str, tuple[int, bytes]] = field(default_factory=dict)
     pictures: dict[str, bytes] = field(default_factory=dict)
     drawn: bool = False
 
@@ -54,8 +60,15 @@ class Job:
 
     @property
     def is_kept(self) -> bool:
-        """True if the archive keeps the job: it has ended, with an answer or with points."""
-        return self.state != "running" and (self.answer is not None or bool(self.points))
+        """True if the archive keeps the job: it has ended, with an answer or with points.
+
+        Designs on the way of a slider would push out other runs.
+        """
+        return (
+            not self.order.turned
+            and self.state != "running"
+            and (self.answer is not None or bool(self.points))
+        )
 
     def brief(self) -> dict[str, Any]:
         """State for the list of jobs."""
@@ -63,7 +76,9 @@ class Job:
             "number": self.number, "analysis": self.order.analysis, "file": self.order.file,
             "title": self.order.title[:LONGEST_TITLE], "started": self.started,
             "state": self.state, "cost": self.cost, "progress": self.progress, "drawn": self.drawn,
-            "pictures": list(self.pictures), "points": len(self.points),
+            "pictures": list(self.pictures), "points": len(self.points), "turned": bool(self.order.turned),
+            "first": self.first is not None, "turns": self.knobs is not None,
+            "previews": {path: count for path, (count, _) in self.previews.items()},
             "seconds": round(time.time() - self.started if self.state == "running" else self.seconds, 1),
         }  # fmt: skip
 
@@ -72,6 +87,7 @@ class Job:
         return self.brief() | {
             "text": self.order.text, "error": self.error, "answer": self.answer,
             "view": self.view is not None, "command": self.command, "python": self.python,
+            "options": dict(self.order.options),
         }  # fmt: skip
 
     def finish(self, state: str) -> None:

@@ -1,4 +1,8 @@
-"""Jobs of the studio: each is computed in a worker process, and the latest replaces one that still runs."""
+"""Jobs of the studio: each is computed in a worker process, and the latest replaces one that still runs.
+
+A job for a number that a user turns replaces another such job without a new process, and that one is
+forgotten.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +10,14 @@ import multiprocessing
 import threading
 import warnings
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
 from haptonic.errors import HaptonicWarning, ResourceError, StudyError
 from haptonic.studio.archive import Archive
 from haptonic.studio.job import Job
-from haptonic.studio.worker import Order, serve
+from haptonic.studio.worker import Order, Wish, serve
 
 KEPT = 8  # jobs whose answers stay in memory
 MOST_POINTS = 5000  # of a job
@@ -105,7 +110,10 @@ class Jobs:
         ResourceError : no process can be started
         """
         with self._lock:
-            self._stop_running()
+            if order.turned and self._current is not None and self._current.order.turned:
+                self._forget_running()
+            else:
+                self._stop_running()
             self._count += 1
             job = Job.ordered(replace(order, number=self._count))
             self._send(job)
@@ -133,6 +141,13 @@ class Jobs:
                 if attempt == 2:
                     raise _not_started(error) from error
 
+    def wish(self, path: str) -> None:
+        """Ask for the preview of a number before others."""
+        with self._lock:
+            if self._worker is not None:
+                with suppress(OSError):  # the process has ended, and no preview comes
+                    self._worker.connection.send(Wish(path))
+
     def cancel(self, number: int) -> None:
         """End a job if it still runs."""
         with self._lock:
@@ -159,6 +174,12 @@ class Jobs:
             self._current.finish("cancelled")
             self.close()
             self._keep(self._current)
+        self._current = None
+
+    def _forget_running(self) -> None:
+        """Let the worker, which drops its work with the next order, live on."""
+        if self._current is not None and self._current.state == "running":
+            self.jobs.pop(self._current.number, None)
         self._current = None
 
     def _keep(self, job: Job) -> None:
@@ -195,6 +216,13 @@ class Jobs:
                     job.progress = content
                 case "point" if len(job.points) < MOST_POINTS:
                     job.points.append(content)
+                case "first":
+                    job.first = content
+                case "knobs":
+                    job.knobs = content
+                case "preview":
+                    path, view = content
+                    job.previews[path] = job.previews.get(path, (0, b""))[0] + 1, view
                 case "done":
                     job.answer, job.view = content
                     job.finish("done")
