@@ -24,6 +24,7 @@ NAMES = (
     "gap_in_the_scan",
     "fit_covers_the_truth",
     "pages_answer_at_once",
+    "drag_answers_at_once",
 )  # fmt: skip
 
 WHOLE_SAMPLE = 120  # designs answered over all classes that count as a proof of the estimates
@@ -632,6 +633,34 @@ that shows the next mode or the next of 1001 maps, median and 95th percentile. T
 """
 
 
+def turned_numbers(record: dict[str, Any]) -> str:
+    rows = [
+        [
+            f"`{path}`",
+            f"{drag['median_ms']:g} ({drag['high_ms']:g}) ms",
+            f"{drag['certified_s']:g} s",
+            f"{drag['prepared_s']:g} s",
+        ]
+        for path, drag in record["drags"].items()
+    ]
+    bounds = record["bounds"]
+    shares = [[cell, f"{share:.2f}"] for cell, share in bounds["largest_share_of_the_bound"].items()]
+    return f"""## Numbers that are turned
+
+Sliders of the studio in headless Chromium with software rendering: time from a move to the frame that shows its preview, median and 95th
+percentile; time from the last move to the certified curves; time to prepare the preview.
+
+{table(["number", "preview", "certified", "prepared in"], rows)}
+
+Of {bounds["moves"]} random moves over whole sliders, {bounds["beyond_their_bound"]} have a certified frequency or edge beyond the bound of the
+preview. The largest distance as a share of the bound, by lattice and kind of cell; the median is {bounds["median_share"]:.2f}:
+
+{table(["cell", "share"], shares)}
+
+{measured_on(record)}
+"""
+
+
 def main() -> None:
     files = {name: RESULTS / f"{name}.json" for name in NAMES}
     records = {name: json.loads(file.read_text("utf-8")) for name, file in files.items() if file.exists()}
@@ -654,6 +683,7 @@ def main() -> None:
         edges,
         fit,
         pages,
+        turned_numbers,
     )
     # a benchmark that was never run has no chapter
     chapters = [writer(records[name]) for name, writer in zip(NAMES, writers, strict=True) if name in records]

@@ -18,6 +18,7 @@ import { followPoints } from "./studio/points_data";
 import { openLink } from "./studio/share";
 import { server, type Start } from "./studio/server";
 import { attempt, files, openFile, unsaved } from "./studio/study";
+import { followTurns } from "./studio/turn";
 import style from "./studio/studio.css";
 import { addStyle } from "./views";
 
@@ -80,6 +81,7 @@ async function begin(): Promise<void> {
     follow();
     followPoints();
     followComparison();
+    followTurns();
   });
   addEventListener("hashchange", () => void openLink());
   addEventListener("beforeunload", (event) => {

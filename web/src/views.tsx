@@ -5,12 +5,13 @@ import { bandsView } from "./bands/view";
 import type { Dataset } from "./dataset";
 import { fingerView } from "./plate/finger";
 import { mirrorView } from "./mirror/view";
+import type { Host } from "./parts/host";
 import { plateView } from "./plate/view";
 import { ribbonView } from "./ribbon/view";
 import uplot from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 
-const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = {
+const VIEWS: Record<string, (data: Dataset, host?: Host) => ComponentChildren> = {
   bands: bandsView,
   layers: mirrorView,
   plate: plateView,
@@ -18,13 +19,13 @@ const VIEWS: Record<string, (data: Dataset) => ComponentChildren> = {
   ribbon: ribbonView,
 };
 
-/** Draw a view into an element; the returned function removes it. */
-export function show(data: Dataset, element: HTMLElement): () => void {
+/** Draw a view into an element, or newer data into the view that is there; the returned function removes it. */
+export function show(data: Dataset, element: HTMLElement, host?: Host): () => void {
   const make = VIEWS[data.header.kind];
   if (make === undefined) throw new Error(`this version has no view "${data.header.kind}"`);
   addStyle();
   element.classList.add("haptonic", "view");
-  render(make(data), element);
+  render(make(data, host), element);
   return () => render(null, element);
 }
 

@@ -6,7 +6,9 @@ import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { kept, onClick, widthIn, within } from "../parts/plot";
 import { titled } from "../parts/units";
-import type { BandDiagram, Point } from "./diagram_data";
+import type { BandDiagram, Gap, Point } from "./diagram_data";
+import type { Layer, Newer } from "./layer";
+import { paintLayer } from "./paint_layer";
 import type { Choice } from "./state";
 
 const LOWEST = 320; // CSS pixels, least height of the diagram
@@ -16,20 +18,21 @@ const REACH = 40; // CSS pixels, largest distance of a click from the mode that 
 interface Props {
   diagram: BandDiagram;
   choice: Choice;
+  newer: Newer;
 }
 
-export function Curves({ diagram, choice }: Props) {
+export function Curves({ diagram, choice, newer }: Props) {
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const element = place.current;
     if (element === null) return;
-    return drawn(element, diagram, choice);
-  }, [diagram, choice]);
+    return drawn(element, diagram, choice, newer);
+  }, [diagram, choice, newer]);
   return <div class="curves" ref={place} />;
 }
 
 /** Draw the diagram into an element and keep it up to date; returns what removes it. */
-function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () => void {
+function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { layer, isWaiting }: Newer): () => void {
   const factor = () => choice.unit.peek().factor;
   const branches = diagram.branches();
   const data = (): uPlot.AlignedData => [
@@ -73,12 +76,31 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
       series: [
         {},
         ...branches.map(() => ({
-          stroke: () => themeColour("ink"),
+          stroke: () =>
+            layer.peek() !== null ? "transparent" : themeColour(isWaiting.peek() ? "rule" : "ink"),
           width: 1.6,
           points: { show: false },
         })),
       ],
-      hooks: { drawClear: [(u) => within(u, () => paintGaps(u, diagram, factor()))], draw: [(u) => paintMarks(u, diagram, choice)] },
+      hooks: {
+        drawClear: [
+          (u) =>
+            within(u, () => {
+              const held = choice.held.peek();
+              const gaps = isWaiting.peek() ? [] : (layer.peek() ?? diagram).gaps;
+              paintGaps(u, gaps, diagram.carrier, factor());
+              if (held !== null) paintLayer(u, diagram, held.layer, factor(), "held");
+            }),
+        ],
+        draw: [
+          (u) => {
+            const drawn = layer.peek();
+            if (drawn !== null)
+              within(u, () => paintLayer(u, diagram, drawn, factor(), drawn.isPreview ? "preview" : "certified"));
+            paintMarks(u, diagram, choice, drawn);
+          },
+        ],
+      },
     },
     data(),
     element,
@@ -98,6 +120,7 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice): () =
     }),
     effect(() => {
       const high = diagram.at(choice.point.value) / factor();
+      void [layer.value, isWaiting.value, choice.held.value]; // drawn anew
       if (high > (plot.scales["y"]?.max ?? Infinity)) plot.setScale("y", { min: 0, max: 1.03 * high });
       else plot.redraw(false, false);
     }),
@@ -124,9 +147,9 @@ function nearest(
   return best;
 }
 
-function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
+function paintGaps(plot: uPlot, gaps: Gap[], carrier: number | undefined, factor: number): void {
   const { ctx, bbox } = plot;
-  for (const gap of diagram.gaps) {
+  for (const gap of gaps) {
     const high = plot.valToPos(gap.upper / factor, "y", true);
     const height = plot.valToPos(gap.lower / factor, "y", true) - high;
     if (gap.complete) {
@@ -134,8 +157,8 @@ function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
       ctx.fillRect(bbox.left, high, bbox.width, height);
     } else if (gap.waves !== "all") hatch(ctx, bbox.left, high, bbox.width, height);
   }
-  if (diagram.carrier !== undefined) {
-    const y = plot.valToPos(diagram.carrier / factor, "y", true);
+  if (carrier !== undefined) {
+    const y = plot.valToPos(carrier / factor, "y", true);
     ctx.strokeStyle = themeColour("carrier");
     ctx.lineWidth = 1.5 * devicePixelRatio;
     ctx.setLineDash([7 * devicePixelRatio, 5 * devicePixelRatio]);
@@ -143,6 +166,7 @@ function paintGaps(plot: uPlot, diagram: BandDiagram, factor: number): void {
     ctx.moveTo(bbox.left, y);
     ctx.lineTo(bbox.left + bbox.width, y);
     ctx.stroke();
+    ctx.setLineDash([]);
   }
 }
 
@@ -164,11 +188,12 @@ function hatch(ctx: CanvasRenderingContext2D, left: number, top: number, width: 
   ctx.restore();
 }
 
-function paintMarks(plot: uPlot, diagram: BandDiagram, choice: Choice): void {
+function paintMarks(plot: uPlot, diagram: BandDiagram, choice: Choice, layer: Layer | null): void {
   const { ctx } = plot;
   const point = choice.point.peek();
   const x = plot.valToPos(diagram.distance[point.row] ?? 0, "x", true);
-  const y = plot.valToPos(diagram.at(point) / choice.unit.peek().factor, "y", true);
+  const frequency = layer?.frequency[point.row * diagram.bands + point.band] ?? diagram.at(point);
+  const y = plot.valToPos(frequency / choice.unit.peek().factor, "y", true);
   ctx.save();
   ctx.beginPath();
   ctx.arc(x, y, 6 * devicePixelRatio, 0, 2 * Math.PI);

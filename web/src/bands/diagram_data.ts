@@ -45,7 +45,7 @@ export class BandDiagram {
     this.carrier = typeof carrier === "number" ? carrier : undefined;
     this.top = Number(data.header.extra["top"]);
     this.units = frequencyUnits(data);
-    this.gaps = this.readGaps();
+    this.gaps = readGaps(data);
   }
 
   /** Frequencies along each branch, a row for each wavevector, null where the branch has no mode. */
@@ -122,21 +122,22 @@ export class BandDiagram {
       if (this.at({ row, band }) > this.at({ row: best, band })) best = row;
     return { row: best, band };
   }
+}
 
-  private readGaps(): Gap[] {
-    if (!this.data.has("gap_below")) return [];
-    const numbers = (name: string) => this.data.values(name);
-    return Array.from(numbers("gap_below"), (below, k) => ({
-      below,
-      lower: numbers("gap_lower")[k] ?? NaN,
-      upper: numbers("gap_upper")[k] ?? NaN,
-      lowerError: numbers("gap_lower_error")[k] ?? NaN,
-      upperError: numbers("gap_upper_error")[k] ?? NaN,
-      complete: numbers("gap_complete")[k] === 1,
-      direction: this.data.texts("gap_direction")[k] ?? "",
-      waves: this.data.texts("gap_waves")[k] ?? "",
-    }));
-  }
+/** Gaps of a dataset of bands. */
+export function readGaps(data: Dataset): Gap[] {
+  if (!data.has("gap_below")) return [];
+  const numbers = (name: string) => data.values(name);
+  return Array.from(numbers("gap_below"), (below, k) => ({
+    below,
+    lower: numbers("gap_lower")[k] ?? NaN,
+    upper: numbers("gap_upper")[k] ?? NaN,
+    lowerError: numbers("gap_lower_error")[k] ?? NaN,
+    upperError: numbers("gap_upper_error")[k] ?? NaN,
+    complete: numbers("gap_complete")[k] === 1,
+    direction: data.texts("gap_direction")[k] ?? "",
+    waves: data.texts("gap_waves")[k] ?? "",
+  }));
 }
 
 function signIndex(sign: number | undefined): number {

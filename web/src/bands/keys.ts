@@ -8,7 +8,7 @@ import { LARGEST_SWING, moved, nextGap, type Choice } from "./state";
 const FAST = 10; // wavevectors
 const STEP = 0.05; // of the displacement
 
-export function bandsKeys(diagram: BandDiagram, choice: Choice): Key[] {
+export function bandsKeys(diagram: BandDiagram, choice: Choice, hold?: () => void): Key[] {
   const walk = (along: number, up: number) => (choice.point.value = moved(diagram, choice.point.value, along, up));
   const grow = (by: number) =>
     (choice.swing.value = Math.min(Math.max(choice.swing.value + by, 0), LARGEST_SWING));
@@ -39,6 +39,7 @@ export function bandsKeys(diagram: BandDiagram, choice: Choice): Key[] {
       effect: "lower edge of the next gap",
       actions: { g: () => (choice.point.value = nextGap(diagram, choice.point.value) ?? choice.point.value) },
     },
+    ...(hold ? [{ keys: "h", effect: "hold this design, or let it go", actions: { h: hold } }] : []),
     ...listingKeys(choice.listing),
   ];
 }

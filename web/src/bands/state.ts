@@ -5,6 +5,8 @@ import { wantsStill, type Pace } from "../parts/cycle";
 import type { Listed } from "../parts/listing";
 import { suitable, type Unit } from "../parts/units";
 import type { BandDiagram, Point } from "./diagram_data";
+import type { Held } from "./edges";
+import type { Layer } from "./layer";
 
 export const MOST_COPIES = 6;
 export const LARGEST_SWING = 0.5; // of the period
@@ -15,6 +17,7 @@ export interface Choice extends Pace {
   copies: Signal<[number, number]>; // cells along a1 and a2
   unit: Signal<Unit>;
   listing: Signal<Listed>;
+  held: Signal<(Held & { layer: Layer }) | null>; // a design to compare with
 }
 
 export function startingChoice(diagram: BandDiagram): Choice {
@@ -27,6 +30,7 @@ export function startingChoice(diagram: BandDiagram): Choice {
     copies: signal<[number, number]>([2, 2]),
     unit: signal(suitable(diagram.units, Math.max(...diagram.frequency))),
     listing: signal<Listed>("none"),
+    held: signal(null),
   };
 }
 

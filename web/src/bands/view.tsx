@@ -4,31 +4,63 @@ import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";
 import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
 import { Frame } from "../parts/frame";
+import type { Host } from "../parts/host";
 import { Listing } from "../parts/listing";
 import { uncertain } from "../parts/numbers";
 import { withUnit } from "../parts/units";
 import { Curves } from "./curves";
 import { BandDiagram } from "./diagram_data";
+import { Comparison, Edges } from "./edges";
 import { bandsKeys } from "./keys";
+import { layerOfDiagram, newerThan } from "./layer";
 import { Mode } from "./mode";
 import { LARGEST_SWING, MOST_COPIES, startingChoice, type Choice } from "./state";
 import { GapTable, ModeTable } from "./tables";
 import { Zone } from "./zone";
 
-export function bandsView(data: Dataset) {
-  return <BandsView data={data} />;
+export function bandsView(data: Dataset, host?: Host) {
+  return <BandsView data={data} host={host} />;
 }
 
 const FOOT =
   "Displacements are relative to the largest of their mode; each error bounds the distance to the exact frequency of " +
   "the model.";
 
-function BandsView({ data }: { data: Dataset }) {
+function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
   const diagram = useMemo(() => new BandDiagram(data), [data]);
-  const choice = useMemo(() => startingChoice(diagram), [diagram]);
-  const keys = useMemo(() => bandsKeys(diagram, choice), [diagram, choice]);
+  // the choices stay when a newer result has as many modes
+  const choice = useMemo(() => startingChoice(diagram), [diagram.rows, diagram.bands]);
+  const newer = useMemo(() => newerThan(host?.turned), [host]);
+  const hold = () => {
+    const drawn = newer.layer.peek() ?? layerOfDiagram(diagram);
+    if (choice.held.value !== null) choice.held.value = null;
+    else if (!drawn.isPreview && !newer.isWaiting.peek())
+      choice.held.value = { layer: drawn, gaps: drawn.gaps, carrier: diagram.carrier, design: host?.design() ?? {} };
+  };
+  const keys = useMemo(() => bandsKeys(diagram, choice, host && hold), [diagram, choice, host]);
+  const layer = newer.layer.value;
+  const kind = newer.isWaiting.value ? "earlier design" : layer?.isPreview ? "preview" : "certified";
+  const held = choice.held.value;
+  const { carrier } = diagram;
+  const unit = diagram.units.find(({ name }) => name === choice.unit.value.name) ?? choice.unit.value;
+  const gaps = (layer ?? diagram).gaps;
   return (
-    <Frame name="bands" data={data} keys={keys} foot={FOOT}>
+    <Frame name="bands" data={data} keys={keys} foot={FOOT} isOld={newer.isWaiting.value || layer !== null}>
+      <div class="insight">
+        {host?.controls}
+        <span class={`kind ${kind}`}>{kind}</span>
+        {host && (
+          <button type="button" class="minor" aria-label="Hold this design" aria-pressed={held !== null}
+            disabled={kind !== "certified" && held === null} onClick={hold}>
+            Hold
+          </button>
+        )}
+        {kind === "earlier design" ? (
+          <p>{host?.turned.value?.data ? "Too far for a preview." : "No preview yet."} Certified curves follow.</p>
+        ) : (
+          <Edges gaps={gaps} carrier={carrier} unit={unit} />
+        )}
+      </div>
       <div class="pair">
         <section aria-label="Band diagram">
           <div
@@ -38,12 +70,16 @@ function BandsView({ data }: { data: Dataset }) {
             aria-label="Band diagram. Arrow keys move along the path and between bands."
             aria-describedby="point"
           >
-            <Curves diagram={diagram} choice={choice} />
+            <Curves diagram={diagram} choice={choice} newer={newer} />
           </div>
           <p class="axes">
             <UnitSelect title="Frequencies in" units={diagram.units} unit={choice.unit} />
-            <Legend diagram={diagram} />
+            <Legend diagram={diagram} isPreview={kind === "preview"} isHeld={held !== null} />
           </p>
+          {held !== null && host && kind !== "earlier design" && (
+            <Comparison held={held} now={{ gaps, carrier, design: host.design() }} unit={unit} isPreview={kind === "preview"}
+              drop={hold} />
+          )}
         </section>
         <section aria-label="Mode">
           <Mode diagram={diagram} choice={choice} />
@@ -60,7 +96,13 @@ function BandsView({ data }: { data: Dataset }) {
   );
 }
 
-function Legend({ diagram }: { diagram: BandDiagram }) {
+interface LegendProps {
+  diagram: BandDiagram;
+  isPreview: boolean;
+  isHeld: boolean;
+}
+
+function Legend({ diagram, isPreview, isHeld }: LegendProps) {
   return (
     <span class="legend">
       {diagram.gaps.some((gap) => gap.complete) && <span class="of-gap">complete gap</span>}
@@ -68,6 +110,8 @@ function Legend({ diagram }: { diagram: BandDiagram }) {
         <span class="of-parity">gap of one parity</span>
       )}
       {diagram.carrier !== undefined && <span class="of-carrier">carrier</span>}
+      {isPreview && <span class="of-preview">preview with its error</span>}
+      {isHeld && <span class="of-held">held design</span>}
     </span>
   );
 }

@@ -10,13 +10,14 @@ interface Props {
   data: Dataset;
   keys: Key[];
   foot: string;
+  isOld?: boolean; // the sentences belong to an earlier design than the one that is drawn
   children: ComponentChildren;
 }
 
 /** Origin of the numbers: simulated or measured. */
 export const origin = (data: Dataset): string => String(data.header.attrs["origin"] ?? "simulated");
 
-export function Frame({ name, data, keys, foot, children }: Props) {
+export function Frame({ name, data, keys, foot, isOld = false, children }: Props) {
   useEffect(() => addKeys(data.header.title, keys), [data, keys]);
   const summary = (data.header.extra["summary"] ?? []) as string[];
   return (
@@ -25,9 +26,11 @@ export function Frame({ name, data, keys, foot, children }: Props) {
       <header>
         <h1>{data.header.title}</h1>
         <p class="origin">{origin(data)}</p>
-        {summary.map((sentence) => (
-          <p>{sentence}</p>
-        ))}
+        <div class={isOld ? "old" : ""}>
+          {summary.map((sentence) => (
+            <p>{sentence}</p>
+          ))}
+        </div>
       </header>
       {children}
       <footer>

@@ -5,17 +5,19 @@ import { Dataset } from "../dataset";
 import { show } from "../views";
 import { Parts } from "./editor";
 import { jobs, whole } from "./jobs";
+import { host } from "./slider";
 import { TableOf } from "./table";
 import { Saving } from "./saving";
 import { server, type Answer, type Exports, type WholeJob } from "./server";
-import { setText, text } from "./study";
+import { setText } from "./study";
+import { arrived, canTurn, designOf } from "./turn";
 
 export function Result({ exports }: { exports: Exports }) {
   const job = whole.value;
   if (job === null) return null;
   return (
     <section id="result" class="result" aria-label={`Result of ${job.analysis}`}>
-      {job.text !== text.value && (
+      {!canTurn.value && (
         <p class="notice">
           This result belongs to another version of the study.{" "}
           <button type="button" onClick={() => setText(job.text)}>
@@ -30,7 +32,7 @@ export function Result({ exports }: { exports: Exports }) {
           <Parts problem={{ ...job.error, path: job.error.argument, line: null }} />
         </>
       )}
-      {job.answer !== null && <Shown key={job.number} job={job} answer={job.answer} exports={exports} />}
+      {job.answer !== null && <Shown key={designOf(job)} job={job} answer={job.answer} exports={exports} />}
     </section>
   );
 }
@@ -78,22 +80,24 @@ function Words({ answer }: { answer: Answer }) {
   );
 }
 
-/** The interactive view; other parts of the page do not draw it anew. */
+/** The interactive view; other parts of the page do not draw it anew, and a newer result takes its place. */
 function View({ number }: { number: number }) {
   const place = useRef<HTMLDivElement>(null);
   const [problem, setProblem] = useState("");
+  const remove = useRef(() => {});
+  useEffect(() => () => remove.current(), []);
   useEffect(() => {
-    let remove = () => {};
     let left = false;
     server.view(number).then(
       (content) => {
-        if (!left && place.current !== null) remove = show(Dataset.read(content), place.current);
+        if (left || place.current === null) return;
+        remove.current = show(Dataset.read(content), place.current, host);
+        arrived(number);
       },
       () => setProblem("The view cannot be loaded: the server does not answer."),
     );
     return () => {
       left = true;
-      remove();
     };
   }, [number]);
   return (

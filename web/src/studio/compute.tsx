@@ -50,7 +50,7 @@ export function Compute({ analyses }: { analyses: Analysis[] }) {
           ))}
         </div>
       )}
-      {job !== undefined && <Running job={job} />}
+      {job !== undefined && !job.turned && <Running job={job} />}
       <Runs />
     </section>
   );

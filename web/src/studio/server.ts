@@ -1,6 +1,7 @@
 /** What the page asks the server for, with the types of the answers. */
 
 import type { Drawing, Point } from "../parts/plan";
+import { Dataset } from "../dataset";
 
 export type Value = string | number | boolean | Value[] | Tables;
 export interface Tables {
@@ -136,6 +137,23 @@ export interface Job {
   seconds: number;
   pictures: string[];
   drawn: boolean;
+  turned: boolean; // it belongs to a number that a user turns
+  first: boolean; // the part of the view that is computed first is there
+  turns: boolean; // the list of numbers that can be turned is there
+  previews: Record<string, number>; // improvements of each preview so far, by the path of its number
+}
+
+/** A number that can be turned; its values are in `unit`. */
+export interface Knob {
+  path: string;
+  steps: Step[];
+  title: string;
+  unit: string;
+  scale: number; // SI units in one `unit`
+  value: number;
+  low: number;
+  high: number;
+  step: number;
 }
 
 /** Numbers of a computed design, as `haptonic.analyses.points` declares them. */
@@ -182,6 +200,7 @@ export interface WholeJob extends Job {
   error: Problem | null;
   answer: Answer | null;
   view: boolean;
+  options: object;
   command: string;
   python: string;
 }
@@ -250,6 +269,15 @@ export const server = {
   points: (number: number, first: number) => answered<DesignPoint[]>(fetch(`api/jobs/${number}/points/${first}`)),
   job: (number: number) => answered<WholeJob>(fetch(`api/jobs/${number}`)),
   view: async (number: number) => (await fetch(`api/jobs/${number}/view`)).arrayBuffer(),
+  turn: (job: WholeJob, text: string, steps: Step[], value: Value, file: string | null) =>
+    post<{ number: number }>("run", { analysis: job.analysis, options: job.options, text, file, steps, value }),
+  wish: (path: string) => post<object>("wish", { path }),
+  knobs: (number: number) => answered<Knob[]>(fetch(`api/jobs/${number}/knobs`)),
+  /** The part of a view that is computed first, or a preview; null if the job has been replaced. */
+  part: async (number: number, name: string) => {
+    const response = await fetch(`api/jobs/${number}/${name}`);
+    return response.ok ? Dataset.read(await response.arrayBuffer()) : null;
+  },
   picture: (number: number, name: string) => `api/jobs/${number}/pictures/${encodeURIComponent(name)}`,
 };
 

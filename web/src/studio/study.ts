@@ -97,11 +97,12 @@ export function setText(next: string): void {
   checkLater(0);
 }
 
-/** Change one key; null removes it. */
-export const change = (steps: Step[], value: Value | null) => void changeAll(() => [{ steps, value }]);
+/** Change one key; null removes it. Changes of a hand in motion, such as on a slider, are undone together. */
+export const change = (steps: Step[], value: Value | null, isMoving = false) =>
+  void changeAll(() => [{ steps, value }], isMoving);
 
 /** Change several keys as one step of the history, determined when all earlier changes have been made. */
-export function changeAll(wanted: () => Change[]): Promise<void> {
+export function changeAll(wanted: () => Change[], isMoving = false): Promise<void> {
   return (queue = queue.then(() =>
     attempt(async () => {
       for (;;) {
@@ -110,7 +111,7 @@ export function changeAll(wanted: () => Change[]): Promise<void> {
         if (changes.length === 0) return;
         const state = await server.change(before, changes);
         if (text.peek() !== before) continue; // letters were typed meanwhile
-        replace(state.text);
+        replace(state.text, isMoving);
         clearTimeout(timer);
         take(state);
         return;

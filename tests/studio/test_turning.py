@@ -1,0 +1,111 @@
+"""A number is turned beside its diagram: preview at once, certified curves after it, one step to undo."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+from served import served
+from test_page import TEXT, opened, text_of
+
+from browser import WIDTHS, pixels, violations
+from haptonic.study import templates
+from turned import TURNED_CELL
+
+SLOW = str(templates()["touchpad"])
+SLIDER = ".turn input"
+DIAMETER = ["cell", "pillar", "diameter"]
+PATIENCE = 120_000  # ms
+
+
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("turning")
+    (folder / "quick.toml").write_text(TURNED_CELL, "utf-8")
+    with served(folder, "quick.toml") as running:
+        yield running
+
+
+def drag(page, shares: list[float]) -> None:
+    """Move the thumb to shares of its range, and keep the button pressed."""
+    page.locator(SLIDER).scroll_into_view_if_needed()
+    box = page.locator(SLIDER).bounding_box()
+    places = [(box["x"] + 8 + share * (box["width"] - 16), box["y"] + box["height"] / 2) for share in shares]
+    page.mouse.move(*places[0])
+    page.mouse.down()
+    for place in places[1:]:
+        page.mouse.move(*place)
+
+
+def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_role("button", name="Compute bands").click()
+        expect(page.locator(SLIDER)).to_be_enabled(timeout=PATIENCE)
+        page.locator(".turn select").select_option("cell.pillar.diameter", timeout=PATIENCE)
+        page.wait_for_selector(".turn[data-prepared=true]", timeout=PATIENCE)
+        kind, edges = page.locator(".kind"), page.locator(".edges")
+        certified, before, drawn = edges.inner_text(), text_of(page), pixels(page, ".curves canvas")
+        expect(kind).to_have_text("certified")
+        drag(page, [0.44, 0.6, 0.7])
+        # no request is needed for the preview
+        expect(kind).to_have_text("preview", timeout=2000)
+        assert re.search(r"gap\s*\d.*± .* to .*± .* kHz", edges.inner_text())
+        assert edges.inner_text() != certified
+        assert page.get_by_text("preview with its error").is_visible()
+        assert text_of(page) == before
+        # ordinary curves are hidden, and those of the preview have another colour
+        assert (pixels(page, ".curves canvas") != drawn).any()
+        assert page.get_by_role("button", name="Hold this design").is_disabled()
+        page.mouse.up()
+        expect(page.locator(TEXT)).to_have_value(re.compile(r'diameter = "3\.9\d* mm"'))
+        expect(kind).to_have_text("certified", timeout=PATIENCE)
+        expect(page.locator(".turn select")).to_be_enabled(timeout=PATIENCE)
+        after = edges.inner_text()
+        assert after != certified
+        assert not page.get_by_text("belongs to another version").is_visible()
+
+        page.keyboard.press("Tab")
+        page.locator(".walk").focus()
+        page.keyboard.press("h")
+        table = page.get_by_role("group", name="Held design and this one")
+        page.locator(SLIDER).focus()
+        for _ in range(3):
+            page.keyboard.press("ArrowLeft")
+        expect(kind).to_have_text("preview")
+        expect(table.locator("tr", has_text="Pillar diameter").locator("td")).to_have_count(2)
+        # more than one press of a key is one step of the history
+        expect(page.locator(TEXT)).not_to_have_value(re.compile(r"^$"))
+        expect(page.locator(".turn select")).to_be_enabled(timeout=PATIENCE)
+        assert violations(page) == []
+        for width, height in WIDTHS.items():
+            page.set_viewport_size({"width": width, "height": height})
+            assert page.evaluate("document.documentElement.scrollWidth") <= width
+            page.locator(".curves").evaluate("e => e.scrollIntoView({ block: 'end' })")
+            expect(edges).to_be_in_viewport(ratio=1)
+        page.get_by_role("button", name="Undo").click()
+        page.get_by_role("button", name="Undo").click()
+        expect(page.locator(TEXT)).to_have_value(before)
+        page.get_by_text("The study has changed: compute it first.").wait_for()
+
+
+def turn(studio, text: str, value: str) -> int:
+    reply = studio.post("run", analysis="bands", options={}, text=text, steps=DIAMETER, value=value)
+    assert reply.status == 200, reply.content
+    return reply.json["number"]
+
+
+def test_a_newer_move_drops_the_one_that_is_computed_and_keeps_its_worker(studio):
+    studio.finished(turn(studio, TURNED_CELL, "3.5 mm"))
+    worker = studio.studio.jobs._worker.process.pid
+    dropped = [turn(studio, SLOW, f"3.{digit} mm") for digit in (6, 7, 8)]
+    last = studio.finished(turn(studio, TURNED_CELL, "3.9 mm"))
+    assert last["state"] == "done"
+    assert 'diameter = "3.9 mm"' in last["text"]
+    assert studio.studio.jobs._worker.process.pid == worker
+    for number in dropped:
+        assert studio.ask("GET", f"/api/jobs/{number}").status == 404
+
+
+@pytest.mark.parametrize("steps", [[], ["cell", "<script>", "x"], ["cell", None], "cell.pitch"])
+def test_another_key_than_one_of_the_study_is_refused(studio, steps):
+    reply = studio.post("run", analysis="bands", options={}, text=TURNED_CELL, steps=steps, value="3 mm")
+    assert reply.status == 422 or studio.finished(reply.json["number"])["state"] == "failed"
