@@ -49,7 +49,7 @@ accuracy = 5e-3
 """
 # milliseconds from a move of the slider to the picture that shows it, measured at the browser's next frame
 DRAGGED = """async ([moves, low, high]) => {
-  const slider = document.querySelector(".turn input");
+  const slider = document.querySelector(".turning input");
   const times = [];
   for (let k = 0; k < moves; k++) {
     const share = 0.5 + 0.45 * Math.sin(k / 3);
@@ -64,7 +64,7 @@ DRAGGED = """async ([moves, low, high]) => {
   return times;
 }"""
 CERTIFIED = "document.querySelector('.kind').textContent === 'certified'"
-ENDS = "(() => { const s = document.querySelector('.turn input'); return [Number(s.min), Number(s.max)]; })()"
+ENDS = "(() => { const s = document.querySelector('.turning input'); return [Number(s.min), Number(s.max)]; })()"
 
 
 def study_of(text: str) -> Study:
@@ -108,16 +108,16 @@ def bounds(moves: int) -> dict[str, Any]:
 
 def dragged(page: Any, path: str) -> dict[str, float]:
     """Turn a number in the page: times until the preview and until the certified curves are drawn."""
-    page.select_option(".turn select", path)
+    page.select_option(".turning select", path)
     start = time.perf_counter()
-    page.wait_for_selector(".turn[data-prepared=true]", timeout=PREPARED)
+    page.wait_for_selector(".turning[data-prepared=true]", timeout=PREPARED)
     prepared = time.perf_counter() - start
     times = page.evaluate(DRAGGED, [DRAG, *page.evaluate(ENDS)])
     start = time.perf_counter()
     while not page.evaluate(CERTIFIED):
         page.wait_for_timeout(5)
     certified = time.perf_counter() - start
-    page.wait_for_selector(".turn select:enabled", timeout=PREPARED)
+    page.wait_for_selector(".turning select:enabled", timeout=PREPARED)
     median, high = np.percentile(times, [50, 95])
     return {
         "median_ms": round(float(median), 1), "high_ms": round(float(high), 1),
@@ -134,7 +134,7 @@ def drags() -> dict[str, Any]:
             (Path(folder) / f"{name}.toml").write_text(str(templates()[name]), "utf-8")
             with served(Path(folder), f"{name}.toml") as studio, opened(browser, studio) as page:
                 page.get_by_role("button", name="Compute bands").click()
-                page.wait_for_selector(".turn select", timeout=PREPARED)
+                page.wait_for_selector(".turning select", timeout=PREPARED)
                 figures |= {path: dragged(page, path) for path in paths}
     return figures
 

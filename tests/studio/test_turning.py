@@ -12,7 +12,7 @@ from haptonic.study import templates
 from turned import TURNED_CELL
 
 SLOW = str(templates()["touchpad"])
-SLIDER = ".turn input"
+SLIDER = ".turning input"
 DIAMETER = ["cell", "pillar", "diameter"]
 PATIENCE = 120_000  # ms
 
@@ -40,8 +40,8 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
     with opened(browser, studio) as page:
         page.get_by_role("button", name="Compute bands").click()
         expect(page.locator(SLIDER)).to_be_enabled(timeout=PATIENCE)
-        page.locator(".turn select").select_option("cell.pillar.diameter", timeout=PATIENCE)
-        page.wait_for_selector(".turn[data-prepared=true]", timeout=PATIENCE)
+        page.locator(".turning select").select_option("cell.pillar.diameter", timeout=PATIENCE)
+        page.wait_for_selector(".turning[data-prepared=true]", timeout=PATIENCE)
         kind, edges = page.locator(".kind"), page.locator(".edges")
         certified, before, drawn = edges.inner_text(), text_of(page), pixels(page, ".curves canvas")
         expect(kind).to_have_text("certified")
@@ -58,7 +58,7 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
         page.mouse.up()
         expect(page.locator(TEXT)).to_have_value(re.compile(r'diameter = "3\.9\d* mm"'))
         expect(kind).to_have_text("certified", timeout=PATIENCE)
-        expect(page.locator(".turn select")).to_be_enabled(timeout=PATIENCE)
+        expect(page.locator(".turning select")).to_be_enabled(timeout=PATIENCE)
         after = edges.inner_text()
         assert after != certified
         assert not page.get_by_text("belongs to another version").is_visible()
@@ -74,7 +74,7 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
         expect(table.locator("tr", has_text="Pillar diameter").locator("td")).to_have_count(2)
         # more than one press of a key is one step of the history
         expect(page.locator(TEXT)).not_to_have_value(re.compile(r"^$"))
-        expect(page.locator(".turn select")).to_be_enabled(timeout=PATIENCE)
+        expect(page.locator(".turning select")).to_be_enabled(timeout=PATIENCE)
         assert violations(page) == []
         for width, height in WIDTHS.items():
             page.set_viewport_size({"width": width, "height": height})

@@ -17,7 +17,7 @@ function Turn() {
   if (of === undefined) return <p class="quiet">The numbers that can be turned are prepared.</p>;
   const value = turnedTo.value ?? of.value;
   return (
-    <div class="turn" data-prepared={isPrepared.value}>
+    <div class="turning" data-prepared={isPrepared.value}>
       <label>
         Turn{" "}
         <select value={of.path} disabled={turnedTo.value !== null} onChange={(event) => select(event.currentTarget.value)}>

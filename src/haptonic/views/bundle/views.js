@@ -4338,11 +4338,11 @@ header p { margin: 0.25rem 0; max-width: 60rem; }
 .old { visibility: hidden; }
 button.minor { padding: 0 0.45rem; min-height: 1.6rem; font-size: 0.85rem; }
 button.minor[aria-pressed="true"] { border: 2px solid var(--accent); font-weight: 600; }
-.turn { flex: 1 1 26rem; display: flex; flex-wrap: wrap; gap: 0.2rem 0.75rem; align-items: center; }
-.turn input[type="range"] { flex: 1 1 12rem; }
+.turning { flex: 1 1 26rem; display: flex; flex-wrap: wrap; gap: 0.2rem 0.75rem; align-items: center; }
+.turning input[type="range"] { flex: 1 1 12rem; }
 /* of fixed widths, so that the slider does not change under the hand */
-.turn output { flex: 0 0 7rem; font-variant-numeric: tabular-nums; }
-.turn .state { font-size: 0.85rem; }
+.turning output { flex: 0 0 7rem; font-variant-numeric: tabular-nums; }
+.turning .state { font-size: 0.85rem; }
 .facts p { margin: 0.4rem 0; }
 .facts dl { display: flex; flex-wrap: wrap; gap: 0.2rem 1.5rem; margin: 0.4rem 0; }
 .facts dt { color: var(--quiet); font-size: 0.85rem; }
