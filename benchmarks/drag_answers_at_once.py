@@ -64,7 +64,7 @@ DRAGGED = """async ([moves, low, high]) => {
   return times;
 }"""
 CERTIFIED = "document.querySelector('.kind').textContent === 'certified'"
-ENDS = "(() => { const s = document.querySelector('.turning input'); return [Number(s.min), Number(s.max)]; })()"
+ENDS = "['min', 'max'].map((end) => Number(document.querySelector('.turning input')[end]))"
 
 
 def study_of(text: str) -> Study:

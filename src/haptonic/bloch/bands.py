@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES, characters
-from haptonic.bloch.gaps import Gap, complete_gaps, parity_gaps, partial_gaps
+from haptonic.bloch.gaps import Gap, complete_gaps, listed_gaps
 from haptonic.bloch.mesh_levels import Lack
 from haptonic.bloch.model import BlochModel, best_model, candidate_models
 from haptonic.bloch.path_modes import path_modes
@@ -69,15 +69,13 @@ def bands_dataset(
         the accuracy, the best result is returned: see `BestModel.attributes`
     """
     path = cell.zone.path(settings.points)  # first, because it refuses too few points
-    best = best_model(cell, settings)
-    model = best.model
+    model = (best := best_model(cell, settings)).model
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
 
     def curves() -> tuple[Diagram, xr.Dataset]:
         along = diagram(model, path)
-        listed = (*gaps, *parity_gaps(model, gaps), *partial_gaps(along, gaps))
-        return along, xr.merge([_diagram_dataset(along), _gaps_dataset(listed)])
+        return along, xr.merge([_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))])
 
     if (early := curves() if first else None) and first:
         first(early[1])
@@ -85,11 +83,9 @@ def bands_dataset(
     def merged_parts() -> xr.Dataset:
         along, drawn = early or curves()
         parts = [mode_shapes(model, kappa), *([path_modes(model, along)] if moving else [])]
-        parts += [_surface_dataset(model)] if surface else []
-        return xr.merge([drawn, *parts])
+        return xr.merge([drawn, *parts, *([_surface_dataset(model)] if surface else [])])
 
-    # the counts use a separate mesh, and take about as long as the rest
-    with ThreadPoolExecutor(1) as aside:
+    with ThreadPoolExecutor(1) as aside:  # the counts use a separate mesh, and take about as long as the rest
         showing = aside.submit(merged_parts)
         levels = [gap.centre for gap in gaps] or [float(showing.result()["frequency"][:, -1].min())]
         checked, missed = count_check(model, levels)

@@ -288,5 +288,10 @@ def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]
     return tuple(gaps)
 
 
+def listed_gaps(model: BlochModel, diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
+    """Complete gaps, those of one parity, and those of segments of the path."""
+    return (*complete, *parity_gaps(model, complete), *partial_gaps(diagram, complete))
+
+
 def _phases(kappa: Array) -> tuple[float, float]:
     return float(kappa[0]), float(kappa[1])
