@@ -8,6 +8,7 @@ export const jobs = signal<Job[]>([]);
 export const lost = signal(false); // the server does not answer
 export const shown = signal<number | null>(null); // number of the job whose answer is on the page
 export const whole = signal<WholeJob | null>(null);
+export const painting = signal(true); // the map of the plate is open; it closes for a result, which is below it
 const heard = signal(0); // time of the last list
 
 export const running = () => jobs.value.find((job) => job.state === "running");
@@ -26,6 +27,9 @@ export function follow(): void {
     },
     (gone) => (lost.value = gone),
   );
+  effect(() => {
+    if (shown.value !== null) painting.value = false;
+  });
   effect(() => {
     const job = jobs.value.find((each) => each.number === shown.value);
     if (job === undefined || job.state === "running") return; // until then the result before stays

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { onTheme } from "../../parts/colours";
 import { keyPressed } from "../../parts/keys";
+import { painting } from "../jobs";
 import type { Tables } from "../server";
 import { broken, change, pathOf, problems, redo, remarks, undo, values } from "../study";
 import { drawPlate, sceneOf, sizeOf, colourOf, type Scene } from "./canvas";
@@ -33,7 +34,7 @@ export function Paint({ first }: { first: Tables }) {
       </p>
     );
   return (
-    <details class="section paint" open>
+    <details class="section paint" open={painting.value} onToggle={(event) => (painting.value = event.currentTarget.open)}>
       <summary>
         Map of the plate <span class="quiet">painted with tiles; parts are dragged</span>
       </summary>
