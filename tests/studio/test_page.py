@@ -178,6 +178,8 @@ def test_bands_are_computed_shown_and_marked_when_the_study_has_changed(browser,
         wait_for_text(page, "Quick")
         page.get_by_role("button", name="Compute bands").click()
         page.wait_for_selector("canvas[data-shown]", timeout=120_000)
+        expect(page.get_by_role("heading", name="Bands and gaps")).to_be_in_viewport()
+        page.locator(".compute").scroll_into_view_if_needed()
         page.get_by_role("link", name="Go to the result").click()
         expect(page.get_by_role("heading", name="Bands and gaps")).to_be_in_viewport()
         assert page.get_by_text("haptonic bands quick.toml --html").is_visible()

@@ -22,9 +22,9 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.gaps import ZoneSampling
-from haptonic.bloch.model import REST
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.truncation import REST
 from haptonic.cell import UnitCell
 from haptonic.design.quick import quick_model
 from haptonic.errors import GeometryError

@@ -27,7 +27,7 @@ FORM = 1  # of the files; those of another form are left alone
 MOST_RUNS, MOST_BYTES = 50, 500_000_000  # older runs leave
 BRIEF, WHOLE, VIEW = "brief.json", "whole.json", "view"
 APART = ("view", "pictures", "order", "first", "knobs", "previews")  # with files of their own, or not kept
-NOT_KEPT = {"first": False, "turns": False, "previews": {}}
+ARCHIVED = {"archived": True, "first": False, "turns": False, "previews": {}}  # what is not kept
 FAULTS = (OSError, zipfile.BadZipFile, KeyError, ValueError, TypeError)  # of a damaged file
 
 
@@ -58,7 +58,7 @@ class Archive:
         ------
         ResourceError : the folder cannot be written
         """
-        content, brief = io.BytesIO(), job.brief() | NOT_KEPT | {"form": FORM}
+        content, brief = io.BytesIO(), job.brief() | ARCHIVED | {"form": FORM}
         with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as parts:
             parts.writestr(BRIEF, json.dumps(brief))
             parts.writestr(WHOLE, json.dumps(_plain(job)))

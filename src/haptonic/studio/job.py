@@ -77,7 +77,7 @@ class Job:
             "title": self.order.title[:LONGEST_TITLE], "started": self.started,
             "state": self.state, "cost": self.cost, "progress": self.progress, "drawn": self.drawn,
             "pictures": list(self.pictures), "points": len(self.points), "turned": bool(self.order.turned),
-            "first": self.first is not None, "turns": self.knobs is not None,
+            "archived": False, "first": self.first is not None, "turns": self.knobs is not None,
             "previews": {path: count for path, (count, _) in self.previews.items()},
             "seconds": round(time.time() - self.started if self.state == "running" else self.seconds, 1),
         }  # fmt: skip

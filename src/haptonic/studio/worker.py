@@ -272,9 +272,8 @@ class Aftermath:
         """One step of a preview."""
         preview = None
         try:
-            with (
-                self._channel.computing()
-            ):  # a picture is drawn to its end, because its library reports other errors
+            # a picture is drawn to its end instead, because its library reports other errors
+            with self._channel.computing():
                 preview = next(waiting[path])
         except StopIteration:
             del waiting[path]

@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { Dataset } from "../dataset";
 import { show } from "../views";
 import { Parts } from "./editor";
-import { jobs, whole } from "./jobs";
+import { awaited, jobs, whole } from "./jobs";
 import { host } from "./slider";
 import { TableOf } from "./table";
 import { Saving } from "./saving";
@@ -14,9 +14,15 @@ import { arrived, canTurn, designOf } from "./turn";
 
 export function Result({ exports }: { exports: Exports }) {
   const job = whole.value;
+  const place = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (job === null || job.number !== awaited.job) return;
+    awaited.job = 0;
+    place.current?.scrollIntoView();
+  }, [job?.number]);
   if (job === null) return null;
   return (
-    <section id="result" class="result" aria-label={`Result of ${job.analysis}`}>
+    <section ref={place} id="result" class="result" aria-label={`Result of ${job.analysis}`}>
       {!canTurn.value && (
         <p class="notice">
           This result belongs to another version of the study.{" "}

@@ -1,6 +1,6 @@
 /** Jobs of the server, as all pages of this studio see them. */
 
-import { effect, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { followJobs, server, type Job, type WholeJob } from "./server";
 import { attempt, file, text } from "./study";
 
@@ -9,6 +9,8 @@ export const lost = signal(false); // the server does not answer
 export const shown = signal<number | null>(null); // number of the job whose answer is on the page
 export const whole = signal<WholeJob | null>(null);
 export const painting = signal(true); // the map of the plate is open; it closes for a result, which is below it
+export const shownJob = computed(() => jobs.value.find(({ number }) => number === whole.value?.number));
+export const awaited = { job: 0 }; // the job whose result comes into view when it is there
 const heard = signal(0); // time of the last list
 
 export const running = () => jobs.value.find((job) => job.state === "running");
@@ -45,7 +47,7 @@ export function follow(): void {
 export const compute = (analysis: string, options: object) =>
   attempt(async () => {
     const { number } = await server.run(analysis, options, text.peek(), file.peek());
-    shown.value = number;
+    shown.value = awaited.job = number;
   });
 
 export const remove = (number: number) =>

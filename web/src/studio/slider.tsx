@@ -1,6 +1,7 @@
 /** The slider beside the diagram. */
 
 import type { Host } from "../parts/host";
+import { shownJob } from "./jobs";
 import { canTurn, isPrepared, knob, knobs, move, release, select, turned, turnedTo, written } from "./turn";
 
 export const host: Host = {
@@ -14,7 +15,12 @@ export const host: Host = {
 
 function Turn() {
   const of = knob.value;
-  if (of === undefined) return <p class="quiet">The numbers that can be turned are prepared.</p>;
+  if (of === undefined)
+    return (
+      <p class="quiet">
+        {shownJob.value?.archived ? "Compute this again to turn its numbers." : "Sliders for its numbers follow in a moment."}
+      </p>
+    );
   const value = turnedTo.value ?? of.value;
   return (
     <div class="turning" data-prepared={isPrepared.value}>
@@ -40,7 +46,7 @@ function Turn() {
       />
       <output>{written(of, value)}</output>
       {canTurn.value ? (
-        !isPrepared.value && <span class="quiet state">The preview is prepared.</span>
+        !isPrepared.value && <span class="quiet state">Its preview follows in a moment.</span>
       ) : (
         <span class="quiet state">The study has changed: compute it first.</span>
       )}
