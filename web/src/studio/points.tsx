@@ -89,7 +89,7 @@ function Legend() {
           {title}
         </span>
       ))}
-      {list.some(({ error }) => error === null) && <span class="of-preview">hollow: preview, without an error</span>}
+      {list.some(({ error }) => error === null) && <span class="of-hollow">hollow: preview, without an error</span>}
     </span>
   );
 }

@@ -32,6 +32,8 @@ export const written = ({ unit }: Knob, value: number): string => `${Number(valu
 const asValue = (of: Knob, value: number) => (of.unit ? written(of, value) : Number(value.toPrecision(9)));
 
 let timer = 0;
+let next: { of: Knob; value: number } | null = null; // to certify when the server has answered the one before
+let isSending = false;
 let latest = { job: 0, path: "", at: 0 }; // the last value that was sent
 
 export function select(path: string): void {
@@ -43,22 +45,33 @@ export function select(path: string): void {
 export function move(of: Knob, value: number): void {
   turnedTo.value = value;
   clearTimeout(timer);
-  timer = window.setTimeout(() => void attempt(() => certify(of, value)), PAUSE);
+  timer = window.setTimeout(() => {
+    next = { of, value };
+    void attempt(certify);
+  }, PAUSE);
 }
 
 /** The slider is released, or moved by a key: the text follows, keys in a row as one step of its history. */
 export const release = (of: Knob, value: number) => change(of.steps, asValue(of, value), true);
 
-async function certify(of: Knob, value: number): Promise<void> {
-  const base = whole.peek();
-  if (base === null) return;
+/** Send values one after the other: two requests at once could arrive in another order. */
+async function certify(): Promise<void> {
+  if (isSending) return;
+  isSending = true;
   try {
-    const { number } = await server.turn(base, text.peek(), of.steps, asValue(of, value), file.peek());
-    latest = { job: number, path: of.path, at: value };
-    shown.value = number;
+    while (next !== null) {
+      const [{ of, value }, base] = [next, whole.peek()];
+      next = null;
+      if (base === null) return;
+      const { number } = await server.turn(base, text.peek(), of.steps, asValue(of, value), file.peek());
+      latest = { job: number, path: of.path, at: value };
+      shown.value = number;
+    }
   } catch (reason) {
     turnedTo.value = null;
     throw reason;
+  } finally {
+    isSending = false;
   }
 }
 
