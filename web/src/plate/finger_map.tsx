@@ -4,10 +4,9 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { onTheme, themeColour } from "../parts/colours";
 import { corners, nameRegion, ON_MAP, strokeLoop, type Placed, type Point } from "../parts/plan";
+import { Raster } from "../parts/raster";
 import type { FingerData } from "./finger_data";
 import type { Finger } from "./finger_state";
-
-const TALLEST = 0.62; // of the window
 
 export function FingerMap({ data, finger }: { data: FingerData; finger: Finger }) {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -32,10 +31,9 @@ export function FingerMap({ data, finger }: { data: FingerData; finger: Finger }
 /** Draw the map while the choices and the size of the canvas change; returns what ends it. */
 function kept(canvas: HTMLCanvasElement, data: FingerData, finger: Finger): () => void {
   const [columns, rows] = [data.columns, data.rows];
-  const image = new ImageData(columns.length, rows.length);
-  const small = new OffscreenCanvas(columns.length, rows.length);
-  const [context, inner] = [canvas.getContext("2d"), small.getContext("2d")];
-  if (context === null || inner === null) return () => undefined;
+  const raster = Raster.on(canvas, columns.length, rows.length);
+  if (raster === null) return () => undefined;
+  const { image, context } = raster;
   const [across, up] = [columns, rows].map((lines) => ends(lines)) as [Point, Point];
   const placed: Placed = ([x, y]) => [
     (canvas.width * (x - across[0])) / (across[1] - across[0]),
@@ -55,28 +53,15 @@ function kept(canvas: HTMLCanvasElement, data: FingerData, finger: Finger): () =
         colour.forEach((value, k) => (image.data[pixel + k] = value));
       }),
     );
-    inner.putImageData(image, 0, 0);
   };
   const draw = () => {
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    context.imageSmoothingEnabled = false; // each place has one number
-    context.drawImage(small, 0, 0, canvas.width, canvas.height);
+    raster.show(false); // each place has one number
     drawPlan(context, data, placed);
     drawFinger(context, data, finger.place.peek(), placed);
     canvas.dataset["shown"] = String(finger.place.peek());
   };
-  const fit = () => {
-    const ratio = (up[1] - up[0]) / (across[1] - across[0]);
-    const width = Math.min(canvas.parentElement?.clientWidth ?? 300, (TALLEST * innerHeight) / ratio);
-    canvas.style.width = `${width}px`;
-    canvas.style.height = `${width * ratio}px`;
-    canvas.width = Math.round(width * devicePixelRatio);
-    canvas.height = Math.round(width * ratio * devicePixelRatio);
-    draw();
-  };
-  const resized = new ResizeObserver(fit);
-  if (canvas.parentElement !== null) resized.observe(canvas.parentElement);
   const stops = [
+    raster.follow((up[1] - up[0]) / (across[1] - across[0]), draw),
     effect(() => {
       void [finger.law.value, finger.drive.value];
       paint();
@@ -93,7 +78,6 @@ function kept(canvas: HTMLCanvasElement, data: FingerData, finger: Finger): () =
     }),
   ];
   return () => {
-    resized.disconnect();
     for (const stop of stops) stop();
   };
 }

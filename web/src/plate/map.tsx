@@ -7,10 +7,9 @@ import { Cycle } from "../parts/cycle";
 import { FilmButtons, filmed } from "../parts/film";
 import { origin } from "../parts/frame";
 import { corners, drawHeld, nameRegion, ON_MAP, strokeLoop, traceFeatures, type Placed } from "../parts/plan";
+import { Raster } from "../parts/raster";
 import type { PlateResponse } from "./plate_data";
 import type { Choice } from "./state";
-
-const TALLEST = 0.62; // of the window
 
 interface Props {
   plate: PlateResponse;
@@ -47,44 +46,26 @@ export function size(metres: number): string {
 /** Draw the map while the choices and the size of the canvas change; returns what ends it. */
 function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): () => void {
   const { left, right, bottom, top } = plate.extent;
-  const image = new ImageData(plate.columns, plate.rows);
-  const small = new OffscreenCanvas(plate.columns, plate.rows);
-  const context = canvas.getContext("2d");
-  const inner = small.getContext("2d");
-  if (context === null || inner === null) return () => undefined;
+  const raster = Raster.on(canvas, plate.columns, plate.rows);
+  if (raster === null) return () => undefined;
   const counted = { frames: 0 };
   const draw = () => {
     const line = choice.line.peek();
     counted.frames++;
-    plate.paint(image, line, plate.outermost(line) + cycle.moment);
-    inner.putImageData(image, 0, 0);
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    context.imageSmoothingEnabled = true;
-    context.imageSmoothingQuality = "high";
-    context.drawImage(small, 0, 0, canvas.width, canvas.height);
+    plate.paint(raster.image, line, plate.outermost(line) + cycle.moment);
+    raster.show(true);
     const placed: Placed = ([x, y]) => [
       (canvas.width * (x - left)) / (right - left),
       (canvas.height * (top - y)) / (top - bottom),
     ];
-    drawParts(context, plate, placed, choice.plan.peek());
+    drawParts(raster.context, plate, placed, choice.plan.peek());
     canvas.dataset["shown"] = String(line);
   };
   const cycle = new Cycle(choice, draw);
   filmed(canvas, (moment) => cycle.at(moment));
-  const fit = () => {
-    const ratio = (top - bottom) / (right - left);
-    const room = canvas.parentElement?.clientWidth ?? 300;
-    const width = Math.min(room, (TALLEST * innerHeight) / ratio);
-    canvas.style.width = `${width}px`;
-    canvas.style.height = `${width * ratio}px`;
-    canvas.width = Math.round(width * devicePixelRatio);
-    canvas.height = Math.round(width * ratio * devicePixelRatio);
-    draw();
-  };
-  const resized = new ResizeObserver(fit);
-  if (canvas.parentElement !== null) resized.observe(canvas.parentElement);
   Object.assign(canvas, { counted }); // for tests
   const stops = [
+    raster.follow((top - bottom) / (right - left), draw),
     effect(() => {
       choice.line.value;
       choice.plan.value;
@@ -94,7 +75,6 @@ function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): 
   ];
   return () => {
     cycle.end();
-    resized.disconnect();
     for (const stop of stops) stop();
   };
 }

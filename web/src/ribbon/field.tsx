@@ -4,6 +4,9 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { onTheme } from "../parts/colours";
 import { Cycle } from "../parts/cycle";
+import { FilmButtons, filmed } from "../parts/film";
+import { origin } from "../parts/frame";
+import { Raster } from "../parts/raster";
 import type { RibbonModes } from "./ribbon_data";
 import type { Choice } from "./view";
 
@@ -21,6 +24,7 @@ export function Field({ ribbon, choice }: Props) {
   return (
     <div class="map">
       <canvas ref={canvas} role="img" aria-label="Field of the mode" />
+      <FilmButtons canvas={canvas} name="ribbon" caption={`${ribbon.data.header.title}, ${origin(ribbon.data)}`} />
     </div>
   );
 }
@@ -28,36 +32,21 @@ export function Field({ ribbon, choice }: Props) {
 /** Draw the field while the mode and the size of the canvas change; returns what ends it. */
 function kept(canvas: HTMLCanvasElement, ribbon: RibbonModes, choice: Choice): () => void {
   const painter = new FieldPainter(ribbon);
-  const { columns, rows } = painter;
-  const image = new ImageData(columns, rows);
-  const small = new OffscreenCanvas(columns, rows);
-  const [context, inner] = [canvas.getContext("2d"), small.getContext("2d")];
-  if (context === null || inner === null) return () => undefined;
+  const raster = Raster.on(canvas, painter.columns, painter.rows);
+  if (raster === null) return () => undefined;
   const counted = { frames: 0, painter };
   const draw = () => {
     const mode = choice.mode.peek();
     counted.frames++;
-    painter.paint(image, mode, cycle.moment);
-    inner.putImageData(image, 0, 0);
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    context.imageSmoothingQuality = "high";
-    context.drawImage(small, 0, 0, canvas.width, canvas.height);
+    painter.paint(raster.image, mode, cycle.moment);
+    raster.show(true);
     canvas.dataset["shown"] = String(mode);
   };
   const cycle = new Cycle(choice, draw);
-  const fit = () => {
-    const width = canvas.parentElement?.clientWidth ?? 300;
-    const height = (width * painter.width) / painter.length;
-    canvas.style.width = `${width}px`;
-    canvas.style.height = `${height}px`;
-    canvas.width = Math.round(width * devicePixelRatio);
-    canvas.height = Math.round(height * devicePixelRatio);
-    draw();
-  };
-  const resized = new ResizeObserver(fit);
-  if (canvas.parentElement !== null) resized.observe(canvas.parentElement);
+  filmed(canvas, (moment) => cycle.at(moment));
   Object.assign(canvas, { counted }); // for tests
   const stops = [
+    raster.follow(painter.width / painter.length, draw),
     effect(() => {
       choice.mode.value;
       draw();
@@ -66,7 +55,6 @@ function kept(canvas: HTMLCanvasElement, ribbon: RibbonModes, choice: Choice): (
   ];
   return () => {
     cycle.end();
-    resized.disconnect();
     for (const stop of stops) stop();
   };
 }
