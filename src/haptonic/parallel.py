@@ -57,12 +57,14 @@ def one_thread() -> Iterator[None]:
 def _linear_algebra() -> ThreadpoolController:
     """Loaded libraries of linear algebra.
 
-    SciPy loads its own on first use; without the import here, a first result used one thread more than the
-    next and differed in the seventh digit. The search takes 3 ms and never ends if another thread loads a
-    library meanwhile: it waits for the interpreter, and the other thread for the list of libraries. So there
-    is one search, before our threads begin.
+    SciPy and CHOLMOD load theirs on first use; without the import here, a first result used one thread more
+    than the next and differed in the seventh digit. MKL is limited where it is called. The search takes 3 ms
+    and never ends if another thread loads a library meanwhile: it waits for the interpreter, and the other
+    thread for the list of libraries. So there is one search, before our threads begin.
     """
     import_module("scipy.linalg")
+    with suppress(ImportError):  # optional dependency
+        import_module("sksparse.cholmod")
     return ThreadpoolController()
 
 

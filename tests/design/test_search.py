@@ -416,7 +416,7 @@ def test_a_design_is_written_in_whole_micrometres_and_stays_allowed(place, slend
     low, high = brief.box[1]
     share[1] = np.clip((slenderness * brief.values(share)[0] - low) / (high - low), 0, 1)
     assume(brief.allows(share))
-    values = _round_to_micrometres(brief, Visited(share, 3, 1.0, 2.0, 0.0))
+    values = _round_to_micrometres(brief, share)
     assert tuple(values) == brief.paths
     for value, exact, (low, high) in zip(values.values(), brief.values(share), brief.box, strict=True):
         assert 1e6 * value == pytest.approx(round(1e6 * value), abs=1e-6)

@@ -83,7 +83,13 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
             expect(edges).to_be_in_viewport(ratio=1)
         # the first of two requests is late, and the second value is still the one that is certified
         late = []
-        page.route("**/api/run", lambda route: late.append(page.wait_for_timeout(500) or route.continue_()), times=1)
+
+        def delay(route):
+            page.wait_for_timeout(500)
+            late.append(route)
+            route.continue_()
+
+        page.route("**/api/run", delay, times=1)
         for key in ("Home", "End"):
             page.locator(SLIDER).press(key)
             page.wait_for_timeout(300)
