@@ -156,16 +156,21 @@ def draw_pages() -> None:
                     page.locator(".pair").nth(place).screenshot(path=IMAGES / f"{picture}-page.png")
 
 
+STEPS = 40  # of the slider, from the design to the preview that is drawn
+
+
 def draw_studio() -> None:
     """The studio with the touchpad's study and its bands, drawn by a browser."""
     from served import served
 
     from browser import chromium, page_at  # of the tests
 
-    with TemporaryDirectory() as folder, chromium() as browser:
-        (Path(folder) / TOUCHPAD.name).write_text(TOUCHPAD.read_text("utf-8"), "utf-8")
+    with TemporaryDirectory() as temporary, chromium() as browser:
+        folder = Path(temporary) / "studies"
+        folder.mkdir()
+        (folder / TOUCHPAD.name).write_text(TOUCHPAD.read_text("utf-8"), "utf-8")
         with (
-            served(Path(folder), TOUCHPAD.name, admit=False) as studio,
+            served(folder, TOUCHPAD.name, admit=False) as studio,
             page_at(browser, studio.link, 1440, reduced_motion="reduce") as page,
         ):
             page.locator(".paint table", has_text="haptonic plate").wait_for()
@@ -173,7 +178,14 @@ def draw_studio() -> None:
             page.locator(".paint > summary").click()
             page.get_by_role("button", name="Compute bands").click()
             page.wait_for_selector("canvas[data-shown]", timeout=120_000)
-            page.screenshot(path=IMAGES / "studio.png", full_page=True)
+            page.locator(".turning select").select_option("cell.pillar.diameter", timeout=120_000)
+            page.wait_for_selector(".turning[data-prepared=true]", timeout=120_000)
+            page.screenshot(path=IMAGES / "studio.png")
+            page.get_by_role("button", name="Hold this design").click()
+            slider = page.locator(".turning input")
+            for _ in range(STEPS):
+                slider.press("ArrowRight")
+            page.locator(".results").screenshot(path=IMAGES / "studio-preview.png")
 
 
 def draw_badges() -> None:

@@ -52,6 +52,7 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
         assert edges.inner_text() != certified
         assert page.get_by_text("preview with its error").is_visible()
         assert text_of(page) == before
+        expect(page.locator("#point")).to_contain_text("earlier design")
         # ordinary curves are hidden, and those of the preview have another colour
         assert (pixels(page, ".curves canvas") != drawn).any()
         assert page.get_by_role("button", name="Hold this design").is_disabled()
@@ -62,6 +63,7 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
         after = edges.inner_text()
         assert after != certified
         assert not page.get_by_text("belongs to another version").is_visible()
+        expect(page.locator("#point")).not_to_contain_text("earlier design")
 
         page.keyboard.press("Tab")
         page.locator(".walk").focus()

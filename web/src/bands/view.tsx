@@ -40,12 +40,13 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
   const keys = useMemo(() => bandsKeys(diagram, choice, host && hold), [diagram, choice, host]);
   const layer = newer.layer.value;
   const kind = newer.isWaiting.value ? "earlier design" : layer?.isPreview ? "preview" : "certified";
+  const isOld = newer.isWaiting.value || layer !== null; // sentences and modes are those of the view's design
   const held = choice.held.value;
   const { carrier } = diagram;
   const unit = diagram.units.find(({ name }) => name === choice.unit.value.name) ?? choice.unit.value;
   const gaps = (layer ?? diagram).gaps;
   return (
-    <Frame name="bands" data={data} keys={keys} foot={FOOT} isOld={newer.isWaiting.value || layer !== null}>
+    <Frame name="bands" data={data} keys={keys} foot={FOOT} isOld={isOld}>
       <div class="insight">
         {host?.controls}
         <span class={`kind ${kind}`}>{kind}</span>
@@ -83,7 +84,7 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
         </section>
         <section aria-label="Mode">
           <Mode diagram={diagram} choice={choice} />
-          <PointFacts diagram={diagram} choice={choice} />
+          <PointFacts diagram={diagram} choice={choice} isOld={isOld} />
           <MotionControls choice={choice} />
         </section>
       </div>
@@ -117,7 +118,7 @@ function Legend({ diagram, isPreview, isHeld }: LegendProps) {
 }
 
 /** Facts of the selected mode, spoken by a screen reader when another mode is selected. */
-function PointFacts({ diagram, choice }: { diagram: BandDiagram; choice: Choice }) {
+function PointFacts({ diagram, choice, isOld }: { diagram: BandDiagram; choice: Choice; isOld: boolean }) {
   const point = choice.point.value;
   const unit = choice.unit.value;
   const velocity = diagram.velocity(point);
@@ -130,7 +131,8 @@ function PointFacts({ diagram, choice }: { diagram: BandDiagram; choice: Choice 
   return (
     <div class="facts">
       <p id="point" aria-live="polite">
-        Band {point.band + 1} at {place}: <b>{withUnit(uncertain(diagram.at(point) / unit.factor, diagram.errorAt(point) / unit.factor), unit)}</b>
+        Band {point.band + 1} at {place}
+        {isOld && ", earlier design"}: <b>{withUnit(uncertain(diagram.at(point) / unit.factor, diagram.errorAt(point) / unit.factor), unit)}</b>
       </p>
       <dl>
         {facts.map(([name, value]) => (
