@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
 from pathlib import Path
 
 from haptonic.errors import HaptonicError
-from haptonic.studio.editing import Step, changed
+from haptonic.studio.editing import changed, steps_of
 from haptonic.study import Study
 from haptonic.study.loading import examined
 from haptonic.units import format_quantity
 
-STEP = re.compile(r"([^.\[\]]+)(?:\[(\d+)\])?")
 SAME = 1e-9  # relative difference of a number that is read again from its text
 
 
@@ -43,14 +41,6 @@ def design_text(text: str, changes: Mapping[str, float], folder: Path) -> str:
     if design is not None and all(_same(design.parameters().get(path), v) for path, v in changes.items()):
         return result
     return study.with_parameters(changes).to_toml()
-
-
-def steps_of(path: str) -> list[Step]:
-    """Names of tables and keys in a path, and numbers in lists, from 0."""
-    steps: list[Step] = []
-    for name, number in STEP.findall(path):
-        steps += [name, int(number) - 1] if number else [name]
-    return steps
 
 
 def _same(given: float | None, wanted: float) -> bool:

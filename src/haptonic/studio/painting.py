@@ -23,8 +23,8 @@ def painting(study: Study) -> dict[str, Any] | None:
     """Lines of the map, outlines, parts, mass and remarks of the study's plate; None without a plate.
 
     ``x`` and ``y`` are the lines between the letters of the map, m; ``lattices`` are the names that mean a
-    lattice; ``parts`` are everything that can be
-    moved, with the steps to its table, its centre on the plate and the corner that its key counts from.
+    lattice; ``parts`` are everything that can be moved, with the steps to its table, its centre on the plate
+    and the corner that its key counts from.
     """
     section = study.finite_plate
     if section is None:
