@@ -16,7 +16,7 @@ from haptonic.bloch.model import bloch_model
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import LADDER
 from haptonic.bloch.settings import BandSettings
-from haptonic.bloch.truncation import REST, TRUSTED_TRUNCATION, interior_error, ranked
+from haptonic.bloch.truncation import REST, TRUSTED_TRUNCATION, interior_error, largest_truncation, ranked
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.cell.pillar_parts import Step
 from haptonic.errors import ResourceError
@@ -45,7 +45,7 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     cell, resolution, count = drawn(SEED, number).cell, Resolution(2, 1, 3, 24), 25
     exact = hertz(cell, resolution.for_bands(cell, count).plan(cell), count)
     model = BlochModel.of(cell, resolution, count, measured=False, many=False)
-    while model.truncation > TRUSTED_TRUNCATION:
+    while largest_truncation(model.fine.tiling, count) > TRUSTED_TRUNCATION:
         model = BlochModel.of(cell, model.resolution.grown(), count, measured=False, many=False)
     pencil = model.fine.whole
     for kappa, expected in zip(SEEN, exact, strict=True):

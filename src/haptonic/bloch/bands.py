@@ -32,7 +32,6 @@ from haptonic.parallel import one_thread
 from haptonic.superelement import whole_mesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
-DENSITY_BINS = 200  # from zero to the highest frequency
 LEAST_COUNTED = 2  # order of a model up to which counts use its own mesh: the next is too coarse for them
 FURTHER = "further_"  # before the names of variables and dimensions of other lattices of a plate
 MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if that is not a mirror"
@@ -69,7 +68,8 @@ def bands_dataset(
         the accuracy, the best result is returned: see `BestModel.attributes`
     """
     path = cell.zone.path(settings.points)  # first, because it refuses too few points
-    model = (best := best_model(cell, settings)).model
+    best = best_model(cell, settings)
+    model = best.model
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
 
@@ -77,15 +77,20 @@ def bands_dataset(
         along = diagram(model, path)
         return along, xr.merge([_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))])
 
-    if (early := curves() if first else None) and first:
+    early = None
+    if first is not None:
+        early = curves()
         first(early[1])
 
     def merged_parts() -> xr.Dataset:
         along, drawn = early or curves()
-        parts = [mode_shapes(model, kappa), *([path_modes(model, along)] if moving else [])]
-        return xr.merge([drawn, *parts, *([_surface_dataset(model)] if surface else [])])
+        parts = [drawn, mode_shapes(model, kappa)]
+        parts += [path_modes(model, along)] if moving else []
+        parts += [zone_surface(model, SURFACE_DIVISIONS).dataset()] if surface else []
+        return xr.merge(parts)
 
-    with ThreadPoolExecutor(1) as aside:  # the counts use a separate mesh, and take about as long as the rest
+    # the counts use a separate mesh, and take about as long as the rest
+    with ThreadPoolExecutor(1) as aside:
         showing = aside.submit(merged_parts)
         levels = [gap.centre for gap in gaps] or [float(showing.result()["frequency"][:, -1].min())]
         checked, missed = count_check(model, levels)
@@ -372,29 +377,5 @@ def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
         "gap_direction": ("1", "segment of the path of the gap, or all"),
         "gap_waves": ("1", "waves of the gap, by their symmetry about the plate's middle plane"),
         "gap_samples": ("1", "number of sampled wavevectors"),
-    })  # fmt: skip
-    return dataset
-
-
-def _surface_dataset(model: BlochModel) -> xr.Dataset:
-    surface = zone_surface(model, SURFACE_DIVISIONS)
-    edges = np.linspace(0.0, surface.frequency.max(), DENSITY_BINS + 1)
-    dataset = xr.Dataset(
-        {
-            "zone_kappa": (("zone_point", "axis"), surface.kappa),
-            "zone_triangle": (("triangle", "vertex"), surface.triangles),
-            "zone_frequency": (("zone_point", "band"), surface.frequency),
-            "zone_error": (("zone_point", "band"), surface.error),
-            "density_of_states": ("bin", surface.density_of_states(edges)),
-            "density_frequency": ("bin", 0.5 * (edges[:-1] + edges[1:])),
-        }
-    )
-    _describe(dataset, {
-        "zone_kappa": ("rad", "phases over the irreducible zone"),
-        "zone_triangle": ("1", "triangles of the sampling"),
-        "zone_frequency": ("Hz", "frequency"),
-        "zone_error": ("Hz", "bound of the frequency's error"),
-        "density_of_states": ("1/Hz", "states per cell and hertz"),
-        "density_frequency": ("Hz", "middle of the bin"),
     })  # fmt: skip
     return dataset

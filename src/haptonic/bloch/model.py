@@ -32,7 +32,6 @@ from haptonic.bloch.truncation import (
     TRUNCATION_SHARE,
     TRUSTED_TRUNCATION,
     interior_error,
-    largest_truncation,
     ranked,
     reach_truncation,
 )
@@ -195,11 +194,6 @@ class BlochModel:
     def _lost(self, values: Array, fields: Complex) -> Array:
         """(k,) decrease of the frequencies of k modes due to the omitted interior fields, Hz."""
         return interior_error(values, on_each(self.fine.tiling.truncation, fields))
-
-    @cached_property
-    def truncation(self) -> float:
-        """Largest relative truncation error of the interior at the corners of the zone."""
-        return largest_truncation(self.fine.tiling, self.fine.pencil, self.fine.expanded, self.count)
 
     @cached_property
     def _worst(self) -> tuple[float, float]:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
-from haptonic.arrays import Array, Complex, Fields
+from haptonic.arrays import Array
 from haptonic.bloch.mesh_levels import Lack, MeshLimits, growth_for
-from haptonic.bloch.pencil import Evaluated, eigenpairs, hertz
+from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import unreduced
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
@@ -31,13 +29,9 @@ def interior_error(values: Array, left_out: Array) -> Array:
     return np.asarray(0.5 * FIRST_ORDER * values * np.abs(left_out) * hertz(values))
 
 
-def largest_truncation(
-    tiling: Tiling, pencil: Evaluated, expanded: Callable[[Fields, Array], Complex], count: int
-) -> float:
-    """Largest relative truncation error of ``count`` bands at the corners of the zone.
-
-    pencil : of the tiling, reduced or not; expanded : maps its modes at phases to unknowns of the tiling
-    """
+def largest_truncation(tiling: Tiling, count: int) -> float:
+    """Largest relative truncation error of ``count`` bands at the corners of the zone."""
+    pencil, expanded = unreduced(tiling)
     solved = [(kappa, *eigenpairs(pencil, kappa, count)) for kappa in tiling.cell.zone.corner_phases.values()]
     highest = max(values[-1] for _, values, _ in solved)
     worst = 0.0
@@ -76,8 +70,7 @@ def reach_truncation(
     """
     for further in range(MOST_GROWTH, -1, -1):
         whole = Tiling.condensed(cell, mesh.plans(cell), mesh.steps, mesh.block, measured=measured)
-        solved, expanded = unreduced(whole)
-        truncation = largest_truncation(whole, solved, expanded, count)
+        truncation = largest_truncation(whole, count)
         if truncation <= goal or not further:
             break
         wanted = mesh.grown(growth_for(truncation, goal))

@@ -15,6 +15,8 @@ from haptonic.brillouin import IrreducibleZone
 from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice, PointGroup
 
+DENSITY_BINS = 200  # from zero to the highest frequency
+
 
 @dataclass(frozen=True)
 class ZoneSurface:
@@ -47,6 +49,26 @@ class ZoneSurface:
             triangles=dataset["zone_triangle"].values,
             frequency=dataset["zone_frequency"].values,
             error=dataset["zone_error"].values,
+        )
+
+    def dataset(self) -> xr.Dataset:
+        """Samples and density of states; `of_dataset` reads the samples."""
+        edges = np.linspace(0.0, self.frequency.max(), DENSITY_BINS + 1)
+        variables = {
+            "zone_kappa": (("zone_point", "axis"), self.kappa, "rad", "phases over the irreducible zone"),
+            "zone_triangle": (("triangle", "vertex"), self.triangles, "1", "triangles of the sampling"),
+            "zone_frequency": (("zone_point", "band"), self.frequency, "Hz", "frequency"),
+            "zone_error": (("zone_point", "band"), self.error, "Hz", "bound of the frequency's error"),
+            "density_of_states": (
+                "bin", self.density_of_states(edges), "1/Hz", "states per cell and hertz",
+            ),
+            "density_frequency": ("bin", 0.5 * (edges[:-1] + edges[1:]), "Hz", "middle of the bin"),
+        }  # fmt: skip
+        return xr.Dataset(
+            {
+                name: (dims, values, {"units": unit, "long_name": title})
+                for name, (dims, values, unit, title) in variables.items()
+            }
         )
 
     def density_of_states(self, edges: Array) -> Array:
