@@ -72,7 +72,7 @@ def swept_point(
     """A design of a sweep with the edges of its widest complete gap."""
     parameters = design.parameters()
     gaps = () if outcome.dataset is None else gaps_of(outcome.dataset)
-    widest = max((gap for gap in gaps if gap.complete), key=lambda gap: gap.upper - gap.lower, default=None)
+    widest = max((gap for gap in gaps if gap.complete), key=lambda gap: gap.width, default=None)
     return ComputedPoint(
         group=" and ".join(axis.vary for axis in sweep.axes),
         changes={axis.expression.varied: parameters[axis.expression.varied] for axis in sweep.axes},

@@ -22,7 +22,7 @@ from haptonic.fields.expressions import PARAMETERS
 from haptonic.gate import json_from
 from haptonic.pages import filled
 from haptonic.studio.archive import Archive
-from haptonic.studio.checking import checked, described
+from haptonic.studio.checking import checked, described, study_in
 from haptonic.studio.comparing import compared
 from haptonic.studio.designs import design_text
 from haptonic.studio.editing import changed, lines_of, path_of
@@ -34,11 +34,11 @@ from haptonic.studio.job import Job
 from haptonic.studio.jobs import Jobs
 from haptonic.studio.offers import chosen, offered, offers
 from haptonic.studio.painting import FIRST, forecast
+from haptonic.studio.replies import binary, download, missing
 from haptonic.studio.turns import LONGEST_PATH, turn_routes
 from haptonic.studio.worker import Order
 from haptonic.studio.workspace import Workspace
-from haptonic.study import Study, templates
-from haptonic.study.loading import examined
+from haptonic.study import templates
 from haptonic.views import packed_page
 
 PROGRAM = "studio.js"
@@ -146,7 +146,7 @@ class Studio:
 
     def forecast(self, asked: Asked) -> dict[str, Any]:
         """Estimated cost of each command for the study of a text; none while it has a problem."""
-        study, *_ = examined(_text(asked), Study, self.workspace.folder)
+        study, *_ = study_in(_text(asked), self.workspace.folder)
         return {"costs": [] if study is None else forecast(study)}
 
     def open(self, asked: Asked) -> dict[str, Any]:
@@ -188,6 +188,7 @@ class Studio:
         options = chosen(analysis, asked.get("options"))
         analysis.chosen(options)  # refuse a wrong option before a process is asked
         text, turned = _text(asked), ""
+        study, *_ = study_in(text, self.workspace.folder)
         if asked.get("steps") is not None:
             steps = _steps(asked)
             text, turned = changed(text, steps, asked.get("value")), path_of(steps)
@@ -198,7 +199,7 @@ class Studio:
             file=file if isinstance(file, str) and file in self.workspace.names() else UNNAMED,
             analysis=analysis.name,
             options=options,
-            title=checked(_text(asked), self.workspace.folder)["title"],
+            title="" if study is None else study.title,
             turned=turned,
         )
         return {"number": self.jobs.start(order).number}
@@ -231,7 +232,7 @@ class Studio:
         job, export = self.jobs.job(_number(asked)), chosen_export(asked)
         if job is None or job.state != "done":
             raise _unasked("number", asked["number"], "the number of a job with a result")
-        return _download(*self.exports.made(replace(job.order, export=export)))
+        return download(*self.exports.made(replace(job.order, export=export)))
 
     def differences(self, asked: Asked) -> dict[str, Any]:
         """Differences of two runs."""
@@ -244,33 +245,31 @@ class Studio:
         """The interactive view of a job as one page that can be sent."""
         job = self._job(request)
         if job is None or job.view is None:
-            return _missing()
+            return missing()
         text = await run_in_threadpool(packed_page, job.view)
-        return _download(f"{job.order.analysis.replace(' ', '_')}.html", text.encode())
+        return download(f"{job.order.analysis.replace(' ', '_')}.html", text.encode())
 
     async def points(self, request: Request) -> Response:
         """Computed points of a job, without the first ones."""
         job = self._job(request)
-        return _missing() if job is None else JSONResponse(job.points[request.path_params["first"] :])
+        return missing() if job is None else JSONResponse(job.points[request.path_params["first"] :])
 
     async def job(self, request: Request) -> Response:
         """The answer of a job."""
         job = self._job(request)
-        return _missing() if job is None else JSONResponse(job.whole())
+        return missing() if job is None else JSONResponse(job.whole())
 
     async def view(self, request: Request) -> Response:
         """The interactive view of a job, as `haptonic.views.packed` writes it."""
         job = self._job(request)
-        if job is None or job.view is None:
-            return _missing()
-        return Response(job.view, media_type="application/octet-stream")
+        return binary(None if job is None else job.view)
 
     async def picture(self, request: Request) -> Response:
         """A picture of a job."""
         job = self._job(request)
         content = None if job is None else job.pictures.get(request.path_params["name"])
         if content is None:
-            return _missing()
+            return missing()
         headers = {"content-security-policy": PICTURE_POLICY}
         return Response(content, media_type="image/svg+xml", headers=headers)
 
@@ -360,13 +359,3 @@ def _unasked(argument: str, given: object, allowed: str) -> StudyError:
         cause="the request is not that of the page",
         next_step="load the page again",
     )
-
-
-def _download(name: str, content: bytes) -> Response:
-    """A file that the browser saves and never shows as a page of the studio."""
-    headers = {"content-disposition": f'attachment; filename="{name}"'}
-    return Response(content, media_type="application/octet-stream", headers=headers)
-
-
-def _missing() -> Response:
-    return PlainTextResponse("There is no such job or picture.", 404)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,10 +23,7 @@ def checked(text: str, folder: Path) -> dict[str, Any]:
 
     Without ``values`` the text is not TOML. The drawing is that of `painting`, None if there is a problem.
     """
-    try:
-        study, data, problems = examined(text, Study, folder)
-    except HaptonicError as error:
-        study, data, problems = None, {}, [error]  # type: ignore[list-item]  # of a family of errors
+    study, data, problems = study_in(text, folder)
     lines = lines_of(text)
     return {
         "values": _plain(data) if data else None,
@@ -38,6 +35,14 @@ def checked(text: str, folder: Path) -> dict[str, Any]:
         "title": "" if study is None else study.title,
         "plate": None if study is None else painting(study),
     }  # fmt: skip
+
+
+def study_in(text: str, folder: Path) -> tuple[Study | None, dict[str, Any], Sequence[HaptonicError]]:
+    """The study of a text, its tables and its problems, as from `examined`; it raises no error."""
+    try:
+        return examined(text, Study, folder)
+    except HaptonicError as error:
+        return None, {}, [error]
 
 
 def described(error: HaptonicError, lines: Mapping[str, int]) -> dict[str, Any]:

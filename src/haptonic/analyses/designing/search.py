@@ -235,10 +235,9 @@ class _Search:
         if not gaps:
             return
         gap = max(gaps, key=lambda gap: gap.margin(carrier))
-        nearer = gap.lower_error if carrier - gap.lower < gap.upper - carrier else gap.upper_error
-        value = min(carrier - gap.lower, gap.upper - carrier)
+        margin, error = min((carrier - gap.lower, gap.lower_error), (gap.upper - carrier, gap.upper_error))
         values = _round_to_micrometres(self.brief, place)
-        self._report_point("refine", values, (PointNumber("margin of the carrier", value, "Hz", nearer),))
+        self._report_point("refine", values, (PointNumber("margin of the carrier", margin, "Hz", error),))
 
     def _report_point(
         self, stage: str, values: Mapping[str, float], results: tuple[PointNumber, ...]

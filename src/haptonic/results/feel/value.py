@@ -145,7 +145,7 @@ class Feel(Result):
 
     @file("feel.html", when=lambda result: result.interactive)
     def _write_page(self, path: Path) -> None:
-        write_page(feel_view(self), path)
+        write_page(self.view(), path)
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the finger; None if it was not asked for."""
