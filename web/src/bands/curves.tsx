@@ -4,6 +4,7 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
+import { dot, horizontalLine } from "../parts/marks";
 import { kept, onClick, widthIn, within } from "../parts/plot";
 import { titled } from "../parts/units";
 import type { BandDiagram, Gap, Point } from "./diagram_data";
@@ -158,15 +159,7 @@ function paintGaps(plot: uPlot, gaps: Gap[], carrier: number | undefined, factor
     } else if (gap.waves !== "all") hatch(ctx, bbox.left, high, bbox.width, height);
   }
   if (carrier !== undefined) {
-    const y = plot.valToPos(carrier / factor, "y", true);
-    ctx.strokeStyle = themeColour("carrier");
-    ctx.lineWidth = 1.5 * devicePixelRatio;
-    ctx.setLineDash([7 * devicePixelRatio, 5 * devicePixelRatio]);
-    ctx.beginPath();
-    ctx.moveTo(bbox.left, y);
-    ctx.lineTo(bbox.left + bbox.width, y);
-    ctx.stroke();
-    ctx.setLineDash([]);
+    horizontalLine(plot, carrier / factor, "carrier", [7, 5]);
   }
 }
 
@@ -189,18 +182,9 @@ function hatch(ctx: CanvasRenderingContext2D, left: number, top: number, width: 
 }
 
 function paintMarks(plot: uPlot, diagram: BandDiagram, choice: Choice, layer: Layer | null): void {
-  const { ctx } = plot;
   const point = choice.point.peek();
   const x = plot.valToPos(diagram.distance[point.row] ?? 0, "x", true);
   const frequency = layer?.frequency[point.row * diagram.bands + point.band] ?? diagram.at(point);
   const y = plot.valToPos(frequency / choice.unit.peek().factor, "y", true);
-  ctx.save();
-  ctx.beginPath();
-  ctx.arc(x, y, 6 * devicePixelRatio, 0, 2 * Math.PI);
-  ctx.fillStyle = themeColour("accent");
-  ctx.strokeStyle = themeColour("paper");
-  ctx.lineWidth = 2 * devicePixelRatio;
-  ctx.fill();
-  ctx.stroke();
-  ctx.restore();
+  dot(plot.ctx, [x, y], "accent", 6);
 }

@@ -3,11 +3,13 @@
 import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";
 import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
+import { FactList } from "../parts/facts";
 import { Frame } from "../parts/frame";
 import type { Host } from "../parts/host";
 import { Listing } from "../parts/listing";
 import { uncertain } from "../parts/numbers";
 import { withUnit } from "../parts/units";
+import { Walk } from "../parts/walk";
 import { Curves } from "./curves";
 import { BandDiagram } from "./diagram_data";
 import { Comparison, Edges } from "./edges";
@@ -64,15 +66,9 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
       </div>
       <div class="pair">
         <section aria-label="Band diagram">
-          <div
-            class="walk"
-            tabIndex={0}
-            role="application"
-            aria-label="Band diagram. Arrow keys move along the path and between bands."
-            aria-describedby="point"
-          >
+          <Walk label="Band diagram. Arrow keys move along the path and between bands.">
             <Curves diagram={diagram} choice={choice} newer={newer} />
-          </div>
+          </Walk>
           <p class="axes">
             <UnitSelect title="Frequencies in" units={diagram.units} unit={choice.unit} />
             <Legend diagram={diagram} isPreview={kind === "preview"} isHeld={held !== null} />
@@ -122,11 +118,11 @@ function PointFacts({ diagram, choice, isOld }: { diagram: BandDiagram; choice: 
   const point = choice.point.value;
   const unit = choice.unit.value;
   const velocity = diagram.velocity(point);
-  const facts = [
+  const facts: [string, string][] = [
     ["motion", diagram.nature(point)],
     ["symmetry", diagram.parity(point)],
     ["group velocity", velocity ? `${Math.hypot(...velocity).toPrecision(3)} m/s` : "not defined"],
-  ].filter(([, value]) => value);
+  ];
   const place = diagram.place(point.row);
   return (
     <div class="facts">
@@ -134,14 +130,7 @@ function PointFacts({ diagram, choice, isOld }: { diagram: BandDiagram; choice: 
         Band {point.band + 1} at {place}
         {isOld && ", earlier design"}: <b>{withUnit(uncertain(diagram.at(point) / unit.factor, diagram.errorAt(point) / unit.factor), unit)}</b>
       </p>
-      <dl>
-        {facts.map(([name, value]) => (
-          <div>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <FactList facts={facts} />
       <p class="again">
         The same mode as a picture: <code>haptonic bands STUDY --modes-at "{place}"</code> or, in Python,{" "}
         <code>study.bands(modes_at="{place}").plot("modes")</code>

@@ -7,6 +7,7 @@ import { UnitSelect } from "../parts/controls";
 import { keyPressed, type Key } from "../parts/keys";
 import { uncertain } from "../parts/numbers";
 import { rounded, titled, wavevectorUnits, withUnit, type Unit } from "../parts/units";
+import { Walk } from "../parts/walk";
 import type { BandDiagram } from "./diagram_data";
 import type { Choice } from "./state";
 import { levelsBetween, ZoneSurface } from "./zone_data";
@@ -43,19 +44,16 @@ function ZoneSection({ diagram, choice }: Props) {
   return (
     <section aria-label="Brillouin zone" class="pair">
       <div>
-        <div
-          class="walk"
-          tabIndex={0}
-          role="application"
-          aria-label="Brillouin zone. Arrow keys move the wavevector."
-          aria-describedby="zone-point"
+        <Walk
+          label="Brillouin zone. Arrow keys move the wavevector."
+          describedBy="zone-point"
           onKeyDown={(event) => {
             keyPressed(event, keys);
             if (event.defaultPrevented) event.stopPropagation(); // arrows of the diagram mean something else
           }}
         >
           <ZoneMap zone={zone} band={band} own={own} />
-        </div>
+        </Walk>
         <p class="axes">
           <label>
             Band{" "}

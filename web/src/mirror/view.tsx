@@ -4,13 +4,15 @@ import { signal, type Signal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import type { Dataset } from "../dataset";
-import { Chart, dot, line, shadeInterval, verticalLine } from "../parts/chart";
+import { Chart } from "../parts/chart";
 import { UnitSelect } from "../parts/controls";
 import { Frame } from "../parts/frame";
 import type { Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
+import { dot, line, shadeInterval, verticalLine } from "../parts/marks";
 import { uncertain } from "../parts/numbers";
 import { rounded, suitable, titled, withUnit, type Unit } from "../parts/units";
+import { Walk } from "../parts/walk";
 import { Mirror, plotted } from "./mirror_data";
 
 const FOOT =
@@ -54,15 +56,9 @@ function MirrorView({ data }: { data: Dataset }) {
     <Frame name="mirror" data={data} keys={keys} foot={FOOT}>
       <div class="pair">
         <section aria-label="Insertion loss">
-          <div
-            class="walk"
-            tabIndex={0}
-            role="application"
-            aria-label="Insertion loss. Arrow keys change the frequency and the number of rows."
-            aria-describedby="point"
-          >
+          <Walk label="Insertion loss. Arrow keys change the frequency and the number of rows.">
             <LossChart mirror={mirror} choice={choice} />
-          </div>
+          </Walk>
           <p class="axes">
             <label>
               Incident wave{" "}

@@ -53,10 +53,10 @@ export function Listing({ listing, keys, children }: Props) {
   );
 }
 
-export function KeyTable({ title, keys }: { title: string; keys: Key[] }) {
+export function KeyTable({ title, keys }: { title?: string; keys: Key[] }) {
   return (
     <table>
-      <caption>{title}</caption>
+      {title && <caption>{title}</caption>}
       <tbody>
         {keys.map(({ keys: names, effect }) => (
           <tr>

@@ -3,8 +3,10 @@
 import type { Signal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type { Dataset, Numbers } from "../dataset";
+import { FactList } from "../parts/facts";
 import { Frame } from "../parts/frame";
 import { Listing } from "../parts/listing";
+import { Walk } from "../parts/walk";
 import { FingerCurve } from "./finger_curve";
 import { FingerData, noticed, type End } from "./finger_data";
 import { FingerMap } from "./finger_map";
@@ -33,12 +35,9 @@ function FingerView({ dataset }: { dataset: Dataset }) {
     <Frame name="finger" data={dataset} keys={keys} foot={FOOT}>
       <div class="pair">
         <section aria-label="Map">
-          <div
-            class="walk" tabIndex={0} role="application" aria-describedby="felt"
-            aria-label="Finger on the plate. Arrow keys move it."
-          >
+          <Walk label="Finger on the plate. Arrow keys move it." describedBy="felt">
             <FingerMap data={data} finger={finger} />
-          </div>
+          </Walk>
         </section>
         <section aria-label="Friction">
           <Below data={data} finger={finger} />
@@ -75,24 +74,14 @@ function Below({ data, finger }: Props) {
         <b>{data.region(place)}</b>, x = {written(data.x[place] ?? 0, "m")}, y = {written(data.y[place] ?? 0, "m")}:{" "}
         <b>{noticed(reduction, weber)}</b>
       </p>
-      <dl>
-        <div>
-          <dt>mu / mu0, model</dt>
-          <dd>{interval(friction, ratio, ["low", "high"])}</dd>
-        </div>
-        <div>
-          <dt>less friction</dt>
-          <dd>{interval(reduction, percent, ["low", "high"])}</dd>
-        </div>
-        <div>
-          <dt>amplitude below the finger</dt>
-          <dd>{interval(amplitude, size, ["high", "low"])}</dd>
-        </div>
-        <div>
-          <dt>without a finger</dt>
-          <dd>{size(free)}</dd>
-        </div>
-      </dl>
+      <FactList
+        facts={[
+          ["mu / mu0, model", interval(friction, ratio, ["low", "high"])],
+          ["less friction", interval(reduction, percent, ["low", "high"])],
+          ["amplitude below the finger", interval(amplitude, size, ["high", "low"])],
+          ["without a finger", size(free)],
+        ]}
+      />
       <p class="again">
         People notice reductions above {percent(weber)}. The finger covers {written(diameter, "m")};{" "}
         {Number((frequency / 1e3).toFixed(3))} kHz. The same in the study:{" "}

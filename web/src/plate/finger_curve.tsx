@@ -4,6 +4,7 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
+import { horizontalLine, line } from "../parts/marks";
 import { kept, widthIn } from "../parts/plot";
 import type { End, FingerData } from "./finger_data";
 import type { Finger } from "./finger_state";
@@ -73,24 +74,14 @@ function drawn(element: HTMLElement, data: FingerData, finger: Finger): () => vo
   ]);
 }
 
-function paintMarks({ ctx, bbox, valToPos }: uPlot, data: FingerData, finger: Finger): void {
+function paintMarks(plot: uPlot, data: FingerData, finger: Finger): void {
+  const { ctx, bbox, valToPos } = plot;
   const { amplitude, friction } = finger.below.peek();
-  const threshold = valToPos(1 - data.extra.weber, "y", true);
   const [x, y] = [valToPos(Math.max(amplitude.value * MICRO, 1e-3), "x", true), valToPos(friction.value, "y", true)];
+  horizontalLine(plot, 1 - data.extra.weber, "carrier", [7, 5]);
+  line(ctx, [x, bbox.top], [x, bbox.top + bbox.height], "accent");
   ctx.save();
-  ctx.strokeStyle = themeColour("carrier");
-  ctx.lineWidth = 1.5 * devicePixelRatio;
-  ctx.setLineDash([7 * devicePixelRatio, 5 * devicePixelRatio]);
-  ctx.beginPath();
-  ctx.moveTo(bbox.left, threshold);
-  ctx.lineTo(bbox.left + bbox.width, threshold);
-  ctx.stroke();
-  ctx.setLineDash([]);
-  ctx.strokeStyle = ctx.fillStyle = themeColour("accent");
-  ctx.beginPath();
-  ctx.moveTo(x, bbox.top);
-  ctx.lineTo(x, bbox.top + bbox.height);
-  ctx.stroke();
+  ctx.fillStyle = themeColour("accent");
   ctx.beginPath();
   ctx.arc(x, y, 5 * devicePixelRatio, 0, 2 * Math.PI);
   ctx.fill();

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
+import { shadeInterval, verticalLine } from "../parts/marks";
 import { kept, onClick, widthIn, within } from "../parts/plot";
 import { titled } from "../parts/units";
 import type { PlateResponse } from "./plate_data";
@@ -94,29 +95,11 @@ function written(value: number, logarithmic: boolean): string {
 }
 
 function paintGap(plot: uPlot, plate: PlateResponse, factor: number): void {
-  const { ctx, bbox } = plot;
-  if (plate.gap === null) return;
-  const [low, high] = plate.gap.map((edge) => plot.valToPos(edge / factor, "x", true)) as [number, number];
-  ctx.fillStyle = themeColour("gap");
-  ctx.fillRect(low, bbox.top, high - low, bbox.height);
+  if (plate.gap !== null) shadeInterval(plot, [plate.gap[0] / factor, plate.gap[1] / factor], "gap");
 }
 
 function paintLine(plot: uPlot, plate: PlateResponse, choice: Choice): void {
   const { factor } = choice.unit.peek();
-  vertical(plot, plate.carrier / factor, themeColour("carrier"), [7, 5]);
-  vertical(plot, (plate.frequency[choice.line.peek()] ?? 0) / factor, themeColour("accent"), []);
-}
-
-function vertical({ ctx, bbox, valToPos }: uPlot, value: number, colour: string, dashes: number[]): void {
-  const x = valToPos(value, "x", true);
-  if (x < bbox.left || x > bbox.left + bbox.width) return;
-  ctx.save();
-  ctx.strokeStyle = colour;
-  ctx.lineWidth = 1.5 * devicePixelRatio;
-  ctx.setLineDash(dashes.map((length) => length * devicePixelRatio));
-  ctx.beginPath();
-  ctx.moveTo(x, bbox.top);
-  ctx.lineTo(x, bbox.top + bbox.height);
-  ctx.stroke();
-  ctx.restore();
+  verticalLine(plot, plate.carrier / factor, "carrier", [7, 5]);
+  verticalLine(plot, (plate.frequency[choice.line.peek()] ?? 0) / factor, "accent");
 }

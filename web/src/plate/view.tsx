@@ -6,6 +6,7 @@ import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
 import { Frame } from "../parts/frame";
 import { Listing } from "../parts/listing";
 import { rounded, withUnit, type Unit } from "../parts/units";
+import { Walk } from "../parts/walk";
 import { PlateMap, size } from "./map";
 import { PlateResponse, type Shown } from "./plate_data";
 import { COLOURS, DASHES, Spectra } from "./spectra";
@@ -35,15 +36,9 @@ function PlateView({ data }: { data: Dataset }) {
         <section aria-label="Spectra">
           {available.length > 0 && plate.frequency.length > 1 && (
             <>
-              <div
-                class="walk"
-                tabIndex={0}
-                role="application"
-                aria-label="Spectra. Arrow keys change the frequency."
-                aria-describedby="point"
-              >
+              <Walk label="Spectra. Arrow keys change the frequency.">
                 <Spectra plate={plate} choice={choice} />
-              </div>
+              </Walk>
               <Legend plate={plate} choice={choice} />
               <p class="axes">
                 <label>

@@ -2,7 +2,8 @@
 
 import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
-import { Chart, dot, horizontalLine } from "../parts/chart";
+import { Chart } from "../parts/chart";
+import { dot, horizontalLine } from "../parts/marks";
 import { themeColour } from "../parts/colours";
 import { titled } from "../parts/units";
 import type { RibbonModes } from "./ribbon_data";

@@ -6,11 +6,13 @@ import type { Dataset } from "../dataset";
 import { onTheme } from "../parts/colours";
 import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
 import { wantsStill, type Pace } from "../parts/cycle";
+import { FactList } from "../parts/facts";
 import { Frame } from "../parts/frame";
 import type { Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
 import { uncertain } from "../parts/numbers";
 import { rounded, suitable, titled, withUnit, type Unit } from "../parts/units";
+import { Walk } from "../parts/walk";
 import { colour, Diagram } from "./diagram";
 import { Field } from "./field";
 import { RibbonModes } from "./ribbon_data";
@@ -55,15 +57,9 @@ function RibbonView({ data }: { data: Dataset }) {
     <Frame name="ribbon" data={data} keys={keys} foot={FOOT}>
       <div class="pair">
         <section aria-label="Projected bands">
-          <div
-            class="walk"
-            tabIndex={0}
-            role="application"
-            aria-label="Projected bands. Arrow keys move between wavevectors and modes."
-            aria-describedby="point"
-          >
+          <Walk label="Projected bands. Arrow keys move between wavevectors and modes.">
             <Diagram ribbon={ribbon} choice={choice} />
-          </div>
+          </Walk>
           <p class="axes">
             <UnitSelect title="Frequencies in" units={ribbon.units} unit={choice.unit} />
             <UnitSelect title="Wavevectors in" units={ribbon.wavevectorUnits} unit={choice.wavevectorUnit} />
@@ -141,26 +137,19 @@ function frequencyText(ribbon: RibbonModes, mode: number, { factor }: Unit): str
 function ModeFacts({ ribbon, choice }: Props) {
   const [mode, unit, along] = [choice.mode.value, choice.unit.value, choice.wavevectorUnit.value];
   const decay = ribbon.decay(mode);
-  const facts = [
+  const facts: [string, string][] = [
     ["group velocity", `${(ribbon.velocity[mode] ?? 0).toFixed(0)} m/s`],
     [`energy in ${ribbon.place}`, percent(ribbon.share[mode])],
     ["decay", Number.isFinite(decay) ? `${decay.toFixed(1)} dB per row` : ""],
     ["shown displacement", ribbon.hasFields ? ribbon.direction(mode) : ""],
-  ].filter(([, value]) => value);
+  ];
   return (
     <div class="facts">
       <p id="point" aria-live="polite">
         {ribbon.isGuided(mode) ? "Guided mode" : "Mode"} at {wavevectorText(ribbon, mode, along)}:{" "}
         <b>{withUnit(frequencyText(ribbon, mode, unit), unit)}</b>
       </p>
-      <dl>
-        {facts.map(([name, value]) => (
-          <div>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <FactList facts={facts} />
     </div>
   );
 }

@@ -2,6 +2,7 @@
 
 import { useEffect, useRef } from "preact/hooks";
 import { keyPressed, type Key } from "../parts/keys";
+import { Walk } from "../parts/walk";
 import { shown } from "./jobs";
 import { across, at, axes, drawn, group, groups, horizontal, ORDER, points, selected, written } from "./points_data";
 import { marksOf, plotPoints } from "./points_plot";
@@ -55,16 +56,13 @@ export function Points() {
         </label>
         <Legend />
       </div>
-      <div
-        class="walk"
-        tabIndex={0}
-        role="application"
-        aria-label="Computed designs. Arrow keys select a design, Enter opens it."
-        aria-describedby="selected-design"
+      <Walk
+        label="Computed designs. Arrow keys select a design, Enter opens it."
+        describedBy="selected-design"
         onKeyDown={(event) => keyPressed(event, pointsKeys)}
       >
         <Plot />
-      </div>
+      </Walk>
       <Selected />
       <details class="further">
         <summary>Designs as a table</summary>

@@ -1,6 +1,7 @@
 /** Sizes, counts and mass of a plate, and the estimated costs of its commands. */
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import { FactList } from "../../parts/facts";
 import { problems, text } from "../study";
 import { server, type Forecast } from "../server";
 import { ABSENT } from "./grid";
@@ -18,42 +19,20 @@ export function Facts() {
   for (const letter of map.flat()) counts.set(letter, (counts.get(letter) ?? 0) + 1);
   const fits = plan !== null && plan.x.length === (map[0]?.length ?? 0) + 1 && plan.y.length === map.length + 1;
   const isOld = isPending.value || problems.value.length > 0;
+  const facts: [string, string][] = [
+    ...tiles.value
+      .filter(({ letter }) => letter !== ABSENT)
+      .map(({ letter, name }): [string, string] => [name, `${counts.get(letter) ?? 0} tiles`]),
+    ["map", `${map[0]?.length} x ${map.length} tiles`],
+  ];
+  if (plan !== null && fits) {
+    facts.push(["size", `${short(1e3 * (plan.x.at(-1) ?? 0))} x ${short(1e3 * (plan.y.at(-1) ?? 0))} mm`]);
+    facts.push(["contents", plan.contents]);
+    if (plan.mass !== null) facts.push(["mass without patches", `${short(1e3 * plan.mass)} g`]);
+  }
   return (
     <div class="facts">
-      <dl>
-        {tiles.value.filter(({ letter }) => letter !== ABSENT).map(({ letter, name }) => (
-          <div>
-            <dt>{name}</dt>
-            <dd>{counts.get(letter) ?? 0} tiles</dd>
-          </div>
-        ))}
-        <div>
-          <dt>map</dt>
-          <dd>
-            {map[0]?.length} x {map.length} tiles
-          </dd>
-        </div>
-        {plan !== null && fits && (
-          <>
-            <div>
-              <dt>size</dt>
-              <dd>
-                {short(1e3 * (plan.x.at(-1) ?? 0))} x {short(1e3 * (plan.y.at(-1) ?? 0))} mm
-              </dd>
-            </div>
-            <div>
-              <dt>contents</dt>
-              <dd>{plan.contents}</dd>
-            </div>
-            {plan.mass !== null && (
-              <div>
-                <dt>mass without patches</dt>
-                <dd>{short(1e3 * plan.mass)} g</dd>
-              </div>
-            )}
-          </>
-        )}
-      </dl>
+      <FactList facts={facts} />
       {isOld && <p class="quiet">Size, contents and mass are those of the last map that could be built.</p>}
       {!isOld && plan?.remarks.map((sentence) => <p class="doubt">{sentence}</p>)}
     </div>

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { onTheme } from "../../parts/colours";
 import { keyPressed } from "../../parts/keys";
+import { KeyTable } from "../../parts/listing";
 import { painting } from "../jobs";
 import type { Tables } from "../server";
 import { broken, change, pathOf, problems, redo, remarks, undo, values } from "../study";
@@ -112,18 +113,7 @@ function Board() {
       </div>
       <details>
         <summary>Keys on the map</summary>
-        <table>
-          <tbody>
-            {keys.map(({ keys: names, effect: words }) => (
-              <tr>
-                <th scope="row">
-                  <kbd>{names}</kbd>
-                </th>
-                <td>{words}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <KeyTable keys={keys} />
       </details>
     </div>
   );
