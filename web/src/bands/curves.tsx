@@ -1,7 +1,7 @@
 /** The band diagram: curves, gaps, carrier and the mode that is shown. */
 
 import { effect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { dot, horizontalLine } from "../parts/marks";
@@ -24,7 +24,7 @@ interface Props {
 
 export function Curves({ diagram, choice, newer }: Props) {
   const place = useRef<HTMLDivElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const element = place.current;
     if (element === null) return;
     return drawn(element, diagram, choice, newer);

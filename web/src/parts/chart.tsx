@@ -1,6 +1,6 @@
 /** A plot of curves or points over one axis, with a mark of what is selected. */
 
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "./colours";
 import { kept, onClick, widthIn, within } from "./plot";
@@ -33,7 +33,8 @@ export function Chart(props: Props) {
   const latest = useRef(props);
   latest.current = props;
   const drawn = useRef<uPlot | null>(null);
-  useEffect(() => {
+  // the plot changes in the same frame as the words beside it
+  useLayoutEffect(() => {
     const element = place.current;
     if (element === null) return;
     const axis = { ...LABELLED, stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: { show: false } };
@@ -75,6 +76,6 @@ export function Chart(props: Props) {
     drawn.current = plot;
     return kept(plot, element, size, []);
   }, [x, curves, titles[0], titles[1]]);
-  useEffect(() => drawn.current?.redraw(false, false));
+  useLayoutEffect(() => drawn.current?.redraw(false, false));
   return <div class="curves" ref={place} />;
 }

@@ -1,7 +1,7 @@
 /** Friction against the amplitude below the finger, with its interval and the threshold of perception. */
 
 import { effect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { horizontalLine, line } from "../parts/marks";
@@ -15,7 +15,7 @@ const DRAWN: End[] = ["low", "high", "value"]; // the value lies over its interv
 
 export function FingerCurve({ data, finger }: { data: FingerData; finger: Finger }) {
   const place = useRef<HTMLDivElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (place.current === null) return;
     return drawn(place.current, data, finger);
   }, [data, finger]);

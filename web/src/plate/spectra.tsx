@@ -1,7 +1,7 @@
 /** Velocities or contrasts of the regions against frequency, with the frequency that is shown. */
 
 import { effect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { shadeInterval, verticalLine } from "../parts/marks";
@@ -22,7 +22,7 @@ interface Props {
 export function Spectra({ plate, choice }: Props) {
   const place = useRef<HTMLDivElement>(null);
   const shown = choice.shown.value;
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (place.current === null) return;
     return drawn(place.current, plate, choice);
   }, [plate, choice, shown]);
