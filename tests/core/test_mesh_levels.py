@@ -318,14 +318,14 @@ def test_an_interior_grows_before_a_model_is_made():
     hole = UnitCell(Lattice.square(10e-3), 4e-3, material("steel"), disc=(Disc(8e-3, empty=True),))
     unlimited, first = MeshLimits(math.inf, math.inf), Resolution(2, 0).for_bands(hole, 8)
     few = MeshLimits(math.inf, first.memory(hole))
-    (mesh, _, lost, lack), (small, _, more, limit) = (
+    (large, lack), (small, limit) = (
         reach_truncation(hole, first, 8, goal=5e-4, limits=limits, spent=0.0, measured=False)
         for limits in (unlimited, few)
     )
     assert lack is None
-    assert lost <= 5e-4 < TRUSTED_TRUNCATION < more
-    assert mesh.block > first.block
-    assert (small, limit.of) == (first, "memory")
+    assert large.truncation <= 5e-4 < TRUSTED_TRUNCATION < small.truncation
+    assert large.mesh.block > first.block
+    assert (small.mesh, limit.of) == (first, "memory")
 
 
 @pytest.mark.parametrize("count", [1, 3])
@@ -357,7 +357,7 @@ def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
     whole = condense_by_parts(
         cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False
     )
-    assert largest_truncation(Tiling.single(whole), 40) < 4 * TRUSTED_TRUNCATION
+    assert largest_truncation(Tiling.single(whole), 40)[0] < 4 * TRUSTED_TRUNCATION
 
 
 def measured(number):

@@ -12,13 +12,14 @@ from whole import placed
 from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.quadrature import lobatto
 from haptonic.lattice import Lattice
-from haptonic.plate.body import joined, reduction
+from haptonic.plate.body import reduction
 from haptonic.plate.body.joined import joined_tile, opened_tile
-from haptonic.plate.body.reduction import block_tile, cell_tile
+from haptonic.plate.body.reduction import MISSED_BY_BLOCK, block_tile, cell_tile
 from haptonic.plate.body.skeleton import TraceOrders, numbered
 from haptonic.plate.body.unreduced import BodyOrders, body
 from haptonic.plate.layout.grid import Block
 from haptonic.superelement import FoldedMesh, dynamic_stiffness
+from haptonic.superelement.interior import MISSED
 from haptonic.superelement.trace import trace_levels
 
 HZ = 2 * np.pi
@@ -33,17 +34,8 @@ PATCH = replace(glued((7.5e-3, 3.2e-3), (9e-3, 4e-3, 0.7e-3)))
 
 
 @cache
-def single(name, missed=reduction.MISSED, highest=HIGHEST):
-    return _made(reduction, missed, lambda: cell_tile(*CELLS[name], ORDERS, highest))
-
-
-def _made(module, missed, make, name="MISSED"):
-    kept = getattr(module, name)
-    setattr(module, name, missed)
-    try:
-        return make()
-    finally:
-        setattr(module, name, kept)
+def single(name, missed=MISSED, highest=HIGHEST):
+    return cell_tile(*CELLS[name], ORDERS, highest, missed)
 
 
 def places(x, y):
@@ -66,13 +58,8 @@ def rigid_trace(x, y):
 
 
 @cache
-def block(missed=reduction.MISSED_BY_BLOCK):
-    return _made(
-        reduction,
-        missed,
-        lambda: block_tile(unreduced(), X, Y, THICKNESS, {"F": point_force()}, ORDERS, HIGHEST),
-        "MISSED_BY_BLOCK",
-    )
+def block(missed=MISSED_BY_BLOCK):
+    return block_tile(unreduced(), X, Y, THICKNESS, {"F": point_force()}, ORDERS, HIGHEST, missed=missed)
 
 
 def point_force():
@@ -90,10 +77,8 @@ def unreduced():
 
 
 @cache
-def joined_tiles(missed=reduction.MISSED):
-    return _made(
-        reduction, missed, lambda: joined_tile(single("plain"), (PITCH, 5e-3), (2, 3), ORDERS, HIGHEST)
-    )
+def joined_tiles(missed=MISSED):
+    return joined_tile(single("plain"), (PITCH, 5e-3), (2, 3), ORDERS, HIGHEST, missed=missed)
 
 
 SIZES = {
@@ -225,7 +210,7 @@ def test_joined_tiles_have_the_dynamic_stiffness_of_the_single_ones_together():
     inner = np.setdiff1d(np.arange(size), held)
     errors = []
     for missed in (1e-1, 1e-2):
-        whole, worst = joined_tiles_with(missed), 0.0
+        whole, worst = joined_tiles(missed), 0.0
         for frequency in (11e3, 37e3, 60e3):
             Z = K - (HZ * frequency) ** 2 * M
             coupling = Z[np.ix_(inner, held)]
@@ -263,7 +248,7 @@ def test_an_opened_tile_answers_the_rest_of_its_trace_as_the_closed_one():
     t = closed.trace_size
     gone = np.arange(t // 3, t // 2)
     kept = np.setdiff1d(np.arange(t), gone)
-    tile = _made(reduction, 1e-3, lambda: opened_tile(closed, gone, HIGHEST))
+    tile = opened_tile(closed, gone, HIGHEST, 1e-3)
     assert tile.trace_size == len(kept)
     inner = np.setdiff1d(np.arange(closed.size), kept)
     where = np.random.default_rng(7).uniform(0, 1, (9, 2)) * [3 * PITCH, 1e-2]
@@ -283,11 +268,6 @@ def test_an_opened_tile_answers_the_rest_of_its_trace_as_the_closed_one():
 
 
 @cache
-def joined_tiles_with(missed):
-    assert joined.few_modes is reduction.few_modes
-    return joined_tiles(missed)
-
-
 @pytest.mark.parametrize("name", SIZES)
 def test_normal_motion_of_the_flat_face(name):
     """Of rigid motions, exact; of plate bending with a quadratic w, that shear-free plates follow closely."""

@@ -107,6 +107,7 @@ class BlochModel:
         measured: bool = True,
         many: bool = True,
         whole: Tiling | None = None,
+        highest: float | None = None,
     ) -> BlochModel:
         """Make a model for ``count`` bands.
 
@@ -115,13 +116,15 @@ class BlochModel:
         measured : whether characters of modes are needed
         many : whether errors are needed at many wavevectors; then the coarse pencil is reduced
         whole : the cell condensed with this resolution; by default it is condensed here
+        highest : Hz, up to which few interior modes suffice; by default all are used
         """
         resolution = resolution.for_bands(cell, count)
         goal = resolution.projection_goal
         steps, block = resolution.steps, resolution.block
 
         def lowered() -> Evaluated:
-            lower = Tiling.condensed(cell, resolution.lowered(cell), steps, block, measured=False)
+            plans = resolution.lowered(cell)
+            lower = Tiling.condensed(cell, plans, steps, block, measured=False, highest=highest)
             # a first, unchecked basis gave an estimate of 2 % instead of 0.05 % for the tenth band of a plain
             # plate
             if many:
@@ -133,7 +136,9 @@ class BlochModel:
         with one_thread(), ThreadPoolExecutor(1) as aside:
             coarse = aside.submit(lowered)
             if whole is None:
-                whole = Tiling.condensed(cell, resolution.plans(cell), steps, block, measured=measured)
+                whole = Tiling.condensed(
+                    cell, resolution.plans(cell), steps, block, measured=measured, highest=highest
+                )
             return cls(
                 cell=cell,
                 resolution=resolution,
@@ -281,15 +286,22 @@ def candidate_models(
         mesh, level, limits = chosen.for_bands(cell, count), len(LADDER), replace(limits, seconds=math.inf)
         check_memory(cell, chosen, count, limits)
     goal = min(TRUSTED_TRUNCATION, TRUNCATION_SHARE * accuracy)
-    spent, answered = 0.0, False
+    spent, answered, highest = 0.0, False, None
     while True:
         with one_thread():
-            mesh, whole, truncation, lack = reach_truncation(
-                cell, mesh, count, goal=goal, limits=limits, spent=spent, measured=not gaps_only
+            reached, lack = reach_truncation(
+                cell,
+                mesh,
+                count,
+                goal=goal,
+                limits=limits,
+                spent=spent,
+                measured=not gaps_only,
+                highest=highest,
             )
-        excess = 1.0
-        if truncation <= TRUSTED_TRUNCATION or (chosen is not None and lack is None):
-            model = BlochModel.of(cell, mesh, count, many=not gaps_only, whole=whole)
+        mesh, highest, excess = reached.mesh, reached.highest, 1.0
+        if reached.truncation <= TRUSTED_TRUNCATION or (chosen is not None and lack is None):
+            model = BlochModel.of(cell, mesh, count, many=not gaps_only, whole=reached.whole, highest=highest)
             spent += mesh.seconds(cell)
             answered = True
             yield model

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from haptonic.arrays import Array
@@ -18,6 +20,9 @@ from haptonic.superelement import Tiling, on_each
 TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
 FIRST_ORDER = 1.5  # largest ratio of the error to its first-order estimate, below the trusted one
 MOST_GROWTH = 5  # number of enlargements of the interior
+# Few modes serve up to this multiple of the last band at the zone's corners. Omitted modes are then above
+# twice that band, and their response is at most 4/3 of the static one that the truncation contains.
+ROOM = 4 / 3
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
 
@@ -29,8 +34,23 @@ def interior_error(values: Array, left_out: Array) -> Array:
     return np.asarray(0.5 * FIRST_ORDER * values * np.abs(left_out) * hertz(values))
 
 
-def largest_truncation(tiling: Tiling, count: int) -> float:
-    """Largest relative truncation error of ``count`` bands at the corners of the zone."""
+@dataclass(frozen=True)
+class Interior:
+    """A cell condensed with an interior.
+
+    mesh : its resolution; whole : the condensed cell
+    truncation : largest relative truncation error of the bands at the corners of the zone
+    highest : Hz, up to which few modes of such a cell suffice for the bands
+    """
+
+    mesh: Resolution
+    whole: Tiling
+    truncation: float
+    highest: float
+
+
+def largest_truncation(tiling: Tiling, count: int) -> tuple[float, float]:
+    """Largest relative truncation error of ``count`` bands, and highest band, Hz, at the zone's corners."""
     pencil, expanded = unreduced(tiling)
     solved = [(kappa, *eigenpairs(pencil, kappa, count)) for kappa in tiling.cell.zone.corner_phases.values()]
     highest = max(values[-1] for _, values, _ in solved)
@@ -40,7 +60,7 @@ def largest_truncation(tiling: Tiling, count: int) -> float:
         lost = interior_error(values, on_each(tiling.truncation, expanded(modes, kappa)))
         ratio = ranked(frequency, lost)[moving] / frequency[moving]
         worst = max(worst, float(ratio.max(initial=0.0)))
-    return worst
+    return worst, float(hertz(np.array(highest)))
 
 
 def ranked(frequency: Array, error: Array) -> Array:
@@ -62,20 +82,26 @@ def reach_truncation(
     limits: MeshLimits,
     spent: float,
     measured: bool,
-) -> tuple[Resolution, Tiling, float, Lack | None]:
-    """Condense a cell with an interior that reaches a truncation error, and return what it reaches.
+    highest: float | None = None,
+) -> tuple[Interior, Lack | None]:
+    """Condense a cell with an interior that reaches a truncation error, or with the largest that fits.
 
-    An interior without a reliable error grows beyond the budget of time. The last value is the limit that
-    prevented more.
+    An interior without a reliable error grows beyond the budget of time. The second value is the limit that
+    prevented more. Once the bands are known roughly, few modes of a larger interior replace all of them;
+    ``highest`` (Hz) is known from a coarser mesh.
     """
     for further in range(MOST_GROWTH, -1, -1):
-        whole = Tiling.condensed(cell, mesh.plans(cell), mesh.steps, mesh.block, measured=measured)
-        truncation = largest_truncation(whole, count)
+        whole = Tiling.condensed(
+            cell, mesh.plans(cell), mesh.steps, mesh.block, measured=measured, highest=highest
+        )
+        truncation, last = largest_truncation(whole, count)
+        highest = ROOM * last
+        reached = Interior(mesh, whole, truncation, highest)
         if truncation <= goal or not further:
             break
         wanted = mesh.grown(growth_for(truncation, goal))
         lack = limits.lack(cell, wanted, spent)
         if lack is not None and (truncation <= TRUSTED_TRUNCATION or lack.of == "memory"):
-            return mesh, whole, truncation, lack
+            return reached, lack
         mesh = wanted
-    return mesh, whole, truncation, None
+    return reached, None

@@ -4,6 +4,7 @@ from haptonic.solvers import definite
 from haptonic.superelement.condense import Superelement, condense, condensed, on_each
 from haptonic.superelement.dynamic import DynamicStiffness, dynamic_stiffness
 from haptonic.superelement.folded import FoldedMesh, through_levels
+from haptonic.superelement.interior import CraigBampton, with_all_modes
 from haptonic.superelement.joint import Joint, JointImage, repeated, steps_between
 from haptonic.superelement.solid import condense_solid
 from haptonic.superelement.substructured import condense_by_parts
@@ -11,6 +12,7 @@ from haptonic.superelement.tiling import TiledMesh, Tiling, whole_mesh
 from haptonic.superelement.trace import TraceOperation
 
 __all__ = [
+    "CraigBampton",
     "DynamicStiffness",
     "FoldedMesh",
     "Joint",
@@ -30,4 +32,5 @@ __all__ = [
     "steps_between",
     "through_levels",
     "whole_mesh",
+    "with_all_modes",
 ]

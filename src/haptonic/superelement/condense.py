@@ -81,6 +81,19 @@ class Superelement:
         middle, counts = self.parts[0].trace.folding.middle, [part.count for part in self.parts]
         return np.repeat(middle, counts).astype(float)
 
+    def projected(self, onto: Array) -> CraigBampton:
+        """The body on a boundary (t, b) instead of its trace; its fields are unknowns of this one."""
+        t = self.trace_size
+        return CraigBampton(
+            static=np.vstack([onto, np.zeros((self.size - t, onto.shape[1]))]),
+            modes=np.eye(self.size)[:, t:],
+            stiffness=onto.T @ self.stiffness[:t, :t] @ onto,
+            mass=onto.T @ self.mass[:t, :t] @ onto,
+            values=np.diag(self.stiffness)[t:].copy(),
+            to_modes=onto.T @ self.mass[:t, t:],
+            truncation=_on_boundary(self.truncation, onto),
+        )
+
     def mirror(self, turn: Array) -> TraceOperation:
         """Action on traces of a mirror or the half-turn, given as a map of space (3, 3)."""
         return TraceOperation.of(self.cell, self.mesh.topology, self.levels, turn)
@@ -88,6 +101,13 @@ class Superelement:
     def lifted(self, fields: Fields) -> Fields:
         """(nodes, 3, k) displacement on the meshes from (t + m, k) unknowns, real or complex."""
         return lifted(self.parts, *np.split(fields, [self.trace_size]))
+
+
+def _on_boundary(form: Array, onto: Array) -> Array:
+    """(b + m, b + m) form on a boundary (t, b) and modes, from one on the trace and modes."""
+    t = len(onto)
+    side = onto.T @ form[:t, t:]
+    return np.block([[onto.T @ form[:t, :t] @ onto, side], [side.T, form[t:, t:]]])
 
 
 def on_each(form: Fields, fields: Fields) -> Array:
@@ -100,7 +120,13 @@ def on_each(form: Fields, fields: Fields) -> Array:
 
 
 def condense(
-    cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+    cell: TileShape,
+    plan: MeshPlan,
+    steps: int = 2,
+    *,
+    block: int = 10,
+    measured: bool = True,
+    highest: float | None = None,
 ) -> Superelement:
     """Condense a cell onto its lateral faces.
 
@@ -109,15 +135,18 @@ def condense(
     cell, plan : cell to mesh, and its mesh plan
     steps, block : number and size of the blocks of the Krylov space of interior motions
     measured : whether to compute the forms that characterise motion
+    highest : Hz, up to which few interior modes suffice; by default all of the Krylov space are used
     """
-    return condensed(FoldedMesh.of(cell, plan), steps, block=block, measured=measured)
+    return condensed(FoldedMesh.of(cell, plan), steps, block=block, measured=measured, highest=highest)
 
 
 @definite()
-def condensed(shared: FoldedMesh, steps: int, *, block: int, measured: bool) -> Superelement:
+def condensed(
+    shared: FoldedMesh, steps: int, *, block: int, measured: bool, highest: float | None = None
+) -> Superelement:
     """Condense a folded mesh; see `condense`."""
     mesh = shared.mesh
-    classes = reduced_by_parts(shared, (), steps, block)
+    classes = reduced_by_parts(shared, (), steps, block, highest)
 
     def piece(q: int) -> CondensedClass:
         reduced_class = classes[q]

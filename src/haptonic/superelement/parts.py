@@ -32,7 +32,7 @@ from haptonic.parallel import each
 from haptonic.solvers import Pattern, Solver
 from haptonic.superelement.assembly import Assembler
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import Bounded, CraigBampton, reduced
+from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, CraigBampton, reduced
 from haptonic.superelement.parallel import KEPT_ENTRIES, with_solver
 from haptonic.superelement.symmetry import DIAGONAL, THIRD, Folding
 from haptonic.superelement.trace import FoldedTrace
@@ -136,17 +136,22 @@ class PartForms:
         )
 
 
-def reduced_by_parts(shared: FoldedMesh, ends: Sequence[Array], steps: int, block: int) -> list[CraigBampton]:
+def reduced_by_parts(
+    shared: FoldedMesh, ends: Sequence[Array], steps: int, block: int, highest: float | None = None
+) -> list[CraigBampton]:
     """Reduce each class of a mesh by its parts.
 
     ends : for each class the motions of open ends, as for `FoldedMesh.symmetry_class`, or empty
     steps, block : as for a class; each part gets its share of the block
+    highest : Hz, up to which few modes suffice; by default all modes are used
     """
 
     def reduced_classes(part: ClassPart, solver: Solver) -> dict[int, CraigBampton]:
         forms = PartForms.of(shared, part, ends)
         solver.factorise(forms.interior)
         of_part = reduced(solver, forms.body, steps, math.ceil(block * part.share))
+        if highest is not None:
+            of_part = of_part.with_few_modes(highest, MISSED_BY_BANDS)
         if part.is_class:
             return dict.fromkeys(part.fields, of_part)
         return {q: of_part.unfolded(part.inside[q], boundary) for q, boundary in forms.boundary.items()}

@@ -23,7 +23,7 @@ from haptonic.later import sparse as sp
 from haptonic.solvers import Pattern, Solver, chosen, definite
 from haptonic.superelement.condense import CondensedClass, Superelement, assembled
 from haptonic.superelement.dynamic import DynamicStiffness
-from haptonic.superelement.interior import Bounded, reduced
+from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, reduced
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.symmetry import fold
 from haptonic.superelement.trace import FoldedTrace
@@ -212,7 +212,13 @@ def solid_body(tile: TileShape, plan: MeshPlan) -> SolidBody:
 
 @definite()
 def condense_solid(
-    tile: TileShape, plan: MeshPlan, steps: int, *, block: int, measured: bool
+    tile: TileShape,
+    plan: MeshPlan,
+    steps: int,
+    *,
+    block: int,
+    measured: bool,
+    highest: float | None = None,
 ) -> Superelement:
     """Condense the solids of a CAD file onto their lateral faces; parameters as for `condense`.
 
@@ -221,6 +227,8 @@ def condense_solid(
     body = SolidBody.of(tile, plan)
     solver, _ = body.factorised()
     reduced_body = reduced(solver, body.bounded, steps, CLASSES * block)
+    if highest is not None:
+        reduced_body = reduced_body.with_few_modes(highest, MISSED_BY_BANDS)
     of_trace = body.whole(reduced_body.static, np.eye(body.on_sides.shape[1]))
     of_modes = body.whole(reduced_body.modes, np.zeros((body.on_sides.shape[1], reduced_body.modes.shape[1])))
     lifting = SurfaceLifting(body.trace, body.shown @ of_trace, body.shown @ of_modes)

@@ -12,7 +12,7 @@ from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import HexMesh
 from haptonic.later import linalg as la
 from haptonic.superelement.condense import ClassForm, CondensedClass
-from haptonic.superelement.interior import Bounded, CraigBampton, reduced
+from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, CraigBampton, reduced
 from haptonic.superelement.lifting import unfolded
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.pillar_body import Kinds, PillarBody
@@ -108,7 +108,9 @@ class _Numbers:
         return cls(tuple(of_feet), tuple(bodies), int(ends[-1]), size)
 
 
-def joined(feet: Sequence[FootClass], storeys: Sequence[Storey], steps: int, block: int) -> CondensedClass:
+def joined(
+    feet: Sequence[FootClass], storeys: Sequence[Storey], steps: int, block: int, highest: float | None = None
+) -> CondensedClass:
     """Reduce a class of the whole cell with sections, modes of feet, and rests of bodies as its interior."""
     foot, numbers = feet[0], _Numbers.of(feet, storeys)
     heavy, trace = numbers.heavy, len(foot.trace.kept)
@@ -152,6 +154,8 @@ def joined(feet: Sequence[FootClass], storeys: Sequence[Storey], steps: int, blo
         mass_coupling=mass_coupling,
     )
     reduced_class = reduced(_Dense(inside), bounded, steps, block)
+    if highest is not None:
+        reduced_class = reduced_class.with_few_modes(highest, MISSED_BY_BANDS)
     static, dynamic = (
         np.vstack([turn @ fields[:heavy], light[:, None] * fields[heavy:]])
         for fields in (reduced_class.static, reduced_class.modes)

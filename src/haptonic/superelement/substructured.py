@@ -43,7 +43,13 @@ KEPT_FEET = 5e6  # entries of stiffness of all feet stored for further designs: 
 
 @definite()
 def condense_by_parts(
-    cell: TileShape, plan: MeshPlan, steps: int = 2, *, block: int = 10, measured: bool = True
+    cell: TileShape,
+    plan: MeshPlan,
+    steps: int = 2,
+    *,
+    block: int = 10,
+    measured: bool = True,
+    highest: float | None = None,
 ) -> Superelement:
     """Condense a cell onto its lateral faces, with prismatic bodies of its pillar treated separately.
 
@@ -57,7 +63,8 @@ def condense_by_parts(
         for number, (piece, mesh) in enumerate(zip(pieces, meshes, strict=True))
     ]
     if bodies[0] is None:
-        return condensed(FoldedMesh.of_mesh(cell, meshes[0]), steps, block=block, measured=measured)
+        shared = FoldedMesh.of_mesh(cell, meshes[0])
+        return condensed(shared, steps, block=block, measured=measured, highest=highest)
     feet = [
         _foot(piece.tile, mesh, ends, steps, block, measured)
         for piece, mesh, ends in zip(pieces, meshes, pairwise([None, *bodies]), strict=True)
@@ -67,7 +74,7 @@ def condense_by_parts(
         for piece, mesh, body, foot in zip(pieces, meshes, bodies, feet, strict=True)
     ]
     classes = each(
-        lambda of_class: joined(of_class, storeys, steps, block),
+        lambda of_class: joined(of_class, storeys, steps, block, highest),
         zip(*(foot.classes for foot in feet), strict=True),
     )
     sizes = (

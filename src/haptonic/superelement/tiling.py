@@ -60,7 +60,14 @@ class Tiling:
 
     @classmethod
     def condensed(
-        cls, period: Period, plans: Sequence[MeshPlan], steps: int, block: int, *, measured: bool = True
+        cls,
+        period: Period,
+        plans: Sequence[MeshPlan],
+        steps: int,
+        block: int,
+        *,
+        measured: bool = True,
+        highest: float | None = None,
     ) -> Tiling:
         """Condense the tiles of a period by parts, equal ones once, and join them.
 
@@ -69,7 +76,8 @@ class Tiling:
 
         def condense(tile: TileShape, plan: MeshPlan) -> Superelement:
             condense_tile = condense_by_parts if tile.solid is None else condense_solid
-            return condense_tile(tile, plan, steps, block=directions(tile, block), measured=measured)
+            size = directions(tile, block)
+            return condense_tile(tile, plan, steps, block=size, measured=measured, highest=highest)
 
         return cls.of(period, period.tiles, _for_each_tile(period.tiles, plans, condense))
 

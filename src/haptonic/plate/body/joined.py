@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array, Fields, Ints
-from haptonic.later import linalg as la
-from haptonic.plate.body.reduction import few_modes
 from haptonic.plate.body.skeleton import TraceOrders, traced
-from haptonic.plate.body.tile import Inside, Tile, Turned
+from haptonic.plate.body.tile import Tile, Turned
 from haptonic.plate.layout.grid import Block
 from haptonic.plate.layout.keys import PLATE
+from haptonic.superelement import with_all_modes
+from haptonic.superelement.interior import MISSED
 
 
 def joined_tile(
@@ -22,6 +22,7 @@ def joined_tile(
     orders: TraceOrders,
     highest: float,
     span: tuple[int, int] = (1, 1),
+    missed: float = MISSED,
 ) -> Tile:
     """Join a rectangle of equal tiles to one tile for frequencies up to ``highest`` (Hz).
 
@@ -51,44 +52,20 @@ def joined_tile(
     for numbers in unknowns:
         stiffness[np.ix_(numbers, numbers)] += tile.elastic
         mass[np.ix_(numbers, numbers)] += tile.mass
-    inner = np.setdiff1d(np.arange(count), outer)
-    basis = _reduced(stiffness, mass, outer, inner, highest)
-    inside = Joined(tile, size, shape, np.stack([basis[numbers] for numbers in unknowns]))
-    return _on_basis(stiffness, mass, basis, inside, len(outer))
+    body = with_all_modes(stiffness, mass, outer).with_few_modes(highest, missed)
+    inside = Joined(tile, size, shape, np.stack([body.fields[numbers] for numbers in unknowns]))
+    return Tile.plain(body, inside)
 
 
-def opened_tile(tile: Tile, open_trace: Ints, highest: float) -> Tile:
+def opened_tile(tile: Tile, open_trace: Ints, highest: float, missed: float = MISSED) -> Tile:
     """Condense free unknowns of a tile's trace into the tile, for frequencies up to ``highest`` (Hz).
 
     open_trace : unknowns of the trace at free edges of the plate, without supports
     """
     assert list(tile.stiffness) == [PLATE]
     closed = np.setdiff1d(np.arange(tile.trace_size), open_trace)
-    inner = np.concatenate([open_trace, np.arange(tile.trace_size, tile.size)])
-    basis = _reduced(tile.elastic, tile.mass, closed, inner, highest)
-    return _on_basis(tile.elastic, tile.mass, basis, Turned(tile.inside, basis), len(closed))
-
-
-def _on_basis(stiffness: Array, mass: Array, basis: Array, inside: Inside, trace: int) -> Tile:
-    """Make the tile of plain plate or lattice on a basis, traces first."""
-    return Tile.plain(basis.T @ stiffness @ basis, basis.T @ mass @ basis, trace, inside)
-
-
-def _reduced(stiffness: Array, mass: Array, outer: Ints, inner: Ints, highest: float) -> Array:
-    """(count, trace + modes) basis: static responses to the rim, and few modes of the interior."""
-    inside = np.ix_(inner, inner)
-    factor = la.cho_factor(stiffness[inside])
-    static = np.zeros((len(stiffness), len(outer)))
-    static[outer, np.arange(len(outer))] = 1.0
-    static[inner] = -la.cho_solve(factor, stiffness[np.ix_(inner, outer)])
-    values, modes = la.eigh(stiffness[inside], mass[inside])
-    every = np.zeros((len(stiffness), len(inner)))
-    every[inner] = modes
-    heavy = mass @ static
-    coupled_mass = np.block([[static.T @ heavy, heavy.T @ every], [every.T @ heavy, np.eye(len(inner))]])
-    condensed = la.block_diag(static.T @ stiffness @ static, np.diag(values))
-    few = few_modes(condensed, coupled_mass, len(outer), np.zeros((len(inner), 0)), highest)
-    return np.hstack([static, every @ few])
+    body = with_all_modes(tile.elastic, tile.mass, closed).with_few_modes(highest, missed)
+    return Tile.plain(body, Turned(tile.inside, body.fields))
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,12 +20,8 @@ from haptonic.plate.body.unreduced import Body
 from haptonic.plate.layout.keys import PLATE
 from haptonic.solvers import Pattern, chosen
 from haptonic.superelement import condense, condense_solid
+from haptonic.superelement.interior import MISSED
 
-EXACT = 1.5  # interior modes up to this multiple of the highest frequency are all used
-SAMPLED = (0.3, 0.55, 0.8, 1.0)  # of the square of the highest frequency, sampled for the other modes
-MISSED = (
-    1e-2  # share of the energy norm of a tile's answer that its few modes may miss; errors are its square
-)
 SNAPSHOTS = (0.5, 1.0)  # besides 0, of the square of the highest frequency, for blocks
 MISSED_BY_BLOCK = 3e-4  # of a block's strongest response, root of energy, below which a direction is omitted
 # Blocks of the Krylov space of the interior, see `haptonic.superelement.interior`. At fine orders, the error
@@ -34,50 +30,14 @@ MISSED_BY_BLOCK = 3e-4  # of a block's strongest response, root of energy, below
 STEPS, BLOCK = 3, 30
 
 
-def few_modes(stiffness: Array, mass: Array, trace: int, loads: Array, highest: float) -> Array:
-    """Compute few modes for the response to a smooth trace and given loads up to a highest frequency.
-
-    Modes of the band itself are used as they are. The response of the others, of eigenvalues lambda, to a
-    motion u of the trace and loads f is, at ``s = omega^2`` with ``q = (s C^T u + f) / (lambda - s)``, C
-    being their mass coupling to the trace. Its main directions are used (proper orthogonal decomposition),
-    the eigenvectors of
-
-        G = sum over s of  g_s g_s^T * (s^2 C^T W^-1 C + f f^T),    g_s = sqrt(lambda) / (lambda - s),
-
-    where * is entry by entry. The factor sqrt(lambda) measures responses by their strain energy, and
-    ``W = K + omega_max^2 M`` of the trace weights motions of equal energy equally.
-
-    Parameters
-    ----------
-    stiffness, mass : on (trace, modes); modes have a diagonal stiffness, uncoupled from the trace, and mass 1
-    loads : (modes, k) forces on the modes; highest : Hz
-
-    Returns
-    -------
-    (modes, few), orthonormal in mass and orthogonal in stiffness
-    """
-    values = np.diag(stiffness)[trace:]
-    top = (2 * np.pi * highest) ** 2
-    near = values < EXACT**2 * top
-    weights = np.sqrt(values)
-    unit_energy = la.cholesky(stiffness[:trace, :trace] + top * mass[:trace, :trace])
-    coupling = la.solve_triangular(unit_energy, mass[:trace, trace:], trans=1).T
-    force = loads / np.linalg.norm(loads / weights[:, None], axis=0)
-    # a frequency only scales rows of the coupling and of the forces, so the products are computed once
-    of_trace, of_loads = coupling @ coupling.T, force @ force.T
-    gram = of_loads / np.outer(weights, weights)
-    for share in SAMPLED:
-        gain = weights / (values - share * top)
-        gram += np.outer(gain, gain) * ((share * top) ** 2 * of_trace + of_loads)
-    gram[near] = gram[:, near] = 0.0
-    sizes, left = la.eigh(gram)
-    few = left[:, sizes > MISSED**2] / weights[:, None]
-    basis = np.hstack([np.eye(len(values))[:, near], few])
-    _, turn = la.eigh(basis.T @ (values[:, None] * basis), basis.T @ basis)
-    return np.asarray(basis @ turn)
-
-
-def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrders, highest: float) -> Tile:
+def cell_tile(
+    shape: TileShape,
+    plan: MeshPlan,
+    steps: Steps,
+    orders: TraceOrders,
+    highest: float,
+    missed: float = MISSED,
+) -> Tile:
     """Reduce a brick of a lattice, or plain plate, to a tile for frequencies up to ``highest`` (Hz).
 
     steps : between the lines of the layout across it, m; elements of the plan end at each of them
@@ -85,17 +45,11 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
     condense_tile = condense if shape.solid is None else condense_solid
     whole = condense_tile(shape, plan, STEPS, block=BLOCK, measured=False)
     mesh = whole.mesh
-    onto = _onto_rim(plan, steps, whole.levels, orders)
-    trace = onto.shape[1]
-    basis = la.block_diag(onto, np.eye(whole.size - whole.trace_size))
-    stiffness, mass = (basis.T @ form @ basis for form in (whole.stiffness, whole.mass))
-    modes = few_modes(stiffness, mass, trace, np.zeros((len(mass) - trace, 0)), highest)
-    kept = la.block_diag(np.eye(trace), modes)
-    stiffness, mass = (kept.T @ form @ kept for form in (stiffness, mass))
-    to_cell = basis @ kept
+    body = whole.projected(_onto_rim(plan, steps, whole.levels, orders)).with_few_modes(highest, missed)
+    to_cell = body.fields
     corner = np.append(-shape.corners[0], 0.0)
     inside = OnMesh(
-        size=len(mass),
+        size=to_cell.shape[1],
         points=mesh.points + corner,
         subcells=_corners(family.nodes for family in mesh.topology.families)
         if isinstance(mesh, HexMesh)
@@ -103,7 +57,7 @@ def cell_tile(shape: TileShape, plan: MeshPlan, steps: Steps, orders: TraceOrder
         faces=tuple(flat_faces(mesh)) if isinstance(mesh, HexMesh) else (mesh.lower,),
         lift=lambda unknowns: whole.lifted(to_cell @ unknowns),
     )
-    return Tile.plain(stiffness, mass, trace, inside)
+    return Tile.plain(body, inside)
 
 
 def _onto_rim(plan: MeshPlan, steps: Steps, levels: int, orders: TraceOrders) -> Array:
@@ -132,6 +86,7 @@ def block_tile(
     orders: TraceOrders,
     highest: float,
     bonded: Mapping[str, Bonded] = MappingProxyType({}),
+    missed: float = MISSED_BY_BLOCK,
 ) -> Tile:
     """Reduce a body, plain plate or a cell with attached parts, to a tile up to ``highest`` (Hz).
 
@@ -140,6 +95,7 @@ def block_tile(
     body : unreduced; x, y : lines between the tiles in it, m; thickness : of the plate, m
     loads : further drives by name, (3 nodes,) force per unit of drive
     bonded : by actuator, bodies with other bonds, for which the tile is valid as well
+    missed : see `MISSED_BY_BLOCK`
     """
     drives = {**body.drive, **loads}
     onto = _rim_of_body(body, x, y, thickness, orders)
@@ -164,7 +120,7 @@ def block_tile(
         pushed = np.hstack([pushed, interior @ more, interior @ (own - static)])
         # a small difference needs less accuracy
         least += [np.zeros(more.shape[1]), np.sqrt(np.diag(on_trace))]
-    fields, values = _main_directions(seen, pushed, mass, np.concatenate(least))
+    fields, values = _main_directions(seen, pushed, mass, np.concatenate(least), missed)
     basis = np.zeros((size, trace + len(values)))
     basis[held, :trace], basis[inside, :trace], basis[inside, trace:] = onto, static, fields
     parts = {part: _projected(form, basis) for part, form in body.stiffness.items() if part != PLATE}
@@ -254,7 +210,9 @@ def _rim_of_body(
     return rim_fields(edges, orders, where % edges, points[:, 2] / thickness)
 
 
-def _main_directions(fields: Array, pushed: Array, mass: Array, least: Array) -> tuple[Array, Array]:
+def _main_directions(
+    fields: Array, pushed: Array, mass: Array, least: Array, missed: float
+) -> tuple[Array, Array]:
     """Few fields that nearly span given ones (proper orthogonal decomposition in the energy norm).
 
     With the norm ``|x|^2 = x^T K x`` they are the main eigenvectors of ``x_a^T K x_b / (|x_a| |x_b|)``. So
@@ -268,7 +226,7 @@ def _main_directions(fields: Array, pushed: Array, mass: Array, least: Array) ->
     gram = fields.T @ pushed
     size = np.maximum(np.sqrt(np.diag(gram)), least)
     weights, turn = la.eigh(gram / size / size[:, None])
-    significant = weights > MISSED_BY_BLOCK**2 * weights[-1]
+    significant = weights > missed**2 * weights[-1]
     fields = fields @ (
         turn[:, significant] / np.sqrt(weights[significant]) / size[:, None]
     )  # unit energy each

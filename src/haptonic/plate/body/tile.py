@@ -14,6 +14,7 @@ from haptonic.later import linalg as la
 from haptonic.plate.body.bonds import Bond3
 from haptonic.plate.body.surface import surface_weights
 from haptonic.plate.layout.keys import PLATE, PartKey
+from haptonic.superelement import CraigBampton
 
 SAME_PLACE = 12  # decimals of distinct positions, m
 
@@ -93,13 +94,12 @@ class Tile:
     bonds: Mapping[str, Bond3] = field(default_factory=dict)
 
     @classmethod
-    def plain(cls, stiffness: Array, mass: Array, trace: int, inside: Inside) -> Tile:
-        """Make a tile without attached parts; ``trace`` unknowns with static responses apart from modes."""
-        values = np.diag(stiffness)[trace:].copy()
+    def plain(cls, body: CraigBampton, inside: Inside) -> Tile:
+        """Make a tile without attached parts from a reduced body, whose boundary is the trace."""
         return cls(
-            stiffness={PLATE: la.block_diag(stiffness[:trace, :trace], np.diag(values))},
-            mass=mass,
-            values=values,
+            stiffness={PLATE: la.block_diag(body.stiffness, np.diag(body.values))},
+            mass=np.block([[body.mass, body.to_modes], [body.to_modes.T, np.eye(len(body.values))]]),
+            values=body.values,
             drive={},
             capacitance={},
             inside=inside,
