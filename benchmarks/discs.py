@@ -23,8 +23,8 @@ from record import write
 
 from haptonic.arrays import Array
 from haptonic.bloch import Resolution
-from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.reduced import unreduced
 from haptonic.cell import Disc, MeshPlan, Site, UnitCell
 from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
@@ -173,7 +173,7 @@ def edges_of(cell: UnitCell) -> str:
 def frequencies(cell: UnitCell, plans: Sequence[MeshPlan]) -> Array:
     """(wavevectors, MODES) frequencies on some meshes of the tiles, Hz."""
     with one_thread():
-        pencil = parted(lattice_pencil(Tiling.condensed(cell, plans, *INTERIOR, measured=False)))[0]
+        pencil = unreduced(Tiling.condensed(cell, plans, *INTERIOR, measured=False))[0]
         return np.array([hertz(eigenpairs(pencil, np.pi * share, MODES)[0]) for share in SHARES])
 
 

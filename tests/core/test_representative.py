@@ -14,8 +14,8 @@ from strategies import lattices
 
 from daily import daily
 from five_parts import refused
-from haptonic.bloch import BlochModel, Resolution, mode_shapes
-from haptonic.bloch.centred import parted
+from haptonic.bloch import BlochModel, Resolution, mode_shapes, reduced
+
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import IDENTITY, Representative, images, signed_operations
@@ -80,12 +80,10 @@ def model(name):
 
 def unreduced(the_model, kappa, count=6):
     """Frequencies (Hz) and nodal fields of the pencil before any reduction, at the wavevector itself."""
-    whole = the_model.fine.whole
-    pencil, parts = parted(whole)
+    tiling = the_model.fine.tiling
+    pencil, expanded = reduced.unreduced(tiling)
     values, modes = eigenpairs(pencil, kappa, count)
-    modes = np.hstack(parts) @ modes if parts else modes
-    fields = whole.periodic.expanded(whole.free(modes, kappa), kappa)
-    return hertz(values), the_model.fine.tiling.lifted(fields)
+    return hertz(values), tiling.lifted(expanded(modes, kappa))
 
 
 def drawn(name, count):

@@ -8,14 +8,15 @@ eigenproblems take a quarter of the time of Hermitian ones.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Fields
-from haptonic.bloch.pencil import Pencil, Periodic, SplitPencil, bloch_pencil
+from haptonic.bloch.pencil import Of, Pencil, Periodic, SplitPencil, bloch_pencil
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement import Tiling
 
@@ -63,17 +64,11 @@ class CentredPencil:
         columns = np.concatenate([even, even, odd, odd, np.arange(2 * pairs, count)])
         combinations = sp.csr_array((values, (rows, columns)), shape=(count, count))
 
-        def combined(forms: Array) -> Array:
-            stacked = forms.reshape(-1, count).T  # the sparse factor must be the first one
-            half = (combinations.T @ stacked).T.reshape(forms.shape).swapaxes(1, 2)
-            turned = (combinations.T @ half.reshape(-1, count).T).T.reshape(forms.shape)
-            return np.asarray(turned.swapaxes(1, 2))
-
         middle = periodic.in_middle_plane(tiling)
         between = periodic.shift[source] + away  # translation from an unknown to its image
         return cls(
             periodic=periodic,
-            pencil=Pencil(laurent.shifts, combined(laurent.stiffness), combined(laurent.mass)),
+            pencil=laurent.combined(combinations),
             combinations=combinations,
             offset=0.5 * between[np.concatenate([first, first, alone])],
             odd=np.concatenate([np.zeros(pairs, bool), np.ones(pairs, bool), sign[alone] < 0]),
@@ -99,6 +94,19 @@ class CentredPencil:
     def free(self, modes: Fields, kappa: Array) -> Complex:
         """(n, k) free unknowns of the lattice from real modes (n, k)."""
         return np.asarray(self.combinations @ (self.phases(kappa)[:, None] * modes))
+
+    def restricted(self, fields: sp.csr_array) -> CentredPencil:
+        """The pencil on orthonormal combinations (n, m) of unknowns of equal offset and parity."""
+        some = abs(fields).argmax(axis=0)
+        return replace(
+            self,
+            pencil=self.pencil.combined(fields),
+            combinations=self.combinations @ fields,
+            offset=self.offset[some],
+            odd=self.odd[some],
+            translations=fields.T @ self.translations,
+            middle=None,
+        )
 
     def projected(self, basis: Array) -> RealPencil:
         """The pencil on a constant real basis (n, r)."""
@@ -194,6 +202,15 @@ class PhasedPencil:
         """(n, k) free unknowns of the lattice: the modes."""
         return np.asarray(modes, dtype=complex)
 
+    def restricted(self, fields: sp.csr_array) -> PhasedPencil:
+        """The pencil on combinations (n, m) of the unknowns."""
+        return replace(
+            self,
+            pencil=self.pencil.combined(fields),
+            translations=fields.T @ self.translations,
+            middle=None,
+        )
+
     def projected(self, basis: Array) -> Pencil:
         """The pencil on a constant real basis (n, r)."""
         return self.pencil.projected(basis)
@@ -246,20 +263,33 @@ def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
     return PhasedPencil.of(tiling)
 
 
-def parted(
-    full: CentredPencil | PhasedPencil,
-) -> tuple[CentredPencil | PhasedPencil | SplitPencil, tuple[Array, Array] | None]:
-    """Split a pencil into symmetric and antisymmetric motions about the middle plane, with their bases.
+@dataclass(frozen=True)
+class Part:
+    """Motions of a pencil that are symmetric or antisymmetric about the middle plane, or all motions.
 
-    If that plane is not a mirror, return the pencil itself and None.
+    embedding : (n, m) sparse orthonormal fields of the whole pencil from unknowns of the part
+    """
+
+    pencil: CentredPencil | PhasedPencil
+    embedding: sp.csr_array
+
+
+def parts_of(full: CentredPencil | PhasedPencil) -> tuple[Part, ...]:
+    """Split a pencil into symmetric and antisymmetric motions, which are not coupled.
+
+    A pencil whose middle plane is not a mirror is the only part.
     """
     if full.middle is None:
-        return full, None
-    parts = _halves(full.middle)
-    return split(full, parts), parts
+        return (Part(full, sp.eye_array(full.size, format="csr")),)
+    return tuple(Part(full.restricted(fields), fields) for fields in _halves(full.middle))
 
 
-def _halves(middle: sp.csr_array) -> tuple[Array, Array]:
+def together(pencils: Sequence[Of]) -> Of | SplitPencil[Of]:
+    """The pencil of all parts from those of the parts."""
+    return pencils[0] if len(pencils) == 1 else SplitPencil((pencils[0], pencils[1]))
+
+
+def _halves(middle: sp.csr_array) -> tuple[sp.csr_array, sp.csr_array]:
     """(n, s) and (n, a) orthonormal bases of even and odd motions of a mirror (n, n).
 
     The mirror exchanges pairs of unknowns, or maps an unknown to itself or to its opposite.
@@ -267,23 +297,16 @@ def _halves(middle: sp.csr_array) -> tuple[Array, Array]:
     entries = middle.tocoo()
     first, second = entries.coords
     alone, pair = first == second, first < second
-    count, root = middle.shape[0], np.sqrt(0.5)
+    root = np.full(int(pair.sum()), np.sqrt(0.5))
     parts = []
     for parity in (1, -1):
         single = first[alone & (entries.data * parity > 0)]
-        basis = np.zeros((count, pair.sum() + len(single)))
-        columns = np.arange(pair.sum())
-        basis[first[pair], columns] = root
-        basis[second[pair], columns] = parity * root * entries.data[pair]
-        basis[single, pair.sum() + np.arange(len(single))] = 1.0
-        parts.append(basis)
+        columns, size = np.arange(len(root)), len(root) + len(single)
+        values = np.concatenate([root, parity * root * entries.data[pair], np.ones(len(single))])
+        rows = np.concatenate([first[pair], second[pair], single])
+        places = (rows, np.concatenate([columns, columns, np.arange(len(root), size)]))
+        parts.append(sp.csr_array((values, places), shape=(middle.shape[0], size)))
     return parts[0], parts[1]
-
-
-def split(full: CentredPencil | PhasedPencil, bases: tuple[Array, Array]) -> SplitPencil:
-    """Project a pencil onto constant real bases of symmetric and of antisymmetric motions."""
-    symmetric, antisymmetric = (full.projected(basis) for basis in bases)
-    return SplitPencil((symmetric, antisymmetric))
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields
-from haptonic.bloch.centred import lattice_pencil, parted
 from haptonic.bloch.mesh_levels import (
     Lack,
     MeshLimits,
@@ -23,7 +22,7 @@ from haptonic.bloch.mesh_levels import (
     refusal,
 )
 from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
-from haptonic.bloch.reduced import ReducedCell
+from haptonic.bloch.reduced import ReducedCell, unreduced
 from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import BandSettings
@@ -129,7 +128,7 @@ class BlochModel:
             # plate
             if many:
                 return ReducedCell.of(lower, count, goal).pencil
-            return parted(lattice_pencil(lower))[0]
+            return unreduced(lower)[0]
 
         # these matrices are too small for threads inside the linear algebra; both models share the threads
         # for symmetry classes, the larger model first

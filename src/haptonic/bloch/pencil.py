@@ -8,7 +8,7 @@ Time: ``exp(+i omega t)``.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Generic, Protocol, TypeVar
 
 import numpy as np
 
@@ -52,6 +52,11 @@ class Pencil:
         K, M = (_halves(blocks, factor) for blocks in (self.stiffness, self.mass))
         return (K[0] + self.stiffness[0], K[1]), (M[0] + self.mass[0], M[1])
 
+    def combined(self, fields: sp.csr_array) -> Pencil:
+        """The pencil on sparse real combinations (n, m) of its unknowns."""
+        stiffness, mass = (_on_combinations(fields, blocks) for blocks in (self.stiffness, self.mass))
+        return Pencil(self.shifts, stiffness, mass)
+
     def projected(self, basis: Array) -> Pencil:
         """Project the pencil onto a constant real basis (n, r)."""
 
@@ -59,6 +64,15 @@ class Pencil:
             return np.asarray(basis.T @ blocks @ basis)
 
         return Pencil(self.shifts, project(self.stiffness), project(self.mass))
+
+
+def _on_combinations(fields: sp.csr_array, forms: Array) -> Array:
+    """(s, m, m) forms (s, n, n) on sparse combinations (n, m) of their unknowns."""
+    for _ in range(2):  # the sparse factor must be the first one
+        count, _, size = forms.shape
+        stacked = (fields.T @ forms.reshape(-1, size).T).T
+        forms = stacked.reshape(count, -1, fields.shape[1]).swapaxes(1, 2)
+    return np.asarray(forms)
 
 
 def _halves(blocks: Array, factor: Complex) -> tuple[Array, Array]:
@@ -176,8 +190,11 @@ class Derived(Evaluated, Protocol):
     def slope(self, kappa: Array, direction: int, /) -> tuple[Fields, Fields]: ...
 
 
+Of = TypeVar("Of", bound=Evaluated, covariant=True)
+
+
 @dataclass(frozen=True)
-class SplitPencil:
+class SplitPencil(Generic[Of]):
     """Pencil of a cell that is its own image in the plate's middle plane.
 
     Symmetric and antisymmetric motions are not coupled.
@@ -185,7 +202,7 @@ class SplitPencil:
     parts : pencils of symmetric and of antisymmetric motions; their unknowns follow each other
     """
 
-    parts: tuple[Derived, Derived]
+    parts: tuple[Of, Of]
 
     @property
     def size(self) -> int:
@@ -195,7 +212,7 @@ class SplitPencil:
         """(n, n) stiffness and mass at the phases (2,)."""
         return self._whole([part.at(kappa) for part in self.parts])
 
-    def slope(self, kappa: Array, direction: int) -> tuple[Fields, Fields]:
+    def slope(self: SplitPencil[Derived], kappa: Array, direction: int) -> tuple[Fields, Fields]:
         """Exact derivatives of stiffness and mass with respect to one phase."""
         return self._whole([part.slope(kappa, direction) for part in self.parts])
 

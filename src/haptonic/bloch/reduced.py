@@ -8,10 +8,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
-from haptonic.bloch.centred import CentredPencil, PhasedPencil, RealPencil, lattice_pencil, parted, split
+from haptonic.bloch.centred import (
+    CentredPencil,
+    PhasedPencil,
+    RealPencil,
+    lattice_pencil,
+    parts_of,
+    together,
+)
 from haptonic.bloch.pencil import Evaluated, Pencil, SplitPencil, eigenpairs
 from haptonic.brillouin import IrreducibleZone
-from haptonic.later import linalg as la
+from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement import Tiling, definite
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
@@ -38,7 +45,7 @@ class ReducedCell:
 
     tiling: Tiling
     whole: CentredPencil | PhasedPencil
-    pencil: RealPencil | Pencil | SplitPencil
+    pencil: RealPencil | Pencil | SplitPencil[RealPencil | Pencil]
     basis: Array
     projection_error: float
     rounding: float
@@ -48,17 +55,22 @@ class ReducedCell:
     def of(cls, tiling: Tiling, count: int, goal: float) -> ReducedCell:
         """Enrich a basis until its relative error of ``count`` frequencies is at most ``goal``."""
         full = lattice_pencil(tiling)
-        solved, parts = parted(full)
-        mass = full.at(np.zeros(2))[1].real
-        rest = [_orthonormal(share, mass) for share in _apart(full.near_rest(), parts)]
-        snapshots: list[Array] = []
+        parts = parts_of(full)
+        solved, ends = (
+            together([part.pencil for part in parts]),
+            np.cumsum([part.pencil.size for part in parts]),
+        )
+        masses = [part.pencil.at(np.zeros(2))[1].real for part in parts]
+        near_rest = full.near_rest()
+        rest = [
+            _orthonormal(part.embedding.T @ near_rest, mass) for part, mass in zip(parts, masses, strict=True)
+        ]
+        snapshots: list[list[Array]] = [[] for _ in parts]
         error, small, lost = np.inf, None, LOST_DIRECTION
         for wavevectors in _training(tiling.cell.zone):
             values, modes = zip(
                 *(eigenpairs(solved, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
-            if parts:
-                modes = tuple(np.hstack(parts) @ shapes for shapes in modes)
             if small is not None:
                 projected = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
                 error = max(
@@ -66,13 +78,15 @@ class ReducedCell:
                     for above, exact in zip(projected, values, strict=True)
                 )
                 lost *= TIGHTER if error > goal else 1.0
-            snapshots += [full.snapshots(shapes) for shapes in modes]
+            for shapes in modes:
+                for of_part, share in zip(snapshots, np.split(shapes, ends[:-1]), strict=True):
+                    of_part.append(full.snapshots(share))
             while True:
                 bases = [
-                    _enriched(long_waves, new, mass, lost)
-                    for long_waves, new in zip(rest, _apart(np.hstack(snapshots), parts), strict=True)
+                    _enriched(long_waves, np.hstack(of_part), mass, lost)
+                    for long_waves, of_part, mass in zip(rest, snapshots, masses, strict=True)
                 ]
-                small = split(full, (bases[0], bases[1])) if parts else full.projected(bases[0])
+                small = together([part.pencil.projected(of) for part, of in zip(parts, bases, strict=True)])
                 try:
                     at_rest = eigenpairs(small, np.zeros(2), 3)[0]
                     break
@@ -90,7 +104,7 @@ class ReducedCell:
             tiling=tiling,
             whole=full,
             pencil=small,
-            basis=np.hstack(bases),
+            basis=np.hstack([part.embedding @ of for part, of in zip(parts, bases, strict=True)]),
             projection_error=max(error, goal),
             rounding=float(np.abs(at_rest).max()),
         )
@@ -105,9 +119,8 @@ class ReducedCell:
         """Restrict the cell to motions of one parity."""
         assert isinstance(self.pencil, SplitPencil), "a cell without this mirror"
         first = self.pencil.parts[0].size
-        members = slice(None, first) if parity > 0 else slice(first, None)
-        basis = self.basis[:, members]
-        return replace(self, pencil=self.whole.projected(basis), basis=basis)
+        part, members = (0, slice(None, first)) if parity > 0 else (1, slice(first, None))
+        return replace(self, pencil=self.pencil.parts[part], basis=self.basis[:, members])
 
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the tiling from (r, k) modes of the small pencil."""
@@ -117,13 +130,13 @@ class ReducedCell:
 def unreduced(tiling: Tiling) -> tuple[Evaluated, Callable[[Fields, Array], Complex]]:
     """Pencil of a tiling, and a function that maps its modes at phases (2,) to unknowns of the tiling."""
     full = lattice_pencil(tiling)
-    solved, parts = parted(full)
+    parts = parts_of(full)
+    every = sp.hstack([part.embedding for part in parts], format="csr")
 
     def expanded(modes: Fields, kappa: Array) -> Complex:
-        modes = np.hstack(parts) @ modes if parts else modes
-        return full.periodic.expanded(full.free(modes, kappa), kappa)
+        return full.periodic.expanded(full.free(every @ modes, kappa), kappa)
 
-    return solved, expanded
+    return together([part.pencil for part in parts]), expanded
 
 
 def _training(zone: IrreducibleZone) -> Iterator[Array]:
@@ -137,11 +150,6 @@ def _training(zone: IrreducibleZone) -> Iterator[Array]:
             new = batch[apart > 1e-6]
             seen = np.concatenate([seen, new])
             yield new
-
-
-def _apart(fields: Array, parts: tuple[Array, Array] | None) -> list[Array]:
-    """Symmetric and antisymmetric share of fields (n, k), or the fields themselves."""
-    return [basis @ (basis.T @ fields) for basis in parts] if parts else [fields]
 
 
 def _enriched(rest: Array, new: Array, mass: Array, lost: float) -> Array:

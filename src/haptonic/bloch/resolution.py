@@ -284,7 +284,7 @@ class Resolution:
         for piece in self._meshed(cell):
             answers = piece.boundary(piece.plan.plate_levels) + directions
             # with fewer folds the number of responses is equal, each with more unknowns
-            folded = 4 / 2 ** len(folds_of(piece.tile)) * (TWICE_FOLDED if piece.tile.is_mirrored else 1.0)
+            folded = 4 / 2 ** len(folds_of(piece.tile)) * (TWICE_FOLDED if piece.tile.is_halved else 1.0)
             needed += PER_ANSWER * sum(piece.plan.level_sizes) * answers * folded
         return needed + PER_CUBE * self._pencil(cell) ** 3
 

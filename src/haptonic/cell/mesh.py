@@ -101,9 +101,9 @@ def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:
     for layer, shares in enumerate(profile.layer_shares):
         for share in shares[1 if layer else 0 :]:
             levels.append(_level(profile, outlines, layer, share))
-    topology = topology_of(plan, mirrored=cell.is_mirrored, free=cell.free_width is not None)
+    topology = topology_of(plan, mirrored=cell.is_halved, free=cell.free_width is not None)
     half = np.concatenate([level[chosen] for level, chosen in zip(levels, topology.positions, strict=True)])
-    if not cell.is_mirrored:
+    if not cell.is_halved:
         return HexMesh(topology, half)
     image = half[topology.level_start[1] :] * np.array([1.0, 1.0, -1.0]) + np.array(
         [0.0, 0.0, cell.thickness]
@@ -138,7 +138,7 @@ class _Outlines:
         whole = np.append(share, 1.0)
         shares = whole if len(corners) == 4 else 2 * whole[: plan.side // 2 + 1]
         rim = along_sides(corners, share) if cell.free_width is None else cell.free_width * rings[0]
-        return cls(core=core, rings=rings, stack=cell.stack, rim=rim, shares=shares)
+        return cls(core=core, rings=rings, stack=cell.meshed_stack, rim=rim, shares=shares)
 
     def ring(self, width: float, height: float) -> Array:
         """Curve for a half-width at a height, m: between two borders, beyond them like the nearest one."""

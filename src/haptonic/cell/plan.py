@@ -42,6 +42,7 @@ ALONG_MORE = 5
 # lower order showed, with two 0.03 %. If layers grow from the foot's thin ones downwards, the error of
 # two is 3e-5 for six diameters.
 PLATE_LAYER, MOST_BELOW_BRIDGES = 1.0, 2
+HALVED = 2  # orders through half of a plate, beyond half of the whole plate's: errors are then as large
 HOLE_NECK = 0.8  # like `WIDE_NECK`, between two holes, where the whole plate bends
 LEAST_DIVIDED = 3  # order of elements divided at an outline's corners; estimates use one lower
 
@@ -148,8 +149,8 @@ class MeshPlan:
         """
         shorter = orders_for_bands(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
-        if cell.stack is not None:
-            return cls._of_stack(cell, cell.stack, order, foot_rings, shorter)
+        if cell.meshed_stack is not None:
+            return cls._of_stack(cell, cell.meshed_stack, order, foot_rings, shorter)
         if cell.pillar is None:
             sheet = cell.is_sheet  # its error was 1.5 % in order 4, and 0.6 % in one more
             around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
@@ -231,15 +232,19 @@ class MeshPlan:
         neck = wide / neck_of(cell, stack, 0.5 * cell.inradius if sheet else 0.0)
         waves = SHEET_WAVES if sheet else SHORT_WAVES if cell.is_thin else 1.0
         around, blocks = around_quarter((smooth + 2) * max(1.0, neck) * waves, math.ceil(shorter - ROUNDING))
+        upward = smooth
+        if stack.mirrored and not cell.is_mirrored:
+            upward = min(smooth - 1, smooth // 2 + HALVED)
         return cls(
             around,
             0,
             0,
             blocks=blocks,
             outward=smooth + math.ceil(shorter / 2),
-            upward=smooth,
+            upward=upward,
             along=smooth + 1,
             thin=order,
+            near_rim=smooth - upward,
             stack=blocks_of(cell, stack, foot_rings),
         )
 

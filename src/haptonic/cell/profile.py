@@ -56,8 +56,8 @@ class Profile:
     @classmethod
     def of(cls, cell: TileShape, plan: MeshPlan) -> Profile:
         """Profile of a cell."""
-        if cell.stack is not None:
-            return cls._of_stack(cell, cell.stack, plan)
+        if cell.meshed_stack is not None:
+            return cls._of_stack(cell, cell.meshed_stack, plan)
         pillar = cell.pillar
         assert plan.foot_rings or pillar is None or not pillar.fillet, "a fillet needs a ring at the foot"
         assert bool(plan.step_layers) == (pillar is not None and pillar.step is not None), (

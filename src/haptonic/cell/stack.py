@@ -186,6 +186,21 @@ class Stack:
         reach = np.array(shapes)[:, None] * self.widths_at(self.heights, like)[..., None]
         return np.asarray(np.diff(reach, axis=0).min(axis=2))
 
+    @cached_property
+    def is_its_image(self) -> bool:
+        """True if all discs are prisms through the whole plate: the middle plane is then a mirror.
+
+        A material has this mirror if it has the half-turn about the normal, as all materials of a cell have.
+        """
+        ends = np.array([disc.ends(self.thickness) for disc in self.discs])
+        through = np.abs(ends - [0.0, self.thickness]).max() <= SAME * self.thickness
+        return bool(through) and not any(disc.draft for disc in self.discs)
+
+    @cached_property
+    def upper_half(self) -> Stack:
+        """The same discs above the plate's middle plane."""
+        return replace(self, mirrored=True)
+
     @property
     def has_corners(self) -> bool:
         """True if a section has corners, along which stress is singular and no mesh is graded."""

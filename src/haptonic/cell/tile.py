@@ -121,8 +121,21 @@ class TileShape:
 
     @property
     def is_mirrored(self) -> bool:
-        """True if the tile is its own image in the plate's middle plane; only half of it is then meshed."""
+        """True for features on both faces, as images of each other in the plate's middle plane."""
         return self.faces == "both"
+
+    @property
+    def is_halved(self) -> bool:
+        """True if the tile is its own image in this plane, so that only its upper half is meshed.
+
+        Discs through the plate are their own images, such as holes and their coatings.
+        """
+        return self.is_mirrored or (self.stack is not None and self.stack.is_its_image)
+
+    @property
+    def meshed_stack(self) -> Stack | None:
+        """Discs of the part that is meshed."""
+        return self.stack.upper_half if self.stack is not None and self.is_halved else self.stack
 
     @property
     def copies(self) -> int:

@@ -196,7 +196,7 @@ class Tiling:
 
         None if pillars on one face have no image on the other.
         """
-        if not all(tile.cell.is_mirrored for tile in self.tiles):
+        if not all(tile.cell.is_halved for tile in self.tiles):
             return None
         source, unknowns = np.arange(self.size), self.joint.unknowns
         source[unknowns] = unknowns[::-1]

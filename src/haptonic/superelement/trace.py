@@ -27,7 +27,9 @@ def trace_levels(plan: MeshPlan) -> int:
     layers = len(plan.plate_layer_orders)
     if plan.levels:
         return plan.levels
-    return plan.plate_levels if layers == 1 else max(plan.upward, 3) + plan.near_rim
+    if layers == 1:
+        return plan.plate_levels + (plan.near_rim if plan.stack else 0)
+    return max(plan.upward, 3) + plan.near_rim
 
 
 @dataclass(frozen=True, eq=False)
