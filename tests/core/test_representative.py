@@ -15,7 +15,6 @@ from strategies import lattices
 from daily import daily
 from five_parts import refused
 from haptonic.bloch import BlochModel, Resolution, mode_shapes, reduced
-
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import IDENTITY, Representative, images, signed_operations

@@ -42,7 +42,6 @@ ALONG_MORE = 5
 # lower order showed, with two 0.03 %. If layers grow from the foot's thin ones downwards, the error of
 # two is 3e-5 for six diameters.
 PLATE_LAYER, MOST_BELOW_BRIDGES = 1.0, 2
-HALVED = 2  # orders through half of a plate, beyond half of the whole plate's: errors are then as large
 HOLE_NECK = 0.8  # like `WIDE_NECK`, between two holes, where the whole plate bends
 LEAST_DIVIDED = 3  # order of elements divided at an outline's corners; estimates use one lower
 
@@ -232,9 +231,7 @@ class MeshPlan:
         neck = wide / neck_of(cell, stack, 0.5 * cell.inradius if sheet else 0.0)
         waves = SHEET_WAVES if sheet else SHORT_WAVES if cell.is_thin else 1.0
         around, blocks = around_quarter((smooth + 2) * max(1.0, neck) * waves, math.ceil(shorter - ROUNDING))
-        upward = smooth
-        if stack.mirrored and not cell.is_mirrored:
-            upward = min(smooth - 1, smooth // 2 + HALVED)
+        upward = smooth - (stack.mirrored and not cell.is_mirrored)  # half of a plate needs one order less
         return cls(
             around,
             0,

@@ -20,7 +20,7 @@ import numpy as np
 
 from haptonic.arrays import Array, Fields
 from haptonic.cell import HexMesh, MeshPlan, SurfaceMesh, TileShape
-from haptonic.later import linalg as la
+from haptonic.later import linalg as la, sparse as sp
 from haptonic.parallel import each
 from haptonic.solvers import definite
 from haptonic.superelement.folded import FoldedMesh
@@ -29,7 +29,7 @@ from haptonic.superelement.lifting import ClassLifting, Lifting, lifted
 from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
 from haptonic.superelement.parts import reduced_by_parts
 from haptonic.superelement.sections import PillarSections, section_sizes
-from haptonic.superelement.trace import FoldedTrace, TraceOperation
+from haptonic.superelement.trace import TraceOperation
 
 
 @dataclass(frozen=True)
@@ -190,17 +190,20 @@ def assembled(
 
 def whole(pieces: Sequence[CondensedClass], name: str) -> Array:
     """(t + m, t + m) form of all classes together."""
-    forms = [piece.forms[name] for piece in pieces]
-    corner = np.sum([form.corner for form in forms], axis=0)
-    side = np.hstack([form.side for form in forms])
+    forms, spreads = [piece.forms[name] for piece in pieces], [piece.part.trace.spread for piece in pieces]
+    pairs = list(zip(spreads, forms, strict=True))
+    corner = sp.hstack(spreads, format="csr") @ np.vstack(
+        [(spread @ form.corner).T for spread, form in pairs]
+    )
+    side = np.hstack([spread @ form.side for spread, form in pairs])
     return np.block([[corner, side], [side.T, la.block_diag(*(form.modal for form in forms))]])
 
 
 @dataclass(frozen=True)
 class ClassForm:
-    """Quadratic form of one class.
+    """Symmetric form of one class.
 
-    corner : on the whole trace; side : between the trace and the class's modes; modal : on these modes
+    corner : on the class's share of the trace; side : between this and the class's modes; modal : on these
     """
 
     corner: Array
@@ -208,20 +211,14 @@ class ClassForm:
     modal: Array
 
     @classmethod
-    def unfolded(cls, trace: FoldedTrace, corner: Array, side: Array, modal: Array) -> ClassForm:
-        """Unfold the parts of a form on the class's share of the trace."""
-        return cls(trace.unfold_form(corner), trace.unfold_rows(side), modal)
-
-    @classmethod
-    def split(cls, trace: FoldedTrace, form: Array) -> ClassForm:
-        """Split and unfold a form (b + m, b + m) on the class's share of the trace and its modes."""
-        count = len(trace.kept)
-        return cls.unfolded(trace, form[:count, :count], form[:count, count:], form[count:, count:])
+    def split(cls, form: Array, count: int) -> ClassForm:
+        """Split a form (b + m, b + m); ``count`` is the number b of unknowns of the trace."""
+        return cls(form[:count, :count], form[:count, count:], form[count:, count:])
 
 
 @dataclass(frozen=True)
 class CondensedClass:
-    """One symmetry class of a superelement, unfolded.
+    """One symmetry class of a superelement.
 
     forms : by name; momenta_of_trace, momenta_of_modes : (4 sections, t) and (4 sections, m), without
         sections if motion is not measured
@@ -234,17 +231,17 @@ class CondensedClass:
 
     @classmethod
     def of(cls, part: Lifting, own: CraigBampton, measured: ClassMeasures | None) -> CondensedClass:
-        """Unfold forms on the class's share of the trace and its modes."""
-        trace, count = part.trace, len(own.mass)
+        """Collect the forms of a reduced class, and unfold its momenta."""
+        count = len(own.mass)
         # static responses do no work on fields that vanish on the trace
         apart = np.zeros_like(own.to_modes)
         forms = {
-            "stiffness": ClassForm.unfolded(trace, own.stiffness, apart, np.diag(own.values)),
-            "mass": ClassForm.unfolded(trace, own.mass, own.to_modes, np.eye(part.count)),
-            "truncation": ClassForm.split(trace, own.truncation),
+            "stiffness": ClassForm(own.stiffness, apart, np.diag(own.values)),
+            "mass": ClassForm(own.mass, own.to_modes, np.eye(part.count)),
+            "truncation": ClassForm.split(own.truncation, count),
         }
         momenta = np.zeros((0, count + part.count))
         if measured is not None:
-            forms |= {name: ClassForm.split(trace, form) for name, form in measured.energies.items()}
+            forms |= {name: ClassForm.split(form, count) for name, form in measured.energies.items()}
             momenta = measured.momenta
-        return cls(part, forms, trace.unfold_rows(momenta[:, :count].T).T, momenta[:, count:])
+        return cls(part, forms, part.trace.unfold_rows(momenta[:, :count].T).T, momenta[:, count:])

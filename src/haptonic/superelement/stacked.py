@@ -173,7 +173,7 @@ def joined(
             if storey.body is not None:
                 measured.append(_of_body(storey.body, member.parities, stiff[number], of_body))
     piece = CondensedClass.of(part, reduced_class, ClassMeasures.together(measured) if measured else None)
-    return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(foot.trace, truncation)})
+    return replace(piece, forms=piece.forms | {"truncation": ClassForm.split(truncation, trace)})
 
 
 def _of_body(body: PillarBody, parities: tuple[Kinds, ...], stiff: Array, fields: Array) -> ClassMeasures:

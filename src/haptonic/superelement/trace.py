@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, TileShape, Topology
+from haptonic.later import sparse as sp
 from haptonic.superelement.symmetry import THROUGH, Folding
 
 
@@ -118,17 +119,20 @@ class FoldedTrace:
         np.add.at(out, self.number, whole * self.sign[:, None])
         return np.asarray(out / self.images[:, None])
 
+    @cached_property
+    def spread(self) -> sp.csr_array:
+        """(t, b) linear forms on the whole trace from those on the class, 0 on other classes."""
+        size = len(self.number)
+        values = self.sign / self.images[self.number]
+        return sp.csr_array((values, self.number, np.arange(size + 1)), shape=(size, len(self.kept)))
+
     def unfold_form(self, own: Array) -> Array:
-        """(t, t) quadratic form on the whole trace that equals ``own`` (b, b) on the class, 0 on others."""
-        scaled = own / (self.images[:, None] * self.images)
-        whole = scaled[self.number[:, None], self.number]
-        whole *= self.sign[:, None]
-        whole *= self.sign
-        return np.asarray(whole)
+        """(t, t) symmetric form on the whole trace that equals ``own`` (b, b) on the class, 0 on others."""
+        return np.asarray(self.spread @ (self.spread @ own).T)
 
     def unfold_rows(self, own: Array) -> Array:
         """(t, k) linear forms on the whole trace from (b, k) on the class."""
-        return np.asarray((own / self.images[:, None])[self.number] * self.sign[:, None])
+        return np.asarray(self.spread @ own)
 
     def on_levels(self, through: Array, own: NDArray[Any]) -> NDArray[Any]:
         """(rim size, 3, k) values on the mesh's rim from the class's trace unknowns (b, k)."""
