@@ -20,6 +20,7 @@ from haptonic.bloch.mesh_levels import (
     finer_level,
     first_level,
     refusal,
+    starting_rung,
 )
 from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell, unreduced
@@ -279,7 +280,9 @@ def candidate_models(
     limits = MeshLimits.of(settings.budget) if limits is None else limits
     if chosen is None:
         level = first_level(cell, count, accuracy, limits)
-        mesh = LADDER[level].for_bands(cell, count)
+        # the interior grows if the cell needs more than is usual for the accuracy
+        usual = LADDER[min(level, starting_rung(accuracy))]
+        mesh = replace(LADDER[level], steps=usual.steps, block=usual.block).for_bands(cell, count)
     else:
         check_thickness(cell)
         mesh, level, limits = chosen.for_bands(cell, count), len(LADDER), replace(limits, seconds=math.inf)
