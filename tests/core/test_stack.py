@@ -18,6 +18,7 @@ from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import OrthotropicMaterial
 from haptonic.superelement import FoldedMesh, Tiling, condense_by_parts, through_levels
+from haptonic.superelement.symmetry import THROUGH
 from stacks import DRAFTED, EPOXY, RIGHT, STACKS, STEEL, above, drafted_volumes
 
 MM = 1e-3
@@ -50,8 +51,12 @@ CELLS = {
 
 
 @cache
+def model_of(any_cell, count=8, resolution=COARSE):
+    return BlochModel.of(any_cell, resolution, count, measured=False)
+
+
 def solved(any_cell, count=8, resolution=COARSE):
-    return BlochModel.of(any_cell, resolution, count, measured=False).solve(KAPPA)
+    return model_of(any_cell, count, resolution).solve(KAPPA)
 
 
 def round_area(diameter):
@@ -122,6 +127,31 @@ def test_frequencies_are_those_of_the_whole_mesh(name):
     through = through_levels(one, mesh, tile.levels)
     P = periodic_projection(mesh.points, one.lattice.vectors, KAPPA, through, mesh.topology.rim)
     assert condensed == pytest.approx(frequencies(*assembled(mesh, *one.solids), P, 8), rel=2e-4)
+
+
+@pytest.mark.parametrize("name", ["hole", "coated inclusion", "triangular"])
+def test_discs_through_the_plate_part_waves_by_parity(name):
+    """A mode is its image or the opposite; a slight draft, which needs the whole mesh, changes little."""
+    one = CELLS[name]
+    model, solution = model_of(one), solved(one)
+    parity = model.fine.parity(solution.modes)
+    assert set(parity) == {1, -1}
+    moved = model.displacement(solution)
+    image = moved[model.fine.tiling.meshes[0].topology.image] * THROUGH[:, None] * parity
+    assert np.abs(image - moved).max() < 1e-9 * np.abs(moved).max()
+    drafted = replace(one, disc=tuple(replace(disc, draft=1e-7) for disc in one.disc))
+    assert not model_of(drafted).fine.parity(solved(drafted).modes).any()
+    TestIdentities.agree(one, drafted, 0.7)
+
+
+def test_only_prisms_through_the_plate_are_their_images():
+    whole = CELLS["hole"].stack
+    assert whole.is_its_image
+    assert whole.upper_half.heights == pytest.approx([0.5 * THICKNESS, THICKNESS])
+    assert CELLS["coated inclusion"].stack.is_its_image
+    assert not CELLS["blind hole"].stack.is_its_image
+    assert not CELLS["cap"].stack.is_its_image
+    assert not replace(whole, discs=(replace(whole.discs[0], draft=0.1),)).is_its_image
 
 
 @pytest.mark.nightly
