@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Fields
-from haptonic.bloch.pencil import Of, Pencil, Periodic, SplitPencil, bloch_pencil
+from haptonic.bloch.pencil import AnyPencil, Pencil, Periodic, SplitPencil, bloch_pencil
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement import Tiling
 
@@ -264,7 +264,7 @@ def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
 
 
 @dataclass(frozen=True)
-class Part:
+class ParityPart:
     """Motions of a pencil that are symmetric or antisymmetric about the middle plane, or all motions.
 
     embedding : (n, m) sparse orthonormal fields of the whole pencil from unknowns of the part
@@ -274,17 +274,17 @@ class Part:
     embedding: sp.csr_array
 
 
-def parts_of(full: CentredPencil | PhasedPencil) -> tuple[Part, ...]:
+def parts_of(full: CentredPencil | PhasedPencil) -> tuple[ParityPart, ...]:
     """Split a pencil into symmetric and antisymmetric motions, which are not coupled.
 
     A pencil whose middle plane is not a mirror is the only part.
     """
     if full.middle is None:
-        return (Part(full, sp.eye_array(full.size, format="csr")),)
-    return tuple(Part(full.restricted(fields), fields) for fields in _halves(full.middle))
+        return (ParityPart(full, sp.eye_array(full.size, format="csr")),)
+    return tuple(ParityPart(full.restricted(fields), fields) for fields in _halves(full.middle))
 
 
-def together(pencils: Sequence[Of]) -> Of | SplitPencil[Of]:
+def together(pencils: Sequence[AnyPencil]) -> AnyPencil | SplitPencil[AnyPencil]:
     """The pencil of all parts from those of the parts."""
     return pencils[0] if len(pencils) == 1 else SplitPencil((pencils[0], pencils[1]))
 

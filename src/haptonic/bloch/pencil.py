@@ -190,11 +190,11 @@ class Derived(Evaluated, Protocol):
     def slope(self, kappa: Array, direction: int, /) -> tuple[Fields, Fields]: ...
 
 
-Of = TypeVar("Of", bound=Evaluated, covariant=True)
+AnyPencil = TypeVar("AnyPencil", bound=Evaluated, covariant=True)
 
 
 @dataclass(frozen=True)
-class SplitPencil(Generic[Of]):
+class SplitPencil(Generic[AnyPencil]):
     """Pencil of a cell that is its own image in the plate's middle plane.
 
     Symmetric and antisymmetric motions are not coupled.
@@ -202,7 +202,7 @@ class SplitPencil(Generic[Of]):
     parts : pencils of symmetric and of antisymmetric motions; their unknowns follow each other
     """
 
-    parts: tuple[Of, Of]
+    parts: tuple[AnyPencil, AnyPencil]
 
     @property
     def size(self) -> int:
