@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -32,12 +33,20 @@ from haptonic.channels.uff_blocks import (
 )
 from haptonic.foreign.process import damaged
 
-# Data sets read by pyuff, each by a function of its text. pyuff.UFF reads text from a file only: one file for
-# each of thousands of data sets would take half a minute.
-READERS = {
-    kind: getattr(importlib.import_module(f"pyuff.datasets.dataset_{kind}"), f"_extract{kind}")
-    for kind in (15, 55, 82, 151, 164, 2411, 2412)
-}
+
+def _extracted(kind: int, text: str) -> dict[str, Any]:
+    """Fields of a data set from its text, by pyuff's function for its kind, imported on first use.
+
+    pyuff.UFF reads text from a file only: one file for each of thousands of data sets would take half a
+    minute.
+    """
+    reader = getattr(importlib.import_module(f"pyuff.datasets.dataset_{kind}"), f"_extract{kind}")
+    fields: dict[str, Any] = reader(text)
+    return fields
+
+
+# data sets read by pyuff, each by a function of its text
+READERS = {kind: partial(_extracted, kind) for kind in (15, 55, 82, 151, 164, 2411, 2412)}
 PASSED_OVER = {18, 1858, 2400, 2420, 2429, 2467, 58259}  # known types that a scan does not need
 NAMES = {
     0: "general function", 1: "time record", 2: "auto spectrum", 3: "cross spectrum",

@@ -7,7 +7,7 @@ file, checks, help, labels and the written file follow from these declarations.
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from functools import cached_property
 from types import FrameType
 from typing import Annotated, Any, ClassVar, Self
@@ -148,7 +148,8 @@ class Description:
         except HaptonicError as error:
             raise handed_on(error) from None
         check_varied(self, table(Description))
-        self.fit_settings.check(plate, self.absent_parameters())
+        if self.fit_settings.vary:
+            self.fit_settings.check(plate, self.absent_parameters())
         check_sweeps(self)
 
     @field_validator("named_parameters")
@@ -200,6 +201,8 @@ class Description:
 
     def without_plate(self) -> Self:
         """The study of the lattice alone."""
+        if self.finite_plate is None and self.ribbon_settings is None:
+            return self
         return unchecked(self, finite_plate=None, ribbon_settings=None)
 
     def parameters(self) -> dict[str, float]:
@@ -220,6 +223,10 @@ class Description:
 
     def absent_parameters(self) -> dict[str, str]:
         """Reason why a numeric parameter has no value in this study, by path."""
+        return self._absent_parameters
+
+    @cached_property
+    def _absent_parameters(self) -> dict[str, str]:
         built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
         return {
             path: built_in if path.startswith("material.") else "this study does not give it"
@@ -247,8 +254,7 @@ class Description:
                 raise self._no_parameter(path, parameters)
         alone = unchecked(self, sweep_settings=(), fit_settings=FitSettings())
         changed = alone._with_numbers(values)
-        words = changed._unusual_values() if values else {}
-        warn_caller((f"{path}: {text}" for path, text in words.items() if path in values), frame)
+        warn_caller(changed._slips(values), frame)
         return changed
 
     def _no_parameter(self, path: object, parameters: Mapping[str, float]) -> StudyError:
@@ -313,7 +319,8 @@ class Description:
 
     def designs(self, sweep: SweepSettings) -> tuple[Self, ...]:
         """One study for each design of a sweep, in order."""
-        return tuple(self._design(sweep, values) for values in sweep.designs)
+        lattice = self.without_plate()
+        return tuple(lattice._design(sweep, values) for values in sweep.designs)
 
     def _design(self, sweep: SweepSettings, values: Sequence[float]) -> Self:
         """The study in which the expressions of a sweep have these values."""
@@ -339,6 +346,12 @@ class Description:
 
     def _unusual_values(self) -> dict[str, str]:
         return unusual_values(self)
+
+    def _slips(self, changed: Container[str]) -> Iterator[str]:
+        """Remarks on changed numbers, by path; a warning computes them, and few changes give one."""
+        for path, text in self._unusual_values().items():
+            if path in changed:
+                yield f"{path}: {text}"
 
     def doubtful(self) -> dict[str, str]:
         """Remarks, by path, on values that are unusual relative to one another."""

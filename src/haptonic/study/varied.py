@@ -154,12 +154,13 @@ def _check_named(
 
 def check_sweeps(study: Description) -> None:
     """Refuse sweeps whose expressions have no value in a study, and those that reach an impossible design."""
+    lattice = study.without_plate()
     for row, sweep in enumerate(study.sweep_settings, start=1):
         for axis, table_name in zip(sweep.axes, ("", "second."), strict=False):
             _check_axis(study, axis, f"sweep[{row}].{table_name}")
         for step, values in enumerate(sweep.designs, start=1):
             try:
-                study._design(sweep, values)
+                lattice._design(sweep, values)
             except HaptonicError as error:
                 if error.code == "conflict" and error.argument == VARY:
                     raise handed_on(error, f"sweep[{row}].vary") from None
