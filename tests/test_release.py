@@ -18,7 +18,7 @@ import yaml
 
 import haptonic
 from five_parts import refusing
-from haptonic.cli.doctor import OPTIONAL
+from haptonic.cli.doctor import PARTS
 from haptonic.errors import ResourceError
 from haptonic.jobs import check_workers
 from sources import tree_of
@@ -71,8 +71,10 @@ def test_every_import_is_declared():
 
 def test_doctor_knows_every_extra_of_a_user():
     of_developers = {"dist", "docs", "ngsolve", "test"}
-    assert set(OPTIONAL) == set(EXTRAS) - of_developers
-    assert all(bare(package) in map(bare, EXTRAS[extra]) for extra, package in OPTIONAL.items())
+    assert set(PARTS) == set(EXTRAS) - of_developers
+    assert all(bare(part.package) in map(bare, EXTRAS[extra]) for extra, part in PARTS.items())
+    table = re.findall(r"^\| `(\w+)` \|.*\| (.+) \|$", (ROOT / "docs/install.md").read_text("utf-8"), re.M)
+    assert dict(table) == {extra: part.purpose for extra, part in PARTS.items()}
 
 
 def test_there_is_one_version():

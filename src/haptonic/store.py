@@ -218,6 +218,11 @@ class Store:
         except OSError as error:
             self._warn(error)
 
+    def size(self) -> tuple[int, int]:
+        """Number of the stored files, and their bytes."""
+        sizes = [about.st_size for every in _stored(self.root).values() for _, about in every]
+        return len(sizes), sum(sizes)
+
     def _try(self) -> None:
         try:
             with draft_for(self.root):
@@ -239,20 +244,23 @@ class Store:
 @cache
 def _make_room(root: Path) -> None:
     """Remove the files of each kind that were not used for longest, beyond its limit; once per process."""
-    used: dict[str, list[tuple[float, int, Path]]] = {kind: [] for kind in MOST_BYTES}
-    for path in root.glob("??/*.*"):
-        kind = path.suffix[1:]
-        with suppress(OSError):  # another process removed it
-            if kind in used:
-                about = path.stat()
-                used[kind].append((about.st_mtime, about.st_size, path))
-    for kind, files in used.items():
+    for kind, files in _stored(root).items():
         total = 0
-        for _, size, path in sorted(files, reverse=True):
-            total += size
+        for path, about in sorted(files, key=lambda file: file[1].st_mtime, reverse=True):
+            total += about.st_size
             if total > MOST_BYTES[kind]:
                 with suppress(OSError):
                     path.unlink()
+
+
+def _stored(root: Path) -> dict[str, list[tuple[Path, os.stat_result]]]:
+    """Files of a store by kind, with their sizes and times."""
+    stored: dict[str, list[tuple[Path, os.stat_result]]] = {kind: [] for kind in MOST_BYTES}
+    for path in root.glob("??/*.*"):
+        with suppress(OSError):  # another process removed it
+            if path.suffix[1:] in stored:
+                stored[path.suffix[1:]].append((path, path.stat()))
+    return stored
 
 
 def _fault(content: bytes, key: str) -> str:

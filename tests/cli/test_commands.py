@@ -234,16 +234,6 @@ def test_ctrl_c_keeps_what_was_done(study, tmp_path):
     assert 2 <= len(stored()) < 60
 
 
-def test_doctor_checks_the_physics(haptonic):
-    ran = haptonic("doctor", "--json")
-    assert ran.code == 0, ran.err
-    assert ran.json["healthy"] is True
-    assert 0 < ran.json["physics_error"] < 1e-4
-    assert len(f"{ran.json['physics_error']}") <= len("5.6e-05")
-    assert ran.json["solver"]
-    assert ran.json["threads"] >= 1
-
-
 def test_keys_come_from_the_schema(inside):
     found = {key["path"]: key for key in inside("keys", "--json").json["keys"]}
     assert found["cell.pillar.diameter"]["unit"] == "m"

@@ -14,5 +14,5 @@ NAMES = {
     "materials": "List the built-in materials with their constants and sources.",
     "schema": "Print the JSON schema of the study file, for editors that complete and check it.",
     "verify": "Compute published and exact cases; exit code 1 if one lies outside its errors.",
-    "doctor": "Print versions, threads, solver and memory, and run a one-second check of the physics.",
+    "doctor": "Print versions, optional parts, store and speed, and run a one-second check of the physics.",
 }

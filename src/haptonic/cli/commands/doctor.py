@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from haptonic.cli.commands import Json
 from haptonic.cli.console import speaking
-from haptonic.cli.doctor import examined
-from haptonic.results.table import Table
+from haptonic.cli.doctor import examined, tables
 
 
 def run(json: Json = False) -> None:
@@ -13,8 +12,12 @@ def run(json: Json = False) -> None:
     with speaking(json) as voice:
         with voice.counted("examining"):
             report = examined()
-        rows = [(name.replace("_", " "), str(value)) for name, value in report.items()]
-        voice.show(Table("haptonic doctor", ("what", "value"), rows))
+        for table in tables(report):
+            voice.show(table)
+        for reason in report["slow"]:
+            voice.tell(reason)
+        if not report["slow"]:
+            voice.tell("Nothing here makes haptonic slower than it can be.")
         voice.answer(report)
         if not report["healthy"]:
             raise SystemExit(1)
