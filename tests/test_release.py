@@ -83,8 +83,26 @@ def test_there_is_one_version():
     packed = recipe()["context"]["version"]
     newest = re.search(r"^## \[(\d\S+)\]", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.M)
     deposited = json.loads((ROOT / ".zenodo.json").read_text("utf-8"))["version"]
+    described = json.loads((ROOT / "codemeta.json").read_text("utf-8"))["version"]
     assert newest is not None
-    assert {cited, packed, deposited, newest[1]} == {haptonic.__version__}
+    assert {cited, packed, deposited, described, newest[1]} == {haptonic.__version__}
+
+
+def test_catalogues_of_software_agree_with_the_project():
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+    deposited = json.loads((ROOT / ".zenodo.json").read_text("utf-8"))
+    described = json.loads((ROOT / "codemeta.json").read_text("utf-8"))
+    assert deposited["title"] == described["headline"] == cited["title"]
+    assert described["description"] == cited["abstract"].strip()
+    assert described["keywords"] == deposited["keywords"] == PROJECT["keywords"]
+    assert set(cited["keywords"]) <= set(PROJECT["keywords"])
+    assert described["softwareRequirements"] == PROJECT["dependencies"]
+    assert described["runtimePlatform"] == f"Python {PROJECT['requires-python']}"
+    assert described["license"].rpartition("/")[2] == deposited["license"] == cited["license"]
+    assert cited["license"] == PROJECT["license"]
+    authors = [author["name"] for author in cited["authors"]]
+    assert [author["name"] for author in described["author"]] == authors
+    assert [author["name"] for author in deposited["creators"]] == authors
 
 
 def recipe() -> dict[str, dict]:

@@ -75,7 +75,7 @@ ALLOWED: dict[str, set[str]] = {
     "design": CORE,
     "plate": CORE - {"bloch"} | {"response"},
     "updating": BASE | {"materials", "plate", "response"},
-    "vtu": {"atomic"},
+    "vtu": {"arrays", "atomic"},
     "plots": CORE | {"atomic", "friction", "plate", "response", "updating", "vibrometry"},
     "workshop": BASE | {"atomic", "cell", "materials", "plate", "plots"},
     "pages": {"plots"},

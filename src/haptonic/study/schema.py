@@ -223,10 +223,6 @@ class Description:
 
     def absent_parameters(self) -> dict[str, str]:
         """Reason why a numeric parameter has no value in this study, by path."""
-        return self._absent_parameters
-
-    @cached_property
-    def _absent_parameters(self) -> dict[str, str]:
         built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
         return {
             path: built_in if path.startswith("material.") else "this study does not give it"
