@@ -64,6 +64,12 @@ CELLS = {
     "discs of all numbers": cell(None, disc=RECTANGLE_IN_ELLIPSE),
     "rounded": cell(Pillar(3 * MM, 5 * MM, "rectangle", length=2 * MM, corner_radius=0.4 * MM)),
 }
+MATERIALS = {  # number of them, where it is not one
+    "pillar of another metal": 2,
+    "coated inclusion": 3,
+    "drafted coated inclusion": 3,
+    "pillar on glue": 3,
+}
 # (cell, phases, band from 0, degenerate modes)
 CASES = [
     ("reference", GENERIC, 5, 1),
@@ -195,8 +201,7 @@ def test_sizes_and_constants_scale_as_they_must(name, kappa, band, together):
     for constant, exponent in (("youngs_modulus", 0.5), ("density", -0.5)):
         # of all materials together
         paths = [path for path in values if path.endswith(f"material.{constant}")]
-        materials = {"pillar of another metal": 2, "coated inclusion": 3, "pillar on glue": 3}
-        assert len(paths) == materials.get(name, 1)
+        assert len(paths) == MATERIALS.get(name, 1)
         shares = sum(values[path] * found.slopes[path] for path in paths)
         assert shares == pytest.approx(np.full(together, exponent * found.frequency), rel=1e-9)
 
