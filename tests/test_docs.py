@@ -45,6 +45,7 @@ PRINTED = {
     "docs/mirror.md": "56.9 kHz, 15 dB per row\n",
     "docs/plate.md": "180 pillars on 127 x 140 mm\n",
     "docs/scan.md": "simulated: 280 points, contrast within 0.5 dB: True\n",
+    "docs/start.md": "Complete gap from 42.19 ± 0.09 to 49.5 ± 0.1 kHz, between bands 6 and 7.\n",
     "docs/verdict.md": "material.youngs_modulus = 7e+10\nplate.loss_factor = 0.002\n"
     "plate.actuator[1].bond.thickness = 5e-05\n",
 }

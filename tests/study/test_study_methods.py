@@ -47,7 +47,7 @@ def test_help_and_signature_show_every_option_with_its_default_and_words(name):
 @given(st.sampled_from(WITH_TABLE), st.data())
 @settings(deadline=None, max_examples=40)
 def test_a_setting_given_as_an_option_is_answered_with_where_it_belongs(name, data):
-    options = {one.name for one in fields(named(name).options)}
+    options = {one.name for one in fields(named(name).options)} | set(inspect.signature(Study.run).parameters)
     key = data.draw(st.sampled_from([one for one in settings_of(name) if one not in options]))
     with pytest.raises(StudyError) as caught:
         getattr(STUDY, name.replace(" ", "_"))(**{key: 3})
