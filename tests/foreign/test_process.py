@@ -23,7 +23,7 @@ import haptonic.foreign.process as process
 from five_parts import refusing
 from haptonic.errors import ChannelError, ResourceError
 from haptonic.foreign import wire
-from haptonic.foreign.process import ask
+from haptonic.foreign.process import Limits, ask
 from pace import within
 
 NUMBERS = np.arange(12.0).reshape(3, 4)
@@ -135,12 +135,10 @@ class TestFaults:
             ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", ResourceError, "GB"),
         ],
     )
-    def test_every_end(self, good, answering, monkeypatch, code, error, words):
-        monkeypatch.setattr(process, "SECONDS", 0.5)
-        monkeypatch.setattr(process, "WAITING", 3.0)
+    def test_every_end(self, good, answering, code, error, words):
         answering(code)
         with pytest.raises(error, match=words):
-            ask("hdf5.tree", good)
+            ask("hdf5.tree", good, limits=Limits(seconds=0.5, waiting=1.5, memory=2**30))
         assert_reads(good)
 
     @pytest.mark.parametrize(
@@ -150,13 +148,11 @@ class TestFaults:
             ("kept = [bytearray(2**22) for _ in iter(int, 1)]", ResourceError),
         ],
     )
-    def test_without_limits_of_the_system(self, good, answering, monkeypatch, code, error):
+    def test_without_limits_of_the_system(self, good, answering, code, error):
         """As on Windows: then the process that asks watches alone."""
-        monkeypatch.setattr(process, "SECONDS", 2.0)
-        monkeypatch.setattr(process, "MEMORY", 2**28)
         answering(code, before="child.resource = None")
         with pytest.raises(error):
-            ask("hdf5.tree", good)
+            ask("hdf5.tree", good, limits=Limits(seconds=2.0, waiting=24.0, memory=2**28))
 
     def test_what_an_earlier_file_did_is_not_the_next_one_s_fault(self, good, answering):
         """A process that has read other files crashes: the file is tried again in a fresh one."""

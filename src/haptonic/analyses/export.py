@@ -189,7 +189,7 @@ def check(study: Description, options: ExportOptions) -> None:
 
 
 def left_out(options: ExportOptions) -> dict[str, str]:
-    """Kinds of files that nobody named and that cannot be written on this machine, each with the reason."""
+    """Kinds of files, not asked for, that cannot be written on this machine, each with the reason."""
     if "step" not in options.kinds:
         return {}
     try:

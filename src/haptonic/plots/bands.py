@@ -23,7 +23,7 @@ MARK_EVERY = 5  # wavevectors between two markers on a curve
 
 @dataclass(frozen=True)
 class CurveStyle:
-    """How the curves of one character are drawn."""
+    """Colour, dashes and marker of the curves of one character."""
 
     colour: str
     dashes: style.Dashes

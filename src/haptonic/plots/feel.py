@@ -1,4 +1,4 @@
-"""What a finger feels: friction over the flat face, and reductions against the drive."""
+"""Pictures of friction under a finger: its map over the flat face, and reductions against the drive."""
 
 from __future__ import annotations
 

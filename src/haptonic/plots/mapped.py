@@ -330,7 +330,7 @@ def outlined(axes: Axes, layout: Layout | None, *, named: bool = True) -> int:
 
 
 def ends(middles: Array) -> tuple[float, float]:
-    """Where a row of pictured points begins and ends: half a step beyond the outer ones."""
+    """Ends of a row of points in a picture: half a step beyond the outer points."""
     step = middles[1] - middles[0] if len(middles) > 1 else 1.0
     return float(middles[0] - 0.5 * step), float(middles[-1] + 0.5 * step)
 

@@ -25,14 +25,14 @@ from haptonic.units import hz_text
 
 SHOWN = 8  # modes, as in Fig. 4B of the paper
 COLUMNS = 4
-MOMENTS = 12  # of a cycle that are drawn of moving modes
-FINER = 4  # patches of one colour along the side of a face, at most
+MOMENTS = 12  # moments of a cycle in a film
+FINER = 4  # most patches of one colour along the side of a face
 SHADES = 60  # steps of the scale of colours, too small to be distinguished side by side
 LARGEST = 0.2  # drawn displacement, as a share of the period
 APART = 0.45  # of the clear distance of two pillars, so that they do not pass through each other
-SMOOTH = 2  # how much finer along x and y a body is painted than it is shown, so that its edges are smooth
-INKED = 0.65  # of the light of a colour that a line over it leaves
-AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # where the camera is
+SMOOTH = 2  # pixels painted for one that is shown, along x and y, so that edges are smooth
+INKED = 0.65  # brightness of a line relative to the colour below it
+AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # direction of the camera
 
 
 @style.drawn
@@ -50,14 +50,14 @@ def mode_shapes(dataset: xr.Dataset) -> Figure:
 
 
 def moving_modes(dataset: xr.Dataset) -> bytes:
-    """One cycle of the same modes, all slowed down to one pace; see `haptonic.plots.moving`."""
+    """Film of one cycle of the same modes, all at one pace; see `haptonic.plots.moving`."""
     with style.styled():
         figure, turned = _bodies(dataset, moments(MOMENTS))
         return moving(figure, turned, MOMENTS)
 
 
 def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Callable[[complex], None]]:
-    """The figure, with room for these moments, and what brings its bodies to another moment of the cycle."""
+    """Figure with room for these moments of a cycle, and a function that moves its bodies to a moment."""
     count = min(SHOWN, dataset.sizes["mode"])
     columns = min(COLUMNS, count)
     position = dataset["node_position"].values * 1e3
@@ -81,8 +81,8 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes in panels:
         axes.set_axis_off()
-        axes.set(xticks=[], yticks=[])  # else they are laid out all the same, below every title
-    # one line with breaks: as many lines as there are edges would take a file and its making as much again
+        axes.set(xticks=[], yticks=[])  # otherwise they take room below every title
+    # one line with breaks: a line for each edge would double the time and the size of the file
     ends = _projected(position)[:, :2][outline]
     rest = np.pad(ends, ((0, 0), (0, 1), (0, 0)), constant_values=np.nan).reshape(-1, 2).T
     for k in range(count):
@@ -121,7 +121,10 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
 
 @dataclass(frozen=True)
 class Window:
-    """What is seen of a plane: its lower left and upper right corner, and how many pixels a unit has."""
+    """Visible part of the plane of projection.
+
+    low, high : its lower left and upper right corner; scale : pixels of a unit
+    """
 
     low: Array
     high: Array
@@ -129,20 +132,20 @@ class Window:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Of its picture, pixels."""
+        """Width and height of its picture, pixels."""
         wide, tall = np.ceil((self.high - self.low) * self.scale).astype(int).tolist()
         return wide, tall
 
     def pixels(self, points: Array) -> Array:
-        """Of points (..., 2), from the upper left corner of the picture."""
+        """Places of points (..., 2) in pixels from the upper left corner of the picture."""
         share = (points - self.low) / (self.high - self.low)
         return np.asarray(np.stack([share[..., 0], 1 - share[..., 1]], axis=-1) * self.size)
 
 
 def _painted(seen: Array, amount: Array, faces: Ints, borders: Ints, window: Window) -> NDArray[np.uint8]:
-    """(y, x, 4) faces that look at the camera and the borders of the elements, from the back to the front.
+    """Picture (y, x, 4) of the faces towards the camera and the borders of the elements, back to front.
 
-    It is painted here once, because matplotlib would for every form of a file, and more slowly.
+    matplotlib would paint it again for each format of a file, and more slowly.
     """
     corners = seen[faces]
     first, second = corners[:, 2, :2] - corners[:, 0, :2], corners[:, 3, :2] - corners[:, 1, :2]
@@ -150,7 +153,7 @@ def _painted(seen: Array, amount: Array, faces: Ints, borders: Ints, window: Win
     patches = _finer(np.concatenate([corners[front], amount[faces[front], None]], axis=2))
     used = np.isin(borders, np.unique(faces[front])).all(axis=1)
     lines = seen[borders[used]]
-    # A line lies on its faces, so it has to come a little nearer than they do.
+    # a line lies on its faces; drawn a little nearer, it is not hidden by them
     lift = 0.02 * np.ptp(seen[:, 1])
     nearness = np.concatenate([patches[..., 2].mean(axis=1), lines[..., 2].mean(axis=1) + lift])
     shades = style.perceptual()(np.concatenate([patches[..., 3].mean(1), amount[borders[used]].mean(1)]))
@@ -171,7 +174,7 @@ def _painted(seen: Array, amount: Array, faces: Ints, borders: Ints, window: Win
 
 
 def _whole(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """(y, x, 4) with the single pixels filled that polygons with a common side leave out between them."""
+    """Picture (y, x, 4) in which single pixels left out between adjacent polygons are filled."""
     there = pixels[..., 3] > 0
     beside = there[:-2, 1:-1] & there[2:, 1:-1] | there[1:-1, :-2] & there[1:-1, 2:]
     y, x = np.nonzero(~there[1:-1, 1:-1] & beside)
@@ -181,9 +184,9 @@ def _whole(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def _finer(corners: Array) -> Array:
-    """(m, 4, c) quadrilaterals that fill those with these corners (n, 4, c), bilinearly.
+    """Quadrilaterals (m, 4, c) that divide those with the corners (n, 4, c), bilinearly.
 
-    Each is parted until its last component, the colour, changes too little in a part to be seen.
+    Each is divided until the colour, its last component, changes too little within a part to be seen.
     """
     parts = np.clip(np.ceil(SHADES * np.ptp(corners[..., -1], axis=1)), 1, FINER).astype(int)
     patches = []
@@ -197,7 +200,7 @@ def _finer(corners: Array) -> Array:
 
 
 def _projected(points: Array) -> Array:
-    """(n, 3): to the right, upwards, and towards the camera, without perspective."""
+    """Coordinates (n, 3) to the right, upwards and towards the camera, without perspective."""
     right = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0.0])
     towards = np.array(
         [np.cos(AZIMUTH) * np.cos(ELEVATION), np.sin(AZIMUTH) * np.cos(ELEVATION), np.sin(ELEVATION)]
@@ -206,7 +209,7 @@ def _projected(points: Array) -> Array:
 
 
 def clearance(position: Array, faces: Ints) -> float:
-    """Least distance of two pillars, from parts of the upper half that are not connected; infinite of one."""
+    """Smallest distance between two pillars, unconnected parts of the upper half; infinite for one pillar."""
     middle = 0.5 * (position[:, 2].min() + position[:, 2].max())
     upper = faces[(position[faces, 2] > middle).all(axis=1)]
     joins = np.concatenate([upper[:, [k, (k + 1) % 4]] for k in range(4)])

@@ -1,4 +1,4 @@
-"""Where a picture with one system of axes is drawn: in a figure of our own, or on axes of somebody else's."""
+"""Axes for a picture with one system of axes: those of a new figure, or axes of a user."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Stage:
         return figure
 
     def legend(self, handles: Sequence[Artist] | None = None, ncols: int = 3, **look: Any) -> None:
-        """Explain the handles, or all that has a label: below our own axes, within those of somebody else."""
+        """Draw a legend of the handles, or of all labelled curves: below new axes, within axes of a user."""
         known = self.axes.get_legend_handles_labels()[0] if handles is None else list(handles)
         if self.own:
             below(self.figure, known, ncols, **look)

@@ -98,7 +98,7 @@ def styled() -> Iterator[None]:
 
 
 def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
-    """Make a figure in the common style, and arrange its parts; on axes of somebody else, in their style."""
+    """Draw a figure in the common style and arrange its parts; on axes of a user, in the user's style."""
 
     @wraps(make)
     def inside(*args: P.args, **kwargs: P.kwargs) -> Figure:
@@ -121,7 +121,7 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
 
 @contextmanager
 def _safe_in_latex(axes: Axes) -> Iterator[None]:
-    """Where LaTeX sets the type, keep it from reading commands in the texts that the block writes."""
+    """Escape the texts that the block writes if LaTeX sets the type, so that it reads no commands in them."""
     before = {id(text): text.get_text() for text in axes.findobj(Text)}
     yield
     if not mpl.rcParams["text.usetex"]:

@@ -1,4 +1,4 @@
-"""Where the edges of a gap fall on plates that are not alike, and what moves them."""
+"""Edges of a gap on plates of different sizes within tolerances, and the numbers that move them."""
 
 from __future__ import annotations
 

@@ -114,7 +114,7 @@ def _numbers(value: Value, head: dict[str, Any], ours: list[float], answer: Any)
 def _difference(
     value: Value, ours: list[float], error: float, scale: float, unit: str
 ) -> tuple[bool | None, str]:
-    """Whether ours agrees, and by how much it differs in words."""
+    """Agreement of our value, and its difference in words."""
     ends, low, high = value.ends, min(ours), max(ours)
     if value.relation != "equal":
         fulfilled = {
@@ -151,7 +151,7 @@ def _number(number: float, value: Value) -> str:
 
 
 def _shown_unit(value: Value) -> tuple[float, str]:
-    """What SI values are multiplied by to have them in the unit of the published text, and that unit."""
+    """Factor from SI to the unit of the published text, and that unit."""
     unit = value.value.split(" to ")[-1].strip().partition(" ")[2]
     if value.unit == "1":
         return (100.0, "%") if unit == "%" else (1.0, "")

@@ -69,7 +69,7 @@ class Results:
         return next((result for result in self.parts.values() if isinstance(result, kind)), None)
 
     def where(self, picture: str) -> str:
-        """Where the references show the same as a picture, for the sentence below it."""
+        """Figures of the references that correspond to a picture, for the sentence below it."""
         return self.references.where(picture) if self.references else ""
 
     def pictures(self, result: Result, words: Mapping[str, str]) -> tuple[Picture, ...]:

@@ -1,4 +1,4 @@
-"""How a gap moves along a sweep: a power of the swept value, fitted to the designs around the study's own."""
+"""Trend of a gap along a sweep: a power of the swept value, fitted to designs around that of the study."""
 
 from __future__ import annotations
 
