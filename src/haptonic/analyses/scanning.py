@@ -19,7 +19,7 @@ from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import ResponseError, ScanError
 from haptonic.later import xarray as xr
-from haptonic.plate import Plate
+from haptonic.plate import Layout, Plate
 from haptonic.plate.layout.sampling import driven_region, tile_names
 from haptonic.plate.vibration.levels import marked_lines
 from haptonic.progress import Progress, silent
@@ -220,23 +220,9 @@ def compute_scan(
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
     shapes = tuple(response.frequency[marked].tolist()) if at is None else (at,)
-    waves = None
-    if layout.cells:
-        span = float(response.frequency[0]), float(response.frequency[-1])
-        parts = layout, on.bands, span, on.gap, guides_of(layout), mirror
-        waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
-        remarks += without_mode(layout)
-        shortest = 2 * np.pi / float(waves["wavenumber"].max())
-        warn_if_aliased(grid_step(response), shortest, f"the flexural wave at {hz_text(span[1], form='.4g')}")
-    if registration.misfit > FAR * grid_step(response):
-        remarks.append(
-            f"the points lie {registration.misfit * 1e3:.2g} mm from the planned ones: check the registration"
-        )
-    if abs(registration.scale - 1) > SAME_SCALE:
-        remarks.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
-    outside = sum(name is None for name in tile_names(layout, response.points))
-    if outside:
-        remarks.append(f"{outside} points lie outside the plate of the study")
+    waves = _waves(response, on, mirror, store)
+    remarks += [] if waves is None else without_mode(layout)
+    remarks += _doubts_of_places(response, registration, layout)
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
         measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,
@@ -272,6 +258,39 @@ def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
         corners = np.array([[0.0, 0.0], [right, 0.0], [right, top], [0.0, top]])
         return register_by_corners(on.seen.corners, corners, mirrored=on.seen.mirrored)
     return register_by_fit(response.points, plan_for(on.scan, on.plate).points, mirrored=on.seen.mirrored)
+
+
+def _waves(
+    response: FrequencyResponse, on: OnPlate, mirror: Mirror | None, store: Store
+) -> xr.Dataset | None:
+    """Computed waves of the plate in the band of a scan; None for a plate without a lattice.
+
+    It warns if the points are too far apart for the shortest of these waves.
+    """
+    layout = on.plate.layout
+    if not layout.cells:
+        return None
+    span = float(response.frequency[0]), float(response.frequency[-1])
+    parts = layout, on.bands, span, on.gap, guides_of(layout), mirror
+    waves = store.kept({"kind": "waves beside a scan", "of": parts}, lambda: computed_waves(*parts))
+    shortest = 2 * np.pi / float(waves["wavenumber"].max())
+    warn_if_aliased(grid_step(response), shortest, f"the flexural wave at {hz_text(span[1], form='.4g')}")
+    return waves
+
+
+def _doubts_of_places(response: FrequencyResponse, registration: Registration, layout: Layout) -> list[str]:
+    """Remarks on points that do not fit the plate of the study."""
+    remarks = []
+    if registration.misfit > FAR * grid_step(response):
+        remarks.append(
+            f"the points lie {registration.misfit * 1e3:.2g} mm from the planned ones: check the registration"
+        )
+    if abs(registration.scale - 1) > SAME_SCALE:
+        remarks.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
+    outside = sum(name is None for name in tile_names(layout, response.points))
+    if outside:
+        remarks.append(f"{outside} points lie outside the plate of the study")
+    return remarks
 
 
 def _beside_lattice(
