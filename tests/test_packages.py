@@ -93,5 +93,14 @@ def test_what_was_left_out_is_admitted():
     assert {"dask", "distributed", "pint"} <= ran(done)
 
 
+def test_no_installed_package_is_searched_for_plug_ins_of_pydantic():
+    ran(
+        "import importlib.metadata as metadata\n"
+        "from haptonic.later import leave_out; leave_out()\n"
+        "metadata.distributions = None  # a search would call it\n"
+        "import haptonic.study.schema"
+    )
+
+
 def test_every_command_knows_its_options_before_it_loads_what_computes():
     assert ran("from haptonic import analyses\nfor name in analyses.NAMES: analyses.named(name)") == set()

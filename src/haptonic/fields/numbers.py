@@ -75,6 +75,8 @@ def _changed(value: Any, changes: dict[str, float], prefix: str, make: Callable[
 
 
 def _in_slot(slot: Slot, old: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:
+    if not changes:  # all are made, mostly in the cell at the beginning of a study
+        return old
     path = slot.path(prefix)
     if is_described(old):
         return _changed(old, changes, slot.below(prefix), make)

@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler
@@ -101,7 +102,7 @@ class Quantity:
             return f'"{example_of(self.unit)}"' if self.unit else format_quantity(self.at_least, "")
         return format_quantity(self.typical[0], "")
 
-    @property
+    @cached_property  # asked for whenever a value is read, so that an error has it
     def allowed(self) -> str:
         """Allowed values in a file, as text."""
         kind = f'a number with its unit, such as "{example_of(self.unit)}",' if self.unit else "a number"

@@ -36,6 +36,8 @@ def check_varied(study: Description, keys: Mapping[str, Key]) -> None:
     ``keys`` : the keys of a study, by path
     """
     design, tolerance, cell = study.design_settings, study.tolerance_settings, study.cell
+    if not design.vary and not tolerance.of:
+        return
     values, absent = values_of(cell), study.absent_parameters()
     for name, tables in (("design.vary", design.vary), ("tolerance.of", tolerance.of)):
         for i, varied_table in enumerate(tables, start=1):
