@@ -4,9 +4,11 @@ import { render } from "preact";
 import { addKeys } from "./parts/keys";
 import { Result } from "./studio/answer";
 import { Compute } from "./studio/compute";
+import { analyses, list } from "./studio/chosen";
 import { completeWith } from "./studio/completing";
 import { Comparison, followComparison } from "./studio/compare";
 import { treeOf } from "./studio/declared";
+import { followDrops } from "./studio/drop";
 import { Editor, textKeys } from "./studio/editor";
 import { Bar } from "./studio/files";
 import { Form } from "./studio/form";
@@ -17,7 +19,8 @@ import { Points, pointsKeys } from "./studio/points";
 import { followPoints } from "./studio/points_data";
 import { openLink } from "./studio/share";
 import { server, type Start } from "./studio/server";
-import { attempt, files, openFile, unsaved } from "./studio/study";
+import { attempt, openFile, unsaved } from "./studio/study";
+import { followReading } from "./studio/understood";
 import { followTurns } from "./studio/turn";
 import style from "./studio/studio.css";
 import { addStyle } from "./views";
@@ -38,7 +41,7 @@ function Page({ start }: { start: Start }) {
           </section>
         </div>
         <div class="results" tabIndex={0} role="group" aria-label="Analyses and result">
-          <Compute analyses={start.analyses} />
+          <Compute />
           <Paint first={start.plate} />
           <Comparison />
           <Points />
@@ -71,7 +74,8 @@ async function begin(): Promise<void> {
   if (place === null) throw new Error("the page has no place for the studio");
   await attempt(async () => {
     const start = await server.start();
-    files.value = start.files;
+    analyses.value = start.analyses;
+    list(start);
     completeWith(start.form, start.expressions);
     addKeys("Text of the study", textKeys);
     addKeys("Computed designs", pointsKeys);
@@ -82,6 +86,8 @@ async function begin(): Promise<void> {
     followPoints();
     followComparison();
     followTurns();
+    followDrops();
+    followReading();
   });
   addEventListener("hashchange", () => void openLink());
   addEventListener("beforeunload", (event) => {

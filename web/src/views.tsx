@@ -7,6 +7,7 @@ import { fingerView } from "./plate/finger";
 import { mirrorView } from "./mirror/view";
 import type { Host } from "./parts/host";
 import { plateView } from "./plate/view";
+import { readingView } from "./reading/view";
 import { ribbonView } from "./ribbon/view";
 import uplot from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
@@ -17,6 +18,7 @@ const VIEWS: Record<string, (data: Dataset, host?: Host) => ComponentChildren> =
   plate: plateView,
   finger: fingerView,
   ribbon: ribbonView,
+  reading: readingView,
 };
 
 /** Draw a view into an element, or newer data into the view that is there; the returned function removes it. */

@@ -50,6 +50,11 @@ class Analysis:
     writes : True if the result consists of files only, which always need a folder
     watches : True if it is fast enough to be repeated whenever the study is saved
     interactive : name of the option that adds the data of the interactive view; empty without one
+    examine : reads the files of the options and returns what was understood, before anything is computed;
+        None for an analysis without files
+    study_option : name of the option with a study file, for an analysis that takes no study itself
+    settings : options that the text of a study in a folder gives in place of `study_option`
+    tables : tables of the study with settings for reading the files
     turning : makes sliders and previews for the studio, see `haptonic.analyses.turning`; None without them
     """
 
@@ -70,6 +75,10 @@ class Analysis:
     writes: bool = False
     watches: bool = False
     interactive: str = ""
+    examine: Callable[[Any, Any, Runner], Result] | None = None
+    study_option: str = ""
+    settings: Callable[[str, Path], Mapping[str, Any]] | None = None
+    tables: tuple[str, ...] = ()
     turning: Callable[[], Any] | None = None
 
     @property
@@ -161,10 +170,20 @@ class Analysis:
 
     def run(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
         """Check and compute for a call in Python; errors name options as in Python, not as flags."""
+        return self._called(self.compute, study, runner, given)
+
+    def examined(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
+        """Check the options and examine the files; errors as from `run`."""
+        assert self.examine is not None, f"{self.name} examines no files"
+        return self._called(self.examine, study, runner, given)
+
+    def _called(
+        self, work: Callable[[Any, Any, Runner], Result], study: Any, runner: Runner, given: Mapping[str, Any]
+    ) -> Result:
         try:
             options = self.chosen(given)
             self.admit(study, options)
-            return self.compute(study, options, runner)
+            return work(study, options, runner)
         except HaptonicError as error:
             raise self._by_names(error).with_traceback(error.__traceback__) from error.__cause__
 

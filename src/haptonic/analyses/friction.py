@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,7 @@ from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import no_cell
 from haptonic.errors import ResourceError
-from haptonic.friction.recordings import TABLE, Exclusion, Sensor, analysed
+from haptonic.friction.recordings import TABLE, Exclusion, Sensor, analysed, understood
 from haptonic.friction.recordings.draft import drafted
 from haptonic.friction.signals import Rules
 from haptonic.friction.statistics.summary import summary
@@ -25,7 +25,8 @@ from haptonic.results.friction import FrictionResult
 from haptonic.results.references import References
 from haptonic.results.simulated_trials import STUDY
 from haptonic.results.trial_draft import TrialDraft
-from haptonic.study.loading import load_trials_as
+from haptonic.results.trials_reading import TrialsReading
+from haptonic.study.loading import load_trials_as, trials_in
 from haptonic.study.schema import Description
 from haptonic.study.trial_tables import TrialSettings
 
@@ -34,7 +35,10 @@ TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s for statistics and pictures; s per byte 
 
 @dataclass(frozen=True)
 class FrictionOptions:
-    """Options: the records and how they are processed."""
+    """Options: the records and how they are processed.
+
+    settings : of the trials, and the study that they belong to, in place of those of a file; in Python only
+    """
 
     path: Path = option(
         help="Folder with trials.csv, or a single table of all samples.", metavar="PATH", place="before"
@@ -42,11 +46,13 @@ class FrictionOptions:
     study: Path | None = option(
         None, "Study whose [trials] applies; by default study.toml in the folder.", metavar="FILE"
     )
+    settings: tuple[TrialSettings, Description | None] | None = field(default=None)
     draft: bool = option(False, "Write trials.csv from the names of the files in the folder; nothing else.")
     references: Any = option(
         None,
         "Reference values to show in the pictures.",
         read=References.read,
+        is_path=True,
         metavar="FILE",
     )
 
@@ -67,7 +73,7 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
     path = options.path
     if options.draft:
         return _drafted(path)
-    section, whole = _asked(path, options.study)
+    section, whole = _settings(options)
     driven = driven_region(whole.mounted_plate()) if whole is not None and whole.finite_plate else None
     result = compute_friction(
         path, section.sensor, section, section.exclude, driven=section.driven or driven,
@@ -126,11 +132,26 @@ def _drafted(folder: Path) -> TrialDraft:
     return result
 
 
-def _asked(path: Path, study: Path | None) -> tuple[TrialSettings, Description | None]:
-    beside = path / STUDY
-    if study is None and not beside.is_file():
+def _settings(options: FrictionOptions) -> tuple[TrialSettings, Description | None]:
+    if options.settings is not None:
+        return options.settings
+    beside = options.path / STUDY
+    if options.study is None and not beside.is_file():
         return TrialSettings(), None
-    return load_trials_as(study or beside, Description)
+    return load_trials_as(options.study or beside, Description)
+
+
+def examine(study: None, options: FrictionOptions, runner: Runner) -> TrialsReading | TrialDraft:
+    """What was understood of the table of trials and of the first records, or the table that can be drafted.
+
+    Raises
+    ------
+    HaptonicError : a faulty table, or channels that cannot be found
+    """
+    if options.draft:
+        return TrialDraft(options.path, drafted(options.path), saved=False)
+    section, _ = _settings(options)
+    return TrialsReading(understood(options.path, section.sensor))
 
 
 def cost(study: None, options: FrictionOptions) -> Cost:
@@ -149,4 +170,8 @@ ANALYSIS = Analysis(
     study="none",
     parallel=True,
     doing="trials",
+    examine=examine,
+    study_option="study",
+    settings=lambda text, folder: {"settings": trials_in(text, Description, folder)},
+    tables=("trials",),
 )

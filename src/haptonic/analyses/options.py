@@ -22,6 +22,8 @@ class Option:
     read : function that reads a text or the path of a file
     metavar : name of the value in a help; flag : name on the command line
     place : "option", or an argument of the command line before or behind the study
+    is_path : True if `read` takes the path of a file; options of type Path need no mark
+    topic : heading under which a page asks for it; empty for one that is rarely needed
     """
 
     help: str
@@ -31,6 +33,8 @@ class Option:
     flag: str = ""
     place: Literal["option", "before", "behind"] = "option"
     least: int | None = None
+    is_path: bool = False
+    topic: str = ""
 
     def value(self, given: Any) -> Any:
         """Value for the analysis: a text is converted by the unit or by `read`, a path by `read`."""
@@ -44,6 +48,10 @@ def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
     if default is MISSING:
         return field(metadata={"option": Option(help, **more)})
     return field(default=default, metadata={"option": Option(help, **more)})
+
+
+CONTENT = "What the file may not say"  # topic of options that describe the content of a file
+POSITION = "Position of the plate"
 
 
 @dataclass(frozen=True)
@@ -91,5 +99,5 @@ class UnitsOfFile:
     """Option of analyses that read files without units."""
 
     frequency_unit: str | None = option(
-        None, 'Unit of frequencies in files that give none, such as "kHz".', metavar="UNIT"
+        None, 'Unit of frequencies in files that give none, such as "kHz".', metavar="UNIT", topic=CONTENT
     )

@@ -30,7 +30,7 @@ class ProtocolOptions:
 
     amplitudes: Any = option(
         None, 'Output of `feel --json`, or {"WG1": 1e-6, ...} in m (JSON).', read=read_amplitudes,
-        flag="--from", metavar="FILE",
+        is_path=True, flag="--from", metavar="FILE",
     )  # fmt: skip
 
 

@@ -53,7 +53,7 @@ class ReproduceOptions:
 
     references: Any = option(
         None, "Reference values; by default references/STUDY beside the study.", read=References.read,
-        metavar="FILE",
+        is_path=True, metavar="FILE",
     )  # fmt: skip
 
 

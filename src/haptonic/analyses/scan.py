@@ -3,31 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import size_of
-from haptonic.analyses.options import UnitsOfFile, option
+from haptonic.analyses.options import CONTENT, POSITION, UnitsOfFile, option, option_of
 from haptonic.analyses.runner import Runner
-from haptonic.analyses.scanning import Estimation, OnPlate, PlateInScan, compute_scan, on_plate
+from haptonic.analyses.scanning import (
+    Estimation,
+    OnPlate,
+    PlateInScan,
+    compute_scan,
+    on_plate,
+    registration_of,
+)
 from haptonic.analyses.support import every_cell
 from haptonic.analyses.verdict import compared, cost_of
 from haptonic.errors import ScanError, StudyError, shown
 from haptonic.paths import source
 from haptonic.response import FrequencyResponse, read
 from haptonic.results.cost import BASE, Cost
+from haptonic.results.scan.reading import ScanReading
 from haptonic.results.scan.value import ScanResult
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 from haptonic.units import to_si
 from haptonic.vibrometry.readers import Scan, read_scan
 
-OF_FILES = (
-    "unit", "length_unit", "frequency_unit", "phase_unit", "points_in", "variables", "reference", "simulated",
-)  # fmt: skip
-"""Options that describe a file."""
 PROGRESS = "estimating"  # folder for the state of an estimation, from which it can continue
 ANALYSED, BYTE_OF_SCAN = 4.0, 5e-8  # s for maps and pictures; s per byte that is read and estimated
 HELD = 4.0  # memory for a file, relative to its size
@@ -58,7 +62,7 @@ def frequency_or_points(text: str) -> float | str:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
+class ScanOptions(PlateInScan, UnitsOfFile, Estimation):
     """Options: the file and its analysis.
 
     response : a response in place of a file, in Python only
@@ -75,21 +79,28 @@ class ScanOptions(UnitsOfFile, PlateInScan, Estimation):
     at: Any = option(
         None, "Frequency of the operating shape, by default the loudest; or the points of a file without "
         'coordinates, "10 mm, 5 mm; 15 mm, 5 mm".', read=frequency_or_points, metavar="FREQUENCY|X,Y;...",
+        topic=POSITION,
     )  # fmt: skip
-    unit: str | None = option(None, "Unit of responses or records in files that give none; by default m/s/V.")
-    length_unit: str | None = option(None, 'Unit of coordinates in files that give none, such as "mm".')
+    model: bool = option(False, "Compare with the model of STUDY, computed at the points of the scan.")
+    unit: str | None = option(
+        None, "Unit of responses or records in files that give none; by default m/s/V.", topic=CONTENT
+    )
+    length_unit: str | None = option(
+        None, 'Unit of coordinates in files that give none, such as "mm".', topic=CONTENT
+    )
     variables: Any = option(
         None, "Names of arrays, columns or channels by meaning, such as response=FRF,x=X.", read=names_of,
-        metavar="MEANING=NAME,...",
+        metavar="MEANING=NAME,...", topic=CONTENT,
     )  # fmt: skip
-    reference: str | None = option(None, 'Name and unit of the reference, such as "A1, V".')
+    reference: str | None = option(None, 'Name and unit of the reference, such as "A1, V".', topic=CONTENT)
     phase_unit: str | None = option(
-        None, "Unit of phases in files that give none: rad or deg.", metavar="UNIT"
+        None, "Unit of phases in files that give none: rad or deg.", metavar="UNIT", topic=CONTENT
     )
     points_in: Literal["rows", "columns"] | None = option(
-        None, "Order of arrays with as many points as frequencies: rows or columns.", metavar="SIDE"
-    )
-    simulated: bool = option(False, "The file is of a simulation.")
+        None, "Order of arrays with as many points as frequencies: rows or columns.", metavar="SIDE",
+        topic=CONTENT,
+    )  # fmt: skip
+    simulated: bool = option(False, "The file is of a simulation.", topic=CONTENT)
 
     @property
     def model_is_a_study(self) -> bool:
@@ -108,7 +119,7 @@ def check(study: Description | None, options: ScanOptions) -> None:
         )  # fmt: skip
     if options.path is not None:
         source(options.path, "scan")
-    elif given := [name for name in OF_FILES if getattr(options, name)]:
+    elif given := [name for name in _about_content() if getattr(options, name)]:
         raise ScanError.conflict(
             argument=given[0], given=f"{shown(str(getattr(options, given[0])))}, together with a response",
             allowed="it with the path of a file",
@@ -130,6 +141,14 @@ def check(study: Description | None, options: ScanOptions) -> None:
             cause="the study of --against also registers the points to the plate",
             next_step="leave the study behind the scan out",
         )  # fmt: skip
+    if options.model and (study is None or against is not None):
+        raise ScanError.conflict(
+            argument="--model",
+            given="no study" if study is None else f"it, together with --against {against}",
+            allowed="it together with a study, and without --against",
+            cause="--model compares with the model of the study behind the scan",
+            next_step="add the study behind the scan, and leave --against out",
+        )  # fmt: skip
     if study is None and against is None and (options.corners is not None or options.mirrored):
         raise ScanError.missing(
             argument="--corners" if options.corners is not None else "--mirrored", given="no study",
@@ -137,6 +156,12 @@ def check(study: Description | None, options: ScanOptions) -> None:
             cause="a scan can be registered only to the plate of a study",
             next_step="add the study behind the scan",
         )  # fmt: skip
+
+
+def _about_content() -> list[str]:
+    """Names of the options that describe the content of a file."""
+    declared = ((item.name, option_of(item)) for item in fields(ScanOptions))
+    return [name for name, choice in declared if choice is not None and choice.topic == CONTENT]
 
 
 def compute(study: Description | None, options: ScanOptions, runner: Runner) -> ScanResult:
@@ -155,15 +180,21 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     state = runner.folder / PROGRESS if runner.folder else None
     runner.progress(0, 0, "reading")
     at = options.at if isinstance(options.at, int | float) else None
-    scan = Scan.of(options.response) if options.response else _read(options)
+    scan = Scan.of(options.response) if options.response else scan_of(options)
     result = compute_scan(scan, options, on, at=at, state=state, store=runner.store, progress=runner.progress)
     verdict = None
-    if study is not None and options.against:
+    if study is not None and (options.against or options.model):
         verdict = compared(study, result.response, computed, runner)
     return replace(result, verdict=verdict, state=state)
 
 
-def _read(options: ScanOptions) -> Scan:
+def scan_of(options: ScanOptions) -> Scan:
+    """Read the file that options name and describe.
+
+    Raises
+    ------
+    HaptonicError : from `read_scan`
+    """
     assert options.path is not None
     return read_scan(
         options.path, unit=options.unit, reference=options.reference,
@@ -185,6 +216,21 @@ def _need_plate(study: Description, options: ScanOptions, runner: Runner) -> OnP
     return on_plate(study, options, store=runner.store)
 
 
+def examine(study: Description | None, options: ScanOptions, runner: Runner) -> ScanReading:
+    """What was understood of a file, and the place of its points on the plate of the study, if it has one.
+
+    Raises
+    ------
+    HaptonicError : the file cannot be read with these options, or its points are not those of the plate
+    """
+    runner.progress(0, 0, "reading")
+    scan = scan_of(options)
+    if study is None or study.finite_plate is None:
+        return ScanReading(scan)
+    plate = study.mounted_plate()
+    return ScanReading(scan, plate, registration_of(scan.points, plate, study.scan_settings, options))
+
+
 def cost(study: Description | None, options: ScanOptions) -> Cost:
     """Estimated cost of reading the files, and of the comparison with a model."""
     size = 0 if options.path is None else size_of(options.path)
@@ -192,7 +238,8 @@ def cost(study: Description | None, options: ScanOptions) -> Cost:
     if options.model_is_a_study:
         assert options.against is not None
         return read + cost_of(load_as(options.against, Description), computed=False)
-    return read + cost_of(study, computed=False) if study is not None and options.against else read
+    judged = study is not None and (options.against or options.model)
+    return read + cost_of(study, computed=False) if study is not None and judged else read
 
 
 ANALYSIS = Analysis(
@@ -206,4 +253,6 @@ ANALYSIS = Analysis(
     study="optional",
     doing="points",
     kept="finished points are stored; run the same command to continue",
+    examine=examine,
+    tables=("scan",),
 )

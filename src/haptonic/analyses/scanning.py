@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.analyses.needs import need_carrier
-from haptonic.analyses.options import option
+from haptonic.analyses.options import POSITION, option
 from haptonic.analyses.plate_needs import gap_of_plate
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
@@ -114,9 +114,9 @@ class PlateInScan:
 
     corners: Any = option(
         None, "The plate's corners in the coordinates of the scan, from the lower left anticlockwise: "
-        '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES",
+        '"0 0 127 0 127 140 0 140 mm".', read=corners_of, metavar="PLACES", topic=POSITION,
     )  # fmt: skip
-    mirrored: bool = option(False, "The scan shows the plate's map from behind.")
+    mirrored: bool = option(False, "The scan shows the plate's map from behind.", topic=POSITION)
 
 
 @dataclass(frozen=True)
@@ -202,7 +202,7 @@ def compute_scan(
     if on is None:
         loudest = float(response.frequency[int(data["average"].values.argmax())])
         return replace(plain, shapes=(loudest if at is None else at,))
-    registration = _registration(response, on)
+    registration = registration_of(response.points, on.plate, on.scan, on.seen)
     layout = on.plate.layout
     response = on.scan.instrument.taken_out(
         registration.registered(response, {n: Tiles(layout, n) for n in layout.regions})
@@ -251,13 +251,18 @@ def _estimated(
     )  # fmt: skip
 
 
-def _registration(response: FrequencyResponse, on: OnPlate) -> Registration:
-    layout = on.plate.layout
-    if on.seen.corners is not None:
-        right, top = layout.x[-1], layout.y[-1]
+def registration_of(points: Array, plate: Plate, settings: ScanSettings, seen: PlateInScan) -> Registration:
+    """Transformation of the points of a scan to the plate, by the corners or else by a fit to the plan.
+
+    Raises
+    ------
+    ScanError : points that cannot be those of the plate
+    """
+    if seen.corners is not None:
+        right, top = plate.layout.x[-1], plate.layout.y[-1]
         corners = np.array([[0.0, 0.0], [right, 0.0], [right, top], [0.0, top]])
-        return register_by_corners(on.seen.corners, corners, mirrored=on.seen.mirrored)
-    return register_by_fit(response.points, plan_for(on.scan, on.plate).points, mirrored=on.seen.mirrored)
+        return register_by_corners(seen.corners, corners, mirrored=seen.mirrored)
+    return register_by_fit(points, plan_for(settings, plate).points, mirrored=seen.mirrored)
 
 
 def _waves(

@@ -29,7 +29,7 @@ class SimulateFrictionOptions(Seeded):
     raw: bool = option(False, "Six gauge voltages of 16 bits and a calibration, not forces.")
     amplitudes: Any = option(
         None, 'Output of `feel --json`, or {"WG1": 1e-6, ...} in m (JSON).', read=read_amplitudes,
-        flag="--from", metavar="FILE",
+        is_path=True, flag="--from", metavar="FILE",
     )  # fmt: skip
 
 

@@ -54,7 +54,7 @@ class SimulateScanOptions(Seeded):
         None, "Records or responses; by default those usual for the format.", flag="--time/--frf"
     )
     response: Any = option(
-        None, "The plate's response, instead of computing it.", read=response_in, flag="--from",
+        None, "The plate's response, instead of computing it.", read=response_in, is_path=True, flag="--from",
         metavar="FILE",
     )  # fmt: skip
 

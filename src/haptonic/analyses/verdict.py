@@ -54,10 +54,14 @@ class VerdictOptions:
     """Options: the responses to compare; in Python also the paths of their files."""
 
     response: Any = option(
-        help="response.nc of a scan.", read=response_in, metavar="RESPONSE", place="before"
+        help="response.nc of a scan.", read=response_in, is_path=True, metavar="RESPONSE", place="before"
     )
     computed: Any = option(
-        None, "The model's response, if it has been computed.", read=response_in, metavar="RESPONSE"
+        None,
+        "The model's response, if it has been computed.",
+        read=response_in,
+        is_path=True,
+        metavar="RESPONSE",
     )
 
 

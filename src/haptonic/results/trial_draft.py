@@ -22,13 +22,14 @@ SHOWN = 12  # rows
 class TrialDraft(Result):
     """Drafted table of trials, written beside the records.
 
-    source : folder of the records
+    source : folder of the records; saved : True if the table is in it
     """
 
     title = "Draft of the table of trials"
 
     source: Path
     draft: Draft
+    saved: bool = True
 
     @property
     def dataset(self) -> xr.Dataset:
@@ -58,6 +59,8 @@ class TrialDraft(Result):
     def summary(self) -> list[str]:
         count = len(self.draft.columns["file"])
         sentences = [f"{self.source / TABLE} was drafted from the names of {count} files; check it."]
+        if not self.saved:
+            sentences = [f"A draft of {TABLE}, from the names of {count} files, can be written."]
         if self.draft.empty:
             sentences.append(
                 f"Fill in {listed(self.draft.empty)}: the names of the files do not contain them."

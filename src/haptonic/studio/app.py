@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import base64
 from collections.abc import Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from dataclasses import replace
@@ -22,21 +23,22 @@ from haptonic.fields.expressions import PARAMETERS
 from haptonic.gate import json_from
 from haptonic.pages import filled
 from haptonic.studio.archive import Archive
+from haptonic.studio.asked import Asked, number_in, order_of, steps_in, text_in, unasked
 from haptonic.studio.checking import checked, described, study_in
 from haptonic.studio.comparing import compared
 from haptonic.studio.designs import design_text
 from haptonic.studio.editing import changed, lines_of, path_of
-from haptonic.studio.exports import Exports
+from haptonic.studio.errands import Errands
 from haptonic.studio.files import choices, chosen_export
 from haptonic.studio.form import form
 from haptonic.studio.guard import TooLargeError
 from haptonic.studio.job import Job
 from haptonic.studio.jobs import Jobs
-from haptonic.studio.offers import chosen, offered, offers
+from haptonic.studio.offers import offered, offers
 from haptonic.studio.painting import FIRST, forecast
 from haptonic.studio.replies import binary, download, missing
 from haptonic.studio.turns import LONGEST_PATH, turn_routes
-from haptonic.studio.worker import Order
+from haptonic.studio.uploads import upload_route
 from haptonic.studio.workspace import Workspace
 from haptonic.study import templates
 from haptonic.views import packed_page
@@ -44,8 +46,6 @@ from haptonic.views import packed_page
 PROGRAM = "studio.js"
 PICTURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 MOST_CHANGES = 10  # of keys in one step
-UNNAMED = "my.toml"  # name in commands for a study that is not saved yet
-Asked = dict[str, Any]
 
 
 class Studio:
@@ -57,7 +57,7 @@ class Studio:
     def __init__(self, workspace: Workspace, opened: str | None = None) -> None:
         self.workspace, self.opened = workspace, opened
         self.jobs = Jobs(Archive(workspace.folder), self._tell)
-        self.exports = Exports()
+        self.exports, self.readings = Errands(), Errands()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._listeners: set[asyncio.Event] = set()
 
@@ -67,7 +67,7 @@ class Studio:
             "check": self.check, "change": self.change, "forecast": self.forecast, "open": self.open,
             "template": self.template, "save": self.save, "run": self.run, "cancel": self.cancel,
             "remove": self.remove, "opened": self.opened_design, "product": self.product,
-            "differences": self.differences, "wish": self.wish,
+            "differences": self.differences, "wish": self.wish, "examine": self.examine,
         }  # fmt: skip
         return Starlette(
             routes=[
@@ -84,6 +84,7 @@ class Studio:
                 Route("/api/jobs/{number:int}/page", self.sent),
                 Route("/api/jobs/{number:int}/points/{first:int}", self.points),
                 Route("/api/jobs/{number:int}/pictures/{name}", self.picture),
+                upload_route(self.workspace, self.listed),
                 WebSocketRoute("/api/live", self.live),
             ],
             lifespan=self._lifespan,
@@ -96,6 +97,7 @@ class Studio:
         self._loop = None
         self.jobs.end()
         self.exports.close()
+        self.readings.close()
 
     def _tell(self) -> None:
         """Wake all pages; called from any thread."""
@@ -124,7 +126,7 @@ class Studio:
             "form": form(),
             "analyses": offers(),
             "templates": {name: text.about for name, text in templates().items()},
-            "files": self.workspace.names(),
+            **self.listed(),
             "opened": self.opened,
             "exports": choices(),
             "expressions": PARAMETERS,
@@ -133,20 +135,20 @@ class Studio:
 
     def check(self, asked: Asked) -> dict[str, Any]:
         """State of a text."""
-        return checked(_text(asked), self.workspace.folder)
+        return checked(text_in(asked), self.workspace.folder)
 
     def change(self, asked: Asked) -> dict[str, Any]:
         """The text with other values of some keys, and its state."""
-        text, changes = _text(asked), asked.get("changes")
+        text, changes = text_in(asked), asked.get("changes")
         if not isinstance(changes, list) or not 0 < len(changes) <= MOST_CHANGES:
-            raise _unasked("changes", changes, "a list of changes")
+            raise unasked("changes", changes, "a list of changes")
         for change in changes:
-            text = changed(text, _steps(change), change.get("value"))
+            text = changed(text, steps_in(change), change.get("value"))
         return {"text": text} | checked(text, self.workspace.folder)
 
     def forecast(self, asked: Asked) -> dict[str, Any]:
         """Estimated cost of each command for the study of a text; none while it has a problem."""
-        study, *_ = study_in(_text(asked), self.workspace.folder)
+        study, *_ = study_in(text_in(asked), self.workspace.folder)
         return {"costs": [] if study is None else forecast(study)}
 
     def open(self, asked: Asked) -> dict[str, Any]:
@@ -164,7 +166,7 @@ class Studio:
 
     def save(self, asked: Asked) -> dict[str, Any]:
         """Write a file, unless it was changed elsewhere since the page read or wrote it."""
-        text, name = _text(asked), asked.get("name")
+        text, name = text_in(asked), asked.get("name")
         try:
             there: str | None = self.workspace.read(name)
         except HaptonicError as error:
@@ -183,26 +185,28 @@ class Studio:
 
     def run(self, asked: Asked) -> dict[str, Any]:
         """Begin a job, for the text or for the text with another value of one key."""
-        analysis = offered(asked.get("analysis"))
-        file = asked.get("file")
-        options = chosen(analysis, asked.get("options"))
-        analysis.chosen(options)  # refuse a wrong option before a process is asked
-        text, turned = _text(asked), ""
-        study, *_ = study_in(text, self.workspace.folder)
+        order = order_of(asked, self.workspace)
         if asked.get("steps") is not None:
-            steps = _steps(asked)
-            text, turned = changed(text, steps, asked.get("value")), path_of(steps)
-        order = Order(
-            number=0,  # given when the job begins
-            text=text,
-            folder=self.workspace.folder,
-            file=file if isinstance(file, str) and file in self.workspace.names() else UNNAMED,
-            analysis=analysis.name,
-            options=options,
-            title="" if study is None else study.title,
-            turned=turned,
-        )
+            steps = steps_in(asked)
+            text = changed(order.text, steps, asked.get("value"))
+            order = replace(order, text=text, turned=path_of(steps))
         return {"number": self.jobs.start(order).number}
+
+    def examine(self, asked: Asked) -> dict[str, Any]:
+        """What was understood of the files of an analysis, with its view in base 64; or why nothing was."""
+        if offered(asked.get("analysis")).examine is None:
+            raise unasked("analysis", asked["analysis"], "an analysis of files")
+        try:
+            order = replace(order_of(asked, self.workspace), examines=True)
+            answer, view = self.readings.done(order, "understood")
+        except HaptonicError as error:
+            return {"answer": None, "view": None, "problem": described(error, {})}
+        coded = None if view is None else base64.b64encode(view).decode()
+        return {"answer": answer, "view": coded, "problem": None}
+
+    def listed(self) -> dict[str, Any]:
+        """Names of the studies and of the measured files."""
+        return {"files": self.workspace.names(), "measured": self.workspace.measured()}
 
     def wish(self, asked: Asked) -> dict[str, Any]:
         """Prepare the preview of a number before others."""
@@ -211,34 +215,34 @@ class Studio:
 
     def cancel(self, asked: Asked) -> dict[str, Any]:
         """End a job."""
-        self.jobs.cancel(_number(asked))
+        self.jobs.cancel(number_in(asked))
         return {}
 
     def remove(self, asked: Asked) -> dict[str, Any]:
         """Remove a job that has ended."""
-        self.jobs.remove(_number(asked))
+        self.jobs.remove(number_in(asked))
         return {}
 
     def opened_design(self, asked: Asked) -> dict[str, Any]:
         """Text and state of a computed point of a job."""
-        job, place = self.jobs.job(_number(asked)), _number(asked, "point")
+        job, place = self.jobs.job(number_in(asked)), number_in(asked, "point")
         if job is None or not 0 <= place < len(job.points):
-            raise _unasked("point", place, "the number of a point of a job")
+            raise unasked("point", place, "the number of a point of a job")
         text = design_text(job.order.text, job.points[place]["changes"], self.workspace.folder)
         return {"text": text} | checked(text, self.workspace.folder)
 
     def product(self, asked: Asked) -> Response:
         """A file of a result, see `haptonic.studio.files`."""
-        job, export = self.jobs.job(_number(asked)), chosen_export(asked)
+        job, export = self.jobs.job(number_in(asked)), chosen_export(asked)
         if job is None or job.state != "done":
-            raise _unasked("number", asked["number"], "the number of a job with a result")
-        return download(*self.exports.made(replace(job.order, export=export)))
+            raise unasked("number", asked["number"], "the number of a job with a result")
+        return download(*self.exports.done(replace(job.order, export=export), "file"))
 
     def differences(self, asked: Asked) -> dict[str, Any]:
         """Differences of two runs."""
-        first, second = (self.jobs.job(_number(asked, name)) for name in ("first", "second"))
+        first, second = (self.jobs.job(number_in(asked, name)) for name in ("first", "second"))
         if first is None or second is None:
-            raise _unasked("first, second", "a run that was removed", "the numbers of two runs")
+            raise unasked("first, second", "a run that was removed", "the numbers of two runs")
         return compared(first, second, self.workspace.folder)
 
     async def sent(self, request: Request) -> Response:
@@ -327,35 +331,3 @@ def _answering(answer: Callable[[Asked], Any]) -> Callable[[Request], Awaitable[
             return JSONResponse({"error": described(error, lines)}, 422)
 
     return answered
-
-
-def _text(asked: Asked) -> str:
-    text = asked.get("text")
-    if not isinstance(text, str):
-        raise _unasked("text", text, "the text of a study")
-    return text
-
-
-def _number(asked: Asked, name: str = "number") -> int:
-    number = asked.get(name)
-    if not isinstance(number, int) or isinstance(number, bool):
-        raise _unasked(name, number, "a number of the page")
-    return number
-
-
-def _steps(change: Any) -> list[str | int]:
-    """Names of tables and keys, and numbers in lists, that lead to a key."""
-    steps = change.get("steps") if isinstance(change, dict) else None
-    if isinstance(steps, list) and steps and all(isinstance(step, str | int) for step in steps):
-        return steps
-    raise _unasked("steps", steps, "names of tables and keys, and numbers in lists")
-
-
-def _unasked(argument: str, given: object, allowed: str) -> StudyError:
-    return StudyError.malformed(
-        argument=argument,
-        given=shown(given),
-        allowed=allowed,
-        cause="the request is not that of the page",
-        next_step="load the page again",
-    )

@@ -13,6 +13,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from haptonic.pages import filled
 
 LARGEST_BODY = 3_000_000  # bytes; a study has at most one million, and JSON may double it
+UPLOAD = "/api/upload"  # address that takes measured files
+LARGEST_UPLOAD = 500_000_000  # bytes
 READING = {"GET", "HEAD"}
 
 
@@ -55,7 +57,7 @@ class Guard:
             await self.app(scope, receive, send)
             return
         answer = self.app if refusal is None else refusal
-        await answer(scope, _limited(receive), self._with_headers(send))
+        await answer(scope, _limited(receive, largest_body(scope)), self._with_headers(send))
 
     def _refusal(self, scope: Scope) -> Response | None:
         """The answer to a request that is not handed on; None for one that is."""
@@ -66,8 +68,9 @@ class Guard:
         changes = scope["type"] == "websocket" or scope["method"] not in READING
         if changes and headers.get("origin") != f"http://{host}":
             return PlainTextResponse("The request comes from another site.", 403)
-        if int(length if (length := headers.get("content-length", "0")).isdigit() else 0) > LARGEST_BODY:
-            return PlainTextResponse(f"The request is larger than {LARGEST_BODY} bytes.", 413)
+        largest = largest_body(scope)
+        if int(length if (length := headers.get("content-length", "0")).isdigit() else 0) > largest:
+            return PlainTextResponse(f"The request is larger than {largest} bytes.", 413)
         given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
         if scope["path"] == "/" and not changes and self._opens(given):
             return self._admission()
@@ -111,14 +114,19 @@ class TooLargeError(Exception):
     """A body without a length in its head that exceeds the limit."""
 
 
-def _limited(receive: Receive) -> Receive:
+def largest_body(scope: Scope) -> int:
+    """Bytes that a request may have."""
+    return LARGEST_UPLOAD if scope["path"] == UPLOAD else LARGEST_BODY
+
+
+def _limited(receive: Receive, largest: int) -> Receive:
     size = 0
 
     async def received() -> Message:
         nonlocal size
         message = await receive()
         size += len(message.get("body", b""))
-        if size > LARGEST_BODY:
+        if size > largest:
             raise TooLargeError
         return message
 

@@ -50,8 +50,9 @@ class Job:
     def ordered(cls, order: Order) -> Job:
         """The job of an order."""
         analysis, file = offered(order.analysis), order.file
-        options = order.options
-        return cls(order, as_command(analysis, file, options), as_python(analysis, file, options))
+        options, alone = order.options, order.alone
+        command = as_command(analysis, file, options, alone=alone)
+        return cls(order, command, as_python(analysis, file, options, alone=alone))
 
     @property
     def number(self) -> int:
@@ -87,7 +88,7 @@ class Job:
         return self.brief() | {
             "text": self.order.text, "error": self.error, "answer": self.answer,
             "view": self.view is not None, "command": self.command, "python": self.python,
-            "options": dict(self.order.options),
+            "options": dict(self.order.options), "alone": self.order.alone,
         }  # fmt: skip
 
     def finish(self, state: str) -> None:

@@ -2,9 +2,10 @@
 
 A message is a kind, the number of the order, and a content: "begun"; "cost" with a sentence; "progress" with
 the steps done and planned and the name of the current one; "point" with a computed design; "first" with the
-part of a view that is computed first; "done" with answer and view; "knobs" with the numbers that can be
-turned; "preview" with the path of one of them and a view; "picture" with name and SVG; "file" with name and
-content of an export; "failed" with the parts of an error; "idle" after the last picture.
+part of a view that is computed first; "done" with answer and view; "understood" with answer and view of what
+was read; "knobs" with the numbers that can be turned; "preview" with the path of one of them and a view;
+"picture" with name and SVG; "file" with name and content of an export; "failed" with the parts of an error;
+"idle" after the last picture.
 
 After an answer the worker prepares previews, and draws pictures, one after the other. An order goes first.
 """
@@ -27,6 +28,7 @@ from queue import SimpleQueue
 from types import FrameType
 from typing import Any
 
+from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.points import ComputedPoint
 from haptonic.analyses.runner import Runner
 from haptonic.errors import HaptonicError, HaptonicWarning, ResourceError
@@ -35,7 +37,8 @@ from haptonic.results.result import Result
 from haptonic.studio.answers import answer_of, packed_part, pictures_of
 from haptonic.studio.editing import steps_of
 from haptonic.studio.files import Export, file_of
-from haptonic.studio.offers import offered
+from haptonic.studio.offers import offered, with_paths
+from haptonic.studio.workspace import Workspace
 from haptonic.study import Study
 from haptonic.study.loading import examined
 
@@ -50,6 +53,8 @@ class Order:
     text : of the study; title : in it; folder : of its file, which may have no such name yet
     analysis : name of an offered analysis
     export : file to make of the result, instead of an answer for the page
+    alone : the analysis does not use the study of the page
+    examines : only read the files, and report what was understood
     turned : path of the number that a user turns; empty for another order
     """
 
@@ -62,6 +67,8 @@ class Order:
     title: str = ""
     export: Export | None = None
     turned: str = ""
+    alone: bool = False
+    examines: bool = False
 
 
 @dataclass(frozen=True)
@@ -167,6 +174,10 @@ def _reported(order: Order, channel: WorkerChannel, turnings: dict[str, Any]) ->
 
     send("begun")
     try:
+        if order.examines:
+            send("understood", _understood(order))
+            send("idle")
+            return None
         study, result, turning = _computed(order, send, turnings)
         if order.export is None:
             return Aftermath(order=order, study=study, result=result, turning=turning, channel=channel)
@@ -176,13 +187,46 @@ def _reported(order: Order, channel: WorkerChannel, turnings: dict[str, Any]) ->
     return None
 
 
-def _computed(order: Order, send: Send, turnings: dict[str, Any]) -> tuple[Study, Result, Any]:
+def _inputs(order: Order) -> tuple[Analysis, Study | None, dict[str, Any]]:
+    """The analysis of an order, its study, None without one, and its options."""
+    analysis = offered(order.analysis)
+    options = with_paths(analysis, order.options, Workspace(order.folder).measurement)
+    if order.alone:
+        return analysis, None, options
+    if analysis.settings is not None:
+        return analysis, None, {**options, **analysis.settings(order.text, order.folder)}
     study, _, problems = examined(order.text, Study, order.folder)
     if study is None:
         raise problems[0]
-    analysis = offered(order.analysis)
+    return analysis, study, options
+
+
+def _understood(order: Order) -> tuple[dict[str, Any], bytes | None]:
+    """What was understood of the files of an order."""
+    analysis, study, options = _inputs(order)
+    with _heard() as words:
+        reading = analysis.examined(study, Runner(), options)
+        answer, view = answer_of(reading)
+    return _warned(answer, words), view
+
+
+@contextmanager
+def _heard() -> Iterator[list[warnings.WarningMessage]]:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", HaptonicWarning)
+        yield caught
+
+
+def _warned(answer: dict[str, Any], caught: list[warnings.WarningMessage]) -> dict[str, Any]:
+    """The answer with the warnings among its remarks."""
+    words = [str(each.message) for each in caught if issubclass(each.category, HaptonicWarning)]
+    return answer | {"remarks": list(dict.fromkeys([*answer["remarks"], *words]))}
+
+
+def _computed(order: Order, send: Send, turnings: dict[str, Any]) -> tuple[Study | None, Result, Any]:
+    analysis, study, options = _inputs(order)
     if order.export is None and analysis.cost is not None:
-        send("cost", analysis.cost(study, analysis.chosen(order.options)).sentence)
+        send("cost", analysis.cost(study, analysis.chosen(options)).sentence)
 
     def progress(done: int, planned: int, what: str = "", /) -> None:
         send("progress", (done, planned, what))
@@ -191,22 +235,19 @@ def _computed(order: Order, send: Send, turnings: dict[str, Any]) -> tuple[Study
         send("point", asdict(point))
 
     turning = analysis.turning and turnings.setdefault(analysis.name, analysis.turning())
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always", HaptonicWarning)
+    with _heard() as caught:
         runner = Runner(
             progress=progress,
             about=order.folder / order.file,
             report=report,
             first=lambda dataset: send("first", packed_part(analysis.name, dataset)),
         )
-        result = analysis.run(study, runner, order.options)
+        result = analysis.run(study, runner, options)
     if order.export is not None:
         send("file", file_of(result, order.export, analysis.method))
         return study, result, turning
     answer, view = answer_of(result)
-    words = [str(each.message) for each in caught if issubclass(each.category, HaptonicWarning)]
-    answer["remarks"] = list(dict.fromkeys([*answer["remarks"], *words]))
-    send("done", (answer, view))
+    send("done", (_warned(answer, caught), view))
     return study, result, turning
 
 
@@ -217,7 +258,7 @@ class Aftermath:
     """
 
     def __init__(
-        self, order: Order, study: Study, result: Result, turning: Any, channel: WorkerChannel
+        self, order: Order, study: Study | None, result: Result, turning: Any, channel: WorkerChannel
     ) -> None:
         self._number, self._channel = order.number, channel
         self._result, self.wished = result, order.turned
@@ -245,7 +286,7 @@ class Aftermath:
             self._is_drawn = True
             self._send("idle")
 
-    def _all(self, study: Study, turning: Any) -> Iterator[None]:
+    def _all(self, study: Study | None, turning: Any) -> Iterator[None]:
         waiting: dict[str, Iterator[xr.Dataset | None]] = {}
         if turning is not None:
             knobs = turning.knobs(study)

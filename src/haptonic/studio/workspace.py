@@ -1,16 +1,22 @@
-"""Study files of one folder, by name; no name and no link leads out of it."""
+"""Studies and measured files of one folder, by name; no name and no link leads out of it."""
 
 from __future__ import annotations
 
-from pathlib import Path
+import os
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from haptonic.atomic import write_atomically
+from haptonic.channels.formats import SUFFIXES
 from haptonic.errors import StudyError, shown
-from haptonic.paths import inside
+from haptonic.paths import LONGEST, inside
 from haptonic.study import ENDING
 from haptonic.study.loading import LARGEST_FILE, text_of
 
 LONGEST_LIST = 500  # files
+DEEPEST = 3  # folders in the name of a measured file
+MOST_FILES = 20_000  # of a folder that is analysed
 
 
 class Workspace:
@@ -53,6 +59,60 @@ class Workspace:
         write_atomically(path, lambda draft: draft.write_bytes(content))
         return path.name
 
+    def measured(self) -> list[str]:
+        """Names of files and folders that may contain measurements, in the order of the alphabet."""
+        names = set[str]()
+        for path in islice(self._files(self.folder, DEEPEST), MOST_FILES):
+            name = path.relative_to(self.folder)
+            if path.suffix.lower() in SUFFIXES:
+                names |= {name.as_posix(), *(parent.as_posix() for parent in name.parents)}
+        return sorted(names - {"."}, key=lambda name: (name.count("/"), name))[:LONGEST_LIST]
+
+    def _files(self, folder: Path, depth: int) -> Iterator[Path]:
+        """Files of a folder and of those in it; links are left out."""
+        with os.scandir(folder) as entries:
+            ordered = sorted(entries, key=lambda entry: entry.name)
+        for entry in ordered:
+            if entry.name.startswith(".") or entry.is_symlink():
+                continue
+            if entry.is_file():
+                yield Path(entry.path)
+            elif depth > 1 and entry.is_dir() and os.access(entry.path, os.R_OK | os.X_OK):
+                yield from self._files(Path(entry.path), depth - 1)
+
+    def measurement(self, name: object) -> Path:
+        """Path of a file or folder of measurements, or of a study, to be read.
+
+        Raises
+        ------
+        StudyError : a name that leads out of the folder, or a folder with a link in it that does
+        """
+        path = self.place(name)
+        here = [path, *islice(path.rglob("*"), MOST_FILES)] if path.is_dir() else [path]
+        if not all(each.resolve().is_relative_to(self.folder) for each in here):
+            raise _refused_file(name, "it is, or contains, a link that leads out of the folder")
+        return path
+
+    def place(self, name: object) -> Path:
+        """Path for a measured file, whose name may contain folders.
+
+        Raises
+        ------
+        StudyError : a name that leads out of the folder, or that of a hidden file
+        """
+        parts = name.split("/") if isinstance(name, str) else []
+        plain = all(part == PureWindowsPath(part).name and not part.startswith(".") for part in parts)
+        if not parts or not plain or not all(parts) or any(not part.isprintable() for part in parts):
+            raise _refused_file(
+                name, "it is empty, begins with a dot, or has a step upwards or a drive in it"
+            )
+        if len(parts) > DEEPEST or any(len(os.fsencode(part)) > LONGEST for part in parts):
+            raise _refused_file(name, "it is too long, or in too many folders")
+        path = self.folder.joinpath(*PurePosixPath(*parts).parts)
+        if not path.parent.resolve().is_relative_to(self.folder):
+            raise _refused_file(name, "a link in it leads out of the folder")
+        return path
+
     def _path(self, name: object) -> Path:
         def refused(cause: str) -> StudyError:
             return StudyError.forbidden(
@@ -72,3 +132,13 @@ class Workspace:
 
     def _is_here(self, path: Path) -> bool:
         return path.resolve().parent == self.folder
+
+
+def _refused_file(name: object, cause: str) -> StudyError:
+    return StudyError.forbidden(
+        argument="name of the file",
+        given=shown(name, 200),
+        allowed=f"the name of a file in the folder of the studio, in at most {DEEPEST - 1} folders",
+        cause=cause,
+        next_step="copy the file into the folder, and give its name",
+    )

@@ -115,6 +115,22 @@ def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | 
     return read(TrialsFile, data, str(path)).trials, None
 
 
+def trials_in(text: str, kind: type[S], folder: Path) -> tuple[TrialSettings, S | None]:
+    """As `load_trials_as`, for a text that may come from somebody else; see `examined`.
+
+    Raises
+    ------
+    StudyError : the first problem of the text
+    """
+    data = _parsed(text, "study")
+    if data.keys() <= table(TrialsFile).keys():
+        return read(TrialsFile, data, "study").trials, None
+    study, _, problems = examined(text, kind, folder)
+    if study is None:
+        raise problems[0]
+    return study.trials, study
+
+
 def text_of(path: Path) -> str:
     """Text of a study file.
 

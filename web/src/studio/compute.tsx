@@ -1,37 +1,36 @@
-/** The list of analyses with their options, and the jobs of this studio. */
+/** The list of analyses with their questions, and the jobs of this studio. */
 
 import { useEffect, useState } from "preact/hooks";
+import { analyses, analysis, choose, isWrong, missing, usesStudy, wanted } from "./chosen";
 import { cancel, compute, elapsed, running, whole } from "./jobs";
 import { Runs } from "./runs";
-import type { Analysis, Job, Option } from "./server";
-import { broken, problems, text } from "./study";
+import type { Job } from "./server";
+import { isReading, refused } from "./understood";
+import { Questions } from "./wizard";
 
-type Given = Record<string, string | number | boolean>;
-
-export function Compute({ analyses }: { analyses: Analysis[] }) {
-  const [name, setName] = useState(analyses.find(({ interactive }) => interactive)?.name ?? analyses[0]?.name ?? "");
-  const [given, setGiven] = useState<Record<string, Given>>({});
-  const analysis = analyses.find((each) => each.name === name);
+export function Compute() {
+  const chosen = analysis.value;
   const job = running();
-  if (analysis === undefined) return null;
-  const wrong = problems.value.length > 0 || broken.value || text.value.trim() === "";
-  const options = given[name] ?? {};
-  const set = (option: string, value: string | number | boolean) =>
-    setGiven({ ...given, [name]: { ...options, [option]: value } });
+  if (chosen === undefined) return null;
+  const wrong = usesStudy.value && chosen.study !== "settings" && isWrong.value;
+  const unread = chosen.examines && (isReading.value || refused.value !== null);
+  const begin = () => {
+    if (wanted.peek() !== null) void compute(wanted.peek()!);
+  };
   return (
     <section class="compute" aria-labelledby="compute-title">
       <h2 id="compute-title">Compute</h2>
       <div class="row">
         <label>
           Analysis
-          <select value={name} onChange={(event) => setName(event.currentTarget.value)}>
-            {analyses.map((each) => (
+          <select value={chosen.name} onChange={(event) => choose(event.currentTarget.value)}>
+            {analyses.value.map((each) => (
               <option>{each.name}</option>
             ))}
           </select>
         </label>
-        <button type="button" class="main" disabled={wrong} onClick={() => void compute(name, options)}>
-          Compute {name}
+        <button type="button" class="main" disabled={wrong || unread || missing.value.length > 0} onClick={begin}>
+          Compute {chosen.name}
         </button>
         {job !== undefined && (
           <button type="button" onClick={() => void cancel(job.number)}>
@@ -41,73 +40,13 @@ export function Compute({ analyses }: { analyses: Analysis[] }) {
         {whole.value !== null && <a href="#result">Go to the result</a>}
         {wrong && <span class="quiet">The study has problems, or is empty.</span>}
       </div>
-      <p class="quiet">{analysis.help}</p>
-      {analysis.options.length > 0 && (
-        <div class="fields">
-          {analysis.options.map((option) => (
-            <OptionField key={`${name}-${option.name}`} option={option} value={options[option.name]}
-              set={(value) => set(option.name, value)} />
-          ))}
-        </div>
-      )}
+      <p class="quiet">{chosen.help}</p>
+      <Questions chosen={chosen} />
       {job !== undefined && !job.turned && <Running job={job} />}
       <Runs />
     </section>
   );
 }
-
-interface OptionProps {
-  option: Option;
-  value: string | number | boolean | undefined;
-  set: (value: string | number | boolean) => void;
-}
-
-function OptionField({ option, value, set }: OptionProps) {
-  const id = `option-${option.name}`;
-  const title = option.name.replaceAll("_", " ");
-  const about = { id, "aria-describedby": `${id}-help` };
-  const shown = value ?? option.default ?? "";
-  return (
-    <div class="field given">
-      {option.form === "bool" ? (
-        <label class="check">
-          <input {...about} type="checkbox" checked={shown === true} onChange={(event) => set(event.currentTarget.checked)} />
-          {title}
-        </label>
-      ) : (
-        <>
-          <label for={id}>
-            {title}
-            {option.unit && <span class="quiet"> with unit, such as 1 {option.unit}</span>}
-          </label>
-          {option.form === "choice" ? (
-            <select {...about} value={String(shown)} onChange={(event) => set(event.currentTarget.value)}>
-              {option.choices.map((choice) => (
-                <option>{choice}</option>
-              ))}
-            </select>
-          ) : (
-            <input
-              {...about}
-              type="text"
-              inputMode={option.form === "int" || option.form === "float" ? "decimal" : "text"}
-              value={String(shown)}
-              onChange={({ currentTarget: { value: typed } }) =>
-                set(option.form === "int" || option.form === "float" ? numberOr(typed) : typed)
-              }
-            />
-          )}
-        </>
-      )}
-      <p id={`${id}-help`} class="help">
-        {option.help}
-      </p>
-    </div>
-  );
-}
-
-/** The number of a typed text, or else the text, which the server refuses with its reason. */
-const numberOr = (typed: string) => (typed.trim() === "" || Number.isNaN(Number(typed)) ? typed : Number(typed));
 
 function Running({ job }: { job: Job }) {
   const [now, setNow] = useState(performance.now());

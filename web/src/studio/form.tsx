@@ -1,11 +1,11 @@
 /** The form: a section for each table of the study, from the declarations. */
 
-import { useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import type { ComponentChildren } from "preact";
 import { isTable, parsed, typedText, type Branch } from "./declared";
 import { Field } from "./field";
 import type { Step, Tables, Value } from "./server";
-import { broken, change, pathOf, problems, values } from "./study";
+import { broken, change, opened, pathOf, problems, values } from "./study";
 
 export function Form({ tree }: { tree: Branch[] }) {
   return (
@@ -49,7 +49,7 @@ function Contents({ branches, steps, given }: ContentsProps) {
       )}
       {branches.filter((branch) => isTable(branch) && !isFurther(branch)).map(section)}
       {further.length > 0 && (
-        <details class="further">
+        <details class="further" open={further.some(({ key }) => key.path === opened.value?.path)}>
           <summary>
             Further tables <span class="quiet">that the study does not have</span>
           </summary>
@@ -75,9 +75,18 @@ function Section({ branch, steps, value }: SectionProps) {
   );
   const here = wrong.filter((each) => each.path === path);
   const [chosen, setChosen] = useState<boolean | null>(null);
+  const place = useRef<HTMLDetailsElement>(null);
+  const asked = opened.value?.path === path ? opened.value : null;
+  useEffect(() => {
+    if (asked === null) return;
+    setChosen(true);
+    place.current?.scrollIntoView();
+    place.current?.querySelector("summary")?.focus();
+  }, [asked]);
   const open = chosen ?? (key.required || (steps.length > 1 && value !== undefined));
   return (
     <details
+      ref={place}
       class="section"
       open={open}
       onToggle={({ currentTarget }) => {

@@ -1,8 +1,8 @@
 /** Jobs of the server, as all pages of this studio see them. */
 
 import { computed, effect, signal } from "@preact/signals";
-import { followJobs, server, type Job, type WholeJob } from "./server";
-import { attempt, file, text } from "./study";
+import { followJobs, server, type Job, type Wanted, type WholeJob } from "./server";
+import { attempt } from "./study";
 
 export const jobs = signal<Job[]>([]);
 export const lost = signal(false); // the server does not answer
@@ -44,9 +44,9 @@ export function follow(): void {
   });
 }
 
-export const compute = (analysis: string, options: object) =>
+export const compute = (wanted: Wanted) =>
   attempt(async () => {
-    const { number } = await server.run(analysis, options, text.peek(), file.peek());
+    const { number } = await server.run(wanted);
     shown.value = awaited.job = number;
   });
 

@@ -31,17 +31,22 @@ export interface Key {
 
 export interface Option {
   name: string;
-  form: "bool" | "int" | "float" | "str" | "text" | "choice";
+  form: "bool" | "int" | "float" | "str" | "text" | "choice" | "path"; // a path is a name in the folder
   unit: string;
   help: string;
   choices: string[];
   default: string | number | boolean | null;
+  topic: string; // heading of its question; empty for one that is rarely needed
+  required: boolean;
 }
 
 export interface Analysis {
   name: string;
   help: string;
   interactive: boolean; // its result has an interactive view
+  examines: boolean; // it can tell what it understood of its files
+  study: "needed" | "optional" | "settings" | "none"; // "settings": only the tables for its files are used
+  tables: string[]; // of the study, with settings for its files
   options: Option[];
 }
 
@@ -52,13 +57,18 @@ export interface Exports {
   tables: string[];
 }
 
-export interface Start {
+/** Names in the folder. */
+export interface Listed {
+  files: string[]; // studies
+  measured: string[];
+}
+
+export interface Start extends Listed {
   version: string;
   folder: string;
   form: Key[];
   analyses: Analysis[];
   templates: Record<string, string>;
-  files: string[];
   opened: string | null;
   exports: Exports;
   expressions: string; // table whose names expressions may use
@@ -202,6 +212,7 @@ export interface WholeJob extends Job {
   answer: Answer | null;
   view: boolean;
   options: object;
+  alone: boolean; // without a study
   command: string;
   python: string;
 }
@@ -250,6 +261,22 @@ const post = <T,>(name: string, asked: object) => answered<T>(posted(name, asked
 
 type Edited = Checked & { text: string };
 
+/** What was understood of files, or why they cannot be read; the view is in base 64. */
+export interface Examined {
+  answer: Answer | null;
+  view: string | null;
+  problem: Problem | null;
+}
+
+/** An analysis to run, or whose files are to be read. */
+export interface Wanted {
+  analysis: string;
+  options: object;
+  alone: boolean;
+  text: string;
+  file: string | null;
+}
+
 export const server = {
   start: () => answered<Start>(fetch("api/start")),
   check: (text: string) => post<Checked>("check", { text }),
@@ -259,8 +286,12 @@ export const server = {
   template: (name: string) => post<Edited>("template", { name }),
   save: (name: string, text: string, known: string | null) =>
     post<{ name: string; files: string[] }>("save", { name, text, known }),
-  run: (analysis: string, options: object, text: string, file: string | null) =>
-    post<{ number: number }>("run", { analysis, options, text, file }),
+  run: (wanted: Wanted) => post<{ number: number }>("run", wanted),
+  examine: (wanted: Wanted) => post<Examined>("examine", wanted),
+  upload: (name: string, content: Blob, replace: boolean) => {
+    const query = new URLSearchParams({ name, replace: replace ? "1" : "0" });
+    return answered<Listed>(fetch(`api/upload?${query}`, { method: "POST", body: content }));
+  },
   cancel: (number: number) => post<object>("cancel", { number }),
   compare: (first: number, second: number) => post<Compared>("differences", { first, second }),
   export: (number: number, wanted: object) => file(posted("product", { number, ...wanted })),

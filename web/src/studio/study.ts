@@ -22,6 +22,7 @@ export const remarks = signal<Remark[]>([]);
 export const file = signal<string | null>(null);
 export const files = signal<string[]>([]);
 export const notice = signal<Problem | string | null>(null); // why the last action was refused
+export const opened = signal<{ path: string } | null>(null); // table that another part of the page has opened in the form
 const saved = signal<string | null>(null); // text of the file, as far as this page knows
 const past = signal<Version[]>([]);
 const future = signal<Version[]>([]);

@@ -18,7 +18,7 @@ const first = signal<{ at: number; data: Dataset } | null>(null); // certified c
 export const knob = computed(() => knobs.value.find(({ path }) => path === selected.value) ?? knobs.value[0]);
 export const isPrepared = computed(() => previews.value[knob.value?.path ?? ""] !== undefined);
 /** True while the text is that of the result, or differs from it in the turned number only. */
-export const canTurn = computed(() => turnedTo.value !== null || text.value === whole.value?.text);
+export const canTurn = computed(() => turnedTo.value !== null || whole.value?.alone || text.value === whole.value?.text);
 
 export const turned = computed((): Turned | null => {
   const [value, of] = [turnedTo.value, knob.value];

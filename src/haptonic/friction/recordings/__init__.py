@@ -3,6 +3,7 @@
 from haptonic.friction.recordings.analysis import Analysed, Exclusion, analysed, traces
 from haptonic.friction.recordings.sensor import Sensor, read_calibration
 from haptonic.friction.recordings.trial_table import TABLE, TrialTable
+from haptonic.friction.recordings.understood import Understood, understood
 
 __all__ = [
     "TABLE",
@@ -10,7 +11,9 @@ __all__ = [
     "Exclusion",
     "Sensor",
     "TrialTable",
+    "Understood",
     "analysed",
     "read_calibration",
     "traces",
+    "understood",
 ]

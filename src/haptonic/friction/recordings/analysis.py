@@ -137,11 +137,11 @@ def traces(
     if not (source.is_dir() or not source.suffix):
         return
     table = TrialTable.read(source)
-    channel_map = _channel_map(table, sensor)
+    channel_map = channel_map_of(table, sensor)
     people, numbers = table.labels["participant"], table.labels["block"]
     for participant, block in blocks:
         rows = np.flatnonzero((people == participant) & (numbers == block)).tolist()
-        reads = _records(table.folder, channel_map, table.portion(rows), people)
+        reads = records_of(table.folder, channel_map, table.portion(rows), people)
         parts = {read.span.row: _trace(read.record, rules) for read in reads if read.record is not None}
         if parts:
             drawn = xr.concat(list(parts.values()), "stroke")
@@ -183,7 +183,7 @@ def _from_file(path: Path, rules: Rules) -> tuple[xr.Dataset, tuple[str, ...]]:
 def _from_folder(
     table: TrialTable, sensor: Sensor, rules: Rules, workers: int, progress: Progress
 ) -> tuple[xr.Dataset, tuple[str, ...], tuple[str, ...]]:
-    channel_map = _channel_map(table, sensor)
+    channel_map = channel_map_of(table, sensor)
     total, done = len(table.files), 0
     order, parts, limits, simulated = [], [], [], table.simulated
     work = partial(_measured, table.folder, channel_map, rules, table.labels["participant"])
@@ -223,7 +223,7 @@ def _measured(
     folder: Path, channel_map: ChannelMap, rules: Rules, people: NDArray[Any], portion: Portion
 ) -> tuple[NDArray[np.int_], Columns, RangeEnds, bool]:
     """Rows of the table, their columns and limits, and True if any file is marked as simulated."""
-    reads = list(_records(folder, channel_map, portion, people))
+    reads = list(records_of(folder, channel_map, portion, people))
     good = [i for i, read in enumerate(reads) if read.record is not None]
     numbers, ends = measure_part([read.record for read in reads if read.record is not None], rules)
     limits = RangeEnds.none(len(reads))
@@ -241,7 +241,7 @@ def _measured(
     return np.array([read.span.row for read in reads]), columns, limits, simulated
 
 
-def _records(
+def records_of(
     folder: Path, channel_map: ChannelMap, portion: Portion, people: NDArray[Any]
 ) -> Iterator[_Read]:
     """Every trial of a portion with its record, or with its fault. A file is opened once.
@@ -286,7 +286,7 @@ def _read(
     return _Read(span, record, "", channels.simulated)
 
 
-def _channel_map(table: TrialTable, sensor: Sensor) -> ChannelMap:
+def channel_map_of(table: TrialTable, sensor: Sensor) -> ChannelMap:
     """Map of the channels, from the first file that has all required ones.
 
     Raises
@@ -314,7 +314,7 @@ def _mounted(table: TrialTable, channel_map: ChannelMap) -> ChannelMap:
     for person in dict.fromkeys(people.tolist()):
         rows = np.flatnonzero(people == person)
         some = rows[np.unique(np.linspace(0, len(rows) - 1, PRESSED).round().astype(int))]
-        reads = _records(table.folder, channel_map, table.portion(some.tolist()), people)
+        reads = records_of(table.folder, channel_map, table.portion(some.tolist()), people)
         records[str(person)] = [read.record for read in reads if read.record is not None]
     return mounted(channel_map, records)
 

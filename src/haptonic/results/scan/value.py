@@ -247,13 +247,8 @@ class ScanResult(Result):
             )
         if not self.report.complete or self.report.remarks:
             sentences.append(str(self.report))
-        if (registration := self.registration) is not None:
-            x, y = 1e3 * registration.shift
-            sentences.append(
-                f"Registered: scale {registration.scale:.5f}, turned by "
-                f"{np.degrees(registration.angle):.3f}°, shifted by {x:.3f} and {y:.3f} mm; misfit "
-                f"{registration.misfit * 1e3:.3f} mm."
-            )
+        if self.registration is not None:
+            sentences.append(self.registration.sentence)
         return sentences
 
     def remarks(self) -> list[str]:

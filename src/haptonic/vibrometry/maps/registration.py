@@ -37,6 +37,16 @@ class Registration:
     mirrored: bool
     misfit: Annotated[float, In("m")]
 
+    @property
+    def sentence(self) -> str:
+        """The transformation and its misfit in words."""
+        x, y = 1e3 * self.shift
+        return (
+            f"Registered: scale {self.scale:.5f}, turned by {np.degrees(self.angle):.3f}°, "
+            f"{'seen from behind, ' if self.mirrored else ''}shifted by {x:.3f} and {y:.3f} mm; misfit "
+            f"{self.misfit * 1e3:.3f} mm."
+        )
+
     def of(self, points: Array) -> Array:
         """(point, 2) positions on the plate of points of the scan, m."""
         turned = points * np.array([-1.0, 1.0]) if self.mirrored else points

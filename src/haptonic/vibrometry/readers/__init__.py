@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from haptonic.arrays import Array
 from haptonic.channels import Notebook
 from haptonic.channels.formats import format_of
 from haptonic.channels.signals import Origin
@@ -61,6 +62,13 @@ class Scan:
                 next_step="estimate them: haptonic.vibrometry.estimate(scan.records)",
             )
         return self.content
+
+    @property
+    def points(self) -> Array:
+        """(point, 2) positions in the coordinates of the file, m."""
+        if isinstance(self.content, TimeScan):
+            return np.column_stack([self.content.x, self.content.y])
+        return self.content.points
 
     @classmethod
     def of(cls, response: FrequencyResponse) -> Scan:
@@ -263,8 +271,8 @@ def _unit_value(unit: float | str | None, si: str, argument: str) -> float | Non
 
 def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, frequencies: bool) -> None:
     """Warn if numbers without a unit, read as m and Hz, give an implausible scan of a plate."""
-    points = [content.x, content.y] if isinstance(content, TimeScan) else content.points.T
-    wide = max(float(np.ptp(axis)) for axis in points)
+    axes = [content.x, content.y] if isinstance(content, TimeScan) else content.points.T
+    wide = max(float(np.ptp(axis)) for axis in axes)
     top = math.inf if isinstance(content, TimeScan) else float(content.frequency[-1])
     for doubtful, description, argument, option, unit in (
         (lengths and wide > LARGEST_PLATE, f"a scan {wide:g} m wide", "length_unit", "--length-unit", "mm"),

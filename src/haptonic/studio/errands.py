@@ -1,4 +1,4 @@
-"""The process that makes the files of exports."""
+"""A process beside the worker: it makes files of exports, or reads measured files."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from haptonic.studio.jobs import Worker, worker_died
 from haptonic.studio.worker import Order
 
 
-class Exports:
-    """Makes the files of exports in a process of their own, one after another.
+class Errands:
+    """Fulfils orders in a process of its own, one after another, and waits for each.
 
-    The process computes the result again. Nearly all of it comes from the store.
+    For an export the process computes the result again. Nearly all of it comes from the store.
     """
 
     def __init__(self) -> None:
@@ -22,8 +22,8 @@ class Exports:
         self._worker: Worker | None = None
         self._messages: queue.SimpleQueue[tuple[Worker, str, Any]] = queue.SimpleQueue()
 
-    def made(self, order: Order) -> tuple[str, bytes]:
-        """Name and content of the file of an order with an export.
+    def done(self, order: Order, answer: str) -> Any:
+        """Content of the message of the kind ``answer``, such as "file" for an order with an export.
 
         Raises
         ------
@@ -39,16 +39,14 @@ class Exports:
                 raise worker_died(worker.process.exitcode) from None
             while True:
                 sender, kind, content = self._messages.get()
-                match kind:
-                    case _ if sender is not worker:
-                        pass  # the end of an earlier process
-                    case "file":
-                        name, data = content
-                        return name, data
-                    case "failed":
-                        raise HaptonicError(content.pop("code"), **content)
-                    case "ended":
-                        raise worker_died(content)
+                if sender is not worker:
+                    continue  # the end of an earlier process
+                if kind == answer:
+                    return content
+                if kind == "failed":
+                    raise HaptonicError(content.pop("code"), **content)
+                if kind == "ended":
+                    raise worker_died(content)
 
     def _heard(self, worker: Worker, kind: str, number: int, content: Any) -> None:
         self._messages.put((worker, kind, content))
