@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import MISSING, dataclass, fields
 from pathlib import Path
 from typing import Any, Literal, get_args, get_type_hints
@@ -177,13 +178,24 @@ class Analysis:
         assert self.examine is not None, f"{self.name} examines no files"
         return self._called(self.examine, study, runner, given)
 
+    def need_options(self, given: Mapping[str, Any]) -> None:
+        """Refuse wrong options; errors as from `run`."""
+        with self._named():
+            self.chosen(given)
+
     def _called(
         self, work: Callable[[Any, Any, Runner], Result], study: Any, runner: Runner, given: Mapping[str, Any]
     ) -> Result:
-        try:
+        with self._named():
             options = self.chosen(given)
             self.admit(study, options)
             return work(study, options, runner)
+
+    @contextmanager
+    def _named(self) -> Iterator[None]:
+        """Errors that name options as in Python."""
+        try:
+            yield
         except HaptonicError as error:
             raise self._by_names(error).with_traceback(error.__traceback__) from error.__cause__
 

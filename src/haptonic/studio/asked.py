@@ -27,7 +27,7 @@ def order_of(asked: Asked, workspace: Workspace) -> Order:
     alone = alone or (analysis.study == "none" and not analysis.study_option)
     options = chosen(analysis, asked.get("options"))
     # refuse a wrong option before a process is asked
-    analysis.chosen(with_paths(analysis, options, workspace.measurement))
+    analysis.need_options(with_paths(analysis, options, workspace.measurement))
     text = "" if alone else text_in(asked)
     study = None if alone else study_in(text, workspace.folder)[0]
     return Order(
