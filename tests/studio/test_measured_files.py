@@ -223,7 +223,7 @@ def test_columns_are_named_and_the_scan_is_right(studio):
     ]
     job = studio.finished(number)
     assert job["state"] == "done"
-    assert job["command"] == f"haptonic scan {case} --variables '{names}'"
+    assert job["command"] == f"haptonic scan {case} --html --variables '{names}'"
     assert job["alone"] is True
     content = studio.post("product", number=number, kind="file", name="response.nc").content
     path = studio.studio.workspace.folder / "measured.nc"

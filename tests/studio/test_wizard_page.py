@@ -102,7 +102,7 @@ def test_wrong_columns_are_corrected_and_the_scan_is_computed_without_a_study(br
         expect(row(page, "points")).to_have_text("9, in 3 columns and 3 rows")
         page.get_by_role("button", name="Compute scan").click()
         page.locator("#result").get_by_text("9 points (none flagged)").first.wait_for(timeout=90_000)
-        page.get_by_text("haptonic scan german --variables").wait_for()
+        page.get_by_text("haptonic scan german --html --variables").wait_for()
         page.get_by_text("""named("scan").run(None""").wait_for()
         assert page.get_by_text("belongs to another version").count() == 0
 

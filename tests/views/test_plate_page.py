@@ -6,7 +6,8 @@ from playwright.sync_api import Page
 
 from browser import STILL, WIDTHS, advances, page_at, pixels, violations
 from haptonic.results.plate import PlateResult
-from haptonic.results.plate.interactive import STEPS, plate_view
+from haptonic.results.plate.interactive import plate_view
+from haptonic.results.steps import STEPS
 from haptonic.study import loads
 from quick import QUICK_CELL
 

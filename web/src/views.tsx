@@ -6,7 +6,7 @@ import type { Dataset } from "./dataset";
 import { fingerView } from "./plate/finger";
 import { mirrorView } from "./mirror/view";
 import type { Host } from "./parts/host";
-import { plateView } from "./plate/view";
+import { plateView, scanView } from "./plate/view";
 import { readingView } from "./reading/view";
 import { ribbonView } from "./ribbon/view";
 import uplot from "uplot/dist/uPlot.min.css";
@@ -16,6 +16,7 @@ const VIEWS: Record<string, (data: Dataset, host?: Host) => ComponentChildren> =
   bands: bandsView,
   layers: mirrorView,
   plate: plateView,
+  scan: scanView,
   finger: fingerView,
   ribbon: ribbonView,
   reading: readingView,

@@ -82,6 +82,7 @@ class ScanOptions(PlateInScan, UnitsOfFile, Estimation):
         topic=POSITION,
     )  # fmt: skip
     model: bool = option(False, "Compare with the model of STUDY, computed at the points of the scan.")
+    html: bool = option(False, "Also one interactive HTML page, with the map beside that of the model.")
     unit: str | None = option(
         None, "Unit of responses or records in files that give none; by default m/s/V.", topic=CONTENT
     )
@@ -185,7 +186,7 @@ def compute(study: Description | None, options: ScanOptions, runner: Runner) -> 
     verdict = None
     if study is not None and (options.against or options.model):
         verdict = compared(study, result.response, computed, runner)
-    return replace(result, verdict=verdict, state=state)
+    return replace(result, verdict=verdict, state=state, interactive=options.html)
 
 
 def scan_of(options: ScanOptions) -> Scan:
@@ -253,6 +254,7 @@ ANALYSIS = Analysis(
     study="optional",
     doing="points",
     kept="finished points are stored; run the same command to continue",
+    interactive="html",
     examine=examine,
     tables=("scan",),
 )

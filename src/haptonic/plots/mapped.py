@@ -20,7 +20,6 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from haptonic.arrays import AnyComplex, Array
-from haptonic.errors import ResponseError
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.sampling import tile_names
 from haptonic.plots import style
@@ -30,13 +29,11 @@ from haptonic.plots.plates import HALO, region_borders, rows_of
 from haptonic.plots.stage import Stage, stage
 from haptonic.plots.text import absolute, driven, label
 from haptonic.response import FrequencyResponse
+from haptonic.response.rasters import point_map
 from haptonic.units import hz_text
 
-FINER = 5  # places of a map along a step of points that lie on no grid
-MOST_PLACES = 800  # along either side of such a map
 LOW = 0.45  # height over width of a map, below which maps are one above another
 LETTERS = 26  # in a line above or below one of several maps
-NEAR = 0.75  # of a step, to which a point is shown: the corner of a square around it
 
 
 def maps(
@@ -187,15 +184,11 @@ def _stage(response: FrequencyResponse, layout: Layout | None, ax: Axes | None) 
 def _seen(line: FrequencyResponse, drive: float | None, gap: Gap) -> Seen:
     """Vibration at the single frequency of a response, as displacement if velocity is given.
 
-    Points that lie on no regular grid, as when a stage was turned, are drawn finer than they lie: every place
-    shows its nearest point, and nothing where that is too far.
+    Each place of the map shows the point that `point_map` gives.
     """
-    try:
-        grid = line.grid()
-    except ResponseError:
-        shape, x, y = _nearest(line)
-    else:
-        shape, x, y = np.asarray(grid.sel(direction="z").values[0]), grid["x"].values, grid["y"].values
+    number, x, y = point_map(line.points)
+    values = line.values[0, :, list(line.dataset["direction"].values).index("z")]
+    shape = np.where(number >= 0, values[number], np.nan)
     largest = shape.flat[np.nanargmax(np.abs(shape))]
     turned = np.asarray(shape * (np.conj(largest) / abs(largest)) if largest else shape)
     frequency, quantity, units = float(line.frequency[0]), str(line.dataset.attrs["quantity"]), line.units
@@ -263,18 +256,6 @@ def _continued(line: Seen, layout: Layout | None) -> tuple[AnyComplex, list[Rect
     boxes = [1e3 * np.array(layout.bounds(tile)) for tile in tiles if layout.at(tile) is None]
     covers = [Rectangle((a, b), right - a, top - b) for a, b, right, top in boxes]
     return line.shape[tuple(nearest)], covers
-
-
-def _nearest(line: FrequencyResponse) -> tuple[AnyComplex, Array, Array]:
-    """(y, x) normal vibration at the nearest point, NaN where there is none near, and these places, m."""
-    points, tree = line.points, scipy.spatial.cKDTree(line.points)
-    step = float(np.median(tree.query(points, k=2)[0][:, 1]))
-    low, high = points.min(axis=0) - 0.5 * step, points.max(axis=0) + 0.5 * step
-    count = np.maximum(1, np.minimum(np.rint(FINER * (high - low) / step), MOST_PLACES)).astype(int)
-    x, y = (a + (b - a) * (np.arange(n) + 0.5) / n for a, b, n in zip(low, high, count, strict=True))
-    distance, number = tree.query(np.stack(np.meshgrid(x, y), axis=-1))
-    values = line.values[0, :, list(line.dataset["direction"].values).index("z")]
-    return np.where(distance <= NEAR * step, values[number], np.nan), x, y
 
 
 def _slenderness(response: FrequencyResponse, layout: Layout | None) -> float:

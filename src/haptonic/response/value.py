@@ -14,11 +14,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.arrays import AnyComplex, Array
+from haptonic.arrays import AnyComplex, Array, Ints
 from haptonic.errors import ResponseError
 from haptonic.later import xarray as xr
 from haptonic.response import checks
-from haptonic.response.lines import regular_line
+from haptonic.response.rasters import regular_grid
 from haptonic.response.reference import Reference
 
 Quantity = Literal["velocity", "displacement"]
@@ -167,7 +167,7 @@ class FrequencyResponse:
                 cause="the frequency is given in kHz, or was not covered",
                 next_step="choose a frequency within the range, in Hz",
             )
-        return self._with_lines(slice(line := int(np.abs(lines - frequency).argmin()), line + 1))
+        return self.with_lines(slice(line := int(np.abs(lines - frequency).argmin()), line + 1))
 
     def between(self, low: float, high: float) -> FrequencyResponse:
         """Select the lines from ``low`` to ``high`` (Hz), both included.
@@ -187,7 +187,7 @@ class FrequencyResponse:
                 cause="the limits are given in kHz or in the wrong order, or lie between two lines",
                 next_step="choose a wider range, in Hz",
             )
-        return self._with_lines(slice(int(start), int(stop)))
+        return self.with_lines(slice(int(start), int(stop)))
 
     def of_region(self, name: str) -> FrequencyResponse:
         """Select the points of one region.
@@ -215,7 +215,7 @@ class FrequencyResponse:
         """Displacement (m): a velocity divided by i omega. A line at 0 Hz is left out."""
         if self.dataset.attrs["quantity"] == "displacement":
             return self
-        moving = self._with_lines(slice(int(self.frequency[0] == 0), None))
+        moving = self.with_lines(slice(int(self.frequency[0] == 0), None))
         return moving._converted("displacement", 1 / (2j * np.pi * moving.frequency))
 
     def velocity(self) -> FrequencyResponse:
@@ -236,11 +236,7 @@ class FrequencyResponse:
         ------
         ResponseError : the points do not lie on a regular grid, or two of them coincide
         """
-        extent = float(np.ptp(self.points, axis=0).max())
-        columns, x = regular_line(self.dataset["x"].values, extent, "x")
-        rows, y = regular_line(self.dataset["y"].values, extent, "y")
-        place = rows * len(x) + columns
-        checks.one_point_each(place, self.points)
+        place, x, y = regular_grid(self.points)
         values = np.moveaxis(self.values, 1, 2)
         filled = np.full((*values.shape[:2], len(y) * len(x)), np.nan, dtype=values.dtype)
         filled[..., place] = values
@@ -253,7 +249,8 @@ class FrequencyResponse:
             name="response",
         )
 
-    def _with_lines(self, lines: slice) -> FrequencyResponse:
+    def with_lines(self, lines: slice | Ints) -> FrequencyResponse:
+        """Select lines by their ascending numbers."""
         checks.frequencies(self.frequency[lines])
         return FrequencyResponse(_locked(self.dataset.isel(frequency=lines)))
 

@@ -8,7 +8,7 @@ import { FilmButtons, filmed } from "../parts/film";
 import { origin } from "../parts/frame";
 import { corners, drawHeld, nameRegion, ON_MAP, strokeLoop, traceFeatures, type Placed } from "../parts/plan";
 import { Raster } from "../parts/raster";
-import type { PlateResponse } from "./plate_data";
+import type { Field, PlateResponse } from "./plate_data";
 import type { Choice } from "./state";
 
 interface Props {
@@ -16,25 +16,45 @@ interface Props {
   choice: Choice;
 }
 
-export function PlateMap({ plate, choice }: Props) {
-  const canvas = useRef<HTMLCanvasElement>(null);
+/** A map of each field. One cycle moves them all, so that their phases can be compared. */
+export function PlateMaps({ plate, choice }: Props) {
+  const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    if (canvas.current === null) return;
-    return kept(canvas.current, plate, choice);
+    if (place.current === null) return;
+    return kept([...place.current.querySelectorAll("canvas")], plate, choice);
   }, [plate, choice]);
-  const middle = Math.floor(plate.colours.length / 2);
-  const steps = [0, middle, plate.colours.length - 1].map((k) => `rgb(${(plate.colours[k] ?? []).join(" ")})`);
   return (
-    <div class="map">
-      <canvas ref={canvas} role="img" aria-label="Map of the moving plate" />
-      <p class="scale">
-        <span>{`−${size(plate.largest(choice.line.value))}`}</span>
-        <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
-        <span>{size(plate.largest(choice.line.value))}</span> normal displacement{plate.drive}
-      </p>
-      <FilmButtons canvas={canvas} name="map" caption={`${plate.data.header.title}, ${origin(plate.data)}`} />
+    <div class={plate.fields.length > 1 ? "maps" : ""} ref={place}>
+      {plate.fields.map((field) => (
+        <PlateMap key={field.title} plate={plate} choice={choice} field={field} />
+      ))}
     </div>
   );
+}
+
+function PlateMap({ plate, choice, field }: Props & { field: Field }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const middle = Math.floor(plate.colours.length / 2);
+  const steps = [0, middle, plate.colours.length - 1].map((k) => `rgb(${(plate.colours[k] ?? []).join(" ")})`);
+  const limit = size(limitOf(plate, choice, field, choice.line.value));
+  const title = field.title || origin(plate.data);
+  return (
+    <div class="map">
+      {field.title && <h2>{field.title}</h2>}
+      <canvas ref={canvas} role="img" aria-label={`Map of the moving plate${field.title && `, ${field.title}`}`} />
+      <p class="scale">
+        <span>{`−${limit}`}</span>
+        <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
+        <span>{limit}</span> normal displacement{plate.drive}
+      </p>
+      <FilmButtons canvas={canvas} name="map" caption={`${plate.data.header.title}, ${title}`} />
+    </div>
+  );
+}
+
+/** Displacement of the last colour at a line, m. */
+function limitOf(plate: PlateResponse, choice: Choice, field: Field, line: number): number {
+  return plate.largest(line, choice.common.value ? plate.fields : [field]);
 }
 
 /** A displacement in metres as a text with a suitable unit. */
@@ -43,17 +63,24 @@ export function size(metres: number): string {
   return `${Number((metres * Number(factor)).toPrecision(3))} ${unit}`;
 }
 
-/** Draw the map while the choices and the size of the canvas change; returns what ends it. */
-function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): () => void {
+/** Draw the maps while the choices and the sizes of the canvases change; returns what ends it. */
+function kept(canvases: HTMLCanvasElement[], plate: PlateResponse, choice: Choice): () => void {
   const { left, right, bottom, top } = plate.extent;
-  const raster = Raster.on(canvas, plate.columns, plate.rows);
-  if (raster === null) return () => undefined;
-  const counted = { frames: 0 };
+  const maps = plate.fields.flatMap((field, k) => {
+    const canvas = canvases[k];
+    const raster = canvas === undefined ? null : Raster.on(canvas, field.columns, field.rows);
+    return canvas === undefined || raster === null ? [] : [{ field, canvas, raster, counted: { frames: 0 } }];
+  });
   const draw = () => {
+    for (const map of maps) paint(map);
+  };
+  const paint = ({ field, canvas, raster, counted }: (typeof maps)[number]) => {
     const line = choice.line.peek();
     counted.frames++;
-    plate.paint(raster.image, line, plate.outermost(line) + cycle.moment);
-    raster.show(true);
+    // the phase of the first field is that of all: what moves together is up together
+    const moment = (plate.fields[0] ?? field).outermost(line) + cycle.moment;
+    field.paint(raster.image, line, moment, limitOf(plate, choice, field, line));
+    raster.show(!plate.data.has("place")); // measured points are shown as they are
     const placed: Placed = ([x, y]) => [
       (canvas.width * (x - left)) / (right - left),
       (canvas.height * (top - y)) / (top - bottom),
@@ -62,13 +89,16 @@ function kept(canvas: HTMLCanvasElement, plate: PlateResponse, choice: Choice): 
     canvas.dataset["shown"] = String(line);
   };
   const cycle = new Cycle(choice, draw);
-  filmed(canvas, (moment) => cycle.at(moment));
-  Object.assign(canvas, { counted }); // for tests
+  for (const { canvas, counted } of maps) {
+    filmed(canvas, (moment) => cycle.at(moment));
+    Object.assign(canvas, { counted }); // for tests
+  }
   const stops = [
-    raster.follow((top - bottom) / (right - left), draw),
+    ...maps.map(({ raster }) => raster.follow((top - bottom) / (right - left), draw)),
     effect(() => {
       choice.line.value;
       choice.plan.value;
+      choice.common.value;
       draw();
     }),
     onTheme(draw),

@@ -100,6 +100,6 @@ function paintGap(plot: uPlot, plate: PlateResponse, factor: number): void {
 
 function paintLine(plot: uPlot, plate: PlateResponse, choice: Choice): void {
   const { factor } = choice.unit.peek();
-  verticalLine(plot, plate.carrier / factor, "carrier", [7, 5]);
+  if (plate.carrier !== null) verticalLine(plot, plate.carrier / factor, "carrier", [7, 5]);
   verticalLine(plot, (plate.frequency[choice.line.peek()] ?? 0) / factor, "accent");
 }

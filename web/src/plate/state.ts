@@ -13,6 +13,7 @@ export interface Choice extends Pace {
   line: Signal<number>; // number of the frequency, from 0
   shown: Signal<Shown>;
   plan: Signal<boolean>; // pillars and supports over the map
+  common: Signal<boolean>; // one scale of colours for all maps
   unit: Signal<Unit>; // of frequency
   listing: Signal<Listed>;
 }
@@ -22,6 +23,7 @@ export function startingChoice(plate: PlateResponse): Choice {
     line: signal(plate.first),
     shown: signal<Shown>(plate.has("level") ? "level" : "contrast"),
     plan: signal(false),
+    common: signal(false),
     unit: signal(suitable(plate.units, Math.max(...plate.frequency))),
     playing: signal(!wantsStill()),
     pace: signal(0.7),
@@ -37,22 +39,30 @@ export function plateKeys(plate: PlateResponse, choice: Choice): Key[] {
   const jump = (line: number | undefined) => {
     if (line !== undefined) choice.line.value = line;
   };
+  const { carrier } = plate;
+  const modes: Key = {
+    keys: "p n",
+    effect: "previous or next mode near the carrier",
+    actions: {
+      p: () => jump(lines.filter((line) => line < choice.line.value).pop()),
+      n: () => jump(lines.find((line) => line > choice.line.value)),
+    },
+  };
+  const scale: Key = {
+    keys: "s",
+    effect: "one scale of colours for both maps, or one for each",
+    actions: { s: () => (choice.common.value = !choice.common.value) },
+  };
   return [
     {
       keys: "← →",
       effect: "previous or next frequency; ten with Shift",
       actions: { ArrowLeft: (event) => walk(-steps(event)), ArrowRight: (event) => walk(steps(event)) },
     },
-    {
-      keys: "p n",
-      effect: "previous or next mode near the carrier",
-      actions: {
-        p: () => jump(lines.filter((line) => line < choice.line.value).pop()),
-        n: () => jump(lines.find((line) => line > choice.line.value)),
-      },
-    },
-    { keys: "c", effect: "carrier", actions: { c: () => jump(plate.nearest(plate.carrier)) } },
-    { keys: "g", effect: "resonance in the gap", actions: { g: () => jump(plate.first) } },
+    ...(lines.length > 0 ? [modes] : []),
+    ...(carrier !== null ? [{ keys: "c", effect: "carrier", actions: { c: () => jump(plate.nearest(carrier)) } }] : []),
+    { keys: "g", effect: plate.firstIs, actions: { g: () => jump(plate.first) } },
+    ...(plate.fields.length > 1 ? [scale] : []),
     { keys: "l", effect: "pillars and supports", actions: { l: () => (choice.plan.value = !choice.plan.value) } },
     {
       keys: "space",

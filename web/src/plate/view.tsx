@@ -1,4 +1,4 @@
-/** Spectra of a plate and its map that moves: the view of kind "plate". */
+/** Spectra of a plate and its maps that move: the views of kind "plate" and "scan". */
 
 import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";
@@ -7,17 +7,23 @@ import { Frame } from "../parts/frame";
 import { Listing } from "../parts/listing";
 import { rounded, withUnit, type Unit } from "../parts/units";
 import { Walk } from "../parts/walk";
-import { PlateMap, size } from "./map";
+import { PlateMaps, size } from "./map";
 import { PlateResponse, type Shown } from "./plate_data";
 import { COLOURS, DASHES, Spectra } from "./spectra";
 import { plateKeys, startingChoice, type Choice } from "./state";
 
 const FOOT =
   "The map shows the flat face, each frequency on its own scale of colours; regions are outlined, patches dashed.";
+const SCAN_FOOT =
+  "Each point of the scan is a square of the map. Measurement and model move with the phase of the drive.";
 const SHOWN: Shown[] = ["level", "contrast"];
 
 export function plateView(data: Dataset) {
-  return <PlateView data={data} />;
+  return <PlateView data={data} foot={FOOT} />;
+}
+
+export function scanView(data: Dataset) {
+  return <PlateView data={data} foot={SCAN_FOOT} />;
 }
 
 interface Props {
@@ -25,14 +31,14 @@ interface Props {
   choice: Choice;
 }
 
-function PlateView({ data }: { data: Dataset }) {
+function PlateView({ data, foot }: { data: Dataset; foot: string }) {
   const plate = useMemo(() => new PlateResponse(data), [data]);
   const choice = useMemo(() => startingChoice(plate), [plate]);
   const keys = useMemo(() => plateKeys(plate, choice), [plate, choice]);
   const available = SHOWN.filter((shown) => plate.has(shown));
   return (
-    <Frame name="plate" data={data} keys={keys} foot={FOOT}>
-      <div class="pair">
+    <Frame name="plate" data={data} keys={keys} foot={foot}>
+      <div class={plate.fields.length > 1 ? "" : "pair"}>
         <section aria-label="Spectra">
           {available.length > 0 && plate.frequency.length > 1 && (
             <>
@@ -59,7 +65,7 @@ function PlateView({ data }: { data: Dataset }) {
           <LineFacts plate={plate} choice={choice} />
         </section>
         <section aria-label="Map">
-          <PlateMap plate={plate} choice={choice} />
+          <PlateMaps plate={plate} choice={choice} />
           <div class="controls">
             <PlayButton playing={choice.playing} />
             <FrequencySlider plate={plate} choice={choice} />
@@ -71,6 +77,15 @@ function PlateView({ data }: { data: Dataset }) {
               />
               pillars and supports
             </label>
+            {plate.fields.length > 1 && (
+              <label class="check">
+                <input
+                  type="checkbox" checked={choice.common.value}
+                  onChange={(event) => (choice.common.value = event.currentTarget.checked)}
+                />
+                one scale of colours for both maps
+              </label>
+            )}
           </div>
         </section>
       </div>
@@ -97,7 +112,7 @@ function Legend({ plate, choice }: Props) {
         </span>
       ))}
       {plate.gap !== null && <span class="of-gap">gap</span>}
-      <span class="of-carrier">carrier</span>
+      {plate.carrier !== null && <span class="of-carrier">carrier</span>}
     </p>
   );
 }
@@ -118,7 +133,7 @@ function LineFacts({ plate, choice }: Props) {
         {contrasts.map(({ name, values }) => `; ${name} ${values[line]?.toFixed(1) ?? "-"} dB`).join("")}
       </p>
       <p class="again">
-        The same map as a picture, in Python: <code>study.plate().plot("maps", frequency={Number(frequency.toFixed(3))})</code>
+        The same map as a picture, in Python: <code>{`${plate.python}.plot("maps", frequency=${Number(frequency.toFixed(3))})`}</code>
       </p>
     </div>
   );
@@ -148,6 +163,10 @@ function LevelTable({ plate, choice }: Props) {
       `${values[line]?.toPrecision(3) ?? "-"} ${plate.data.unit(shown)}`,
     ]),
   );
+  for (const field of plate.fields.length > 1 ? plate.fields : [])
+    rows.push(["largest displacement", field.title, `${size(field.largest(line))}${plate.drive}`]);
+  if (plate.data.has("agreement"))
+    rows.push([plate.data.title("agreement"), "both maps", (plate.data.values("agreement")[line] ?? 0).toFixed(3)]);
   return (
     <div class="wide">
       <table>

@@ -6,18 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from haptonic import plots
 from haptonic.cell.scales import scales
 from haptonic.later import xarray as xr
 from haptonic.plate.layout.drawing import drawing_of
 from haptonic.plots.text import driven
 from haptonic.response.measures import along
+from haptonic.results.steps import step_colours, stepped
 from haptonic.views import InteractiveView
 
 if TYPE_CHECKING:
     from haptonic.results.plate.value import PlateResult
-
-STEPS = np.iinfo(np.int8).max  # of the largest displacement at a frequency; a map has as many colours
 
 
 def plate_view(result: PlateResult) -> InteractiveView:
@@ -29,15 +27,9 @@ def plate_view(result: PlateResult) -> InteractiveView:
     drive, moving = result.drive, result.response.displacement()
     grid = drive * moving.grid().sel(direction="z")
     present = np.isfinite(grid.values[0])
-    field = np.where(present, grid.values, 0.0)
-    largest = np.abs(field).max(axis=(1, 2))
-    step = np.where(largest > 0, largest, 1.0) / STEPS
-    of_map = ("frequency", "y", "x")
     data = xr.Dataset(
         {
-            "shape_real": (of_map, np.rint(field.real / step[:, None, None]).astype(np.int8)),
-            "shape_imag": (of_map, np.rint(field.imag / step[:, None, None]).astype(np.int8)),
-            "shape_step": ("frequency", step, {"units": "m", "long_name": "step of the displacement"}),
+            **stepped("shape", grid.values, ("frequency", "y", "x")),
             "present": (("y", "x"), present.astype(np.int8), {"units": "1", "long_name": "plate"}),
             "mode_frequency": ("mode", result.modes["frequency"].values, {"units": "Hz"}),
             "mode_quality": ("mode", result.modes["quality_factor"].values, {"units": "1"}),
@@ -72,10 +64,13 @@ def _scales(result: PlateResult) -> dict[str, float]:
 def _extra(result: PlateResult) -> dict[str, Any]:
     return {
         "summary": result.summary(),
-        "colours": plots.shades(2 * STEPS + 1, signed=True),
+        "colours": step_colours(),
         "gap": None if result.gap is None else [result.gap.lower, result.gap.upper],
         "carrier": result.carrier,
         "first": result.resonance,
+        "first_is": "resonance in the gap",
+        "maps": {"shape": ""},
+        "python": "study.plate()",
         "drive": driven(result.response.units, result.drive),
         **drawing_of(result.plate),
     }

@@ -25,6 +25,7 @@ from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import accuracy_remarks, write_netcdf
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
+from haptonic.results.scan.interactive import scan_view
 from haptonic.results.table import Column, Table
 from haptonic.results.verdict import Verdict
 from haptonic.units import hz_text
@@ -32,6 +33,7 @@ from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Re
 from haptonic.vibrometry.estimation.quality import FLAGS
 from haptonic.vibrometry.guides import Guiding, Mirror, guides_of
 from haptonic.vibrometry.theory import guided
+from haptonic.views import InteractiveView, write_page
 
 SHOWN = ("average", "rms", "contrast", "decay", "low", "high")  # variables at the operating shapes
 DECAY = ("decay", "error_of_decay", "low", "high")  # variables of the decay through a mirror
@@ -64,6 +66,7 @@ class ScanResult(Result):
     undetermined : reasons for missing results
     verdict : comparison with a model of the plate, if any
     state : folder from which an interrupted estimation continues
+    interactive : whether the interactive page is among its files
     """
 
     title = "Scan"
@@ -85,6 +88,7 @@ class ScanResult(Result):
     undetermined: tuple[str, ...] = ()
     verdict: Verdict | None = None
     state: Path | None = None
+    interactive: bool = False
 
     @property
     def origin(self) -> str:
@@ -208,9 +212,17 @@ class ScanResult(Result):
     def _animate(self, path: Path) -> None:
         path.write_bytes(plots.animated(self.response, self.loudest, self.layout))
 
+    @file("scan.html", when=lambda result: result.interactive and result.mapped)
+    def _write_page(self, path: Path) -> None:
+        write_page(self.view(), path)
+
+    def view(self) -> InteractiveView | None:
+        """Interactive view of the maps; None if not asked for, or without motion normal to the plate."""
+        return scan_view(self) if self.interactive and self.mapped else None
+
     @classmethod
     def names(cls, options: Any = None) -> list[str]:
-        judging = options is None or options.against is not None
+        judging = options is None or options.against is not None or options.model
         return [*super().names(options), *(Verdict.names(options) if judging else [])]
 
     def put(self, draft: Path, progress: Progress = silent) -> None:
