@@ -1,8 +1,8 @@
 """Draw the pictures of these pages that no page computes itself: `python docs/draw_figures.py [NAME ...]`.
 
-Names are `badges`, `mesh`, `convergence`, `maps`, `pages` and `studio`; without one all are drawn. `maps` and
-`pages` compute the plate of the prototype, which takes about two minutes. `pages` and `studio` need Chromium,
-and `tests` and `tests/studio` in PYTHONPATH. The others take seconds.
+Names are `badges`, `mesh`, `convergence`, `maps`, `pages`, `studio` and `wizard`; without one all are drawn.
+`maps` and `pages` compute the plate of the prototype, which takes about two minutes. `pages`, `studio` and
+`wizard` need Chromium, and `tests` and `tests/studio` in PYTHONPATH. The others take seconds.
 """
 
 from __future__ import annotations
@@ -188,6 +188,35 @@ def draw_studio() -> None:
             page.locator(".results").screenshot(path=IMAGES / "studio-preview.png")
 
 
+def draw_wizard() -> None:
+    """The wizard of the studio with a simulated scan of a small plate, and the scan beside its model."""
+    from served import served
+
+    from browser import chromium, page_at  # of the tests
+    from tiny_scan import TINY
+
+    with TemporaryDirectory() as temporary, chromium() as browser:
+        folder = Path(temporary) / "studies"
+        folder.mkdir()
+        (folder / "small.toml").write_text(TINY, "utf-8")
+        hp.load(folder / "small.toml").simulate_scan(form="uff", time=False).write(Path(temporary) / "scan")
+        with (
+            served(folder, "small.toml", admit=False) as studio,
+            page_at(browser, studio.link, 1440, reduced_motion="reduce") as page,
+        ):
+            page.locator(".paint > summary").click()
+            page.get_by_label("Analysis").select_option("scan")
+            page.set_input_files("input[data-choose=files]", Path(temporary) / "scan" / "scan.uff")
+            page.wait_for_selector(".reading .points", timeout=60_000)
+            page.locator(".compute").screenshot(path=IMAGES / "studio-scan.png")
+            page.get_by_text("Further options").click()
+            page.get_by_label("model", exact=True).check()
+            page.wait_for_selector(".understood[aria-busy=false] .points", timeout=60_000)
+            page.get_by_role("button", name="Compute scan").click()
+            page.wait_for_selector(".map canvas[data-shown]", timeout=300_000)
+            page.locator("#result .plate").screenshot(path=IMAGES / "scan-page.png")
+
+
 def draw_badges() -> None:
     """Python versions, licence and state of the project, from pyproject.toml."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
@@ -214,7 +243,7 @@ def draw_badges() -> None:
 
 DRAWN: dict[str, Callable[[], None]] = {
     "badges": draw_badges, "mesh": draw_mesh, "convergence": draw_convergence, "maps": draw_maps,
-    "pages": draw_pages, "studio": draw_studio,
+    "pages": draw_pages, "studio": draw_studio, "wizard": draw_wizard,
 }  # fmt: skip
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import { render, type ComponentChildren } from "preact";
 import { bandsView } from "./bands/view";
 import type { Dataset } from "./dataset";
 import { fingerView } from "./plate/finger";
+import { frictionView } from "./friction/view";
 import { mirrorView } from "./mirror/view";
 import type { Host } from "./parts/host";
 import { plateView, scanView } from "./plate/view";
@@ -19,6 +20,7 @@ const VIEWS: Record<string, (data: Dataset, host?: Host) => ComponentChildren> =
   scan: scanView,
   finger: fingerView,
   ribbon: ribbonView,
+  friction: frictionView,
   reading: readingView,
 };
 

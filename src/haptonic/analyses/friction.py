@@ -46,6 +46,7 @@ class FrictionOptions:
     study: Path | None = option(
         None, "Study whose [trials] applies; by default study.toml in the folder.", metavar="FILE"
     )
+    html: bool = option(False, "Also one interactive HTML page of the estimates.")
     settings: tuple[TrialSettings, Description | None] | None = field(default=None)
     draft: bool = option(False, "Write trials.csv from the names of the files in the folder; nothing else.")
     references: Any = option(
@@ -79,7 +80,8 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
         path, section.sensor, section, section.exclude, driven=section.driven or driven,
         workers=runner.workers, progress=runner.progress,
     )  # fmt: skip
-    return replace(result, published=options.references.friction if options.references else {})
+    published = options.references.friction if options.references else {}
+    return replace(result, published=published, interactive=options.html)
 
 
 def compute_friction(
@@ -170,6 +172,7 @@ ANALYSIS = Analysis(
     study="none",
     parallel=True,
     doing="trials",
+    interactive="html",
     examine=examine,
     study_option="study",
     settings=lambda text, folder: {"settings": trials_in(text, Description, folder)},

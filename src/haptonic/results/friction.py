@@ -16,10 +16,12 @@ from haptonic.friction.statistics.summary import Summary
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.names import cell
 from haptonic.results.friction_tables import conditions_table, excluded_table, reported, tests_tables
+from haptonic.results.friction_view import friction_view
 from haptonic.results.plain import determined, plain, split
 from haptonic.results.quality import quality
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
+from haptonic.views import InteractiveView, write_page
 
 PARTS = ("mean", "sd")
 MOST_SHEETS = 60  # blocks that are drawn trial by trial
@@ -34,6 +36,7 @@ class FrictionResult(Result):
     doubts : possible errors of the records, and corrections of them
     found : results of the statistics
     published : published reductions "driven" and "idle" and share "stopped", for comparison in pictures
+    interactive : whether the interactive page is among its files
     """
 
     title = "Friction trials"
@@ -46,6 +49,7 @@ class FrictionResult(Result):
     found: Summary
     published: Mapping[str, float] = field(default_factory=dict)
     doubts: tuple[str, ...] = ()
+    interactive: bool = False
 
     @classmethod
     def names(cls, options: Any = None) -> list[Any]:
@@ -82,6 +86,14 @@ class FrictionResult(Result):
     @file("quality.html")
     def _write_quality(self, path: Path) -> None:
         path.write_text(quality(self), encoding="utf-8")
+
+    @file("friction.html", when=lambda result: result.interactive)
+    def _write_page(self, path: Path) -> None:
+        write_page(self.view(), path)
+
+    def view(self) -> InteractiveView | None:
+        """Interactive view of the estimates; None if it was not asked for."""
+        return friction_view(self) if self.interactive else None
 
     @figure("conditions", "{Origin} friction of the conditions, mean and one standard deviation over trials.")
     def _conditions(self, *, ax: Axes | None = None) -> Figure:

@@ -27,6 +27,8 @@ import haptonic.results.sweeps
 import haptonic.results.tolerance
 import haptonic.results.verdict
 import haptonic.store
+import haptonic.study.schema
+import haptonic.study.trial_tables
 
 class Methods:
     def plan(
@@ -222,13 +224,15 @@ class Methods:
         overlap: float = ...,
         align: bool = ...,
         repair: tuple[str, ...] = ...,
+        frequency_unit: str | None = ...,
         corners: typing.Any = ...,
         mirrored: bool = ...,
-        frequency_unit: str | None = ...,
         path: str | pathlib.Path | None = ...,
         response: haptonic.response.value.FrequencyResponse | None = ...,
         against: str | pathlib.Path | None = ...,
         at: typing.Any = ...,
+        model: bool = ...,
+        html: bool = ...,
         unit: str | None = ...,
         length_unit: str | None = ...,
         variables: typing.Any = ...,
@@ -261,6 +265,8 @@ class Methods:
         *,
         path: str | pathlib.Path,
         study: str | pathlib.Path | None = ...,
+        html: bool = ...,
+        settings: tuple[haptonic.study.trial_tables.TrialSettings, haptonic.study.schema.Description | None] | None = ...,
         draft: bool = ...,
         references: typing.Any = ...,
         store: haptonic.store.Store | None = None,
