@@ -204,6 +204,7 @@ def draw_wizard() -> None:
             served(folder, "small.toml", admit=False) as studio,
             page_at(browser, studio.link, 1440, reduced_motion="reduce") as page,
         ):
+            page.set_viewport_size({"width": 1440, "height": 2400})  # the results scroll on a smaller page
             page.locator(".paint > summary").click()
             page.get_by_label("Analysis").select_option("scan")
             page.set_input_files("input[data-choose=files]", Path(temporary) / "scan" / "scan.uff")

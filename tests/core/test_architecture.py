@@ -88,7 +88,19 @@ ALLOWED: dict[str, set[str]] = {
     "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},
     "verification": {"arrays", "atomic", "errors", "plots", "results", "store", "study", "units"},
     "studio": BASE
-    | {"analyses", "atomic", "description", "pages", "plate", "plots", "results", "store", "study", "views"}
+    | {
+        "analyses",
+        "atomic",
+        "channels",
+        "description",
+        "pages",
+        "plate",
+        "plots",
+        "results",
+        "store",
+        "study",
+        "views",
+    }
     | {"workshop", "__init__"},
     "cli": CORE | {"analyses", "atomic", "results", "store", "studio", "study", "verification", "__init__"},
 }

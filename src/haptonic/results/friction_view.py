@@ -80,20 +80,18 @@ def _marks(result: FrictionResult) -> Iterator[EstimateMark]:
         }
         for person, each in of_people.items():
             yield EstimateMark(
-                REDUCTION,
-                f"{region}, {person}",
-                each.value,
-                each.low,
-                each.high,
-                each.note,
-                person == EVERYBODY,
-            )
+                quantity=REDUCTION, name=f"{region}, {person}", value=each.value, low=each.low,
+                high=each.high, note=each.note, whole=person == EVERYBODY,
+            )  # fmt: skip
     for condition in summary.conditions:
         mean, deviation = condition.friction
         whole = condition.participant == EVERYBODY
         name = _condition(condition.participant, condition.waveguide, condition.actuation)
         note = f"{condition.used} trials, {condition.excluded} excluded"
-        yield EstimateMark(FRICTION, name, mean, mean - deviation, mean + deviation, note, whole)
+        yield EstimateMark(
+            quantity=FRICTION, name=name, value=mean, low=mean - deviation, high=mean + deviation, note=note,
+            whole=whole,
+        )  # fmt: skip
 
 
 def _condition(participant: str, region: str, actuation: str) -> str:

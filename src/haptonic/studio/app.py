@@ -23,7 +23,6 @@ from haptonic.fields.expressions import PARAMETERS
 from haptonic.gate import json_from
 from haptonic.pages import filled
 from haptonic.studio.archive import Archive
-from haptonic.studio.asked import Asked, number_in, order_of, steps_in, text_in, unasked
 from haptonic.studio.checking import checked, described, study_in
 from haptonic.studio.comparing import compared
 from haptonic.studio.designs import design_text
@@ -37,6 +36,7 @@ from haptonic.studio.jobs import Jobs
 from haptonic.studio.offers import offered, offers
 from haptonic.studio.painting import FIRST, forecast
 from haptonic.studio.replies import binary, download, missing
+from haptonic.studio.requests import Asked, number_in, order_of, steps_in, text_in, unasked
 from haptonic.studio.turns import LONGEST_PATH, turn_routes
 from haptonic.studio.uploads import upload_route
 from haptonic.studio.workspace import Workspace

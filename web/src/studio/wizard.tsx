@@ -1,4 +1,4 @@
-/** The questions of an analysis in their order, and what was understood of its files before it computes. */
+/** The questions of an analysis, and what was understood of its files before it computes. */
 
 import { useEffect, useRef } from "preact/hooks";
 import { show } from "../views";
@@ -23,6 +23,7 @@ export function Questions({ chosen }: { chosen: Analysis }) {
         <Group options={needed} chosen={chosen} />
       </div>
       <StudyUse chosen={chosen} />
+      {chosen.examines && <Understood chosen={chosen} />}
       {topics.map((topic) => (
         <fieldset class="item asks">
           <legend>{topic}</legend>
@@ -37,7 +38,6 @@ export function Questions({ chosen }: { chosen: Analysis }) {
           <Group options={rest} chosen={chosen} />
         </details>
       )}
-      {chosen.examines && <Understood chosen={chosen} />}
     </>
   );
 }

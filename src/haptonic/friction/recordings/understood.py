@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from haptonic.errors import FrictionError
@@ -32,11 +32,11 @@ class Understood:
 
     source: Path
     trials: dict[tuple[str, str, str], int]
-    channels: dict[str, tuple[str, float, str]]
-    first: tuple[str, Record] | None
-    remarks: tuple[str, ...]
-    doubts: tuple[str, ...]
-    simulated: bool
+    channels: dict[str, tuple[str, float, str]] = field(default_factory=dict)
+    first: tuple[str, Record] | None = None
+    remarks: tuple[str, ...] = ()
+    doubts: tuple[str, ...] = ()
+    simulated: bool = False
 
 
 def understood(source: Path, sensor: Sensor) -> Understood:
@@ -55,14 +55,16 @@ def understood(source: Path, sensor: Sensor) -> Understood:
         read = read_trials(source)
         names = (read[name].values.tolist() for name in ("participant", "waveguide", "actuation"))
         trials = Counter(zip(*names, strict=True))
-        return Understood(source, dict(trials), {}, None, (), (), simulated)
+        return Understood(source=source, trials=dict(trials), simulated=simulated)
     labels: list[Label] = []
     first: tuple[str, Record] | None = None
     for label, record in read_records(source):
         first = first or (str(label), record)
         labels.append(label)
     remarks = () if first is None else first[1].remarks
-    return Understood(source, _counted(labels), {}, first, remarks, (), simulated)
+    return Understood(
+        source=source, trials=_counted(labels), first=first, remarks=remarks, simulated=simulated
+    )
 
 
 def _of_folder(table: TrialTable, sensor: Sensor) -> Understood:

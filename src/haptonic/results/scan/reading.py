@@ -38,7 +38,7 @@ class ScanReading(Reading):
         return content.origin if isinstance(content, TimeScan) else str(content.dataset.attrs["origin"])
 
     @property
-    def places(self) -> Array:
+    def positions(self) -> Array:
         """(point, 2) on the plate, or in the coordinates of the file, m."""
         points = self.scan.points
         return points if self.registration is None else self.registration.of(points)
@@ -46,9 +46,9 @@ class ScanReading(Reading):
     @cached_property
     def dataset(self) -> xr.Dataset:
         """Places of the points, and a spectrum or the first record."""
-        places = self.places
+        positions = self.positions
         points = {
-            name: ("point", places[:, axis], {"units": "m", "long_name": name})
+            name: ("point", positions[:, axis], {"units": "m", "long_name": name})
             for axis, name in enumerate("xy")
         }
         content = self.scan.content
@@ -76,7 +76,7 @@ class ScanReading(Reading):
         return None if self.plate is None else drawing_of(self.plate)
 
     def summary(self) -> list[str]:
-        sentences = [f"{len(self.places)} points, {_extent(self.places)}, {self.origin}."]
+        sentences = [f"{len(self.positions)} points, {_extent(self.positions)}, {self.origin}."]
         if self.registration is not None:
             sentences.append(self.registration.sentence)
         return sentences
@@ -88,19 +88,19 @@ class ScanReading(Reading):
         outside = []
         if self.plate is not None:
             right, top = self.plate.layout.x[-1], self.plate.layout.y[-1]
-            beyond = ((self.places < 0) | (self.places > [right, top])).any(axis=1).sum()
+            beyond = ((self.positions < 0) | (self.positions > [right, top])).any(axis=1).sum()
             outside = [f"{beyond} points lie outside the plate of the study"] if beyond else []
         return [*outside, *report.remarks, *missing, *dropped]
 
     def answers(self) -> list[tuple[str, str]]:
-        content, places = self.scan.content, self.places
+        content, positions = self.scan.content, self.positions
         rows = [
             ("format", self.scan.report.format),
-            ("points", f"{len(places)}{_grid(places)}"),
-            ("from left to right", _range(places[:, 0])),
-            ("from bottom to top", _range(places[:, 1])),
-            ("first point", _place(places[0])),
-            ("last point", _place(places[-1])),
+            ("points", f"{len(positions)}{_grid(positions)}"),
+            ("from left to right", _range(positions[:, 0])),
+            ("from bottom to top", _range(positions[:, 1])),
+            ("first point", _place(positions[0])),
+            ("last point", _place(positions[-1])),
         ]
         if isinstance(content, TimeScan):
             rows += [
