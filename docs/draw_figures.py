@@ -210,7 +210,6 @@ def draw_wizard() -> None:
             page.set_input_files("input[data-choose=files]", Path(temporary) / "scan" / "scan.uff")
             page.wait_for_selector(".reading .points", timeout=60_000)
             page.locator(".compute").screenshot(path=IMAGES / "studio-scan.png")
-            page.get_by_text("Further options").click()
             page.get_by_label("model", exact=True).check()
             page.wait_for_selector(".understood[aria-busy=false] .points", timeout=60_000)
             page.get_by_role("button", name="Compute scan").click()

@@ -52,6 +52,7 @@ def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
 
 CONTENT = "What the file may lack"  # topic of options that describe the content of a file
 POSITION = "Position of the plate"
+MODEL = "Comparison with a model"
 
 
 @dataclass(frozen=True)

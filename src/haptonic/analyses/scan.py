@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import size_of
-from haptonic.analyses.options import CONTENT, POSITION, UnitsOfFile, option, option_of
+from haptonic.analyses.options import CONTENT, MODEL, POSITION, UnitsOfFile, option, option_of
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.scanning import (
     Estimation,
@@ -74,14 +74,16 @@ class ScanOptions(PlateInScan, UnitsOfFile, Estimation):
     response: FrequencyResponse | None = field(default=None)
     against: Path | None = option(
         None, "Compare with a model: a study; or, after STUDY, its computed response (.nc).",
-        metavar="MODEL",
+        metavar="MODEL", topic=MODEL,
     )  # fmt: skip
     at: Any = option(
         None, "Frequency of the operating shape, by default the loudest; or the points of a file without "
         'coordinates, "10 mm, 5 mm; 15 mm, 5 mm".', read=frequency_or_points, metavar="FREQUENCY|X,Y;...",
         topic=POSITION,
     )  # fmt: skip
-    model: bool = option(False, "Compare with the model of STUDY, computed at the points of the scan.")
+    model: bool = option(
+        False, "Compare with the model of STUDY, computed at the points of the scan.", topic=MODEL
+    )
     html: bool = option(False, "Also one interactive HTML page, with the map beside that of the model.")
     unit: str | None = option(
         None, "Unit of responses or records in files that give none; by default m/s/V.", topic=CONTENT

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import islice
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
@@ -70,14 +71,15 @@ class Workspace:
 
     def _files(self, folder: Path, depth: int) -> Iterator[Path]:
         """Files of a folder and of those in it; links are left out."""
-        with os.scandir(folder) as entries:
+        ordered: list[os.DirEntry[str]] = []
+        with suppress(OSError), os.scandir(folder) as entries:  # removed, or not to be read
             ordered = sorted(entries, key=lambda entry: entry.name)
         for entry in ordered:
             if entry.name.startswith(".") or entry.is_symlink():
                 continue
             if entry.is_file():
                 yield Path(entry.path)
-            elif depth > 1 and entry.is_dir() and os.access(entry.path, os.R_OK | os.X_OK):
+            elif depth > 1 and entry.is_dir():
                 yield from self._files(Path(entry.path), depth - 1)
 
     def measurement(self, name: object) -> Path:
@@ -89,6 +91,8 @@ class Workspace:
         """
         path = self.place(name)
         here = [path, *islice(path.rglob("*"), MOST_FILES)] if path.is_dir() else [path]
+        if len(here) > MOST_FILES:
+            raise _refused_file(name, f"the folder contains {MOST_FILES} files or more")
         if not all(each.resolve().is_relative_to(self.folder) for each in here):
             raise _refused_file(name, "it is, or contains, a link that leads out of the folder")
         return path
