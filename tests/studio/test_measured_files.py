@@ -256,7 +256,7 @@ def test_the_settings_of_the_page_name_the_columns_of_trials(studio):
     number = studio.post("run", analysis="friction", options={"path": case}, text=text).json["number"]
     job = studio.finished(number)
     assert job["state"] == "done"
-    assert job["command"] == f"haptonic friction {case} --study my.toml"
+    assert job["command"] == f"haptonic friction {case} --html --study my.toml"
 
 
 def test_a_table_of_trials_is_drafted_after_it_was_shown(studio):

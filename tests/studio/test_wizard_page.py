@@ -123,7 +123,7 @@ def test_files_are_chosen_and_computed_by_the_keyboard(browser: Browser, studio)
         expect(compute).to_be_enabled()
         compute.focus()
         page.keyboard.press("Enter")
-        page.locator("#result").get_by_text("haptonic friction trials").wait_for(timeout=90_000)
+        page.locator("#result").get_by_text("haptonic friction trials --html").wait_for(timeout=90_000)
 
 
 def test_several_files_get_a_folder_and_none_is_replaced_without_a_question(browser: Browser, studio):
