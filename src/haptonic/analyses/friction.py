@@ -37,7 +37,8 @@ TESTED, BYTE_OF_TRIALS = 4.0, 6e-8  # s for statistics and pictures; s per byte 
 class FrictionOptions:
     """Options: the records and how they are processed.
 
-    settings : of the trials, and the study that they belong to, in place of those of a file; in Python only
+    settings : in place of those of a file, in Python only: a pair of `TrialSettings` and the study that they
+        belong to, or None
     """
 
     path: Path = option(
@@ -47,7 +48,7 @@ class FrictionOptions:
         None, "Study whose [trials] applies; by default study.toml in the folder.", metavar="FILE"
     )
     html: bool = option(False, "Also one interactive HTML page of the estimates.")
-    settings: tuple[TrialSettings, Description | None] | None = field(default=None)
+    settings: Any = field(default=None)
     draft: bool = option(False, "Write trials.csv from the names of the files in the folder; nothing else.")
     references: Any = option(
         None,
@@ -136,7 +137,8 @@ def _drafted(folder: Path) -> TrialDraft:
 
 def _settings(options: FrictionOptions) -> tuple[TrialSettings, Description | None]:
     if options.settings is not None:
-        return options.settings
+        given: tuple[TrialSettings, Description | None] = options.settings
+        return given
     beside = options.path / STUDY
     if options.study is None and not beside.is_file():
         return TrialSettings(), None

@@ -27,8 +27,6 @@ import haptonic.results.sweeps
 import haptonic.results.tolerance
 import haptonic.results.verdict
 import haptonic.store
-import haptonic.study.schema
-import haptonic.study.trial_tables
 
 class Methods:
     def plan(
@@ -266,7 +264,7 @@ class Methods:
         path: str | pathlib.Path,
         study: str | pathlib.Path | None = ...,
         html: bool = ...,
-        settings: tuple[haptonic.study.trial_tables.TrialSettings, haptonic.study.schema.Description | None] | None = ...,
+        settings: typing.Any = ...,
         draft: bool = ...,
         references: typing.Any = ...,
         store: haptonic.store.Store | None = None,
