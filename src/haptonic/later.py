@@ -21,6 +21,7 @@ __all__ = [
     "h5py",
     "jinja2",
     "linalg",
+    "meshio",
     "pandas",
     "psutil",
     "sparse",
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     import h5py as h5py
     import jinja2 as jinja2
     import matplotlib.colors as colors
+    import meshio as meshio
     import pandas as pandas
     import psutil as psutil
     import scipy.io.wavfile as wavfile
@@ -54,7 +56,7 @@ else:
             return getattr(import_module(self.__name__), name)
 
     h5py, jinja2, pandas = _Later("h5py"), _Later("jinja2"), _Later("pandas")
-    psutil, xarray = _Later("psutil"), _Later("xarray")
+    meshio, psutil, xarray = _Later("meshio"), _Later("psutil"), _Later("xarray")
     colors = _Later("matplotlib.colors")
     linalg, wavfile = _Later("scipy.linalg"), _Later("scipy.io.wavfile")
     elementwise = _Later("scipy.optimize.elementwise")

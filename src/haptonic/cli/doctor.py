@@ -37,7 +37,7 @@ LEAST_DISK = 1e9  # bytes, for some twenty plates in the store
 
 
 @dataclass(frozen=True)
-class Part:
+class OptionalPart:
     """An optional part of haptonic.
 
     package : name of the package that the extra of ``pyproject.toml`` installs
@@ -57,13 +57,13 @@ class Part:
 
 
 PARTS = {
-    "fast": Part("pypardiso", "finite plates in two thirds of the time"),
-    "cad": Part("netgen-mesher", "STEP files for the workshop, and cells drawn in a CAD program"),
-    "tdms": Part("npTDMS", "scans and force records of LabVIEW"),
-    "notebook": Part("anywidget", "interactive views of results in a notebook"),
-    "modal": Part("sdypy-EMA", "poles and mode shapes identified from a measured response"),
-    "cholmod": Part("scikit-sparse", "a faster sparse solver where MKL is not available"),
-    "scheduler": Part("distributed", "many designs on several machines"),
+    "fast": OptionalPart("pypardiso", "finite plates in two thirds of the time"),
+    "cad": OptionalPart("netgen-mesher", "STEP files for the workshop, and cells drawn in a CAD program"),
+    "tdms": OptionalPart("npTDMS", "scans and force records of LabVIEW"),
+    "notebook": OptionalPart("anywidget", "interactive views of results in a notebook"),
+    "modal": OptionalPart("sdypy-EMA", "poles and mode shapes identified from a measured response"),
+    "cholmod": OptionalPart("scikit-sparse", "a faster sparse solver where MKL is not available"),
+    "scheduler": OptionalPart("distributed", "many designs on several machines"),
 }
 
 
