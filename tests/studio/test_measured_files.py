@@ -1,8 +1,11 @@
 """Measured files in the studio's folder: received whole or not at all, read by name, understood."""
 
+import asyncio
 import base64
 import os
 import socket
+import time
+from collections.abc import AsyncIterator
 from pathlib import Path
 from urllib.parse import urlencode
 
@@ -13,6 +16,7 @@ from served import Reply, Served, served
 from haptonic import read_scan
 from haptonic.errors import HaptonicError
 from haptonic.studio import guard
+from haptonic.studio.uploads import receive
 from haptonic.studio.workspace import DEEPEST, Workspace
 from haptonic.views.packed import header_of
 
@@ -143,11 +147,28 @@ def test_a_file_that_breaks_off_leaves_nothing(studio):
             f"Origin: {studio.origin}\r\nCookie: {studio.cookie}\r\nContent-Length: 1000\r\n\r\nstart"
         )
         raw.sendall(head.encode())
-    for _ in range(100):
-        if sorted(path.name for path in folder.iterdir()) == before:
-            break
-    assert upload(studio, "after.csv").status == 200
-    assert not (folder / "broken.h5").exists()
+    end = time.monotonic() + 20
+    while (names := sorted(path.name for path in folder.iterdir())) != before and time.monotonic() < end:
+        time.sleep(0.05)
+    assert names == before
+
+
+@pytest.mark.parametrize("early", [True, False])
+def test_a_name_that_is_taken_before_or_while_a_file_arrives_is_kept(tmp_path, early):
+    path, parts = tmp_path / "scan.csv", []
+
+    async def content() -> AsyncIterator[bytes]:
+        path.write_text("of another program")
+        parts.append(1)
+        yield b"mine"
+
+    if early:
+        path.write_text("of another program")
+    with pytest.raises(HaptonicError, match="in the folder"):
+        asyncio.run(receive(Workspace(tmp_path), "scan.csv", content()))
+    assert path.read_text() == "of another program"
+    assert len(parts) == (0 if early else 1)  # a refused file is not received at all
+    assert [each.name for each in tmp_path.iterdir()] == ["scan.csv"]
 
 
 def test_an_upload_needs_the_cookie_and_the_pages_origin(studio):
