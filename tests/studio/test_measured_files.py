@@ -5,7 +5,7 @@ import base64
 import os
 import socket
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 from urllib.parse import urlencode
 
@@ -140,17 +140,26 @@ def test_a_file_that_is_too_large_leaves_nothing(studio, monkeypatch):
 
 def test_a_file_that_breaks_off_leaves_nothing(studio):
     folder = studio.studio.workspace.folder
-    before = sorted(path.name for path in folder.iterdir())
+
+    def names() -> list[str]:
+        return sorted(path.name for path in folder.iterdir())
+
+    def need(condition: Callable[[], bool]) -> None:
+        end = time.monotonic() + 20
+        while not condition() and time.monotonic() < end:
+            time.sleep(0.02)
+        assert condition()
+
+    before = names()
     with socket.create_connection(("127.0.0.1", studio.port), timeout=60) as raw:
         head = (
             f"POST /api/upload?name=broken.h5 HTTP/1.1\r\nHost: 127.0.0.1:{studio.port}\r\n"
             f"Origin: {studio.origin}\r\nCookie: {studio.cookie}\r\nContent-Length: 1000\r\n\r\nstart"
         )
         raw.sendall(head.encode())
-    end = time.monotonic() + 20
-    while (names := sorted(path.name for path in folder.iterdir())) != before and time.monotonic() < end:
-        time.sleep(0.05)
-    assert names == before
+        need(lambda: names() != before)  # the part that has arrived is in a file of another name
+        assert not (folder / "broken.h5").exists()
+    need(lambda: names() == before)
 
 
 @pytest.mark.parametrize("early", [True, False])
