@@ -45,7 +45,7 @@ bench: $(VENV)/ready-test
 	cd benchmarks && for claim in diagram_in_a_second sweeps_in_twenty_seconds thousand_times_cheaper \
 		cost_growth estimates_hold wavevectors_everywhere mirror_in_thirty_seconds search_finds_what_is_there plate_in_half_a_minute \
 		plate_growth rows_keep_it_there hundred_thousand_trials trials_tell_the_truth scan_twin gap_in_the_scan \
-		fit_covers_the_truth pages_answer_at_once drag_answers_at_once render; \
+		fit_covers_the_truth pages_answer_at_once drag_answers_at_once hour_of_the_studio render; \
 		do env -u OPENBLAS_CORETYPE -u OPENBLAS_L2_SIZE ../$(BIN)/python $$claim.py || exit 1; done
 
 # The pages of docs/ as a site, docs/_build/html; any warning is an error, and nothing is fetched.

@@ -25,6 +25,7 @@ NAMES = (
     "fit_covers_the_truth",
     "pages_answer_at_once",
     "drag_answers_at_once",
+    "hour_of_the_studio",
 )  # fmt: skip
 
 WHOLE_SAMPLE = 120  # designs answered over all classes that count as a proof of the estimates
@@ -642,6 +643,7 @@ def turned_numbers(record: dict[str, Any]) -> str:
             f"{drag['prepared_s']:g} s",
         ]
         for path, drag in record["drags"].items()
+        if path != "commit"
     ]
     bounds = record["bounds"]
     shares = [[cell, f"{share:.2f}"] for cell, share in bounds["largest_share_of_the_bound"].items()]
@@ -656,6 +658,28 @@ Of {bounds["moves"]} random moves over whole sliders, {bounds["beyond_their_boun
 preview. The largest distance as a share of the bound, by lattice and kind of cell; the median is {bounds["median_share"]:.2f}:
 
 {table(["cell", "share"], shares)}
+
+{measured_on(record)}
+"""
+
+
+def hour(record: dict[str, Any]) -> str:
+    rows = [
+        [
+            name,
+            f"{m['last']:g}",
+            f"{m['largest']:g}",
+            f"{m['per_round']:+.2f} ± {2 * m['standard_error']:.2f}",
+        ]
+        for name, m in record["memory"].items()
+    ]
+    return f"""## Memory of an hour of the studio
+
+{record["rounds"]} rounds of use in headless Chromium: in each, bands are computed, four numbers are turned, pictures are shown, the map is
+painted, a plate and a finger are computed and moved, and older runs are opened. Memory after a round, MB, and thousands of elements; the slope per
+round and twice its standard error begin after {record["warm_rounds"]} rounds, when the caches are full.
+
+{table(["memory of", "at the end", "largest", "per round"], rows)}
 
 {measured_on(record)}
 """
@@ -684,6 +708,7 @@ def main() -> None:
         fit,
         pages,
         turned_numbers,
+        hour,
     )
     # a benchmark that was never run has no chapter
     chapters = [writer(records[name]) for name, writer in zip(NAMES, writers, strict=True) if name in records]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from haptonic.analyses.turning import BandsTurning
-from haptonic.bloch import bands_dataset
+from haptonic.bloch import bands_dataset, gaps_of
 from haptonic.design.preview import CertifiedBands, DesignLine, Samples
 from haptonic.later import xarray as xr
 from haptonic.results.bands import Bands
@@ -118,3 +118,14 @@ def test_a_slider_ends_where_no_design_is_possible():
     wide = TURNED_CELL.replace('diameter = "3.5 mm"', 'diameter = "6.4 mm"')
     knob = next(k for k in BandsTurning().knobs(loads(wide)) if k.path == "cell.pillar.diameter")
     assert 6.4 < knob.high < 7.0
+
+
+def test_the_first_curves_are_those_of_the_result():
+    study, early = loads(TURNED_CELL), []
+    result = bands_dataset(study.cell, study.bands_settings, first=early.append)
+    (first,) = early
+    for name in ("frequency", "frequency_error"):
+        np.testing.assert_array_equal(first[name], result[name])
+    complete = [gap for gap in gaps_of(result) if gap.complete]
+    assert complete
+    assert list(gaps_of(first)) == complete

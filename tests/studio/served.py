@@ -53,7 +53,7 @@ class Served:
         """Send a request as the page does; a header that is None is left out."""
         usual = {"Host": f"127.0.0.1:{self.port}", "Origin": self.origin, "Cookie": self.cookie}
         given = {name.capitalize(): value for name, value in headers.items()}
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
         connection.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
         for name, value in (usual | given).items():
             if value is not None:
@@ -76,12 +76,12 @@ class Served:
         address = f"ws://127.0.0.1:{self.port}/api/live"
         return connect(address, origin=origin, additional_headers=given, proxy=None)  # type: ignore[arg-type]
 
-    def finished(self, number: int, drawn: bool = False) -> Any:
-        """The job when it has ended, and if asked when its pictures are drawn."""
+    def finished(self, number: int) -> Any:
+        """The job when it has ended."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             job = self.ask("GET", f"/api/jobs/{number}").json
-            if job["state"] != "running" and (job["drawn"] or not drawn):
+            if job["state"] != "running":
                 return job
             time.sleep(0.1)
         raise AssertionError(f"job {number} does not end")

@@ -193,8 +193,12 @@ def test_bands_are_computed_shown_and_marked_when_the_study_has_changed(browser,
         page.get_by_text("belongs to another version").wait_for(state="detached")
         page.locator("summary", has_text="Pictures").click()
         page.locator(".pictures img").first.scroll_into_view_if_needed()
-        expect(page.locator(".pictures img").first).to_have_js_property("complete", True)
+        first = page.locator(".pictures figure").first
+        expect(first.get_by_text("is being drawn")).to_have_count(0, timeout=120_000)
         assert page.eval_on_selector(".pictures img", "image => image.naturalWidth") > 100
+        assert page.locator(".pictures img").count() == 3
+        page.locator("summary", has_text="Pictures").click()
+        expect(page.locator(".pictures img")).to_have_count(0)
 
 
 def test_another_page_finds_the_result_of_one_that_was_closed(browser, studio):

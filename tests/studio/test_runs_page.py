@@ -27,7 +27,7 @@ def studio(tmp_path_factory):
         fewer = SWEEP.replace("steps = 3", "steps = 2").replace("15 mm", "14.5 mm")
         for analysis, text in (("bands", QUICK_CELL), ("sweep", fewer), ("sweep", SWEEP)):
             asked = {"analysis": analysis, "options": {}, "text": text, "file": "sweep.toml"}
-            running.finished(running.post("run", **asked).json["number"], drawn=True)
+            running.finished(running.post("run", **asked).json["number"])
         yield running
 
 

@@ -26,7 +26,7 @@ def studio(tmp_path_factory):
 @pytest.fixture(scope="module")
 def job(studio) -> dict:
     reply = studio.post("run", analysis="bands", options={}, text=HOSTILE, file=None)
-    return studio.finished(reply.json["number"], drawn=True)
+    return studio.finished(reply.json["number"])
 
 
 def saved(studio: Served, job: dict, **wanted: str) -> tuple[str, bytes]:

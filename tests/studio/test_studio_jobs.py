@@ -1,16 +1,20 @@
 """Jobs in a worker process: one after another, the latest wins, and none is lost with a page."""
 
+import http.client
 import json
+import multiprocessing
 import os
 import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import psutil
 import pytest
 from served import PATIENCE, Served, served
 
+from haptonic.studio.worker import Order, Wish, serve
 from haptonic.study import templates
 from quick import QUICK_CELL
 
@@ -32,7 +36,7 @@ def start(studio, analysis: str, text: str = QUICK_CELL, **options) -> int:
 
 
 def test_a_result_has_sentences_tables_and_the_command(studio):
-    job = studio.finished(start(studio, "plan"), drawn=True)
+    job = studio.finished(start(studio, "plan"))
     assert job["state"] == "done"
     assert job["command"] == "haptonic plan quick.toml"
     assert job["python"] == 'haptonic.load("quick.toml").plan()'
@@ -42,13 +46,13 @@ def test_a_result_has_sentences_tables_and_the_command(studio):
 
 def test_bands_have_their_view_and_pictures_and_again_from_the_store(studio):
     for _ in range(2):
-        job = studio.finished(start(studio, "bands"), drawn=True)
+        job = studio.finished(start(studio, "bands"))
         assert job["state"] == "done", job["error"]
         assert job["view"]
     view = studio.ask("GET", f"/api/jobs/{job['number']}/view").content
     header = json.loads(view[4 : 4 + int.from_bytes(view[:4], "little")])
     assert header["kind"] == "bands"
-    assert job["pictures"] == [picture["name"] for picture in job["answer"]["pictures"]]
+    assert [picture["name"] for picture in job["answer"]["pictures"]] == ["dispersion", "natures", "modes"]
     picture = studio.ask("GET", f"/api/jobs/{job['number']}/pictures/dispersion")
     assert picture.headers["Content-Type"] == "image/svg+xml"
     assert "default-src 'none'" in picture.headers["Content-Security-Policy"]
@@ -80,12 +84,56 @@ def test_a_job_goes_on_while_no_page_is_open(studio):
     assert [job["state"] for job in jobs if job["number"] == number] == ["done"]
 
 
-def test_pictures_of_a_job_do_not_become_those_of_the_next(studio):
-    first = start(studio, "bands")
-    assert studio.finished(first)["state"] == "done"  # its pictures are not drawn yet
-    second = studio.finished(start(studio, "plan"), drawn=True)
-    assert second["pictures"] == []
-    assert studio.finished(first, drawn=True)["state"] == "done"
+def test_pictures_are_drawn_in_another_process_while_a_job_is_computed(studio):
+    drawn = studio.finished(start(studio, "bands"))
+    worker = studio.studio.jobs._worker.process.pid
+    number = start(studio, "bands", SLOW)
+    picture = studio.ask("GET", f"/api/jobs/{drawn['number']}/pictures/dispersion")
+    assert picture.status == 200
+    assert picture.content.startswith(b"<?xml")
+    # the job goes on in its own process
+    assert studio.studio.jobs._worker.process.pid == worker
+    assert studio.studio.exports._worker.process.pid != worker
+    assert studio.ask("GET", f"/api/jobs/{number}/pictures/dispersion").status == 404  # no result yet
+    studio.post("cancel", number=number)
+
+
+def test_a_picture_that_no_page_waits_for_is_left_out(studio, monkeypatch):
+    number = studio.finished(start(studio, "bands"))["number"]
+    done, asked = studio.studio.exports.done, []
+
+    def slow(order, answer):
+        asked.append(order.export.name)
+        time.sleep(0.5)
+        return done(order, answer)
+
+    monkeypatch.setattr(studio.studio.exports, "done", slow)
+    names = ("dispersion", "natures", "modes")
+    with ThreadPoolExecutor(1) as aside:
+        first = aside.submit(studio.ask, "GET", f"/api/jobs/{number}/pictures/dispersion")
+        while not asked:
+            time.sleep(0.01)
+        connection = http.client.HTTPConnection("127.0.0.1", studio.port)
+        connection.request("GET", f"/api/jobs/{number}/pictures/natures", headers={"Cookie": studio.cookie})
+        connection.close()  # the page has gone to another result
+        assert first.result().status == 200
+    assert studio.ask("GET", f"/api/jobs/{number}/pictures/modes").status == 200
+    assert asked == [name for name in names if name != "natures"]
+
+
+def test_a_wish_behind_an_order_does_not_end_it(tmp_path):
+    spawned = multiprocessing.get_context("spawn")
+    ours, theirs = spawned.Pipe()
+    order = Order(number=1, text=QUICK_CELL, folder=tmp_path, file="a.toml", analysis="plan", options={})
+    for message in (order, Wish("cell.pitch")):
+        ours.send(message)
+    worker = spawned.Process(target=serve, args=(theirs,), daemon=True)
+    worker.start()
+    kinds = set()
+    while "done" not in kinds:
+        assert ours.poll(PATIENCE)
+        kinds.add(ours.recv()[0])
+    worker.kill()
 
 
 def test_a_job_is_cancelled(studio):
@@ -108,7 +156,7 @@ def test_a_worker_that_dies_gives_an_error_and_the_next_job_works(studio):
 
 
 def test_an_idle_worker_that_dies_is_replaced(studio):
-    studio.finished(start(studio, "plan"), drawn=True)
+    studio.finished(start(studio, "plan"))
     os.kill(studio.studio.jobs._worker.process.pid, signal.SIGKILL)
     assert studio.finished(start(studio, "plan"))["state"] == "done"
 

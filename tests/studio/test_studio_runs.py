@@ -8,6 +8,7 @@ import sys
 import time
 import tomllib
 import zipfile
+from dataclasses import replace
 
 import pytest
 from served import PATIENCE, Served, served
@@ -17,7 +18,7 @@ from haptonic.studio import archive as module
 from haptonic.studio.archive import Archive
 from haptonic.studio.designs import design_text
 from haptonic.studio.job import Job
-from haptonic.studio.worker import Order
+from haptonic.studio.worker import Order, Wishes, study_of
 from haptonic.study import loads
 from quick import QUICK_CELL
 
@@ -63,7 +64,7 @@ def test_a_killed_server_loses_no_finished_run(tmp_path):
         process.stdout.readline()
         running = served_elsewhere(process.stdout.readline().strip())
         number = start(running, "bands", QUICK_CELL)
-        before = running.finished(number)  # its pictures are not drawn yet
+        before = running.finished(number)
         view = running.ask("GET", f"/api/jobs/{number}/view").content
         process.send_signal(signal.SIGKILL)
         process.wait(30)
@@ -73,7 +74,9 @@ def test_a_killed_server_loses_no_finished_run(tmp_path):
         assert brief["title"] == "Quick"
         after = again.ask("GET", f"/api/jobs/{number}").json
         assert after["answer"] == before["answer"]
-        assert after["drawn"]
+        picture = again.ask("GET", f"/api/jobs/{number}/pictures/natures")
+        assert picture.status == 200
+        assert picture.content.startswith(b"<?xml")
         assert again.ask("GET", f"/api/jobs/{number}/view").content == view
         assert start(again, "sweep", MANY) == number + 1
         wait_for_points(again, number + 1)
@@ -96,7 +99,24 @@ def served_elsewhere(link: str) -> Served:
 
 def a_run(folder, number: int) -> Job:
     order = Order(number=number, text="", folder=folder, file="a.toml", analysis="plan", options={})
-    return Job(order, state="done", answer={"summary": []}, pictures={"../../x": b"<svg/>"})
+    return Job(order, state="done", answer={"summary": []}, view=b"view")
+
+
+def test_a_design_that_is_turned_is_read_without_the_designs_of_a_sweep(tmp_path):
+    order = Order(number=1, text=SWEEP, folder=tmp_path, file="a.toml", analysis="bands", options={})
+    assert len(study_of(order).sweep_settings) == 1
+    turned = study_of(replace(order, turned="cell.pillar.height"))
+    assert turned.sweep_settings == ()
+    assert turned.cell == study_of(order).cell
+
+
+def test_the_latest_wish_is_prepared_first():
+    wishes = Wishes()
+    assert wishes.first_of(["pitch", "height"]) == "pitch"
+    for path in ("height", "pitch", "height", "gone"):
+        wishes.add(path)
+    assert wishes.first_of(["thickness", "pitch", "height"]) == "height"
+    assert wishes.first_of(["thickness", "pitch"]) == "pitch"
 
 
 def test_the_archive_is_bounded_and_leaves_damaged_files_alone(tmp_path, monkeypatch):
@@ -105,7 +125,7 @@ def test_the_archive_is_bounded_and_leaves_damaged_files_alone(tmp_path, monkeyp
     for number in range(1, 6):
         runs.keep(a_run(tmp_path, number))
     assert sorted(runs.briefs) == [3, 4, 5]
-    assert runs.read(5).pictures == {"../../x": b"<svg/>"}
+    assert runs.read(5).view == b"view"
     paths = sorted(runs.folder.iterdir())
     assert len(paths) == 3
     assert not any(".." in name for path in paths for name in zipfile.ZipFile(path).namelist())

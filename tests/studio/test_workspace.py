@@ -1,6 +1,8 @@
 """Files of the studio: names in one folder, and nothing else, whatever a text or a name contains."""
 
 import os
+import subprocess
+import sys
 
 import pytest
 from served import served
@@ -114,3 +116,11 @@ def test_a_file_of_another_user_gives_an_error(tmp_path):
     (tmp_path / "a.toml").chmod(0)
     with pytest.raises(HaptonicError, match="permission"):
         Workspace(tmp_path).read("a.toml")
+
+
+def test_the_link_waits_for_no_module_that_computes():
+    code = "import sys, haptonic.studio.serving; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(done.stdout.split())
+    assert "uvicorn" in loaded
+    assert not loaded & {"pydantic", "haptonic.analyses", "haptonic.bloch", "haptonic.study.schema"}

@@ -20,7 +20,7 @@ from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.symmetry import WAVES
-from haptonic.bloch.tracking import Diagram, diagram
+from haptonic.bloch.tracking import Diagram, diagram, solved
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import UnitCell
@@ -55,7 +55,7 @@ def bands_dataset(
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; by default the middle of the
         path's second segment
     moving : also the surface of the cell in every mode of the diagram, see `haptonic.bloch.path_modes`
-    first : called with the diagram and the gaps, before shapes of modes and exact counts are computed
+    first : called with the frequencies, their errors and the complete gaps, before anything else is computed
 
     Returns
     -------
@@ -73,18 +73,18 @@ def bands_dataset(
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
 
-    def curves() -> tuple[Diagram, xr.Dataset]:
-        along = diagram(model, path)
-        return along, xr.merge([_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))])
-
-    early = None
+    solutions = solved(model, path)
     if first is not None:
-        early = curves()
-        first(early[1])
+        frequency, error = (
+            np.stack([getattr(each, name)[: model.count] for each in solutions])
+            for name in ("frequency", "error")
+        )
+        first(xr.merge([_curves_dataset(frequency, error), _gaps_dataset(gaps)]))
 
     def merged_parts() -> xr.Dataset:
-        along, drawn = early or curves()
-        parts = [drawn, mode_shapes(model, kappa)]
+        along = diagram(model, path, solutions)
+        parts = [_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))]
+        parts += [mode_shapes(model, kappa)]
         parts += [path_modes(model, along)] if moving else []
         parts += [zone_surface(model, SURFACE_DIVISIONS).dataset()] if surface else []
         return xr.merge(parts)
@@ -312,14 +312,25 @@ def _describe(dataset: xr.Dataset, titles: dict[str, tuple[str, str]]) -> None:
         dataset[name].attrs = {"units": unit, "long_name": title}
 
 
-def _diagram_dataset(along: Diagram) -> xr.Dataset:
+def _curves_dataset(frequency: Array, error: Array) -> xr.Dataset:
+    """Frequencies (wavevectors, bands) along a path and bounds of their errors, Hz."""
     of_modes = ("wavevector", "band")
+    dataset = xr.Dataset(
+        {"frequency": (of_modes, frequency), "frequency_error": (of_modes, error)},
+        coords={"band": np.arange(1, frequency.shape[1] + 1)},
+    )
+    titles = {"frequency": ("Hz", "frequency"), "frequency_error": ("Hz", "bound of the frequency's error")}
+    _describe(dataset, titles)
+    return dataset
+
+
+def _diagram_dataset(along: Diagram) -> xr.Dataset:
+    of_modes, curves = ("wavevector", "band"), _curves_dataset(along.frequency, along.error)
     dataset = xr.Dataset(
         {
             "kappa": (("wavevector", "axis"), along.path.kappa),
             "distance": ("wavevector", along.path.distance),
-            "frequency": (of_modes, along.frequency),
-            "frequency_error": (of_modes, along.error),
+            **curves,
             "group_velocity": ((*of_modes, "axis"), along.velocity),
             "parity": (of_modes, along.parity),
             "middle_parity": (of_modes, along.middle),
@@ -329,14 +340,11 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
             "pillar_strain": (of_modes, along.pillar_strain),
             "pillar_kinetic": (of_modes, along.pillar_kinetic),
             "character": (of_modes, along.name),
-        },
-        coords={"band": np.arange(1, along.frequency.shape[1] + 1)},
+        }
     )
     _describe(dataset, {
         "kappa": ("rad", "phases k . a1 and k . a2"),
         "distance": ("rad/m", "arc length of the wavevector along the edge of the irreducible zone"),
-        "frequency": ("Hz", "frequency"),
-        "frequency_error": ("Hz", "bound of the frequency's error"),
         "group_velocity": ("m/s", "group velocity along x and y; NaN for rigid-body motions"),
         "parity": ("1", "+1 even, -1 odd under the mirror of the segment, 0 without one"),
         "middle_parity": ("1", MIDDLE),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -58,16 +59,19 @@ class Diagram:
     fields: Complex
 
 
-def diagram(model: BlochModel, path: Path) -> Diagram:
-    """Solve along a path and follow the branches.
+def solved(model: BlochModel, path: Path) -> list[Solution]:
+    """Modes along a path, with spare ones, so that the last band does not divide a degenerate pair."""
+    return [model.solve(kappa, spare=SPARE_MODES) for kappa in path.kappa]
+
+
+def diagram(model: BlochModel, path: Path, solutions: Sequence[Solution] | None = None) -> Diagram:
+    """Follow the branches along a path through its modes, by default those of `solved`.
 
     On every segment a mirror leaves the wavevector unchanged; the middle plane of the plate may be another
     one. Modes of opposite parity cross freely, so only modes of equal parity are joined, those with the
     largest overlap of their fields.
     """
-    # spare modes, so that the last band does not divide a degenerate pair
-    solutions = [model.solve(kappa, spare=SPARE_MODES) for kappa in path.kappa]
-    tiling = model.fine.tiling
+    solutions, tiling = solutions or solved(model, path), model.fine.tiling
     count, bands = len(solutions), model.count
     parity, middle = np.zeros((2, count, bands), dtype=np.int64)
     branch = np.zeros((count, bands), dtype=np.int64)

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import asdict
 from typing import Any
 
-from haptonic import plots
 from haptonic.later import xarray as xr
 from haptonic.results.result import Result
 from haptonic.results.table import Cell, Column, Ranged, Table, Uncertain
@@ -34,13 +32,6 @@ def answer_of(result: Result) -> tuple[dict[str, Any], bytes | None]:
 def packed_part(kind: str, dataset: xr.Dataset) -> bytes:
     """Bytes of a dataset for a view that is shown: its curves before it is complete, or a preview."""
     return packed(InteractiveView(kind=kind, title="", dataset=dataset))
-
-
-def pictures_of(result: Result) -> Iterator[tuple[str, bytes]]:
-    """The pictures of a result as SVG, by name, each drawn when it is asked for."""
-    figures = result.figures
-    for name in figures:
-        yield name, plots.rendered(figures[name], "svg")
 
 
 def plain_table(table: Table) -> dict[str, Any]:

@@ -27,8 +27,8 @@ from haptonic.studio.checking import checked, described, study_in
 from haptonic.studio.comparing import compared
 from haptonic.studio.designs import design_text
 from haptonic.studio.editing import changed, lines_of, path_of
-from haptonic.studio.errands import Errands
-from haptonic.studio.files import choices, chosen_export
+from haptonic.studio.errands import Errands, serve_aside
+from haptonic.studio.files import choices, chosen_export, picture_export
 from haptonic.studio.form import form
 from haptonic.studio.guard import TooLargeError
 from haptonic.studio.job import Job
@@ -57,7 +57,8 @@ class Studio:
     def __init__(self, workspace: Workspace, opened: str | None = None) -> None:
         self.workspace, self.opened = workspace, opened
         self.jobs = Jobs(Archive(workspace.folder), self._tell)
-        self.exports, self.readings = Errands(), Errands()
+        self.exports, self.readings = Errands(serve_aside), Errands()
+        self._drawing = asyncio.Lock()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._listeners: set[asyncio.Event] = set()
 
@@ -269,10 +270,19 @@ class Studio:
         return binary(None if job is None else job.view)
 
     async def picture(self, request: Request) -> Response:
-        """A picture of a job."""
-        job = self._job(request)
-        content = None if job is None else job.pictures.get(request.path_params["name"])
-        if content is None:
+        """A picture of a job, drawn now; one that no page waits for any more is left out."""
+        job, wanted = self._job(request), picture_export(request.path_params["name"])
+        if job is None or job.state != "done":
+            return missing()
+        order = replace(job.order, export=wanted)
+        try:
+            async with self._drawing:
+                if await request.is_disconnected():
+                    return missing()
+                _, content = await run_in_threadpool(self.exports.done, order, "file")
+        except HaptonicError as error:
+            return PlainTextResponse(str(error), 404)
+        except asyncio.CancelledError:  # the server ends
             return missing()
         headers = {"content-security-policy": PICTURE_POLICY}
         return Response(content, media_type="image/svg+xml", headers=headers)

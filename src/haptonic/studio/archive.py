@@ -23,10 +23,10 @@ from haptonic.store import Store
 from haptonic.studio.job import Job
 from haptonic.studio.worker import Order
 
-FORM = 1  # of the files; those of another form are left alone
+FORM = 2  # of the files; those of another form are left alone
 MOST_RUNS, MOST_BYTES = 50, 500_000_000  # older runs leave
 BRIEF, WHOLE, VIEW = "brief.json", "whole.json", "view"
-APART = ("view", "pictures", "order", "first", "knobs", "previews")  # with files of their own, or not kept
+APART = ("view", "order", "first", "knobs", "previews")  # with files of their own, or not kept
 ARCHIVED = {"archived": True, "first": False, "turns": False, "previews": {}}  # what is not kept
 FAULTS = (OSError, zipfile.BadZipFile, KeyError, ValueError, TypeError)  # of a damaged file
 
@@ -47,8 +47,7 @@ class Archive:
             with suppress(*FAULTS), zipfile.ZipFile(path) as parts:
                 brief = json_from(parts.read(BRIEF).decode())
                 if brief["form"] == FORM and isinstance(brief["number"], int):
-                    # nobody draws what is missing when the server was killed
-                    self.briefs[brief["number"]] = brief | {"drawn": True}
+                    self.briefs[brief["number"]] = brief
                     self._paths[brief["number"]] = path
 
     def keep(self, job: Job) -> None:
@@ -64,8 +63,6 @@ class Archive:
             parts.writestr(WHOLE, json.dumps(_plain(job)))
             if job.view is not None:
                 parts.writestr(VIEW, job.view)
-            for place, picture in enumerate(job.pictures.values()):
-                parts.writestr(str(place), picture)
         path = self._paths.get(job.number) or self.folder / f"{job.number}-{secrets.token_hex(4)}.zip"
         write_atomically(path, lambda draft: draft.write_bytes(content.getbuffer()))
         self.briefs[job.number], self._paths[job.number] = brief, path
@@ -75,10 +72,7 @@ class Archive:
         """A run with its answer; None without a file that can be read."""
         with suppress(*FAULTS), zipfile.ZipFile(self._paths[number]) as parts:
             plain = json_from(parts.read(WHOLE).decode())
-            names = plain.pop("pictures")
             job = Job(Order(folder=self.studies, **plain.pop("order")), **plain)
-            job.drawn = True
-            job.pictures = {name: parts.read(str(place)) for place, name in enumerate(names)}
             job.view = parts.read(VIEW) if VIEW in parts.namelist() else None
             return job
         return None
@@ -106,11 +100,11 @@ class Archive:
 
 
 def _plain(job: Job) -> dict[str, Any]:
-    """A job without its folder and the contents of its files."""
+    """A job without its folder and its view."""
     order = asdict(job.order)
     del order["folder"]
     values = {field.name: getattr(job, field.name) for field in fields(job) if field.name not in APART}
-    return values | {"order": order, "pictures": list(job.pictures)}
+    return values | {"order": order}
 
 
 def _time(path: Path) -> float:

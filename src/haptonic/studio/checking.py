@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import unusual_values
 from haptonic.studio.editing import lines_of
 from haptonic.studio.painting import painting
 from haptonic.study import Study
-from haptonic.study.loading import examined
+from haptonic.study.loading import examined, parsed_tables
 
 LINE = re.compile(r", line (\d+)$")  # end of the argument of an error in the syntax
 MOST = 50  # problems
@@ -43,6 +43,15 @@ def study_in(text: str, folder: Path) -> tuple[Study | None, dict[str, Any], Seq
         return examined(text, Study, folder)
     except HaptonicError as error:
         return None, {}, [error]
+
+
+def title_of(text: str) -> str:
+    """Title in the text of a study, also of one with problems; empty without one."""
+    try:
+        title = parsed_tables(text, "study").get("title")
+    except StudyError:
+        return ""
+    return title if isinstance(title, str) else ""
 
 
 def described(error: HaptonicError, lines: Mapping[str, int]) -> dict[str, Any]:

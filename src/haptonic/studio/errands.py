@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+import os
 import queue
 import threading
+from collections.abc import Callable
+from multiprocessing.connection import Connection
 from typing import Any
 
 from haptonic.errors import HaptonicError
 from haptonic.studio.jobs import Worker, worker_died
-from haptonic.studio.worker import Order
+from haptonic.studio.worker import Order, serve
+
+PRIORITY = 3  # lower than that of computations, in steps of ``nice``
 
 
 class Errands:
     """Fulfils orders in a process of its own, one after another, and waits for each.
 
     For an export the process computes the result again. Nearly all of it comes from the store.
+
+    work : function of the process
     """
 
-    def __init__(self) -> None:
+    def __init__(self, work: Callable[[Connection], None] = serve) -> None:
+        self._work = work
         self._lock = threading.Lock()
         self._worker: Worker | None = None
         self._messages: queue.SimpleQueue[tuple[Worker, str, Any]] = queue.SimpleQueue()
@@ -31,7 +39,7 @@ class Errands:
         """
         with self._lock:
             if self._worker is None or not self._worker.process.is_alive():
-                self._worker = Worker(self._heard)
+                self._worker = Worker(self._heard, self._work)
             worker = self._worker
             try:
                 worker.connection.send(order)
@@ -55,3 +63,10 @@ class Errands:
         """End the process."""
         if self._worker is not None:
             self._worker.end()
+
+
+def serve_aside(connection: Connection) -> None:
+    """Fulfil orders as the worker does, with a lower priority than its computations."""
+    if hasattr(os, "nice"):  # not on Windows
+        os.nice(PRIORITY)
+    serve(connection)

@@ -59,6 +59,11 @@ def chosen_export(given: dict[str, Any]) -> Export:
     return Export(kind=str(kind), name=str(name), form=form, style=style)
 
 
+def picture_export(name: str) -> Export:
+    """The export of a picture for the page."""
+    return Export(kind="picture", name=name, form="svg", style="plain")
+
+
 def file_of(result: Result, export: Export, analysis: str) -> tuple[str, bytes]:
     """Name and content of an exported file.
 

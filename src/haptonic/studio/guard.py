@@ -21,12 +21,12 @@ READING = {"GET", "HEAD"}
 class Guard:
     """Admits requests with the cookie of this start, from the pages of this server only.
 
-    The link with ``token`` works once and gives the cookie.
+    The link with ``token``, by default a new one, works once and gives the cookie.
     """
 
-    def __init__(self, app: ASGIApp, port: int) -> None:
+    def __init__(self, app: ASGIApp, port: int, token: str | None = None) -> None:
         self.app = app
-        self.token = secrets.token_urlsafe(32)
+        self.token = secrets.token_urlsafe(32) if token is None else token
         self._used = False
         self._secret = secrets.token_urlsafe(32)
         # browsers share cookies between the ports of a host

@@ -24,7 +24,6 @@ class Job:
     first : view with the part of the result that is computed first
     knobs : numbers that can be turned, see `haptonic.analyses.turning`
     previews : by path of a number, count of the improvements so far and view
-    pictures : SVG by name
     """
 
     order: Order
@@ -43,8 +42,6 @@ class Job:
     view: bytes | None = None
     knobs: list[dict[str, Any]] | None = None
     previews: dict[str, tuple[int, bytes]] = field(default_factory=dict)
-    pictures: dict[str, bytes] = field(default_factory=dict)
-    drawn: bool = False
 
     @classmethod
     def ordered(cls, order: Order) -> Job:
@@ -76,8 +73,8 @@ class Job:
         return {
             "number": self.number, "analysis": self.order.analysis, "file": self.order.file,
             "title": self.order.title[:LONGEST_TITLE], "started": self.started,
-            "state": self.state, "cost": self.cost, "progress": self.progress, "drawn": self.drawn,
-            "pictures": list(self.pictures), "points": len(self.points), "turned": bool(self.order.turned),
+            "state": self.state, "cost": self.cost, "progress": self.progress,
+            "points": len(self.points), "turned": bool(self.order.turned),
             "archived": False, "first": self.first is not None, "turns": self.knobs is not None,
             "previews": {path: count for path, (count, _) in self.previews.items()},
             "seconds": round(time.time() - self.started if self.state == "running" else self.seconds, 1),

@@ -12,6 +12,7 @@ import warnings
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from multiprocessing.connection import Connection
 from typing import Any
 
 from haptonic.errors import HaptonicWarning, ResourceError, StudyError
@@ -24,13 +25,21 @@ MOST_POINTS = 5000  # of a job
 
 
 class Worker:
-    """A worker process and the thread that listens to it."""
+    """A worker process and the thread that listens to it.
 
-    def __init__(self, heard: Callable[[Worker, str, int, Any], None]) -> None:
+    heard : called with each message, and with "ended" and the exit code after the last one
+    work : function of the process, see `haptonic.studio.worker.serve`
+    """
+
+    def __init__(
+        self,
+        heard: Callable[[Worker, str, int, Any], None],
+        work: Callable[[Connection], None] = serve,
+    ) -> None:
         # spawned, because the fork of a process with threads may hang
         context = multiprocessing.get_context("spawn")
         self.connection, theirs = context.Pipe()
-        self.process = context.Process(target=serve, args=(theirs,), daemon=True)
+        self.process = context.Process(target=work, args=(theirs,), daemon=True)
         self.process.start()
         theirs.close()
         self._heard = heard
@@ -206,7 +215,7 @@ class Jobs:
             self._worker = None
             if self._current is not None and self._current.state == "running":
                 self._lose(self._current, content)
-        elif (job := self.jobs.get(number)) is not None:  # the worker may still draw for the job before
+        elif (job := self.jobs.get(number)) is not None:
             match kind:
                 case "begun":
                     job.begun = True
@@ -227,17 +236,12 @@ class Jobs:
                     job.answer, job.view = content
                     job.finish("done")
                     self._keep(job)
-                case "picture":
-                    job.pictures[content[0]] = content[1]
                 case "failed":
-                    # an error in a picture leaves the answer as it is
+                    # an error in a preview leaves the answer as it is
                     if job.state == "running":
                         job.error = content
                         job.finish("failed")
                         self._keep(job)
-                case "idle":
-                    job.drawn = True
-                    self._keep(job)
 
     def _lose(self, job: Job, code: int | None) -> None:
         """End a job whose worker has died; an order that no worker received is given once more."""

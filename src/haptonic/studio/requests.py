@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from haptonic.errors import StudyError, shown
-from haptonic.studio.checking import study_in
+from haptonic.studio.checking import title_of
 from haptonic.studio.offers import chosen, offered, with_paths
 from haptonic.studio.worker import Order
 from haptonic.studio.workspace import Workspace
@@ -29,7 +29,6 @@ def order_of(asked: Asked, workspace: Workspace) -> Order:
     # refuse a wrong option before a process is asked
     analysis.need_options(with_paths(analysis, options, workspace.measurement))
     text = "" if alone else text_in(asked)
-    study = None if alone else study_in(text, workspace.folder)[0]
     return Order(
         number=0,  # given when the job begins
         text=text,
@@ -37,7 +36,7 @@ def order_of(asked: Asked, workspace: Workspace) -> Order:
         file=file if isinstance(file, str) and file in workspace.names() else UNNAMED,
         analysis=analysis.name,
         options=options,
-        title="" if study is None else study.title,
+        title=title_of(text),
         alone=alone,
     )
 

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import os
+import secrets
 import socket
 import threading
 import webbrowser
 from collections.abc import Callable
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 
 import uvicorn
 
 from haptonic.errors import ResourceError, StudyError
 from haptonic.paths import source
-from haptonic.studio.app import Studio
 from haptonic.studio.guard import Guard
-from haptonic.studio.offers import offers
 from haptonic.studio.workspace import Workspace
-from haptonic.study.loading import text_of
+from haptonic.study.text_file import text_of
 
 ADDRESS = "127.0.0.1"
 LARGEST_MESSAGE = 4096  # bytes of a message of the websocket; the page sends none
@@ -45,12 +45,14 @@ def serve(study: Path | None, port: int, ready: Callable[[str], object]) -> None
         Workspace(folder).read(opened)
     listening = listen(port)
     port = listening.getsockname()[1]
-    studio = Studio(Workspace(folder), opened)
-    guard = Guard(studio.app(), port)
-    # the page asks for the list of analyses, whose modules take a second to load
-    threading.Thread(target=offers, daemon=True).start()
-    ready(f"http://{ADDRESS}:{port}/?token={guard.token}")
+    token = secrets.token_urlsafe(32)
+    ready(f"http://{ADDRESS}:{port}/?token={token}")
     with suppress(KeyboardInterrupt):
+        # these modules take a second to load, while the browser starts; its first request waits in the socket
+        studio = import_module("haptonic.studio.app").Studio(Workspace(folder), opened)
+        guard = Guard(studio.app(), port, token)
+        # the page asks for the list of analyses, whose modules take further time
+        threading.Thread(target=import_module("haptonic.studio.offers").offers, daemon=True).start()
         uvicorn.Server(settings(guard)).run(sockets=[listening])
 
 

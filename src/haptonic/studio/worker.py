@@ -4,10 +4,9 @@ A message is a kind, the number of the order, and a content: "begun"; "cost" wit
 the steps done and planned and the name of the current one; "point" with a computed design; "first" with the
 part of a view that is computed first; "done" with answer and view; "understood" with answer and view of what
 was read; "knobs" with the numbers that can be turned; "preview" with the path of one of them and a view;
-"picture" with name and SVG; "file" with name and content of an export; "failed" with the parts of an error;
-"idle" after the last picture.
+"file" with name and content of an export; "failed" with the parts of an error.
 
-After an answer the worker prepares previews, and draws pictures, one after the other. An order goes first.
+After an answer the worker prepares previews, one after the other. An order goes first.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ import signal
 import threading
 import traceback
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from multiprocessing.connection import Connection
@@ -34,7 +33,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.errors import HaptonicError, HaptonicWarning, ResourceError
 from haptonic.later import leave_out, xarray as xr
 from haptonic.results.result import Result
-from haptonic.studio.answers import answer_of, packed_part, pictures_of
+from haptonic.studio.answers import answer_of, packed_part
 from haptonic.studio.editing import steps_of
 from haptonic.studio.files import Export, file_of
 from haptonic.studio.offers import offered, with_paths
@@ -42,6 +41,7 @@ from haptonic.studio.workspace import Workspace
 from haptonic.study import Study
 from haptonic.study.loading import examined
 
+MOST_WISHES = 20  # paths that are remembered
 Send = Callable[..., None]  # kind and content of a message
 
 
@@ -87,7 +87,8 @@ class WorkerChannel:
 
     def __init__(self, connection: Connection) -> None:
         self._connection, self._messages = connection, SimpleQueue[Order | Wish | None]()
-        self._is_computing = self._is_replaced = self._is_sending = False
+        self._is_computing = self._is_sending = False
+        self._heard = self._taken = 0  # orders; each number is written by one thread
         # Ctrl-C reaches this process too; the server handles it and ends this process
         signal.signal(signal.SIGINT, self._interrupt)
         threading.Thread(target=self._listen, daemon=True).start()
@@ -99,13 +100,13 @@ class WorkerChannel:
             except EOFError:
                 self._messages.put(None)
                 return
+            self._heard += isinstance(message, Order)
             self._messages.put(message)
             if isinstance(message, Order) and self._is_computing:
-                self._is_replaced = True
                 _thread.interrupt_main()
 
     def _interrupt(self, number: int, frame: FrameType | None) -> None:
-        if self._is_computing and self._is_replaced and not self._is_sending:
+        if self._is_computing and self._heard > self._taken and not self._is_sending:
             self._is_computing = False
             raise _ReplacedError
 
@@ -128,12 +129,13 @@ class WorkerChannel:
         message = self._messages.get()
         if message is None:
             raise EOFError
+        self._taken += isinstance(message, Order)
         return message
 
     @contextmanager
     def computing(self) -> Iterator[None]:
         """Allow a newer order to end what is computed here."""
-        self._is_replaced, self._is_computing = not self._messages.empty(), True
+        self._is_computing = True
         try:
             yield
         except _ReplacedError:
@@ -144,7 +146,7 @@ class WorkerChannel:
 
 def serve(connection: Connection) -> None:
     """Compute orders until the other end closes, or its process ends."""
-    channel, turnings = WorkerChannel(connection), dict[str, Any]()
+    channel, turnings, wishes = WorkerChannel(connection), dict[str, Any](), Wishes()
     leave_out()
     threading.Thread(target=_end_with_parent, daemon=True).start()
     after: Aftermath | None = None
@@ -154,19 +156,20 @@ def serve(connection: Connection) -> None:
         except EOFError:
             return
         if isinstance(message, Wish):
-            if after is not None:
-                after.wished = message.path
+            wishes.add(message.path)
         elif message is not None:
-            if after is not None:
-                after.leave()
             after = None
+            if message.turned:
+                wishes.add(message.turned)
             with channel.computing():
-                after = _reported(message, channel, turnings)
+                after = _reported(message, channel, turnings, wishes)
         if after is not None and not after.advance():
             after = None
 
 
-def _reported(order: Order, channel: WorkerChannel, turnings: dict[str, Any]) -> Aftermath | None:
+def _reported(
+    order: Order, channel: WorkerChannel, turnings: dict[str, Any], wishes: Wishes
+) -> Aftermath | None:
     """Compute an order, and report its answer or its error."""
 
     def send(kind: str, content: Any = None) -> None:
@@ -176,15 +179,14 @@ def _reported(order: Order, channel: WorkerChannel, turnings: dict[str, Any]) ->
     try:
         if order.examines:
             send("understood", _understood(order))
-            send("idle")
             return None
         study, result, turning = _computed(order, send, turnings)
-        if order.export is None:
-            return Aftermath(order=order, study=study, result=result, turning=turning, channel=channel)
     except Exception as error:  # noqa: BLE001  a fault of the program must not end in silence
         send("failed", _parts(error))
-    send("idle")
-    return None
+        return None
+    if study is None or turning is None or order.export is not None:
+        return None
+    return Aftermath(order.number, channel, _previewed(study, result, turning, wishes, send))
 
 
 def _inputs(order: Order) -> tuple[Analysis, Study | None, dict[str, Any]]:
@@ -195,10 +197,22 @@ def _inputs(order: Order) -> tuple[Analysis, Study | None, dict[str, Any]]:
         return analysis, None, options
     if analysis.settings is not None:
         return analysis, None, {**options, **analysis.settings(order.text, order.folder)}
-    study, _, problems = examined(order.text, Study, order.folder)
+    return analysis, study_of(order), options
+
+
+def study_of(order: Order) -> Study:
+    """The study of an order.
+
+    Raises
+    ------
+    HaptonicError : its text has a problem
+    """
+    # the designs of a sweep take longer to check than the rest, and do not belong to a design that is turned
+    omitted = ("sweep",) if order.turned else ()
+    study, _, problems = examined(order.text, Study, order.folder, omitted=omitted)
     if study is None:
         raise problems[0]
-    return analysis, study, options
+    return study
 
 
 def _understood(order: Order) -> tuple[dict[str, Any], bytes | None]:
@@ -225,7 +239,7 @@ def _warned(answer: dict[str, Any], caught: list[warnings.WarningMessage]) -> di
 
 def _computed(order: Order, send: Send, turnings: dict[str, Any]) -> tuple[Study | None, Result, Any]:
     analysis, study, options = _inputs(order)
-    if order.export is None and analysis.cost is not None:
+    if order.export is None and analysis.cost is not None and not order.turned:
         send("cost", analysis.cost(study, analysis.chosen(options)).sentence)
 
     def progress(done: int, planned: int, what: str = "", /) -> None:
@@ -251,77 +265,60 @@ def _computed(order: Order, send: Send, turnings: dict[str, Any]) -> tuple[Study
     return study, result, turning
 
 
+class Wishes:
+    """Paths of the numbers that the user has turned or selected, the latest first."""
+
+    def __init__(self) -> None:
+        self._paths: list[str] = []
+
+    def add(self, path: str) -> None:
+        """Put a path first."""
+        self._paths = [path, *(known for known in self._paths if known != path)][:MOST_WISHES]
+
+    def first_of(self, paths: Iterable[str]) -> str:
+        """The path that is wanted first."""
+        known = list(paths)
+        return next((path for path in self._paths if path in known), known[0])
+
+
+@dataclass(frozen=True)
 class Aftermath:
-    """What follows an answer, in small steps: previews of the wanted number, pictures, other previews.
+    """What follows an answer, in small steps: the numbers that can be turned, and their previews."""
 
-    wished : path of the number whose preview comes next
-    """
-
-    def __init__(
-        self, order: Order, study: Study | None, result: Result, turning: Any, channel: WorkerChannel
-    ) -> None:
-        self._number, self._channel = order.number, channel
-        self._result, self.wished = result, order.turned
-        self._is_drawn, self._shown = False, set[str]()
-        self._steps = self._all(study, turning)
+    number: int
+    channel: WorkerChannel
+    steps: Iterator[None]
 
     def advance(self) -> bool:
-        """Do one step; False if there is none left."""
+        """Do one step; False if there is none left, or a newer order has come."""
+        is_left = False
+        with self.channel.computing():
+            try:
+                is_left = next(self.steps, self) is None
+            except Exception as error:  # noqa: BLE001  the answer stays if a preview fails
+                self.channel.send("failed", self.number, _parts(error))
+        return is_left
+
+
+def _previewed(study: Study, result: Result, turning: Any, wishes: Wishes, send: Send) -> Iterator[None]:
+    """Steps of the previews of a result; after each the next number is that of the latest wish."""
+    knobs = turning.knobs(study)
+    send("knobs", [asdict(knob) | {"steps": steps_of(knob.path)} for knob in knobs])
+    yield
+    certified = turning.certified(study, result)
+    waiting: dict[str, Iterator[xr.Dataset | None]] = {
+        knob.path: turning.previews(study, certified, knob) for knob in knobs
+    }
+    yield
+    while waiting:
+        path = wishes.first_of(waiting)
         try:
-            next(self._steps)
-        except StopIteration:
-            return False
-        except Exception as error:  # noqa: BLE001  the answer stays if a preview or a picture fails
-            self._send("failed", _parts(error))
-            self.leave()
-            return False
-        return True
-
-    def _send(self, kind: str, content: Any = None) -> None:
-        self._channel.send(kind, self._number, content)
-
-    def leave(self) -> None:
-        """Leave out the pictures that are not drawn."""
-        if not self._is_drawn:
-            self._is_drawn = True
-            self._send("idle")
-
-    def _all(self, study: Study | None, turning: Any) -> Iterator[None]:
-        waiting: dict[str, Iterator[xr.Dataset | None]] = {}
-        if turning is not None:
-            knobs = turning.knobs(study)
-            self._send("knobs", [asdict(knob) | {"steps": steps_of(knob.path)} for knob in knobs])
-            yield
-            certified = turning.certified(study, self._result)
-            waiting = {knob.path: turning.previews(study, certified, knob) for knob in knobs}
-        yield from self._first_preview(waiting)
-        for picture in pictures_of(self._result):
-            self._send("picture", picture)
-            yield
-            yield from self._first_preview(waiting)
-        self.leave()
-        while waiting:
-            path = self.wished if self.wished in waiting else next(iter(waiting))
-            yield from self._preview(waiting, path)
-
-    def _first_preview(self, waiting: dict[str, Iterator[xr.Dataset | None]]) -> Iterator[None]:
-        """Steps up to the first preview of the wanted number, or else of the first in the list."""
-        while (path := self.wished or next(iter(waiting), "")) in waiting and path not in self._shown:
-            yield from self._preview(waiting, path)
-
-    def _preview(self, waiting: dict[str, Iterator[xr.Dataset | None]], path: str) -> Iterator[None]:
-        """One step of a preview."""
-        preview = None
-        try:
-            # a picture is drawn to its end instead, because its library reports other errors
-            with self._channel.computing():
-                preview = next(waiting[path])
+            preview = next(waiting[path])
         except StopIteration:
             del waiting[path]
-            return
+            continue
         if preview is not None:
-            self._shown.add(path)
-            self._send("preview", (path, packed_part("preview", preview)))
+            send("preview", (path, packed_part("preview", preview)))
         yield
 
 

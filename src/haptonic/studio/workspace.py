@@ -12,8 +12,8 @@ from haptonic.atomic import write_atomically
 from haptonic.channels.formats import SUFFIXES
 from haptonic.errors import StudyError, shown
 from haptonic.paths import LONGEST, inside
-from haptonic.study import ENDING
-from haptonic.study.loading import LARGEST_FILE, text_of
+from haptonic.study.template import ENDING
+from haptonic.study.text_file import LARGEST_FILE, text_of
 
 LONGEST_LIST = 500  # files
 DEEPEST = 3  # folders in the name of a measured file

@@ -5,20 +5,20 @@ from __future__ import annotations
 import re
 import tomllib
 import warnings
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any, TypeVar
 
-from haptonic.errors import HaptonicWarning, StudyError, nearest, shown
+from haptonic.errors import HaptonicWarning, StudyError, shown
 from haptonic.fields import read, table
 from haptonic.fields.reading import read_listing
 from haptonic.paths import source
 from haptonic.study.schema import Description
-from haptonic.study.template import ENDING
+from haptonic.study.text_file import text_of
 from haptonic.study.trial_tables import TrialSettings, TrialsFile
 
 S = TypeVar("S", bound=Description)
 
-LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
 DEEPEST = 20  # brackets within brackets; a study needs two
 MOST_DOTS = 500  # in one line; the parser takes minutes over a key of many thousand parts
 
@@ -51,24 +51,25 @@ def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | Non
 
     ``folder`` is the base of paths in the study, by default the working directory.
     """
-    study = read(kind, _placed(_parsed(text, origin), folder), origin)
+    study = read(kind, _placed(parsed_tables(text, origin), folder), origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
 
 
 def examined(
-    text: str, kind: type[S], folder: Path, origin: str = "study"
+    text: str, kind: type[S], folder: Path, origin: str = "study", omitted: Collection[str] = ()
 ) -> tuple[S | None, dict[str, Any], list[StudyError]]:
     """The study of a text, its tables as plain values, and each problem as an error of its own.
 
     The study is None if there is a problem; without tables the text is not TOML. A CAD file has to be in
-    ``folder``, because the text may come from somebody else.
+    ``folder``, because the text may come from somebody else. Tables that are ``omitted`` are not read.
     """
     try:
-        data = _parsed(text, origin)
+        data = parsed_tables(text, origin)
     except StudyError as error:
         return None, {}, [error]
+    data = {name: content for name, content in data.items() if name not in omitted}
     placed = _placed(data, folder)
     if outside := _outside(data, placed, folder):
         return None, data, [outside]
@@ -108,7 +109,7 @@ def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | 
     ------
     StudyError : as `load_as`
     """
-    data = _parsed(text_of(source(path, "study", StudyError)), str(path))
+    data = parsed_tables(text_of(source(path, "study", StudyError)), str(path))
     if not data.keys() <= table(TrialsFile).keys():
         study = load_as(path, kind)
         return study.trials, study
@@ -122,7 +123,7 @@ def trials_in(text: str, kind: type[S], folder: Path) -> tuple[TrialSettings, S 
     ------
     StudyError : the first problem of the text
     """
-    data = _parsed(text, "study")
+    data = parsed_tables(text, "study")
     if data.keys() <= table(TrialsFile).keys():
         return read(TrialsFile, data, "study").trials, None
     study, _, problems = examined(text, kind, folder)
@@ -131,48 +132,13 @@ def trials_in(text: str, kind: type[S], folder: Path) -> tuple[TrialSettings, S 
     return study.trials, study
 
 
-def text_of(path: Path) -> str:
-    """Text of a study file.
+def parsed_tables(text: str, origin: str) -> dict[str, Any]:
+    """Tables of a text in TOML.
 
     Raises
     ------
-    StudyError : the file cannot be read, or is not a text of a possible size
+    StudyError : the text is not TOML, or is empty
     """
-    try:
-        with path.open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-    except FileNotFoundError:
-        if path.is_symlink():  # the nearest name would be that of the link itself
-            raise _refused(
-                "not-found", path, "it is a link to a file that does not exist", "repair the link"
-            ) from None
-        raise _refused("not-found", path, "the file does not exist", _similar(path)) from None
-    except IsADirectoryError:
-        raise _refused("unreadable", path, "it is a folder", _studies_in(path)) from None
-    except PermissionError:
-        next_step = "change its permissions, or copy it"
-        raise _refused("forbidden", path, "you have no permission to read it", next_step) from None
-    except (OSError, ValueError) as error:
-        cause = getattr(error, "strerror", None) or str(error)
-        raise _refused("unreadable", path, f"error of the system: {cause}", "check the path") from None
-    if len(content) > LARGEST_FILE:
-        cause = f"it is larger than {LARGEST_FILE} bytes"
-        raise _refused("too-large", path, cause, "check that it is a study file")
-    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise _refused("encoding", path, "it is encoded as UTF-16", "save it as UTF-8")
-    if b"\0" in content:
-        next_step = f"give the {ENDING} file that describes the study"
-        raise _refused("malformed", path, "it is a binary file", next_step)
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content[: error.start].count(b"\n") + 1
-        cause = f"line {line} contains bytes that are not UTF-8 text"
-        raise _refused("encoding", path, cause, "save it as UTF-8") from None
-    return text
-
-
-def _parsed(text: str, origin: str) -> dict[str, Any]:
     if _depth(text) > DEEPEST:
         raise _malformed(text, origin, ValueError("brackets are nested too deeply"))
     if max(line.count(".") for line in text.split("\n")) > MOST_DOTS:
@@ -221,29 +187,3 @@ def _malformed(text: str, origin: str, error: Exception) -> StudyError:
         cause=_PLACE.sub("", message).strip(),
         next_step=next_step,
     )
-
-
-def _refused(code: str, path: Path, cause: str, next_step: str) -> StudyError:
-    return StudyError(
-        code,
-        argument="study",
-        given=shown(str(path), 200),
-        allowed="a readable text file in TOML",
-        cause=cause,
-        next_step=next_step,
-    )
-
-
-def _similar(path: Path) -> str:
-    """The nearest file name in the same folder, as a suggestion."""
-    try:
-        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ENDING]
-    except OSError:
-        return f"check the path: its folder {path.parent} does not exist either"
-    guess = nearest(path.name, names)
-    return f"did you mean {path.parent / guess}?" if guess else "check the path"
-
-
-def _studies_in(folder: Path) -> str:
-    names = sorted(entry.name for entry in folder.glob(f"*{ENDING}"))
-    return f"give a file in it: {', '.join(names[:5])}" if names else f"give the path of a {ENDING} file"

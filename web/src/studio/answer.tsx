@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { Dataset } from "../dataset";
 import { show } from "../views";
 import { Parts } from "./editor";
-import { awaited, jobs, whole } from "./jobs";
+import { awaited, whole } from "./jobs";
 import { host } from "./slider";
 import { TableOf } from "./table";
 import { Saving } from "./saving";
@@ -114,28 +114,31 @@ function View({ number }: { number: number }) {
   );
 }
 
+/** Pictures of the result, drawn by the server while this section is open. */
 function Pictures({ job, answer }: { job: WholeJob; answer: Answer }) {
-  const brief = jobs.value.find(({ number }) => number === job.number) ?? job;
+  const [isOpen, setOpen] = useState(!job.view);
   if (answer.pictures.length === 0) return null;
-  const drawn = answer.pictures.filter(({ name }) => brief.pictures.includes(name));
   return (
-    <details class="section" open={!job.view}>
+    <details class="section" open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>Pictures</summary>
-      <div class="pictures">
-        {drawn.map(({ name, caption }) => (
-          <figure key={name}>
-            <img src={server.picture(job.number, name)} alt={caption || name} loading="lazy" />
-            <figcaption>{caption}</figcaption>
-          </figure>
-        ))}
-      </div>
-      {drawn.length < answer.pictures.length && (
-        <p class="quiet">
-          {brief.drawn
-            ? `${answer.pictures.length - drawn.length} pictures were left out, because another computation began.`
-            : "Pictures are drawn."}
-        </p>
+      {isOpen && (
+        <div class="pictures">
+          {answer.pictures.map(({ name, caption }) => (
+            <Picture key={`${job.number} ${name}`} address={server.picture(job.number, name)} name={name} caption={caption} />
+          ))}
+        </div>
       )}
     </details>
+  );
+}
+
+function Picture({ address, name, caption }: { address: string; name: string; caption: string }) {
+  const [state, setState] = useState("The picture is being drawn.");
+  return (
+    <figure>
+      <img src={address} alt={caption || name} loading="lazy" onLoad={() => setState("")} onError={() => setState("The picture cannot be drawn.")} />
+      {state && <p class="quiet">{state}</p>}
+      <figcaption>{caption}</figcaption>
+    </figure>
   );
 }

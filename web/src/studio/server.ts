@@ -145,8 +145,6 @@ export interface Job {
   cost: string;
   progress: [number, number, string];
   seconds: number;
-  pictures: string[];
-  drawn: boolean;
   turned: boolean; // it belongs to a number that a user turns
   first: boolean; // the part of the view that is computed first is there
   archived: boolean; // from an earlier start of the server, or too old to stay in memory

@@ -7,7 +7,7 @@ import { jobs, shown, whole } from "./jobs";
 import { server, type Knob, type WholeJob } from "./server";
 import { attempt, change, file, text } from "./study";
 
-const PAUSE = 150; // ms after the last move before the certified curves are computed
+const PAUSE = 50; // ms after a move before its certified curves are computed; a newer move replaces them
 
 export const knobs = signal<Knob[]>([]);
 export const selected = signal(""); // path of a number
