@@ -20,9 +20,10 @@ from haptonic.superelement import Tiling, on_each
 TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
 FIRST_ORDER = 1.5  # largest ratio of the error to its first-order estimate, below the trusted one
 MOST_GROWTH = 5  # number of enlargements of the interior
-# Few modes serve up to this multiple of the last band at the zone's corners. Omitted modes are then above
-# twice that band, and their response is at most 4/3 of the static one that the truncation contains.
-ROOM = 4 / 3
+# Few modes serve up to this multiple of the highest frequency at the zone's corners, of as many modes above
+# the last band as are compared with the lower orders. Omitted modes are then above twice that frequency, and
+# their response is at most 4/3 of the static one that the truncation contains.
+ROOM, MODES_ABOVE = 4 / 3, 5
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 
 
@@ -40,7 +41,7 @@ class Interior:
 
     mesh : its resolution; whole : the condensed cell
     truncation : largest relative truncation error of the bands at the corners of the zone
-    highest : Hz, up to which few modes of such a cell suffice for the bands
+    highest : Hz, up to which few modes of such a cell suffice for the bands and some modes above
     """
 
     mesh: Resolution
@@ -50,9 +51,15 @@ class Interior:
 
 
 def largest_truncation(tiling: Tiling, count: int) -> tuple[float, float]:
-    """Largest relative truncation error of ``count`` bands, and highest band, Hz, at the zone's corners."""
+    """Largest relative truncation error of ``count`` bands at the zone's corners.
+
+    Also the highest frequency there, Hz, of `MODES_ABOVE` modes above the last band.
+    """
     pencil, expanded = unreduced(tiling)
-    solved = [(kappa, *eigenpairs(pencil, kappa, count)) for kappa in tiling.cell.zone.corner_phases.values()]
+    corners = tiling.cell.zone.corner_phases.values()
+    solved = [(kappa, *eigenpairs(pencil, kappa, count + MODES_ABOVE)) for kappa in corners]
+    top = max(values[-1] for _, values, _ in solved)
+    solved = [(kappa, values[:count], modes[:, :count]) for kappa, values, modes in solved]
     highest = max(values[-1] for _, values, _ in solved)
     worst = 0.0
     for kappa, values, modes in solved:
@@ -60,7 +67,7 @@ def largest_truncation(tiling: Tiling, count: int) -> tuple[float, float]:
         lost = interior_error(values, on_each(tiling.truncation, expanded(modes, kappa)))
         ratio = ranked(frequency, lost)[moving] / frequency[moving]
         worst = max(worst, float(ratio.max(initial=0.0)))
-    return worst, float(hertz(np.array(highest)))
+    return worst, float(hertz(np.array(top)))
 
 
 def ranked(frequency: Array, error: Array) -> Array:
