@@ -1,26 +1,44 @@
-"""The Brillouin zone on the page of bands: its numbers, and what one picks in a real browser."""
+"""The Brillouin zone on the page of bands: its numbers and modes, and what one picks in a real browser."""
 
 import re
 
 import numpy as np
+import pytest
 
-from browser import STILL, faults_of_layout, page_at
+from browser import STILL, advances, faults_of_layout, page_at, pixels
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.wavevectors import wavevector_at
+from haptonic.bloch.zone import ZoneSurface
+from haptonic.brillouin import IrreducibleZone
+from haptonic.lattice import Lattice, Operation, PointGroup
 from haptonic.study import loads
 from haptonic.units import uncertain
 from quick import QUICK_CELL
 
-MAP = ".zone canvas"
+MAP, MODE = ".zone canvas", "[aria-label='Brillouin zone'] .mode canvas"
+DRAWN = """canvas => {
+    const { surface, uniforms, turns } = canvas.moving;
+    const read = name => [...surface.getAttribute(name).array];
+    return { position: read("position"), real: read("real"), imag: read("imag"), turns,
+        turned: uniforms.turned.value.elements, period: canvas.moving.period };
+}"""
 CONTOUR = """() => {
     const zone = document.querySelector(".zone canvas").zone;
     return zone.contour(0, zone.range(0)[1] / 2).flat();
 }"""
 
 
-def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, tmp_path):
-    study = loads(QUICK_CELL)
-    bands = study.bands(html=True, surface=True)
+@pytest.fixture(scope="module")
+def study():
+    return loads(QUICK_CELL)
+
+
+@pytest.fixture(scope="module")
+def bands(study):
+    return study.bands(html=True, surface=True)
+
+
+def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, study, bands, tmp_path):
     model, data = bloch_model(study.cell, study.bands_settings), bands.dataset
     for sample in (3, 77, 200):
         solution = model.solve(data["zone_kappa"].values[sample])
@@ -60,6 +78,8 @@ def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, tmp_
         frequency, error = (data[name].values[here] / 1e3 for name in ("zone_frequency", "zone_error"))
         assert "Band 3 at" in words.inner_text()
         assert words.inner_text().endswith(f"{uncertain(frequency[2], error[2])} kHz")
+        page.get_by_text("Frequencies of all bands").click()
+        page.get_by_role("table", name="Frequencies at").wait_for()
         cells = page.get_by_role("table", name="Frequencies at").locator("td:last-child").all_inner_texts()
         assert cells == [uncertain(*pair) for pair in zip(frequency, error, strict=True)]
         command = page.locator(".facts", has_text="Its modes").locator("code").inner_text()
@@ -72,3 +92,74 @@ def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, tmp_
             around = data["zone_frequency"].values[sample[near], 0]
             assert around.min() <= height <= around.max()
         assert faults_of_layout(page) == []
+
+
+def test_a_picked_wavevector_moves_in_the_mode_of_the_model(browser, study, bands, tmp_path):
+    model = bloch_model(study.cell, study.bands_settings)
+    points, pitch = model.fine.tiling.points, study.cell.lattice.pitch
+    largest = np.pi / pitch
+    bands.write(tmp_path)
+    with page_at(browser, (tmp_path / "bands.html").as_uri(), **STILL) as page:
+        page.wait_for_selector(f"{MODE}[data-shown]")
+        walk, words = page.get_by_role("application", name="Brillouin zone"), page.locator("#zone-point")
+        box = page.locator(MAP).bounding_box()
+        scale = (box["width"] / 2 - 26) / largest
+        page.get_by_role("region", name="Brillouin zone").locator("select").first.select_option("1")
+        for x, y in ((0.25, -0.5), (-0.75, 0.125)):  # both outside the irreducible zone
+            position = {
+                "x": box["width"] / 2 + scale * x * largest,
+                "y": box["height"] / 2 - scale * y * largest,
+            }
+            page.locator(MAP).click(position=position)
+            kappa = np.pi * np.array([x, y])
+            page.wait_for_function("words => document.querySelector('#zone-point').innerText.includes(words)",
+                                   arg=f"({x:g}, {y:g})")  # fmt: skip
+            drawn = page.eval_on_selector(MODE, DRAWN)
+            at, real, imag = (np.reshape(drawn[name], (-1, 3)) for name in ("position", "real", "imag"))
+            turned = np.reshape(drawn["turned"], (3, 3)).T  # the browser stores columns
+            places = at * drawn["period"] @ turned.T  # about the middle of the cell, which is the origin
+            own = (real + 1j * imag) @ turned.T
+            solution = model.solve(kappa)
+            away = np.linalg.norm(points - places[:, None], axis=-1)
+            nodes = away.argmin(axis=1)
+            assert away.min(axis=1).max() < 1e-6 * pitch
+            other = model.displacement(solution)[nodes][..., 0]
+            factor = np.vdot(own, other) / np.vdot(own, own)
+            assert np.abs(other - factor * own).max() < 2e-3 * np.abs(other).max()
+            turns = np.reshape(drawn["turns"], (2, 2, 2)) @ [1, 1j]  # of two times two cells
+            np.testing.assert_allclose(
+                turns, np.exp(1j * np.add.outer([0, kappa[0]], [0, kappa[1]])), atol=1e-6
+            )
+            step = 1e-5 * np.array([[1, 0], [0, 1]])
+            slopes = [float(model.frequencies(kappa + d)[0] - model.frequencies(kappa - d)[0]) for d in step]
+            velocity = np.pi * np.array(slopes) / 1e-5 * pitch
+            said = page.locator("dl", has_text="group velocity").last.inner_text()
+            speed, angle = re.search(r"([\d.e+]+) m/s at (-?\d+)°", said).groups()
+            assert float(speed) == pytest.approx(np.linalg.norm(velocity), rel=1e-2)
+            assert float(angle) == pytest.approx(np.degrees(np.arctan2(velocity[1], velocity[0])), abs=0.6)
+            assert "pillar bending 1" in said
+        before = pixels(page, MODE)
+        walk.press("PageUp")
+        page.wait_for_selector(f"{MODE}[data-shown$=',1']")
+        assert "Band 2 at" in words.inner_text()
+        assert (pixels(page, MODE) != before).any()
+        page.locator(MODE).scroll_into_view_if_needed()
+        walk.press(" ")
+        assert advances(page, f"() => document.querySelector(`{MODE}`).moving.frames")
+
+
+def test_images_of_modes_are_turned_like_their_wavevectors():
+    lattice = Lattice(lattice="hexagonal", pitch=7e-3)
+    third: Operation = ((-1, -1), (1, 0))
+    operations = tuple(tuple(map(tuple, np.linalg.matrix_power(third, n).tolist())) for n in range(3))
+    kappa, nothing = np.array([[0.3, 0.1], [1.0, -0.4]]), np.zeros((2, 1))
+    group = PointGroup((lattice.a1, lattice.a2), operations)  # without half a turn, so time reversal counts
+    surface = ZoneSurface(IrreducibleZone(lattice, ()), group, kappa, np.zeros((0, 3), int), nothing, nothing)
+    wavevector, _, _ = surface.unfolded()
+    turns, signs = surface.turns()
+    np.testing.assert_allclose(
+        turns @ np.swapaxes(turns, 1, 2), np.broadcast_to(np.eye(2), (6, 2, 2)), atol=1e-12
+    )
+    assert signs.tolist() == [1, 1, 1, -1, -1, -1]
+    expected = np.einsum("c,cij,nj->cni", signs, turns, lattice.wavevector(kappa))
+    np.testing.assert_allclose(wavevector.reshape(6, 2, 2), expected, atol=1e-9)

@@ -19,10 +19,10 @@ from haptonic.bloch.model import BlochModel, best_model, candidate_models
 from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
-from haptonic.bloch.symmetry import WAVES
+from haptonic.bloch.symmetry import MIDDLE, WAVES
 from haptonic.bloch.tracking import Diagram, diagram, solved
 from haptonic.bloch.wavevectors import wavevector_at
-from haptonic.bloch.zone import zone_surface
+from haptonic.bloch.zone import ZoneModes, zone_surface
 from haptonic.cell import UnitCell
 from haptonic.cell.scales import scales
 from haptonic.gate import declared
@@ -34,7 +34,6 @@ from haptonic.superelement import whole_mesh
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 LEAST_COUNTED = 2  # order of a model up to which counts use its own mesh: the next is too coarse for them
 FURTHER = "further_"  # before the names of variables and dimensions of other lattices of a plate
-MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if that is not a mirror"
 
 
 @one_thread()
@@ -51,7 +50,8 @@ def bands_dataset(
 
     Parameters
     ----------
-    surface : also sample the whole zone evenly, for contours and the density of states
+    surface : also sample the whole zone evenly, for contours and the density of states; with ``moving``, also
+        the modes there
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; by default the middle of the
         path's second segment
     moving : also the surface of the cell in every mode of the diagram, see `haptonic.bloch.path_modes`
@@ -84,9 +84,15 @@ def bands_dataset(
     def merged_parts() -> xr.Dataset:
         along = diagram(model, path, solutions)
         parts = [_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))]
-        parts += [mode_shapes(model, kappa)]
-        parts += [path_modes(model, along)] if moving else []
-        parts += [zone_surface(model, SURFACE_DIVISIONS).dataset()] if surface else []
+        parts.append(mode_shapes(model, kappa))
+        of_zone: ZoneModes | None = None
+        if surface:
+            over = zone_surface(model, SURFACE_DIVISIONS)
+            parts.append(over.dataset())
+            if moving:
+                of_zone = ZoneModes.of(model, over.kappa)
+                parts.append(of_zone.dataset())
+        parts += [path_modes(model, along, of_zone)] if moving else []
         return xr.merge(parts)
 
     # the counts use a separate mesh, and take about as long as the rest

@@ -1,4 +1,4 @@
-"""Modes at every wavevector of a band diagram, on the surface of the cell, for views that move."""
+"""Modes at wavevectors of a band diagram and of the zone, on the surface of the cell, for views that move."""
 
 from __future__ import annotations
 
@@ -9,24 +9,27 @@ import numpy as np
 from haptonic.arrays import Array, Complex
 from haptonic.bloch.model import BlochModel
 from haptonic.bloch.tracking import Diagram
+from haptonic.bloch.zone import ZoneModes
 from haptonic.cell.skin import drawing_cells, outer_faces, outline_edges
 from haptonic.later import xarray as xr
 
 # Smallest singular values that are kept, relative to the largest: of the unknowns, which only saves time, and
 # of the displacements. A mode is then within 1e-3 of its largest displacement, less than the width of a line.
 RANK, KEPT = 1e-9, 1e-4
+AT_ONCE = 500  # modes on all nodes in memory
 
 
-def path_modes(model: BlochModel, along: Diagram) -> xr.Dataset:
-    """Displacement of the surface of the cell for all modes of a diagram.
+def path_modes(model: BlochModel, along: Diagram, zone: ZoneModes | None = None) -> xr.Dataset:
+    """Displacement of the surface of the cell for all modes of a diagram, and for those over the zone.
 
     A mode is a sum of real shapes, ``u = sum_s (real_s + i imag_s) shape_s``, with the largest displacement
-    1. The modes of a diagram are so much alike that less than a hundred shapes describe them all (singular
-    value decomposition).
+    1. The modes of a cell are so much alike that about a hundred shapes describe them all (singular value
+    decomposition).
 
     Returns
     -------
-    dataset with dimensions ``wavevector``, ``band``, ``shape``, ``skin_node``, ``face``, ``edge``
+    dataset with dimensions ``wavevector``, ``band``, ``shape``, ``skin_node``, ``face``, ``edge``, and
+    ``zone_point`` with ``zone``
     """
     tiling = model.fine.tiling
     cells, _ = drawing_cells(
@@ -35,8 +38,10 @@ def path_modes(model: BlochModel, along: Diagram) -> xr.Dataset:
     faces = outer_faces(cells)
     used, corners = np.unique(faces, return_inverse=True)
     position, faces = tiling.points[used], corners.reshape(faces.shape)
-    shapes, amplitudes = _separated(lambda unknowns: tiling.lifted(unknowns)[used], along.fields)
-    by_mode = amplitudes.T.reshape(len(along.path.kappa), -1, len(shapes)).astype(np.complex64)
+    every = along.fields if zone is None else np.hstack([along.fields, zone.fields])
+    shapes, amplitudes = _separated(lambda unknowns: tiling.lifted(unknowns)[used], every)
+    of_path, of_zone = np.split(amplitudes.T.astype(np.complex64), [along.fields.shape[1]])
+    by_mode = of_path.reshape(*along.frequency.shape, -1)
     of_modes = ("wavevector", "band", "shape")
     dataset = xr.Dataset(
         {
@@ -48,6 +53,13 @@ def path_modes(model: BlochModel, along: Diagram) -> xr.Dataset:
             "path_mode_imag": (of_modes, by_mode.imag),
         }
     )
+    if zone is not None:
+        by_mode = of_zone.reshape(*zone.character.shape, -1)
+        of_modes = ("zone_point", *of_modes[1:])
+        dataset["zone_mode_real"], dataset["zone_mode_imag"] = (
+            (of_modes, by_mode.real),
+            (of_modes, by_mode.imag),
+        )
     for name, (unit, title) in {
         "skin_position": ("m", "position of the nodes on the surface of the cell"),
         "skin_face": ("1", "four corners of each face of the surface"),
@@ -55,8 +67,11 @@ def path_modes(model: BlochModel, along: Diagram) -> xr.Dataset:
         "path_shape": ("1", "displacement of a shape, largest component 1"),
         "path_mode_real": ("1", "share of a shape in the displacement in phase"),
         "path_mode_imag": ("1", "share of a shape in the displacement a quarter period earlier"),
+        "zone_mode_real": ("1", "the same over the zone, in phase"),
+        "zone_mode_imag": ("1", "the same over the zone, a quarter period earlier"),
     }.items():
-        dataset[name].attrs = {"units": unit, "long_name": title}
+        if name in dataset:
+            dataset[name].attrs = {"units": unit, "long_name": title}
     return dataset
 
 
@@ -71,15 +86,17 @@ def _separated(lifted: Callable[[Array], Array], fields: Complex) -> tuple[Array
     nodes = len(spanned)
     basis, triangle = np.linalg.qr(spanned.reshape(3 * nodes, -1))
     modes = triangle @ (vectors.T @ fields)
-    moved = (basis @ modes).reshape(nodes, 3, -1)
-    modes /= np.linalg.norm(moved, axis=1).max(axis=0)
-    modes *= np.exp(-0.5j * np.angle((moved**2).sum(axis=(0, 1))))
+    modes /= np.linalg.norm(modes, axis=0)
     vectors, values = _directions(modes)
     vectors = vectors[:, values > KEPT * values[0]]
-    shapes = basis @ vectors
+    shapes, modes = basis @ vectors, vectors.T @ modes
+    for start in range(0, modes.shape[1], AT_ONCE):
+        some = modes[:, start : start + AT_ONCE]
+        moved = (shapes @ some).reshape(nodes, 3, -1)
+        some /= np.linalg.norm(moved, axis=1).max(axis=0)
+        some *= np.exp(-0.5j * np.angle((moved**2).sum(axis=(0, 1))))
     largest = np.abs(shapes).max(axis=0)
-    amplitudes = largest[:, None] * (vectors.T @ modes)
-    return np.moveaxis((shapes / largest).reshape(nodes, 3, -1), 2, 0), amplitudes
+    return np.moveaxis((shapes / largest).reshape(nodes, 3, -1), 2, 0), largest[:, None] * modes
 
 
 def _directions(fields: Complex) -> tuple[Array, Array]:

@@ -29,6 +29,7 @@ def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
 
 Waves = Literal["all", "symmetric", "antisymmetric"]  # about the plate's middle plane
 WAVES: dict[int, Waves] = {1: "symmetric", -1: "antisymmetric"}  # by parity
+MIDDLE = "+1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if that is not a mirror"
 
 
 def split_groups(groups: list[slice], middle: Ints) -> list[Ints]:

@@ -86,7 +86,7 @@ def diagram(model: BlochModel, path: Path, solutions: Sequence[Solution] | None 
         if before is not None:  # at a corner the modes are sorted again, by the next mirror
             before = (before[0], (np.zeros(bands, dtype=np.int64), before[1][1]), before[2])
         for i in range(start, stop + 1):
-            solution, signs = _turned(solutions[i], model, mirror)
+            solution, signs = split_by_parity(solutions[i], model, mirror)
             parities = signs, model.fine.parity(solution.modes)
             if before is None:
                 branches = np.arange(used, used + bands)
@@ -131,8 +131,13 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
     return np.asarray(2 * np.pi * slopes @ model.cell.lattice.vectors)
 
 
-def _turned(solution: Solution, model: BlochModel, mirror: JointImage | None) -> tuple[Solution, Ints]:
-    """Combine degenerate modes to definite parity; return the bands and their parities."""
+def split_by_parity(
+    solution: Solution, model: BlochModel, mirror: JointImage | None
+) -> tuple[Solution, Ints]:
+    """Combine degenerate modes to definite parity; return the bands and their parities.
+
+    mirror : image of traces in a reflection that leaves the wavevector unchanged; None without one
+    """
     if mirror is None:
         return solution.lowest(model.count), np.zeros(model.count, dtype=np.int64)
     trace = solution.fields[: model.fine.tiling.trace_size]

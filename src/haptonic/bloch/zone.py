@@ -8,12 +8,18 @@ from typing import Self
 
 import numpy as np
 
-from haptonic.arrays import Array, Ints
+from haptonic.arrays import Array, Complex, Ints
+from haptonic.bloch.character import characters
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.representative import images
+from haptonic.bloch.reduced import SPARE_MODES
+from haptonic.bloch.representative import images, signed_operations
+from haptonic.bloch.symmetry import MIDDLE, mirrors_at
+from haptonic.bloch.tracking import group_velocity, split_by_parity
 from haptonic.brillouin import IrreducibleZone
+from haptonic.gate import declared
 from haptonic.later import xarray as xr
-from haptonic.lattice import Lattice, PointGroup
+from haptonic.lattice import Lattice, Operation, PointGroup
+from haptonic.superelement import JointImage
 
 DENSITY_BINS = 200  # from zero to the highest frequency
 
@@ -98,6 +104,89 @@ class ZoneSurface:
         starts = range(0, len(wavevectors), len(self.kappa))
         triangles = np.concatenate([self.triangles + start for start in starts])
         return self.zone.lattice.wavevector(wavevectors), triangles, number
+
+    def turns(self) -> tuple[Array, Ints]:
+        """Turns or reflections (copies, 2, 2) of the plane from samples to their images in `unfolded`.
+
+        The second value is the sign of each copy, -1 with time reversal: ``u'(R r) = R u(r)``, its complex
+        conjugate for the sign -1.
+        """
+        vectors = np.transpose(self.zone.lattice.vectors)
+        signed = signed_operations(self.group)
+        turns = [vectors @ np.array(operation) @ np.linalg.inv(vectors) for operation, _ in signed]
+        return np.array(turns), np.array([sign for _, sign in signed])
+
+
+@dataclass(frozen=True)
+class ZoneModes:
+    """Modes at samples of the zone; n wavevectors, k bands.
+
+    velocity : (n, k, 2) group velocity, m/s; NaN for rigid-body motions
+    parity : (n, k) +1 even, -1 odd under the mirror of the wavevector, 0 without one
+    mirror : (n,) name of this mirror, empty without one
+    middle, character : (n, k), as in `haptonic.bloch.tracking.Diagram`
+    fields : (t + m, n k) unknowns of the tiling, unit mass, the bands of each wavevector together
+    """
+
+    velocity: Array
+    parity: Ints
+    mirror: tuple[str, ...]
+    middle: Ints
+    character: Ints
+    fields: Complex
+
+    @classmethod
+    def of(cls, model: BlochModel, kappa: Array) -> Self:
+        """Solve at phases (n, 2); degenerate modes are combined to definite parity."""
+        tiling, images = model.fine.tiling, dict[Operation, JointImage]()
+        velocity, parity, names, middle, fields = [], [], [], [], []
+        for phases in kappa:
+            # spare modes, so that the last band does not divide a degenerate pair
+            solution = model.solve(phases, spare=SPARE_MODES)
+            name, operation = next(
+                iter(mirrors_at(model.cell.point_group, solution.kappa).items()), ("", None)
+            )
+            mirror = None
+            if operation is not None:
+                mirror = images.setdefault(operation, tiling.joint.image(operation))
+            of_bands, signs = split_by_parity(solution, model, mirror)
+            velocity.append(group_velocity(model, of_bands))
+            parity.append(signs)
+            names.append(name)
+            middle.append(model.fine.parity(of_bands.modes))
+            fields.append(of_bands.fields)
+        joined = np.hstack(fields)
+        return cls(
+            velocity=np.stack(velocity),
+            parity=np.stack(parity),
+            mirror=tuple(names),
+            middle=np.stack(middle),
+            character=characters(tiling, joined).name.reshape(len(names), -1),
+            fields=joined,
+        )
+
+    def dataset(self) -> xr.Dataset:
+        """The modes without their fields."""
+        of_modes = ("zone_point", "band")
+        variables = {
+            "zone_velocity": (
+                (*of_modes, "axis"), self.velocity, "m/s",
+                "group velocity along x and y; NaN for rigid-body motions",
+            ),
+            "zone_parity": (of_modes, self.parity, "1", "+1 even, -1 odd under the mirror, 0 without one"),
+            "zone_mirror": (
+                of_modes[:1], np.array(self.mirror).astype("U"), "1", "mirror that keeps the wavevector",
+            ),
+            "zone_middle_parity": (of_modes, self.middle, "1", MIDDLE),
+            "zone_character": (of_modes, self.character, "1", "character, a position in character_names"),
+        }  # fmt: skip
+        dataset = xr.Dataset(
+            {
+                name: (dims, values, {"units": unit, "long_name": title})
+                for name, (dims, values, unit, title) in variables.items()
+            }
+        )
+        return declared(dataset, zone_velocity="not defined for a rigid-body motion")
 
 
 def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:

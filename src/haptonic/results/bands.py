@@ -19,7 +19,7 @@ from haptonic.plots.text import gap_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
-from haptonic.results.zone_view import zone_corners, zone_variables
+from haptonic.results.zone_view import ZONE_SHORT, zone_extra, zone_variables
 from haptonic.units import format_quantity, hz_text, in_percent
 from haptonic.views import InteractiveView, write_page
 
@@ -292,7 +292,7 @@ class Bands(Result):
             return None
         seen, zone = self.dataset[SEEN + SEEN_SHORT], {}
         if _over_the_zone(self):
-            seen, zone = seen.merge(zone_variables(self.dataset)), {"zone": zone_corners(self.dataset)}
+            seen, zone = seen.merge(zone_variables(self.dataset)), zone_extra(self.dataset)
         top = plots.shown_up_to(self.dataset, self.dataset.attrs.get("carrier_hz"))
         return InteractiveView(
             kind="bands",
@@ -305,7 +305,7 @@ class Bands(Result):
                 "lattice_vectors": lattice_of(self.dataset).vectors.tolist(),
                 **zone,
             },
-            short=SEEN_SHORT,
+            short=[*SEEN_SHORT, *ZONE_SHORT],
         )
 
     @file("modes.vtu")

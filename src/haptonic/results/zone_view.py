@@ -9,6 +9,12 @@ import numpy as np
 from haptonic.bloch.zone import ZoneSurface
 from haptonic.later import xarray as xr
 
+SAMPLES = ["zone_kappa", "zone_frequency", "zone_error"]
+ZONE_SHORT = ["zone_mode_real", "zone_mode_imag"]  # stored with 16 bits
+MODES = [
+    "zone_velocity", "zone_parity", "zone_mirror", "zone_middle_parity", "zone_character", *ZONE_SHORT,
+]  # fmt: skip
+
 
 def zone_variables(data: xr.Dataset) -> xr.Dataset:
     """Frequencies at samples of the irreducible zone, and the places of these samples in the whole zone."""
@@ -23,11 +29,17 @@ def zone_variables(data: xr.Dataset) -> xr.Dataset:
             {"units": "1", "long_name": "triangles of images"},
         ),
     }
-    return data[["zone_kappa", "zone_frequency", "zone_error"]].assign(images)
+    return data[[*SAMPLES, *(name for name in MODES if name in data)]].assign(images)
 
 
-def zone_corners(data: xr.Dataset) -> dict[str, Any]:
-    """Corners of the irreducible zone by name, rad/m."""
-    zone = ZoneSurface.of_dataset(data).zone
+def zone_extra(data: xr.Dataset) -> dict[str, Any]:
+    """Corners of the irreducible zone by name (rad/m), and what maps its modes to the images of a sample."""
+    surface = ZoneSurface.of_dataset(data)
+    zone = surface.zone
     corners = zone.lattice.wavevector(np.array(list(zone.corner_phases.values())))
-    return dict(zip(zone.corner_phases, corners.tolist(), strict=True))
+    turns, signs = surface.turns()
+    return {
+        "zone": dict(zip(zone.corner_phases, corners.tolist(), strict=True)),
+        "zone_turns": turns.tolist(),
+        "zone_signs": signs.tolist(),
+    }

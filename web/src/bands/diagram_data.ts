@@ -70,23 +70,18 @@ export class BandDiagram {
 
   /** Name of a mode after its motion. */
   nature({ row, band }: Point): string {
-    return this.names[this.data.values("character")[row * this.bands + band] ?? -1] ?? "";
+    return this.motion(this.data.values("character")[row * this.bands + band]);
+  }
+
+  /** Name of the motion of a number. */
+  motion(number: number | undefined): string {
+    return this.names[number ?? -1] ?? "";
   }
 
   /** Behaviour of a mode under the mirrors, in words; empty without a mirror. */
   parity({ row, band }: Point): string {
     const k = row * this.bands + band;
-    const words = [
-      ["even", "odd"][signIndex(this.data.values("parity")[k])],
-      ["symmetric", "antisymmetric"][signIndex(this.data.values("middle_parity")[k])],
-    ];
-    const [mirror, middle] = words;
-    return [
-      mirror && `${mirror} under the mirror of the path`,
-      middle && `${middle} about the plate's middle plane`,
-    ]
-      .filter(Boolean)
-      .join(", ");
+    return parityText(this.data.values("parity")[k], "the mirror of the path", this.data.values("middle_parity")[k]);
   }
 
   /** Group velocity along x and y, m/s; undefined for a rigid-body motion. */
@@ -138,6 +133,15 @@ export function readGaps(data: Dataset): Gap[] {
     direction: data.texts("gap_direction")[k] ?? "",
     waves: data.texts("gap_waves")[k] ?? "",
   }));
+}
+
+/** Parities, 1 or -1, under a mirror and about the middle plane; any other number stands for no mirror. */
+export function parityText(sign: number | undefined, mirror: string, middle: number | undefined): string {
+  const under = ["even", "odd"][signIndex(sign)];
+  const about = ["symmetric", "antisymmetric"][signIndex(middle)];
+  return [under && `${under} under ${mirror}`, about && `${about} about the plate's middle plane`]
+    .filter(Boolean)
+    .join(", ");
 }
 
 function signIndex(sign: number | undefined): number {

@@ -1,13 +1,13 @@
 /** Canvas of the moving mode, and what keeps it moving. */
 
-import { effect } from "@preact/signals";
+import { effect, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { onTheme } from "../parts/colours";
 import { Cycle } from "../parts/cycle";
 import { FilmButtons, filmed } from "../parts/film";
 import { origin } from "../parts/frame";
-import type { BandDiagram } from "./diagram_data";
-import { MovingMode, type Side } from "./moving_mode";
+import type { Dataset } from "../dataset";
+import { MovingMode, type Motion, type Side } from "./moving_mode";
 import type { Choice } from "./state";
 
 const SIDES: [Side, string][] = [
@@ -18,11 +18,13 @@ const SIDES: [Side, string][] = [
 ];
 
 interface Props {
-  diagram: BandDiagram;
+  data: Dataset;
   choice: Choice;
+  motion: ReadonlySignal<Motion>;
+  name: string; // of saved films
 }
 
-export function Mode({ diagram, choice }: Props) {
+export function Mode({ data, choice, motion, name }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const mode = useRef<MovingMode>(null);
   const [problem, setProblem] = useState("");
@@ -30,15 +32,15 @@ export function Mode({ diagram, choice }: Props) {
     if (canvas.current === null) return;
     let moving: MovingMode;
     try {
-      moving = new MovingMode(diagram.data, canvas.current, colours(diagram));
+      moving = new MovingMode(data, canvas.current, colours(data));
     } catch {
       setProblem("The mode cannot be drawn, because this browser has no WebGL.");
       return;
     }
     mode.current = moving;
     Object.assign(canvas.current, { moving }); // for tests and for the browser's console
-    return kept(moving, diagram, choice);
-  }, [diagram, choice]);
+    return kept(moving, motion, choice);
+  }, [data, choice, motion]);
   return (
     <div class="mode">
       {problem ? (
@@ -48,35 +50,35 @@ export function Mode({ diagram, choice }: Props) {
       )}
       <p class="scale">
         <span>0</span>
-        <span class="bar" style={{ background: gradient(diagram) }} />
+        <span class="bar" style={{ background: gradient(data) }} />
         <span>1</span> displacement, relative to the largest
       </p>
       <p class="sides">
-        <span id="seen">Seen</span>
+        <span id={`seen-${name}`}>Seen</span>
         {SIDES.map(([side, words]) => (
-          <button type="button" onClick={() => mode.current?.look(side)} aria-describedby="seen">
+          <button type="button" onClick={() => mode.current?.look(side)} aria-describedby={`seen-${name}`}>
             {words}
           </button>
         ))}
       </p>
-      <FilmButtons canvas={canvas} name="mode" caption={`${diagram.data.header.title}, ${origin(diagram.data)}`} />
+      <FilmButtons canvas={canvas} name={name} caption={`${data.header.title}, ${origin(data)}`} />
     </div>
   );
 }
 
-function colours(diagram: BandDiagram): number[][] {
-  return diagram.data.header.extra["colours"] as number[][];
+function colours(data: Dataset): number[][] {
+  return data.header.extra["colours"] as number[][];
 }
 
-function gradient(diagram: BandDiagram): string {
-  return `linear-gradient(to right, ${colours(diagram).map((rgb) => `rgb(${rgb.join(" ")})`).join(", ")})`;
+function gradient(data: Dataset): string {
+  return `linear-gradient(to right, ${colours(data).map((rgb) => `rgb(${rgb.join(" ")})`).join(", ")})`;
 }
 
 /** Follow the choices and the size of the canvas; returns what ends it. */
-function kept(moving: MovingMode, diagram: BandDiagram, choice: Choice): () => void {
+function kept(moving: MovingMode, motion: ReadonlySignal<Motion>, choice: Choice): () => void {
   const { canvas } = moving;
   const draw = () => moving.turn(cycle.moment);
-  const cycle = new Cycle(choice, draw);
+  const cycle = new Cycle(choice, draw, canvas);
   filmed(canvas, (moment) => cycle.at(moment));
   const resized = new ResizeObserver(() => {
     moving.resize(Math.max(canvas.clientWidth, 1), Math.max(canvas.clientHeight, 1));
@@ -86,9 +88,8 @@ function kept(moving: MovingMode, diagram: BandDiagram, choice: Choice): () => v
   const stops = [
     effect(() => moving.repeat(choice.copies.value)),
     effect(() => {
-      const point = choice.point.value;
-      moving.show(point, diagram.phases(point.row));
-      canvas.dataset["shown"] = `${point.row},${point.band}`;
+      moving.show(motion.value);
+      canvas.dataset["shown"] = `${motion.value.row},${motion.value.band}`;
       draw();
     }),
     effect(() => {

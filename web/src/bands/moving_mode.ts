@@ -4,7 +4,24 @@ import * as three from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Dataset } from "../dataset";
 import { themeColour } from "../parts/colours";
-import type { Point } from "./diagram_data";
+
+/** A mode of the dataset, and how the cell is turned before it is drawn. */
+export interface Motion {
+  of: "path" | "zone"; // the variables that contain its amounts
+  row: number; // number of the wavevector, from 0
+  band: number;
+  kappa: [number, number]; // phases, rad
+  turn: Turn;
+  isReversed: boolean; // in time
+}
+
+/** Rows of a turn or a reflection of the plane. */
+export type Turn = [[number, number], [number, number]];
+
+export const UNTURNED: Turn = [
+  [1, 0],
+  [0, 1],
+];
 
 const VERTEX = /* glsl */ `
 attribute vec3 real;
@@ -13,13 +30,15 @@ attribute vec3 origin;
 attribute vec2 turn;
 uniform vec2 phase;
 uniform float swing;
+uniform mat3 turned;
+uniform vec3 middle;
 varying vec3 seen;
 varying float amount;
 void main() {
   vec3 first = real * turn.x - imag * turn.y;
   vec3 second = real * turn.y + imag * turn.x;
   amount = sqrt(dot(real, real) + dot(imag, imag));
-  vec3 moved = position + origin + swing * (first * phase.x - second * phase.y);
+  vec3 moved = turned * (position - middle + swing * (first * phase.x - second * phase.y)) + middle + origin;
   vec4 place = modelViewMatrix * vec4(moved, 1.0);
   seen = place.xyz;
   gl_Position = projectionMatrix * place;
@@ -55,6 +74,8 @@ export class MovingMode {
   private readonly uniforms = {
     phase: { value: new three.Vector2(1, 0) },
     swing: { value: 0.15 },
+    turned: { value: new three.Matrix3() },
+    middle: { value: new three.Vector3() },
     scale: { value: new three.DataTexture(new Uint8Array(4), 1, 1) },
     ink: { value: new three.Color(0, 0, 0) },
   };
@@ -89,6 +110,7 @@ export class MovingMode {
     this.surface.setIndex(triangles(data.values("skin_face") as Int32Array));
     this.edges.setIndex(Array.from(data.values("skin_edge")));
     this.box.setFromBufferAttribute(shared.position);
+    this.box.getCenter(this.uniforms.middle.value);
     const texture = new three.DataTexture(
       Uint8Array.from(colours.flatMap(([r = 0, g = 0, b = 0]) => [r, g, b, 255])),
       colours.length,
@@ -124,19 +146,21 @@ export class MovingMode {
     this.colourLines();
   }
 
-  /** Show the mode of a point of the diagram. */
-  show({ row, band }: Point, kappa: [number, number]): void {
-    const [, bands = 0, shapes = 0] = this.data.shape("path_mode_real");
+  show({ of, row, band, kappa, turn, isReversed }: Motion): void {
+    const [, bands = 0, shapes = 0] = this.data.shape(`${of}_mode_real`);
     const start = (row * bands + band) * shapes;
     const field = this.data.values("path_shape");
     for (const part of ["real", "imag"] as const) {
-      const name = `path_mode_${part}`;
+      const name = `${of}_mode_${part}`;
       const amounts = this.data.values(name).subarray(start, start + shapes);
-      const factor = this.data.scale(name) * this.data.scale("path_shape");
+      const sign = isReversed && part === "imag" ? -1 : 1;
+      const factor = sign * this.data.scale(name) * this.data.scale("path_shape");
       const attribute = this.surface.getAttribute(part) as three.BufferAttribute;
       combined(attribute.array as Float32Array, field, amounts, factor);
       attribute.needsUpdate = true;
     }
+    const [[xx, xy], [yx, yy]] = turn;
+    this.uniforms.turned.value.set(xx, xy, 0, yx, yy, 0, 0, 0, 1);
     this.kappa = kappa;
     this.place();
   }

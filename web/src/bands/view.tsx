@@ -1,5 +1,6 @@
 /** Band diagram and moving mode: the view of kind "bands". */
 
+import { computed } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";
 import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
@@ -16,6 +17,7 @@ import { Comparison, Edges } from "./edges";
 import { bandsKeys } from "./keys";
 import { layerOfDiagram, newerThan } from "./layer";
 import { Mode } from "./mode";
+import { UNTURNED, type Motion } from "./moving_mode";
 import { LARGEST_SWING, MOST_COPIES, startingChoice, type Choice } from "./state";
 import { GapTable, ModeTable } from "./tables";
 import { Zone } from "./zone";
@@ -32,6 +34,7 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
   const diagram = useMemo(() => new BandDiagram(data), [data]);
   // the choices stay when a newer result has as many modes
   const choice = useMemo(() => startingChoice(diagram), [diagram.rows, diagram.bands]);
+  const motion = useMemo(() => motionOfPath(diagram, choice), [diagram, choice]);
   const newer = useMemo(() => newerThan(host?.turned), [host]);
   const hold = () => {
     const drawn = newer.layer.peek() ?? layerOfDiagram(diagram);
@@ -79,7 +82,7 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
           )}
         </section>
         <section aria-label="Mode">
-          <Mode diagram={diagram} choice={choice} />
+          <Mode data={data} choice={choice} motion={motion} name="mode" />
           <PointFacts diagram={diagram} choice={choice} isOld={isOld} />
           <MotionControls choice={choice} />
         </section>
@@ -91,6 +94,14 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
       </Listing>
     </Frame>
   );
+}
+
+/** Motion of the selected mode of the diagram. */
+function motionOfPath(diagram: BandDiagram, choice: Choice) {
+  return computed((): Motion => {
+    const { row, band } = choice.point.value;
+    return { of: "path", row, band, kappa: diagram.phases(row), turn: UNTURNED, isReversed: false };
+  });
 }
 
 interface LegendProps {

@@ -1,20 +1,24 @@
 /** A band over the Brillouin zone: contours, and the frequencies of all bands at a wavevector that one picks. */
 
-import { signal, type Signal } from "@preact/signals";
+import { computed, signal, type Signal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import { themeColour, onTheme } from "../parts/colours";
-import { UnitSelect } from "../parts/controls";
+import { PlayButton, UnitSelect } from "../parts/controls";
+import { FactList } from "../parts/facts";
 import { keyPressed, type Key } from "../parts/keys";
 import { uncertain } from "../parts/numbers";
 import { rounded, titled, wavevectorUnits, withUnit, type Unit } from "../parts/units";
 import { Walk } from "../parts/walk";
 import type { BandDiagram } from "./diagram_data";
-import type { Choice } from "./state";
+import { Mode } from "./mode";
+import { moved, type Choice } from "./state";
 import { levelsBetween, ZoneSurface } from "./zone_data";
 
 const LARGEST = 440; // CSS pixels, side of the map
 const ROOM = 26; // CSS pixels around the zone, for names of corners
 const LEVELS = 8; // about as many contours
+const ARROW = 34; // CSS pixels, length of the arrow of the group velocity
+const LEAST_SPEED = 1; // m/s, below which it has no direction
 
 interface ZoneChoice {
   image: Signal<number>; // number of the wavevector among those of the whole zone
@@ -39,13 +43,17 @@ function ZoneSection({ diagram, choice }: Props) {
     () => ({ image: signal(zone.highest(choice.point.peek().band)), wavevectorUnit: signal(units[1]!) }),
     [zone, units, choice],
   );
-  const keys = useMemo(() => zoneKeys(zone, own), [zone, own]);
+  const keys = useMemo(() => zoneKeys(diagram, zone, own, choice), [diagram, zone, own, choice]);
+  const motion = useMemo(
+    () => computed(() => zone.motion(own.image.value, choice.point.value.band)),
+    [zone, own, choice],
+  );
   const { band } = choice.point.value;
   return (
     <section aria-label="Brillouin zone" class="pair">
       <div>
         <Walk
-          label="Brillouin zone. Arrow keys move the wavevector."
+          label="Brillouin zone. Arrow keys move the wavevector, page keys change the band."
           describedBy="zone-point"
           onKeyDown={(event) => {
             keyPressed(event, keys);
@@ -69,13 +77,22 @@ function ZoneSection({ diagram, choice }: Props) {
           <UnitSelect title="Wavevectors in" units={units} unit={own.wavevectorUnit} />
         </p>
         <Scale zone={zone} diagram={diagram} band={band} unit={choice.unit.value} />
+        <ZoneFacts diagram={diagram} zone={zone} own={own} choice={choice} />
       </div>
-      <ZoneFacts zone={zone} own={own} band={band} unit={choice.unit.value} />
+      {zone.hasModes && (
+        <div>
+          <Mode data={diagram.data} choice={choice} motion={motion} name="zone-mode" />
+          <p class="sides">
+            <PlayButton playing={choice.playing} />
+          </p>
+        </div>
+      )}
     </section>
   );
 }
 
-function zoneKeys(zone: ZoneSurface, own: ZoneChoice): Key[] {
+function zoneKeys(diagram: BandDiagram, zone: ZoneSurface, own: ZoneChoice, choice: Choice): Key[] {
+  const climb = (up: number) => () => (choice.point.value = moved(diagram, choice.point.value, 0, up));
   const go = (x: number, y: number) => () => (own.image.value = zone.next(own.image.value, x, y));
   return [
     {
@@ -83,6 +100,7 @@ function zoneKeys(zone: ZoneSurface, own: ZoneChoice): Key[] {
       effect: "next wavevector",
       actions: { ArrowLeft: go(-1, 0), ArrowRight: go(1, 0), ArrowUp: go(0, 1), ArrowDown: go(0, -1) },
     },
+    { keys: "page up, page down", effect: "next higher or lower band", actions: { PageUp: climb(1), PageDown: climb(-1) } },
   ];
 }
 
@@ -159,6 +177,8 @@ function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, i
     }
   context.stroke();
   paintCorners(context, zone, toPixel);
+  const velocity = zone.hasModes ? zone.velocity(image, band) : undefined;
+  if (velocity !== undefined) paintArrow(context, toPixel(zone.wavevector(image)), velocity);
   context.beginPath();
   context.arc(...toPixel(zone.wavevector(image)), 5, 0, 2 * Math.PI);
   context.fillStyle = themeColour("accent");
@@ -168,6 +188,25 @@ function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, i
   context.stroke();
   canvas.dataset["shown"] = `${image},${band}`;
   Object.assign(canvas, { zone }); // for tests
+}
+
+/** An arrow from a place in the direction of a group velocity, which is at right angles to the contours. */
+function paintArrow(context: CanvasRenderingContext2D, [x, y]: [number, number], [vx, vy]: [number, number]): void {
+  const speed = Math.hypot(vx, vy);
+  if (!(speed > LEAST_SPEED)) return;
+  const [right, down] = [vx / speed, -vy / speed];
+  const at = (along: number, aside: number): [number, number] => [x + along * right - aside * down, y + along * down + aside * right];
+  for (const [colour, width] of [["#ffffff", 5], [themeColour("accent"), 2.5]] as const) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.beginPath();
+    context.moveTo(x, y);
+    context.lineTo(...at(ARROW, 0));
+    context.moveTo(...at(ARROW - 8, 5));
+    context.lineTo(...at(ARROW, 0));
+    context.lineTo(...at(ARROW - 8, -5));
+    context.stroke();
+  }
 }
 
 function paintCorners(
@@ -215,8 +254,14 @@ function Scale({ zone, diagram, band, unit }: { zone: ZoneSurface; diagram: Band
   );
 }
 
-function ZoneFacts({ zone, own, band, unit }: { zone: ZoneSurface; own: ZoneChoice; band: number; unit: Unit }) {
-  const [image, along] = [own.image.value, own.wavevectorUnit.value];
+interface FactsProps extends Props {
+  zone: ZoneSurface;
+  own: ZoneChoice;
+}
+
+function ZoneFacts({ diagram, zone, own, choice }: FactsProps) {
+  const [image, along, unit] = [own.image.value, own.wavevectorUnit.value, choice.unit.value];
+  const { band } = choice.point.value;
   const [x, y] = zone.wavevector(image).map((value) => Number((value / along.factor).toFixed(3)));
   const sample = zone.sample(image);
   const frequencyText = (number: number) =>
@@ -227,28 +272,55 @@ function ZoneFacts({ zone, own, band, unit }: { zone: ZoneSurface; own: ZoneChoi
       <p id="zone-point" aria-live="polite">
         Band {band + 1} at ({x}, {y}) {along.name}: <b>{withUnit(frequencyText(band), unit)}</b>
       </p>
-      <div class="wide">
-        <table>
-          <caption>Frequencies at this wavevector</caption>
-          <thead>
-            <tr>
-              <th scope="col">band</th>
-              <th scope="col">{titled("frequency", unit)}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {Array.from({ length: zone.bands }, (_, number) => (
-              <tr aria-current={number === band ? "true" : undefined}>
-                <td>{number + 1}</td>
-                <td>{frequencyText(number)}</td>
+      {zone.hasModes && (
+        <>
+          <FactList facts={modeFacts(diagram, zone, image, band)} />
+          <p class="again">
+            The arrow in the zone is the direction of the group velocity. Bands and modes are computed at {zone.count}{" "}
+            wavevectors of the irreducible zone; a click selects the nearest one or its image.
+          </p>
+        </>
+      )}
+      <details>
+        <summary>Frequencies of all bands at this wavevector</summary>
+        <div class="wide">
+          <table>
+            <caption>Frequencies at this wavevector</caption>
+            <thead>
+              <tr>
+                <th scope="col">band</th>
+                <th scope="col">{titled("frequency", unit)}</th>
               </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+            </thead>
+            <tbody>
+              {Array.from({ length: zone.bands }, (_, number) => (
+                <tr aria-current={number === band ? "true" : undefined}>
+                  <td>{number + 1}</td>
+                  <td>{frequencyText(number)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      </details>
       <p class="again">
         Its modes as a picture: <code>haptonic bands STUDY --modes-at "{first}, {second}"</code>
       </p>
     </div>
   );
+}
+
+function modeFacts(diagram: BandDiagram, zone: ZoneSurface, image: number, band: number): [string, string][] {
+  const [{ motion, symmetry }, velocity] = [zone.described(image, band), zone.velocity(image, band)];
+  return [
+    ["motion", diagram.motion(motion)],
+    ["symmetry", symmetry],
+    ["group velocity", velocity ? velocityText(velocity) : "not defined"],
+  ];
+}
+
+function velocityText([x, y]: [number, number]): string {
+  const speed = Math.hypot(x, y);
+  if (speed < LEAST_SPEED) return "0 m/s";
+  return `${speed.toPrecision(3)} m/s at ${((Math.atan2(y, x) * 180) / Math.PI).toFixed(0)}° from x`;
 }

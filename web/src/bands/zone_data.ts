@@ -1,6 +1,8 @@
 /** Bands over the Brillouin zone with the names that the view uses. */
 
 import type { Dataset, Numbers } from "../dataset";
+import { parityText } from "./diagram_data";
+import type { Motion, Turn } from "./moving_mode";
 
 export type Wavevector = [number, number]; // rad/m
 type Triangle = [number, number, number];
@@ -53,6 +55,44 @@ export class ZoneSurface {
     return this.error[sample * this.bands + band] ?? NaN;
   }
 
+  get hasModes(): boolean {
+    return this.data.has("zone_mode_real");
+  }
+
+  /** The mode of a band at an image: that of its sample, turned or reflected like the wavevector. */
+  motion(image: number, band: number): Motion {
+    const [turn, isReversed] = this.turned(image);
+    const [x, y] = this.wavevector(image);
+    const vectors = this.data.header.extra["lattice_vectors"] as [Wavevector, Wavevector];
+    const [first, second] = vectors.map(([ax, ay]) => x * ax + y * ay);
+    return { of: "zone", row: this.sample(image), band, kappa: [first ?? 0, second ?? 0], turn, isReversed };
+  }
+
+  /** Group velocity at an image, m/s; undefined for a rigid-body motion. */
+  velocity(image: number, band: number): Wavevector | undefined {
+    const k = 2 * (this.sample(image) * this.bands + band);
+    const [vx, vy] = [this.data.values("zone_velocity")[k] ?? NaN, this.data.values("zone_velocity")[k + 1] ?? NaN];
+    const [[[xx, xy], [yx, yy]], isReversed] = this.turned(image);
+    const sign = isReversed ? -1 : 1;
+    return Number.isFinite(vx) && Number.isFinite(vy) ? [sign * (xx * vx + xy * vy), sign * (yx * vx + yy * vy)] : undefined;
+  }
+
+  /** Number of the motion of a mode, and its symmetry in words. */
+  described(image: number, band: number): { motion: number | undefined; symmetry: string } {
+    const sample = this.sample(image);
+    const value = (name: string) => this.data.values(name)[sample * this.bands + band];
+    const mirror = "the mirror of the wavevector";
+    return { motion: value("zone_character"), symmetry: parityText(value("zone_parity"), mirror, value("zone_middle_parity")) };
+  }
+
+  /** Turn of the plane from a sample to an image, and whether time runs backwards there. */
+  private turned(image: number): [Turn, boolean] {
+    const copy = Math.floor(image / this.count);
+    const turn = (this.data.header.extra["zone_turns"] as Turn[])[copy];
+    if (turn === undefined) throw new Error(`the zone has no copy ${copy}`);
+    return [turn, (this.data.header.extra["zone_signs"] as number[])[copy] === -1];
+  }
+
   mean(triangle: Triangle, band: number): number {
     return triangle.reduce((sum, image) => sum + this.at(this.sample(image), band), 0) / 3;
   }
@@ -60,6 +100,11 @@ export class ZoneSurface {
   range(band: number): [number, number] {
     const values = Array.from({ length: this.frequency.length / this.bands }, (_, sample) => this.at(sample, band));
     return [Math.min(...values), Math.max(...values)];
+  }
+
+  /** Number of samples in the irreducible zone. */
+  get count(): number {
+    return this.frequency.length / this.bands;
   }
 
   /** The image of the sample with the highest frequency of a band. */

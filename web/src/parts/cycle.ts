@@ -16,17 +16,25 @@ export class Cycle {
   moment = 0; // of the cycle, from 0 to 1
   private frame = 0;
   private readonly stop: () => void;
+  private readonly hidden = new Set<Element>();
+  private readonly seen = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries)
+      if (isIntersecting) this.hidden.delete(target);
+      else this.hidden.add(target);
+  });
 
-  /** Call `draw` for every frame while the vibration plays. */
+  /** Call `draw` for every frame while the vibration plays and one of the canvases is in sight. */
   constructor(
     { playing, pace }: Pace,
     private readonly draw: () => void,
+    ...canvases: HTMLCanvasElement[]
   ) {
+    for (const canvas of canvases) this.seen.observe(canvas);
     let before = 0;
     const step = (now: number) => {
       if (before > 0) this.moment = (this.moment + ((now - before) / 1000) * pace.peek()) % 1;
       before = now;
-      if (!document.hidden) draw();
+      if (!document.hidden && this.hidden.size < canvases.length) draw();
       this.frame = requestAnimationFrame(step);
     };
     this.stop = effect(() => {
@@ -44,6 +52,7 @@ export class Cycle {
 
   end(): void {
     cancelAnimationFrame(this.frame);
+    this.seen.disconnect();
     this.stop();
   }
 }

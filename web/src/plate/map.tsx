@@ -88,7 +88,7 @@ function kept(canvases: HTMLCanvasElement[], plate: PlateResponse, choice: Choic
     drawParts(raster.context, plate, placed, choice.plan.peek());
     canvas.dataset["shown"] = String(line);
   };
-  const cycle = new Cycle(choice, draw);
+  const cycle = new Cycle(choice, draw, ...canvases);
   for (const { canvas, counted } of maps) {
     filmed(canvas, (moment) => cycle.at(moment));
     Object.assign(canvas, { counted }); // for tests

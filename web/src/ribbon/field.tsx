@@ -42,7 +42,7 @@ function kept(canvas: HTMLCanvasElement, ribbon: RibbonModes, choice: Choice): (
     raster.show(true);
     canvas.dataset["shown"] = String(mode);
   };
-  const cycle = new Cycle(choice, draw);
+  const cycle = new Cycle(choice, draw, canvas);
   filmed(canvas, (moment) => cycle.at(moment));
   Object.assign(canvas, { counted }); // for tests
   const stops = [
