@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools, Complex, Ints
-from haptonic.later import csgraph, linalg as la, sparse as sp
-from haptonic.superelement import Tiling, steps_between
+from haptonic.bloch.slab_places import SlabPlaces
+from haptonic.later import csgraph, linalg as la
+from haptonic.superelement import Tiling
 
 SHIFT = 1.2 * np.exp(0.9j)  # multiplier about which the waves are computed, off the unit circle
 ON_CIRCLE = 1e-7  # real part of an exponent below which a wave counts as propagating
 COINCIDENT = 1e-6  # distance below which two multipliers count as equal
-BETWEEN = 2  # places on neither of two faces
 SMALLEST = 1e-200  # replaces a multiplier, or a shifted inverse, that is zero
 
 
@@ -91,34 +91,13 @@ class Slab:
 
         left, right : (n, 2) places of the faces, m, in the same order; lossy : True for tiles with losses
         """
-        joint, levels = tiling.joint, tiling.joint.levels
-        free, number_of_free = np.unique(joint.master, return_inverse=True)
-        kind, slot, shift = np.full(len(free), BETWEEN), np.zeros_like(free), np.zeros_like(free)
-        for number, face in enumerate((left, right)):
-            whole, same = steps_between(joint.position[free], face, joint.period.vectors)
-            assert (same.sum(axis=0) == 1).all(), "a place of a face belongs to no tile or to several"
-            place, slots = np.nonzero(same)
-            kind[place], slot[place], shift[place] = number, slots, whole[place, slots, 0]
-        between = kind == BETWEEN
-        assert (np.bincount(number_of_free)[between] > 1).all(), (
-            "sides of tiles meet neither another tile nor a face"
-        )
-        slot[between] = np.arange(between.sum())
-        size = 3 * levels * len(left)
-        on_level = 3 * np.where(between, between.sum(), len(left))
-        first = (size * kind + 3 * slot)[number_of_free][:, None] + np.arange(3)
-        column = first + np.arange(levels)[:, None, None] * on_level[number_of_free][:, None]
-        turn = np.exp(1j * phase * (joint.shift[:, 0] + shift[number_of_free]))
-
-        total = 2 * size + 3 * levels * int(between.sum())
+        joint, places = tiling.joint, SlabPlaces.of(tiling, phase, left, right)
+        total = places.total
         stiffness, lossless, mass = np.zeros((3, total, total), dtype=complex)
         coupling, poles = [], []
-        starts = np.concatenate([[0], joint.ends])
         for number, tile in enumerate(tiling.tiles):
-            traces, places = tile.trace_size, slice(starts[number], starts[number + 1])
-            rows, at = np.unique(column[:, places], return_inverse=True)
-            factor = np.broadcast_to(turn[places, None], (levels, len(turn[places]), 3)).ravel()
-            spread = sp.csr_array((factor, (np.arange(traces), at.ravel())), shape=(traces, len(rows)))
+            traces = tile.trace_size
+            rows, spread = places.rim(number)
             fold = spread.conj().T
             K, M = (joint.form(number, form, traces) for form in (tile.stiffness, tile.mass))
             elastic = stiffness if lossy[number] else lossless
@@ -136,7 +115,7 @@ class Slab:
             coupling=np.hstack(coupling),
             poles=np.concatenate(poles),
             lossy=np.repeat(np.asarray(lossy, dtype=bool), counts),
-            size=size,
+            size=places.size,
         )
 
     def at(self, omega: float, loss_factor: float = 0.0) -> FaceStiffness:
@@ -144,13 +123,24 @@ class Slab:
 
         The stiffness of tiles with losses is ``1 + i loss_factor`` times the real one.
         """
-        loss = 1 + 1j * loss_factor
-        poles = np.where(self.lossy, loss, 1.0) * self.poles
-        answer = (omega**4 / (poles - omega**2))[:, None] * self.coupling.conj().T
-        whole = loss * self.stiffness + self.lossless - omega**2 * self.mass - self.coupling @ answer
+        whole = self._dynamic(omega, loss_factor)
         faces, inner = slice(2 * self.size), slice(2 * self.size, None)
         follow = la.solve(whole[inner, inner], whole[inner, faces])
         return FaceStiffness.of(whole[faces, faces] - whole[faces, inner] @ follow)
+
+    def answer(self, omega: float, faces: Complex) -> tuple[Complex, Complex]:
+        """Motion of the boundary (b, k) and of the modes (m, k) for motions of the faces (2n, k), no losses."""
+        whole, inner = self._dynamic(omega, 0.0), slice(2 * self.size, None)
+        between = -la.solve(whole[inner, inner], whole[inner, : 2 * self.size] @ faces)
+        boundary = np.vstack([faces, between])
+        return boundary, (omega**2 / (self.poles - omega**2))[:, None] * (self.coupling.conj().T @ boundary)
+
+    def _dynamic(self, omega: float, loss_factor: float) -> Complex:
+        """(b, b) dynamic stiffness of the boundary, without forces on the modes."""
+        loss = 1 + 1j * loss_factor
+        poles = np.where(self.lossy, loss, 1.0) * self.poles
+        answer = (omega**4 / (poles - omega**2))[:, None] * self.coupling.conj().T
+        return np.asarray(loss * self.stiffness + self.lossless - omega**2 * self.mass - self.coupling @ answer)
 
 
 @dataclass(frozen=True)
