@@ -6,7 +6,7 @@ from matplotlib.tri import Triangulation
 from playwright.sync_api import Page
 
 from browser import STILL, advances, faults_of_layout, page_at, pixels
-from haptonic.bloch.ribbon_fields import FaceGrid
+from haptonic.bloch.face_grid import FaceGrid
 from haptonic.results.ribbon import RibbonWaves
 from haptonic.results.ribbon_view import STEPS
 from haptonic.study import loads
@@ -49,11 +49,11 @@ def mode_of_field(ribbon: RibbonWaves) -> int:
 def test_a_field_on_the_grid_is_that_on_the_nodes(ribbon):
     data, mode = ribbon.dataset, mode_of_field(ribbon)
     position = data["field_position"].values
-    grid = FaceGrid.of(position, data["field_triangle"].values, float(data.attrs["period"]))
+    grid = FaceGrid.of_strip(position, data["field_triangle"].values, float(data.attrs["period"]))
     across, _ = np.meshgrid(data["across"], data["along"], indexing="ij")
-    np.testing.assert_allclose(grid.values(position[:, :1] + 0j, 0.0)[0], across, atol=1e-9)  # linear exactly
+    np.testing.assert_allclose(grid.values(position[:, :1] + 0j, [0.0])[0], across, atol=1e-9)  # linear exactly
     field = data["field_real"].values + 1j * data["field_imag"].values
-    expected = grid.values(field[:, None], float(data["field_phase"]))[0]
+    expected = grid.values(field[:, None], [1j * float(data["field_phase"])])[0]
     stored = data["mode_real"][mode].values + 1j * data["mode_imag"][mode].values
     np.testing.assert_allclose(stored, expected, atol=1e-6)
     assert int(data["mode_component"][mode]) == int(data["field_component"])
@@ -68,9 +68,9 @@ def test_a_grid_continues_waves_beyond_the_border_of_a_leaning_tile():
         [x, y + 0.4 * x]
     )  # beyond one period, so points below it come from the next one
     triangles = Triangulation(x, y).triangles
-    grid, wavenumber = FaceGrid.of(leaning, triangles, 1.0), 2.0
+    grid, wavenumber = FaceGrid.of_strip(leaning, triangles, 1.0), 2.0
     wave = np.exp(1j * wavenumber * leaning[:, [1]])
-    values = grid.values(wave, wavenumber)[0]
+    values = grid.values(wave, [1j * wavenumber])[0]
     there = grid.weights.any(axis=1).reshape(values.shape)
     assert there.all()
     expected = np.broadcast_to(np.exp(1j * wavenumber * grid.along), values.shape)

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.bloch.face_grid import flat_face
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
-from haptonic.bloch.ribbon_fields import flat_face
 from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
@@ -109,7 +109,7 @@ def field_dataset(
     modes = next(modes for modes in modes_by_phase if modes.kappa == float(chosen["phase"]))
     number = int(np.abs(modes.frequency - float(chosen["frequency"])).argmin())
     tiling, ribbon = model.fine.tiling, model.ribbon
-    nodes, position, triangles = flat_face(model)
+    nodes, position, triangles = flat_face(tiling, ribbon.turn)
     motion = tiling.lifted(modes.fields[:, [number]])[nodes, :, 0]
     motion[:, :2] = motion[:, :2] @ ribbon.turn.T
     which = int(np.linalg.norm(motion, axis=0).argmax())

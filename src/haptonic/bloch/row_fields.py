@@ -1,0 +1,125 @@
+"""Fields of waves in rows of a lattice on the flat face, on an even grid over one slab of rows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from haptonic.arrays import Array, Complex, Ints
+from haptonic.bloch.evanescent import Slab, Waves
+from haptonic.bloch.face_grid import STEPS, FaceGrid, flat_face, middles, strongest
+from haptonic.bloch.rows import CondensedRows
+from haptonic.bloch.slab_places import SlabPlaces
+from haptonic.later import xarray as xr
+from haptonic.superelement import Tiling
+
+
+@dataclass(frozen=True)
+class SlabFields:
+    """Motion of the flat face of a slab that follows from the motion of its two faces.
+
+    tiling, places, slab : the slab, at a phase along it; turn : (2, 2) axes across and along the rows
+    nodes, position, triangles : flat face, see `flat_face`
+    """
+
+    tiling: Tiling
+    places: SlabPlaces
+    slab: Slab
+    turn: Array
+    nodes: Ints
+    position: Array
+    triangles: Ints
+
+    @classmethod
+    def of(cls, tiling: Tiling, slab: Slab, phase: float, faces: tuple[Array, Array], turn: Array) -> Self:
+        """Make it for a slab of a tiling between two faces (n, 2), m."""
+        return cls(tiling, SlabPlaces.of(tiling, phase, *faces), slab, turn, *flat_face(tiling, turn))
+
+    @classmethod
+    def of_rows(cls, rows: CondensedRows, phase: float) -> Self:
+        """Make it for one slab of the lattice."""
+        faces = rows.face, rows.face + rows.rows.reach * rows.rows.step
+        return cls.of(rows.blocks[-1][1], rows.slab(phase), phase, faces, rows.rows.turn)
+
+    def motion(self, omega: float, left: Complex, right: Complex) -> Complex:
+        """(nodes, 3, k) displacement across, along and normal for motions (n, k) of the faces at omega."""
+        boundary, modes = self.slab.answer(omega, np.vstack([left, right]))
+        unknowns = np.zeros((self.tiling.size, boundary.shape[1]), dtype=complex)
+        first = 0
+        for number, (tile, own) in enumerate(zip(self.tiling.tiles, self.tiling.own, strict=True)):
+            rows, spread = self.places.rim(number)
+            count = tile.size - tile.trace_size
+            unknowns[own] = np.vstack([spread @ boundary[rows], modes[first : first + count]])
+            first += count
+        motion = self.tiling.lifted(unknowns)[self.nodes]
+        motion[:, :2] = np.einsum("xy,nyk->nxk", self.turn, motion[:, :2])
+        return np.asarray(motion)
+
+
+@dataclass(frozen=True)
+class RowFields:
+    """Fields of waves of the lattice at a phase along the rows, on a grid over one slab.
+
+    The grid is one period of the rows high, its first axis, and one slab wide.
+    """
+
+    slab: SlabFields
+    grid: FaceGrid
+    phase: float
+    rows: CondensedRows
+
+    @classmethod
+    def of(cls, rows: CondensedRows, phase: float) -> Self:
+        """Make the grid of rows."""
+        slab, lattice = SlabFields.of_rows(rows, phase), rows.rows
+        step = lattice.turn @ (lattice.reach * lattice.step)
+        position = slab.position[:, ::-1]  # along the rows, then across them
+        per_row = STEPS * lattice.reach
+        grid = FaceGrid.of(
+            middles(position[:, 0].min(), lattice.period, max(2, round(per_row * lattice.period / step[0]))),
+            middles(lattice.middle, step[0], per_row),
+            position, slab.triangles, np.array([[lattice.period, 0.0], step[::-1]]),
+        )  # fmt: skip
+        return cls(slab, grid, phase, rows)
+
+    @property
+    def slip(self) -> float:
+        """Distance along the rows from one slab to the next, in periods."""
+        lattice = self.rows.rows
+        return float(lattice.turn[1] @ lattice.step * lattice.reach / lattice.period)
+
+    def fields(self, omega: float, waves: Waves) -> tuple[Complex, Ints]:
+        """(w, grid) strongest component of each wave to the right, and its number: see `strongest`."""
+        motion = self.slab.motion(omega, waves.displacement, waves.displacement * np.exp(waves.exponent))
+        chosen, component = strongest(motion)
+        exponents = np.stack([np.full(len(waves), 1j * self.phase), waves.exponent])
+        field = self.grid.values(chosen, exponents)
+        return field / np.abs(field).max(axis=(1, 2), keepdims=True), component
+
+
+def waves_dataset(
+    fields: RowFields, found: list[tuple[Complex, Ints]], exponents: list[Complex], count: int
+) -> xr.Dataset:
+    """Dataset of the fields of the first ``count`` waves at each frequency."""
+    field = np.array([each[:count] for each, _ in found]).astype(np.complex64)
+    component = np.array([numbers[:count] for _, numbers in found], dtype=np.int8)
+    exponent = np.array([each[:count] for each in exponents])
+    of_wave = ("frequency", "wave")
+    of_grid = (*of_wave, "across", "along")
+    grid = fields.grid
+    variables = {
+        "wave_real": (of_grid, field.real, "1", "displacement in phase, largest 1 within a slab"),
+        "wave_imag": (of_grid, field.imag, "1", "displacement a quarter period earlier"),
+        "wave_component": (of_wave, component, "1", "component: 0 across the rows, 1 along them, 2 normal"),
+        "slab_phase": (of_wave, exponent.imag, "rad", "phase from one slab to the next"),
+        "slab_decay": (of_wave, -exponent.real, "1", "natural logarithm of the decay from one slab to the next"),
+        "present": (of_grid[2:], grid.present, "1", "1 where the plate is"),
+        "across": ("across", grid.across, "m", "position along the rows"),
+        "along": ("along", grid.along, "m", "position across the rows"),
+    }
+    dataset = xr.Dataset(
+        {name: (dims, values, {"units": unit, "long_name": title}) for name, (dims, values, unit, title) in variables.items()}
+    )
+    return dataset.assign(slab_slip=((), fields.slip, {"units": "1", "long_name": "slip of the next slab, in periods"}))
