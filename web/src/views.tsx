@@ -3,6 +3,7 @@
 import { render, type ComponentChildren } from "preact";
 import { bandsView } from "./bands/view";
 import type { Dataset } from "./dataset";
+import { guidesView } from "./guide/view";
 import { fingerView } from "./plate/finger";
 import { frictionView } from "./friction/view";
 import { mirrorView } from "./mirror/view";
@@ -22,6 +23,7 @@ const VIEWS: Record<string, (data: Dataset, host?: Host) => ComponentChildren> =
   ribbon: ribbonView,
   friction: frictionView,
   reading: readingView,
+  guides: guidesView,
 };
 
 /** Draw a view into an element, or newer data into the view that is there; the returned function removes it. */

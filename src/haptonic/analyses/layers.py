@@ -74,8 +74,12 @@ def compute(study: Description, options: PageOption, runner: Runner) -> Layers:
     chunks = np.array_split(frequencies, -(-len(frequencies) // CHUNK))
     along = layers.direction
     fixed = {"incidence": incidence, "cell": cell, "resolution": resolution, "along": along}
+    fixed |= {"fields": True} if options.html else {}
     tasks = [
-        Task({"kind": "mirror", "frequency": chunk, **fixed}, (cell, resolution, along, chunk, incidence))
+        Task(
+            {"kind": "mirror", "frequency": chunk, **fixed},
+            (cell, resolution, along, chunk, incidence, options.html),
+        )
         for chunk in chunks
     ]
     pieces = runner.run(spectra, tasks, 1)
@@ -103,11 +107,11 @@ def compute(study: Description, options: PageOption, runner: Runner) -> Layers:
 
 
 def spectra(
-    argument: tuple[UnitCell, Resolution, tuple[int, int], Array, Incidence],
+    argument: tuple[UnitCell, Resolution, tuple[int, int], Array, Incidence, bool],
 ) -> xr.Dataset:
     """Spectra at a few frequencies; the function of a worker."""
-    cell, resolution, along, frequency, incidence = argument
-    return mirror_dataset(condensed_rows(cell, resolution, along), frequency, incidence)
+    cell, resolution, along, frequency, incidence, fields = argument
+    return mirror_dataset(condensed_rows(cell, resolution, along), frequency, incidence, fields)
 
 
 def cost(study: Description, options: PageOption) -> Cost:

@@ -153,5 +153,5 @@ ANALYSIS = Analysis(
     supports=every_cell,
     cost=cost,
     check=check,
-    reported=lambda study: PageOption() if study.ribbon_settings else None,
+    reported=lambda study: PageOption(html=True) if study.ribbon_settings else None,
 )

@@ -11,16 +11,18 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.layers import SQUARE_FACE
 from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
-from haptonic.analyses.options import option
+from haptonic.analyses.options import PageOption, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.bloch.gaps import need_gap_at
+from haptonic.bloch.guide_fields import guides_dataset
 from haptonic.bloch.layers import plain_plate
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import best_model
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.bloch.waveguides import closing, strip_of, strips_dataset
 from haptonic.cell import Rows
+from haptonic.cell.scales import scales
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
 from haptonic.parallel import one_thread
@@ -34,7 +36,7 @@ GUIDES = 2.0  # s, for the compared waveguides
 
 
 @dataclass(frozen=True)
-class WaveguideOptions:
+class WaveguideOptions(PageOption):
     """Options of the waveguide."""
 
     mode: str | None = option(
@@ -101,10 +103,20 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     if not strips:
         assert refusal is not None
         raise refusal
-    dataset = strips_dataset(strips).assign_attrs(
-        carrier_hz=carrier, mode=f"{across}x{along}", ends=waveguide.ends,
-        mesh=json.dumps(asdict(lattice.plan)), **best.attributes(settings),
-    )  # fmt: skip
+    dataset = strips_dataset(strips)
+    if options.html:
+        dataset = dataset.merge(guides_dataset(lattice, [strip.mode for strip in strips]))
+    dataset.attrs = {
+        "carrier_hz": carrier,
+        "relative_frequency_error": best.model.worst_error,
+        "mode": f"{across}x{along}",
+        "ends": waveguide.ends,
+        "period": period,
+        "gap": [gap.lower, gap.upper],
+        "mesh": json.dumps(asdict(lattice.plan)),
+        **scales(cell),
+        **best.attributes(settings),
+    }
     return Guides(
         carrier=carrier,
         gap=gap,
@@ -128,7 +140,8 @@ ANALYSIS = Analysis(
     compute=compute,
     supports=every_cell,
     cost=cost,
-    reported=lambda study: WaveguideOptions() if has_mirror(study) else None,
+    reported=lambda study: WaveguideOptions(html=True) if has_mirror(study) else None,
+    interactive="html",
     options=WaveguideOptions,
     check=chosen_settings,
 )

@@ -70,21 +70,25 @@ class FaceGrid:
         points = np.stack(np.meshgrid(across, along, indexing="ij"), axis=-1).reshape(-1, 2)
         nodes = np.zeros((len(points), 3), dtype=np.int64)
         weights, shift = np.zeros((len(points), 3)), np.zeros((len(points), len(vectors)), dtype=np.int64)
-        least, largest = position.min(axis=0), position.max(axis=0)
         margin = EDGE * np.ptp(position)
+        corners = position[triangles]
+        lows, highs = corners.min(axis=1) - margin, corners.max(axis=1) + margin
+        inverses = np.linalg.inv(np.moveaxis(corners[:, 1:] - corners[:, :1], 1, 2))
         for steps in product(range(-FARTHEST, FARTHEST + 1), repeat=len(vectors)):
             moved = points + np.array(steps) @ vectors
-            beside = ((moved >= least - margin) & (moved <= largest + margin)).all(axis=1)
+            beside = ((moved >= lows.min(axis=0)) & (moved <= highs.max(axis=0))).all(axis=1)
             chosen = np.flatnonzero(beside & ~weights.any(axis=1))
-            for triangle in triangles if len(chosen) else ():
-                corner, *others = position[triangle]
-                low, high = position[triangle].min(axis=0) - margin, position[triangle].max(axis=0) + margin
-                near = chosen[((moved[chosen] >= low) & (moved[chosen] <= high)).all(axis=1)]
-                two = (moved[near] - corner) @ np.linalg.inv(np.transpose(np.array(others) - corner)).T
+            if not len(chosen):
+                continue
+            there = moved[chosen]
+            meets = (lows <= there.max(axis=0)) & (highs >= there.min(axis=0))
+            for number in np.flatnonzero(meets.all(axis=1)):
+                near = ((there >= lows[number]) & (there <= highs[number])).all(axis=1)
+                two = (there[near] - corners[number, 0]) @ inverses[number].T
                 shares = np.column_stack([1 - two.sum(axis=1), two])
                 within = (shares >= -EDGE).all(axis=1)
-                nodes[near[within]], shift[near[within]] = triangle, steps
-                weights[near[within]] = shares[within]
+                inside = chosen[near][within]
+                nodes[inside], shift[inside], weights[inside] = triangles[number], steps, shares[within]
         return cls(across=across, along=along, nodes=nodes, weights=weights, shift=shift)
 
     @property

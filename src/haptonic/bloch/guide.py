@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 
-from haptonic.arrays import Array, Complex
+from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.evanescent import symmetric
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.plate_waves import PlateWaves
@@ -34,6 +34,7 @@ class Wall:
     Widths of strips are measured from the average position of the lattice's face.
 
     plate : waves of the plate to the right that are coupled to the flexural wave
+    members : (p,) their numbers among all waves of the plate to the right
     reflection : (p, p) amplitudes of their mirror images, to the left, for unit incident waves
     flexural : number of the propagating flexural wave
     closed : True if no wave coupled to the flexural one enters the lattice
@@ -42,6 +43,7 @@ class Wall:
     """
 
     plate: PlateWaves
+    members: Ints
     reflection: Complex
     flexural: int
     closed: bool
@@ -61,7 +63,7 @@ class Wall:
         motion = right.waves.displacement + images.outgoing.waves.displacement @ reflection
         places = (mirror.motion @ motion).reshape(-1, interface.on_face.shape[1], 3, len(right))
         face = interface.on_face @ places[0, :, 2]
-        entering = mirror.lattice.propagates
+        entering, members = mirror.lattice.propagates, np.arange(len(right))
         if interface.mirrored:  # about the middle plane: A0 is antisymmetric
             levels = len(places)
             inside = mirror.lattice.displacement.reshape(levels, -1, 3, len(entering))
@@ -73,9 +75,10 @@ class Wall:
                 reflection[np.ix_(antisymmetric, antisymmetric)],
                 face[:, antisymmetric],
             )
-            leads = np.cumsum(antisymmetric)[leads] - 1
+            leads, members = np.cumsum(antisymmetric)[leads] - 1, np.flatnonzero(antisymmetric)
         return cls(
             plate=right,
+            members=members,
             reflection=reflection,
             flexural=int(leads[0]),
             closed=not entering.any(),
@@ -119,18 +122,31 @@ class Wall:
         Positions cover the plain plate, which ends before an edge that is not straight. |w| is the root mean
         square over a period along the strip; its peak is 1.
         """
-        sign = (-1) ** nodal_lines
-        _, others = self._closing(width, nodal_lines)
-        amplitudes = np.insert(others, self.flexural, 1.0)
         end = 0.5 * width - self.setback
         position = np.linspace(-end, end, SAMPLES)
+        size = np.linalg.norm(self.motion(width, nodal_lines, position), axis=0)
+        at_edge = np.linalg.norm(self.face @ self.arriving(width, nodal_lines))
+        return position, np.asarray(size / size.max()), float(at_edge / size.max())
+
+    def motion(self, width: float, nodal_lines: int, position: Array) -> Complex:
+        """(h, s) harmonics of w on the flat face at positions (s,) from the middle of a strip, m."""
+        sign, end = (-1) ** nodal_lines, 0.5 * width - self.setback
         k = 1j * self.plate.wavenumber[:, None]
         away = np.exp(k * (end - position)) + sign * np.exp(k * (end + position))
         harmonics = int(self.plate.harmonic.max()) + 1
         on_face = self.plate.waves.displacement.reshape(harmonics, -1, 3, len(self.plate))[:, 0, 2]
-        size = np.linalg.norm(on_face @ (amplitudes[:, None] * away), axis=0)
-        coming = sign * amplitudes * np.exp(2 * end * k[:, 0])
-        return position, np.asarray(size / size.max()), float(np.linalg.norm(self.face @ coming) / size.max())
+        return np.asarray(on_face @ (self._amplitudes(width, nodal_lines)[:, None] * away))
+
+    def arriving(self, width: float, nodal_lines: int) -> Complex:
+        """(p,) amplitudes at the right wall of waves to the right."""
+        plain = width - 2 * self.setback
+        passed = np.exp(1j * self.plate.wavenumber * plain)
+        return np.asarray((-1) ** nodal_lines * self._amplitudes(width, nodal_lines) * passed)
+
+    def _amplitudes(self, width: float, nodal_lines: int) -> Complex:
+        """(p,) amplitudes of the waves reflected by a wall, the flexural one 1."""
+        _, others = self._closing(width, nodal_lines)
+        return np.insert(others, self.flexural, 1.0)
 
     def _closing(self, width: float, nodal_lines: int) -> tuple[complex, Complex]:
         """Factor of the flexural wave after one crossing, and the other amplitudes for unit flexural wave.

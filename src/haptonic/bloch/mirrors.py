@@ -13,6 +13,7 @@ from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.layers import OUTGOING, Interface, Scattering
 from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.bloch.resolution import Resolution
+from haptonic.bloch.row_fields import RowFields, WaveField
 from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
@@ -48,7 +49,9 @@ class Incidence:
 
 
 @one_thread()
-def mirror_dataset(rows: CondensedRows, frequency: Array, incidence: Incidence) -> xr.Dataset:
+def mirror_dataset(
+    rows: CondensedRows, frequency: Array, incidence: Incidence, fields: bool = False
+) -> xr.Dataset:
     """Complex band structure and transmission at some frequencies.
 
     Returns
@@ -57,25 +60,29 @@ def mirror_dataset(rows: CondensedRows, frequency: Array, incidence: Incidence) 
     ``kappa`` complex phases per row of the waves to the right at normal incidence (as real and imaginary
     part), ``attenuation`` (dB per row) of the least attenuated wave for each phase along the rows,
     ``reflected`` and ``transmitted`` energies as shares of the incident energy, NaN if the incident wave does
-    not propagate
+    not propagate; with ``fields`` also those of the waves at normal incidence, see `waves_dataset`
     """
     slabs = [rows.slab(float(phase)) for phase in PHASES]
     normal = Interface.of(rows, 0.0)
+    row_fields = RowFields.of(rows, float(PHASES[0])) if fields else None
 
-    def at_frequency(at: float) -> tuple[Complex, Array, Array]:
+    def at_frequency(at: float) -> tuple[Complex, Array, Array, WaveField | None]:
         omega = 2 * np.pi * at
         waves = [bloch_waves(slab.at(omega), omega)[0] for slab in slabs]
         shares = np.full((2, incidence.layers, len(FAMILIES), len(OUTGOING)), np.nan)
         for family, scattering in scattering_at(rows, at, incidence, normal).items():
             shares[:, :, FAMILIES.index(family)] = scattering.reflected[:, 0], scattering.transmitted[:, 0]
         exponents = rows.exponents(waves[0], float(PHASES[0]))[:SHOWN_WAVES]
-        return -1j * exponents, np.array([rows.decay(right) for right in waves]), shares
+        shown = waves[0].chosen(np.arange(SHOWN_WAVES))
+        field = row_fields.field(omega, shown) if row_fields else None
+        return -1j * exponents, np.array([rows.decay(right) for right in waves]), shares, field
 
     columns = zip(*each(at_frequency, frequency.tolist()), strict=True)
-    kappa, attenuation, energy = (np.array(column) for column in columns)
+    *numbers, wave_fields = columns
+    kappa, attenuation, energy = (np.array(column) for column in numbers)
     shares = np.moveaxis(energy, 1, 0)
     by_rows = ("frequency", "rows", "incident", "outgoing")
-    return xr.Dataset(
+    dataset = xr.Dataset(
         {
             "kappa_real": (("frequency", "wave"), kappa.real, _title("rad", "phase per row, real part")),
             "kappa_imag": (("frequency", "wave"), kappa.imag, _title("rad", "phase per row, imaginary part")),
@@ -94,6 +101,7 @@ def mirror_dataset(rows: CondensedRows, frequency: Array, incidence: Incidence) 
             "outgoing": list(OUTGOING),
         },
     )  # fmt: skip
+    return dataset if row_fields is None else dataset.merge(row_fields.dataset(wave_fields))
 
 
 def _of_incident() -> dict[str, str]:

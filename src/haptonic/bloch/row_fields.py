@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self
 
@@ -59,6 +60,19 @@ class SlabFields:
 
 
 @dataclass(frozen=True)
+class WaveField:
+    """Fields of w waves at one frequency.
+
+    field : (w, along the rows, across them); component : (w,) number of the component
+    exponent : (w,) complex; the field is multiplied by its exponential from one slab to the next
+    """
+
+    field: Complex
+    component: Ints
+    exponent: Complex
+
+
+@dataclass(frozen=True)
 class RowFields:
     """Fields of waves of the lattice at a phase along the rows, on a grid over one slab.
 
@@ -90,36 +104,38 @@ class RowFields:
         lattice = self.rows.rows
         return float(lattice.turn[1] @ lattice.step * lattice.reach / lattice.period)
 
-    def fields(self, omega: float, waves: Waves) -> tuple[Complex, Ints]:
-        """(w, grid) strongest component of each wave to the right, and its number: see `strongest`."""
+    def field(self, omega: float, waves: Waves) -> WaveField:
+        """Strongest component of each wave to the right, see `strongest`; largest 1 on the grid."""
         motion = self.slab.motion(omega, waves.displacement, waves.displacement * np.exp(waves.exponent))
         chosen, component = strongest(motion)
         exponents = np.stack([np.full(len(waves), 1j * self.phase), waves.exponent])
         field = self.grid.values(chosen, exponents)
-        return field / np.abs(field).max(axis=(1, 2), keepdims=True), component
+        return WaveField(field / np.abs(field).max(axis=(1, 2), keepdims=True), component, waves.exponent)
 
-
-def waves_dataset(
-    fields: RowFields, found: list[tuple[Complex, Ints]], exponents: list[Complex], count: int
-) -> xr.Dataset:
-    """Dataset of the fields of the first ``count`` waves at each frequency."""
-    field = np.array([each[:count] for each, _ in found]).astype(np.complex64)
-    component = np.array([numbers[:count] for _, numbers in found], dtype=np.int8)
-    exponent = np.array([each[:count] for each in exponents])
-    of_wave = ("frequency", "wave")
-    of_grid = (*of_wave, "across", "along")
-    grid = fields.grid
-    variables = {
-        "wave_real": (of_grid, field.real, "1", "displacement in phase, largest 1 within a slab"),
-        "wave_imag": (of_grid, field.imag, "1", "displacement a quarter period earlier"),
-        "wave_component": (of_wave, component, "1", "component: 0 across the rows, 1 along them, 2 normal"),
-        "slab_phase": (of_wave, exponent.imag, "rad", "phase from one slab to the next"),
-        "slab_decay": (of_wave, -exponent.real, "1", "natural logarithm of the decay from one slab to the next"),
-        "present": (of_grid[2:], grid.present, "1", "1 where the plate is"),
-        "across": ("across", grid.across, "m", "position along the rows"),
-        "along": ("along", grid.along, "m", "position across the rows"),
-    }
-    dataset = xr.Dataset(
-        {name: (dims, values, {"units": unit, "long_name": title}) for name, (dims, values, unit, title) in variables.items()}
-    )
-    return dataset.assign(slab_slip=((), fields.slip, {"units": "1", "long_name": "slip of the next slab, in periods"}))
+    def dataset(self, found: Sequence[WaveField]) -> xr.Dataset:
+        """Dataset of the fields at each frequency."""
+        field = np.array([each.field for each in found]).astype(np.complex64)
+        exponent = np.array([each.exponent for each in found])
+        of_wave = ("frequency", "wave")
+        of_grid = (*of_wave, "across", "along")
+        variables = {
+            "wave_real": (of_grid, field.real, "1", "displacement in phase, largest 1 in a slab"),
+            "wave_imag": (of_grid, field.imag, "1", "displacement a quarter period earlier"),
+            "wave_component": (
+                of_wave, np.array([each.component for each in found], dtype=np.int8), "1",
+                "component: 0 across the rows, 1 along them, 2 normal",
+            ),
+            "slab_phase": (of_wave, exponent.imag, "rad", "phase from one slab to the next"),
+            "slab_decay": (of_wave, -exponent.real, "1", "decay from one slab to the next, natural logarithm"),
+            "slab_slip": ((), self.slip, "1", "distance of the next slab along the rows, over the period"),
+            "slab_rows": ((), self.rows.rows.reach, "1", "number of rows of a slab"),
+            "present": (of_grid[2:], self.grid.present, "1", "1 where the plate is"),
+            "across": ("across", self.grid.across, "m", "position along the rows"),
+            "along": ("along", self.grid.along, "m", "position across the rows"),
+        }  # fmt: skip
+        return xr.Dataset(
+            {
+                name: (dims, values, {"units": unit, "long_name": title})
+                for name, (dims, values, unit, title) in variables.items()
+            }
+        )

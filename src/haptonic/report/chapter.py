@@ -102,7 +102,8 @@ class Finding(str):
 class Chapter:
     """One part of the report.
 
-    identifier : its anchor in the page; view, opens : interactive view, and words of the button that opens it
+    identifier : its anchor in the page
+    views : interactive views by the words of the button that opens each
     """
 
     title: str
@@ -111,8 +112,13 @@ class Chapter:
     findings: tuple[str, ...] = ()
     pictures: tuple[Picture, ...] = ()
     tables: tuple[Table, ...] = ()
-    view: InteractiveView | None = None
-    opens: str = ""
+    views: Mapping[str, InteractiveView | None] = field(default_factory=dict)
+
+    @property
+    def opened(self) -> dict[str, tuple[str, InteractiveView]]:
+        """Words and view of each button, by the name of its place in the page."""
+        there = [(words, view) for words, view in self.views.items() if view is not None]
+        return {f"view-{self.identifier}-{number}": pair for number, pair in enumerate(there)}
 
     def shown(self, finding: str) -> Picture | None:
         """Return the picture that shows a finding, if any."""

@@ -86,7 +86,9 @@ def _page(results: Results) -> str:
         most=MOST_FINDINGS,
         facts=_key_numbers(results),
         chapters=chapters,
-        views={f"view-{part.identifier}": embedded_data(part.view) for part in chapters if part.view},
+        views={
+            place: embedded_data(view) for part in chapters for place, (_, view) in part.opened.items()
+        },
         program=program(),
         digest=digest(),
         absent=[part for part in parts if isinstance(part, Absent)],

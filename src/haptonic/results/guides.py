@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.bloch.waveguides import Strip
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.results.guides_view import guides_view
 from haptonic.results.plain import split
-from haptonic.results.result import Result, figure
+from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
 from haptonic.units import hz_text, in_percent
+from haptonic.views import InteractiveView, write_page
 
 COLUMNS = (
     Column("width", shown="mm", form=".2f"), Column("length", shown="mm", form=".1f"),
@@ -68,6 +71,17 @@ class Guides(Result):
         best, mode = self.best, self.best.mode
         return plots.guide(mode.position, mode.amplitude, mode.at_edge, mode.width, best.fixed_line, ax=ax)
 
+    @file("waveguide.html", when=lambda result: "mode_real" in result.dataset)
+    def _write_page(self, path: Path) -> None:
+        write_page(self.view(), path)
+
+    def view(self) -> InteractiveView | None:
+        """Interactive view of the waveguides; None if the fields of their modes were not computed."""
+        if "mode_real" not in self.dataset:
+            return None
+        return guides_view(self.dataset, self.title, self.summary(), self.strips.index(self.best))
+
     def facts(self) -> dict[str, Any]:
-        waveguides = split(self.dataset, "waveguide")
+        numbers = self.dataset[[name for name in self.dataset if self.dataset[name].dims == ("waveguide",)]]
+        waveguides = split(numbers, "waveguide")
         return {"waveguides": waveguides, "nearest": waveguides[self.strips.index(self.best)]}

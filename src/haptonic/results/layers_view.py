@@ -10,10 +10,14 @@ from haptonic.arrays import Array
 from haptonic.bloch.mirrors import LEAST_SHARE
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
+from haptonic.results.ribbon_view import field_colours, in_steps
 from haptonic.views import InteractiveView
 
 DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of the phase of 1 rad
 PROPAGATING = 1e-6  # rad, imaginary part of the phase per row below which a wave does not decay
+OF_FIELDS = ("wave", "frequency", "across", "along")
+OF_WAVES = ("wave_component", "slab_phase", "slab_decay")
+OF_GRID = ("present", "slab_slip", "slab_rows", "across", "along")
 SCALES = ("pitch_m", "shear_speed_m_per_s", "haptonic_version", "origin")
 
 
@@ -43,15 +47,22 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
         variables[name] = dims, values, attrs
         variables[f"{name}_error"] = dims, _errors(values, frequency, share), {"units": unit} | meaning
     gap = np.atleast_1d(data.attrs["gap"]).tolist()
+    extra = {"summary": list(summary), "gap": gap or None, "carrier": float(data.attrs["carrier_hz"])}
+    fields = {}
+    if "wave_real" in data:
+        fields = {name: in_steps(data[name].transpose(*OF_FIELDS)) for name in ("wave_real", "wave_imag")}
+        fields |= {name: data[name].transpose("wave", "frequency").variable for name in OF_WAVES}
+        fields |= {name: data[name].variable for name in OF_GRID}
+        extra["colours"] = field_colours()
     return InteractiveView(
         kind="layers",
         title=title,
         dataset=xr.Dataset(
-            variables,
+            variables | fields,
             coords={name: data[name].variable for name in ("frequency", "rows", "incident")},
             attrs={name: data.attrs[name] for name in SCALES if name in data.attrs},
         ),
-        extra={"summary": list(summary), "gap": gap or None, "carrier": float(data.attrs["carrier_hz"])},
+        extra=extra,
     )
 
 

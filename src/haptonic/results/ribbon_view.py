@@ -23,8 +23,7 @@ def ribbon_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
     seen = data[NUMBERS]
     if "mode_real" in data:
         seen = data[[*NUMBERS, "present", "mode_component"]]
-        for name in FIELDS:
-            seen[name] = data[name].dims, np.rint(STEPS * data[name].values).astype(np.int8), data[name].attrs
+        seen = seen.assign({name: in_steps(data[name]) for name in FIELDS})
     carrier = data.attrs.get("carrier_hz")
     return InteractiveView(
         kind="ribbon",
@@ -32,9 +31,19 @@ def ribbon_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
         dataset=seen.drop_vars("cell_name", errors="ignore"),
         extra={
             "summary": list(summary),
-            "colours": plots.shades(2 * STEPS + 1, signed=True),
+            "colours": field_colours(),
             "shares": plots.shades(64),
             "range": [float(end) for end in data.attrs["range_hz"]],
             "carrier": None if carrier is None else float(carrier),
         },
     )
+
+
+def in_steps(field: xr.DataArray) -> xr.Variable:
+    """Displacements up to 1 in `STEPS`."""
+    return xr.Variable(field.dims, np.rint(STEPS * field.values).astype(np.int8), field.attrs)
+
+
+def field_colours() -> list[list[int]]:
+    """A colour for each step, from -1 to 1."""
+    return plots.shades(2 * STEPS + 1, signed=True)

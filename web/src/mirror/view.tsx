@@ -1,12 +1,15 @@
 /** Insertion loss of rows of cells and the waves of the lattice: the view of kind "layers". */
 
-import { signal, type Signal } from "@preact/signals";
+import { computed, signal, type Signal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import type { Dataset } from "../dataset";
 import { Chart } from "../parts/chart";
-import { UnitSelect } from "../parts/controls";
-import { Frame } from "../parts/frame";
+import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
+import { wantsStill, type Pace } from "../parts/cycle";
+import { FactList } from "../parts/facts";
+import { Field } from "../parts/field";
+import { Frame, origin } from "../parts/frame";
 import type { Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
 import { dot, line, shadeInterval, verticalLine } from "../parts/marks";
@@ -17,15 +20,19 @@ import { Mirror, plotted } from "./mirror_data";
 
 const FOOT =
   "Errors are the change of a value if all frequencies of the lattice move by the bound of their relative error, and " +
-  "this share of the value. Waves of the lattice are shown at normal incidence.";
+  "this share of the value. Waves of the lattice are shown at normal incidence. The field is that of the strongest component on the flat face, over six " +
+  "rows; a wave enters them from the left, relative to its largest displacement in the first row.";
 const FAST = 10; // frequencies
 const ROOM = 1.05; // of an axis, beyond the largest value
 const MOST = 60; // dB per row, highest decay that is drawn: beyond it, waves end within the first row
 
-interface Choice {
+const STILL_HINT = "Fields of the waves are computed with the option --html.";
+
+interface Choice extends Pace {
   line: Signal<number>; // number of the frequency, from 0
   rows: Signal<number>; // number of the curve, from 0
   incident: Signal<string>;
+  wave: Signal<number>; // of the lattice, from 0: the least attenuated one
   unit: Signal<Unit>;
   listing: Signal<Listed>;
 }
@@ -46,6 +53,9 @@ function MirrorView({ data }: { data: Dataset }) {
       line: signal(mirror.nearest(mirror.carrier)),
       rows: signal(mirror.rows.length - 1),
       incident: signal(mirror.incident[0] ?? ""),
+      wave: signal(0),
+      playing: signal(!wantsStill()),
+      pace: signal(0.7),
       unit: signal(suitable(mirror.units, Math.max(...mirror.frequency))),
       listing: signal<Listed>("none"),
     }),
@@ -79,6 +89,8 @@ function MirrorView({ data }: { data: Dataset }) {
         </section>
         <section aria-label="Waves of the lattice">
           <WaveChart mirror={mirror} choice={choice} name="decay" />
+          <WaveFacts mirror={mirror} choice={choice} />
+          {mirror.hasFields ? <WaveField mirror={mirror} choice={choice} /> : <p>{STILL_HINT}</p>}
           <WaveChart mirror={mirror} choice={choice} name="phase" />
         </section>
       </div>
@@ -112,6 +124,15 @@ function mirrorKeys(mirror: Mirror, choice: Choice): Key[] {
         },
       },
     },
+    {
+      keys: "w W",
+      effect: "wave of the lattice with the next higher or lower decay",
+      actions: {
+        w: () => (choice.wave.value = bounded(choice.wave.value + 1, mirror.waves)),
+        W: () => (choice.wave.value = bounded(choice.wave.value - 1, mirror.waves)),
+      },
+    },
+    { keys: "space", effect: "move or stop", actions: { " ": () => (choice.playing.value = !choice.playing.value) } },
     { keys: "c", effect: "carrier", actions: { c: () => (choice.line.value = mirror.nearest(mirror.carrier)) } },
     ...listingKeys(choice.listing),
   ];
@@ -195,6 +216,9 @@ function WaveChart({ mirror, choice, name }: Props & { name: "decay" | "phase" }
     () => mirror.ofWaves(name).map((values) => ({ values: plotted(values), colour: "curve-0", points: true })),
     [mirror, name],
   );
+  const at = choice.line.value;
+  const selected = curves[choice.wave.value]?.values[at];
+  const shown = marks({ mirror, choice });
   const highest = Math.min(MOST, ROOM * Math.max(...curves.flatMap(({ values }) => values.map((value) => value ?? 0))));
   return (
     <Chart
@@ -203,8 +227,60 @@ function WaveChart({ mirror, choice, name }: Props & { name: "decay" | "phase" }
       titles={[titled("frequency", choice.unit.value), `${mirror.data.title(name)} / ${name === "decay" ? "(dB/row)" : "π"}`]}
       height={name === "decay" ? 300 : 200}
       limits={{ y: name === "decay" ? [0, highest] : [0, 1] }}
-      {...marks({ mirror, choice })}
+      below={shown.below}
+      above={(plot) => {
+        shown.above(plot);
+        if (typeof selected !== "number") return;
+        dot(plot.ctx, [plot.valToPos((mirror.frequency[at] ?? 0) / choice.unit.value.factor, "x", true), plot.valToPos(selected, "y", true)], "accent");
+      }}
+      pick={(x, y) => {
+        shown.pick(x);
+        choice.wave.value = nearestWave(curves.map(({ values }) => values[choice.line.value] ?? NaN), y) ?? choice.wave.value;
+      }}
     />
+  );
+}
+
+/** Number of the finite value that is nearest to another one. */
+function nearestWave(values: number[], target: number): number | undefined {
+  const finite = values.map((_, wave) => wave).filter((wave) => Number.isFinite(values[wave]));
+  return finite.sort((a, b) => Math.abs(values[a]! - target) - Math.abs(values[b]! - target))[0];
+}
+
+function WaveField({ mirror, choice }: Props) {
+  const { grid, part } = useMemo(() => mirror.fields, [mirror]);
+  const wave = useMemo(() => computed(() => mirror.field(choice.wave.value, choice.line.value)), [mirror, choice]);
+  const caption = `${mirror.data.header.title}, ${origin(mirror.data)}`;
+  return (
+    <>
+      <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the wave, rows from left to right" name="wave" caption={caption} />
+      <div class="controls">
+        <PlayButton playing={choice.playing} />
+        <PaceSlider pace={choice.pace} />
+      </div>
+    </>
+  );
+}
+
+/** Facts of the selected wave of the lattice. */
+function WaveFacts({ mirror, choice }: Props) {
+  const [wave, at] = [choice.wave.value, choice.line.value];
+  const value = (name: "decay" | "phase" | "decay_error" | "phase_error") => mirror.ofWaves(name)[wave]?.[at] ?? NaN;
+  const [decay, phase] = [value("decay"), value("phase")];
+  const propagates = Number.isFinite(phase);
+  const facts: [string, string][] = [
+    ["decay", `${uncertain(decay, value("decay_error"))} dB per row`],
+    ["phase", propagates ? `${uncertain(phase, value("phase_error"))} π per row` : ""],
+    ["shown displacement", mirror.hasFields ? mirror.direction(wave, at) : ""],
+  ];
+  return (
+    <div class="facts">
+      <p id="wave" aria-live="polite">
+        Wave {wave + 1} of {mirror.waves} in the lattice at <b>{frequencyText({ mirror, choice })}</b>:{" "}
+        <b>{propagates ? "propagates" : "decays"}</b>
+      </p>
+      <FactList facts={facts} />
+    </div>
   );
 }
 
@@ -273,15 +349,21 @@ function WaveTable({ mirror, choice }: Props) {
           <tr>
             <th scope="col">decay / (dB/row)</th>
             <th scope="col">phase per row / π</th>
+            <th scope="col">show</th>
           </tr>
         </thead>
         <tbody>
           {Array.from({ length: mirror.waves }, (_, wave) => {
             const [decay = NaN, decayError = NaN, phase = NaN, phaseError = NaN] = columns.map((column) => column[wave]?.[at]);
             return (
-              <tr>
+              <tr aria-current={wave === choice.wave.value ? "true" : undefined}>
                 <td>{uncertain(decay, decayError)}</td>
                 <td>{Number.isFinite(phase) ? uncertain(phase, phaseError) : "decays"}</td>
+                <td>
+                  <button type="button" onClick={() => (choice.wave.value = wave)}>
+                    wave {wave + 1}
+                  </button>
+                </td>
               </tr>
             );
           })}

@@ -35,6 +35,7 @@ export function line(ctx: CanvasRenderingContext2D, from: Place, to: Place, colo
 /** A dot at a place in pixels of the canvas. */
 export function dot(ctx: CanvasRenderingContext2D, [x, y]: Place, colour: string, radius = 5): void {
   ctx.save();
+  ctx.setLineDash([]); // a dashed curve leaves its dashes
   ctx.beginPath();
   ctx.arc(x, y, radius * devicePixelRatio, 0, 2 * Math.PI);
   ctx.fillStyle = themeColour(colour);

@@ -1,8 +1,11 @@
 /** Numbers of a ribbon with the names that the view uses. */
 
 import type { Dataset, Numbers } from "../dataset";
+import type { FieldGrid, FieldPart, FieldWave } from "../parts/field";
 import { frequencyUnits, wavevectorUnits, type Unit } from "../parts/units";
 
+const LONG = 1.6; // length of the drawn part over its width
+const MOST = 30; // periods
 const DIRECTIONS = ["across the ribbon", "along the ribbon", "normal to the plate"];
 
 export class RibbonModes {
@@ -18,7 +21,6 @@ export class RibbonModes {
   readonly place: string; // where `share` counts the energy
   readonly units: Unit[]; // of frequency
   readonly wavevectorUnits: Unit[];
-  readonly colours: number[][]; // of the displacement
   readonly shares: number[][]; // colours of the share
   /** Modes at each phase, lowest first. */
   private readonly atPhase: number[][];
@@ -37,7 +39,6 @@ export class RibbonModes {
     this.place = attrs["kind"] === "strip" ? "the outermost columns" : `the ${attrs["kind"]}`;
     this.units = frequencyUnits(data);
     this.wavevectorUnits = wavevectorUnits(this.period);
-    this.colours = extra["colours"] as number[][];
     this.shares = extra["shares"] as number[][];
     this.atPhase = Array.from(this.phases, (phase) =>
       this.all.filter((mode) => this.phase[mode] === phase).sort((a, b) => this.at(a) - this.at(b)),
@@ -50,6 +51,23 @@ export class RibbonModes {
 
   get hasFields(): boolean {
     return this.data.has("mode_real");
+  }
+
+  /** Fields of the modes, and the part of the ribbon that is drawn. */
+  get fields(): { grid: FieldGrid; part: FieldPart } {
+    const { data, period } = this;
+    const [, across = 0, along = 0] = data.shape("mode_real");
+    const position = data.values("across");
+    const width = ((position[1] ?? 0) - (position[0] ?? 0)) * across;
+    const values = { real: data.values("mode_real"), imag: data.values("mode_imag"), present: data.values("present") };
+    return {
+      grid: { ...values, across, along, width, length: period, colours: data.header.extra["colours"] as number[][] },
+      part: { periods: Math.min(MOST, Math.max(2, Math.round((LONG * width) / period))) },
+    };
+  }
+
+  wave(mode: number): FieldWave {
+    return { number: mode, phase: this.phase[mode] ?? 0, decay: 0 };
   }
 
   at(mode: number): number {

@@ -1,20 +1,20 @@
 /** Waves along a ribbon: projected bands, modes and their fields. The view of kind "ribbon". */
 
-import { signal, type Signal } from "@preact/signals";
+import { computed, signal, type Signal } from "@preact/signals";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { Dataset } from "../dataset";
 import { onTheme } from "../parts/colours";
 import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
 import { wantsStill, type Pace } from "../parts/cycle";
 import { FactList } from "../parts/facts";
-import { Frame } from "../parts/frame";
+import { Field } from "../parts/field";
+import { Frame, origin } from "../parts/frame";
 import type { Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
 import { uncertain } from "../parts/numbers";
 import { rounded, suitable, titled, withUnit, type Unit } from "../parts/units";
 import { Walk } from "../parts/walk";
 import { colour, Diagram } from "./diagram";
-import { Field } from "./field";
 import { RibbonModes } from "./ribbon_data";
 
 const FOOT =
@@ -67,7 +67,7 @@ function RibbonView({ data }: { data: Dataset }) {
           <Legend ribbon={ribbon} />
         </section>
         <section aria-label="Mode">
-          {ribbon.hasFields ? <Field ribbon={ribbon} choice={choice} /> : <p>{STILL_HINT}</p>}
+          {ribbon.hasFields ? <ModeField ribbon={ribbon} choice={choice} /> : <p>{STILL_HINT}</p>}
           <ModeFacts ribbon={ribbon} choice={choice} />
           {ribbon.hasFields && (
             <div class="controls">
@@ -107,6 +107,13 @@ function ribbonKeys(ribbon: RibbonModes, choice: Choice): Key[] {
     { keys: "space", effect: "move or stop", actions: { " ": () => (choice.playing.value = !choice.playing.value) } },
     ...listingKeys(choice.listing),
   ];
+}
+
+function ModeField({ ribbon, choice }: Props) {
+  const { grid, part } = useMemo(() => ribbon.fields, [ribbon]);
+  const wave = useMemo(() => computed(() => ribbon.wave(choice.mode.value)), [ribbon, choice]);
+  const caption = `${ribbon.data.header.title}, ${origin(ribbon.data)}`;
+  return <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the mode" name="ribbon" caption={caption} />;
 }
 
 function Legend({ ribbon }: { ribbon: RibbonModes }) {

@@ -47,6 +47,7 @@ def others(results: Results) -> list[Chapter]:
                 findings=tuple(result.summary()),
                 pictures=pictures,
                 tables=tuple(result.tables()),
+                views={"Open the interactive view": result.view()},
             )
         )
     return chapters

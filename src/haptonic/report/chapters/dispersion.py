@@ -39,8 +39,7 @@ def chapter(results: Results) -> Chapter | Absent:
         findings=(*map(visible, sentences), counted, *bands.remarks()),
         pictures=results.pictures(bands, words),
         tables=tuple(bands.tables()),
-        view=bands.view(),
-        opens="Move the modes",
+        views={"Move the modes": bands.view()},
     )
 
 

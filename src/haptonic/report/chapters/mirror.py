@@ -42,8 +42,10 @@ def chapter(results: Results) -> Chapter | Absent:
         findings=tuple(_findings(layers, guides)),
         pictures=pictures,
         tables=tuple(tables),
-        view=layers.view() if layers.interactive else None,
-        opens="Choose rows and frequency",
+        views={
+            "Choose rows and frequency": layers.view() if layers.interactive else None,
+            "Move the guided modes": guides.view() if guides is not None else None,
+        },
     )
 
 

@@ -51,8 +51,7 @@ def chapter(results: Results) -> Chapter | Absent:
             table.labelled("simulated")
             for table in (*carriers_table(result.answers), lines_table(result), modes_table(_nearest(result)))
         ),
-        view=result.view(),
-        opens="Scrub through the frequencies",
+        views={"Scrub through the frequencies": result.view()},
     )
 
 

@@ -1,0 +1,98 @@
+"""The page of waveguides: fields against profiles, decays and the motion of the rows, and the page in a browser."""
+
+import numpy as np
+import pytest
+
+from browser import STILL, advances, faults_of_layout, page_at, pixels
+from haptonic.bloch.guide import GuidedMode, Wall
+from haptonic.bloch.guide_fields import guided_field
+from haptonic.bloch.layers import Interface
+from haptonic.bloch.mirrors import condensed_rows
+from haptonic.bloch.model import best_model
+from haptonic.results.guides import Guides
+from haptonic.study import loads
+from haptonic.units import uncertain
+from quick import QUICK_CELL
+
+STUDY = QUICK_CELL.replace("60 kHz", "57 kHz").replace("order = 2", "order = 3") + '\n[waveguide]\nmode = "1x9"\n'
+FIELD = ".map canvas"
+
+
+@pytest.fixture(scope="module")
+def guides() -> Guides:
+    return loads(STUDY).waveguide(html=True)
+
+
+def test_a_field_has_the_profile_of_its_mode_and_its_decay(guides):
+    data, positions = guides.dataset, guides.dataset["across"].values
+    field = data["mode_real"].values + 1j * data["mode_imag"].values
+    for number, strip in enumerate(guides.strips):
+        size = np.sqrt((np.abs(field[number]) ** 2).mean(axis=1))
+        size /= size.max()
+        inside = np.abs(positions) < 0.5 * strip.mode.width
+        expected = np.interp(positions[inside], strip.mode.position, strip.mode.amplitude)
+        np.testing.assert_allclose(size[inside], expected, atol=0.02)
+        edge = 0.5 * strip.mode.width
+        assert np.interp(edge, positions, size) == pytest.approx(strip.mode.at_edge, abs=0.05)
+        rows = [(positions > edge + n * 7e-3) & (positions < edge + (n + 1) * 7e-3) for n in (1, 3)]
+        near, far = (np.sqrt((size[row] ** 2).mean()) for row in rows)
+        assert 10 * np.log10(near / far) == pytest.approx(strip.decay, abs=0.4)
+        np.testing.assert_allclose(field[number][::-1], -field[number], atol=1e-6)  # one nodal line across
+
+
+@pytest.mark.parametrize("lattice", ["square", "hexagonal"])
+def test_the_displacement_is_continuous_from_the_strip_into_the_rows(lattice):
+    """Also beside rows whose face is not straight, and from row to row."""
+    study = loads(QUICK_CELL.replace("[cell]", f'[cell]\nlattice = "{lattice}"'))
+    rows = condensed_rows(study.cell, best_model(study.cell, study.bands_settings).model.resolution)
+    omega, wavenumber, width = 2 * np.pi * 57e3, 250.0, 20e-3
+    position, amplitude, at_edge = Wall.of(Interface.of(rows, wavenumber), omega).across(width, 0)
+    mode = GuidedMode(
+        omega=omega, wavenumber=wavenumber, width=width, nodal_lines=0, position=position,
+        amplitude=amplitude, at_edge=at_edge,
+    )  # fmt: skip
+    across = 8e-3 + np.linspace(0, 22e-3, 441)
+    along = (np.arange(16) + 0.5) * rows.rows.period / 16
+    field = guided_field(rows, mode, across, along)
+    change = np.abs(np.diff(field, axis=0))
+    assert change.max() < 0.03 * np.abs(field).max()
+    assert np.abs(field[-1]).max() > 0  # the rows reach to the end of the grid
+
+
+def test_the_page_shows_the_waveguide_that_one_selects(browser, guides, tmp_path):
+    data, best = guides.dataset, guides.strips.index(guides.best)
+    guides.write(tmp_path)
+    with page_at(browser, (tmp_path / "waveguide.html").as_uri(), **STILL) as page:
+        page.wait_for_selector(f"{FIELD}[data-shown='{best}']")
+        page.keyboard.press("Tab")
+        for _ in guides.strips:
+            page.keyboard.press("ArrowRight")
+        last = len(guides.strips) - 1
+        page.wait_for_selector(f"{FIELD}[data-shown='{last}']")
+        before = pixels(page, FIELD)
+        page.keyboard.press("ArrowLeft")
+        page.wait_for_selector(f"{FIELD}[data-shown='{last - 1}']")
+        assert (pixels(page, FIELD) != before).any()
+        strip, share = guides.strips[last - 1], float(data.attrs["relative_frequency_error"])
+        shown = page.locator(".facts").inner_text()
+        assert f"{uncertain(strip.frequency / 1e3, share * strip.frequency / 1e3)} kHz" in shown
+        assert f"{strip.mode.width * 1e3:.2f} mm" in shown
+        assert f"{strip.decay:.1f} dB per row" in shown
+        page.keyboard.press("b")
+        page.wait_for_selector(f"{FIELD}[data-shown='{best}']")
+        page.keyboard.press("t")
+        table = page.get_by_role("table", name="Waveguides for mode 1x9")
+        table.get_by_role("button").last.click()
+        page.wait_for_selector(f"{FIELD}[data-shown='{last}']")
+        assert table.locator("tbody tr").count() == len(guides.strips)
+        chart = page.locator(".u-over").first
+        chart.scroll_into_view_if_needed()
+        box = chart.bounding_box()
+        chart.click(position={"x": 4, "y": box["height"] / 2})
+        page.wait_for_selector(f"{FIELD}[data-shown='0']")
+        page.locator("h1").click()
+        page.keyboard.press(" ")
+        page.locator(FIELD).scroll_into_view_if_needed()
+        assert advances(page, f"() => document.querySelector('{FIELD}').counted.frames")
+        page.keyboard.press(" ")
+        assert faults_of_layout(page) == []
