@@ -114,7 +114,21 @@ def test_a_guided_wave_fades_into_the_rows_as_the_complex_bands_say():
     omega = 2 * np.pi * found.frequency
     expected = attenuation(single(crystal), omega, np.array([ALONG]))[:, 0]
     assert len(expected) == 1
-    assert decay(model.ribbon, found.energy) == pytest.approx(expected, rel=0.005)
+    fall, error = decay(model, found)
+    assert fall == pytest.approx(expected, rel=0.005)
+    assert 0 < error[0] < fall[0]
+
+
+def test_errors_of_velocity_and_decay_reach_those_of_a_finer_mesh():
+    coarse = prototype()
+    fine = RibbonModel.of(coarse.ribbon, Resolution(4, 1))
+    rough, exact = (model.solve(ALONG, 50e3, 63e3) for model in (coarse, fine))
+    falls = [decay(*pair) for pair in ((coarse, rough), (fine, exact))]
+    number = [int(within(modes.energy, coarse.ribbon.guide).argmax()) for modes in (rough, exact)]
+    change = np.abs(rough.slope[number[0]] - exact.slope[number[1]])
+    assert 0.01 * rough.slope_error[number[0]] < change < rough.slope_error[number[0]]
+    (fall, error), (true, _) = ([each[k] for each in fallen] for fallen, k in zip(falls, number, strict=True))
+    assert abs(fall - true) < error < fall
 
 
 def test_the_prototypes_guide_holds_one_mode_without_nodal_lines_at_17_intervals():

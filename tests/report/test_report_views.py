@@ -14,6 +14,16 @@ from haptonic.views import program
 from made_up import reference_layers, results_of
 from quick import QUICK_CELL
 
+RIBBON = """
+[ribbon]
+map = "oo"
+points = 3
+lowest = "40 kHz"
+highest = "60 kHz"
+[ribbon.tiles]
+o = "lattice"
+"""
+
 
 def test_views_of_chapters_open_one_at_a_time(browser, tmp_path, monkeypatch):
     monkeypatch.setattr("haptonic.plots.style.arrange", lambda figure: None)
@@ -45,3 +55,20 @@ def test_views_of_chapters_open_one_at_a_time(browser, tmp_path, monkeypatch):
         opened.get_by_role("button", name="Close the view").click()
         assert opened.locator("canvas").count() == 0
         assert first.get_attribute("aria-expanded") == "false"
+
+
+def test_a_chapter_opens_each_of_its_views_and_a_plain_chapter_its_own(browser, tmp_path, monkeypatch):
+    monkeypatch.setattr("haptonic.plots.rendered", lambda figure, kind: b"<svg/>")
+    for name in ("mode_shapes", "dispersion", "projected", "ribbon_field"):
+        monkeypatch.setattr(f"haptonic.plots.{name}", lambda *_, **__: Figure())
+    monkeypatch.setattr("haptonic.plots.moving_modes", lambda dataset: b"")
+    study = loads(QUICK_CELL + RIBBON)
+    bands, ribbon = study.bands(), study.ribbon(html=True)
+    results = results_of(study, bands.dataset)
+    text = page(replace(results, parts={**results.parts, "ribbon": ribbon}))
+    (tmp_path / "report.html").write_text(text, "utf-8")
+    with page_at(browser, (tmp_path / "report.html").as_uri(), **STILL) as opened:
+        opened.get_by_role("button", name="Open the interactive view").click()
+        opened.wait_for_selector("#ribbon .map canvas[data-shown]")
+        assert opened.locator("h1:visible").count() == 1
+        assert faults_of_layout(opened) == []

@@ -51,7 +51,9 @@ def test_a_field_on_the_grid_is_that_on_the_nodes(ribbon):
     position = data["field_position"].values
     grid = FaceGrid.of_strip(position, data["field_triangle"].values, float(data.attrs["period"]))
     across, _ = np.meshgrid(data["across"], data["along"], indexing="ij")
-    np.testing.assert_allclose(grid.values(position[:, :1] + 0j, [0.0])[0], across, atol=1e-9)  # linear exactly
+    np.testing.assert_allclose(
+        grid.values(position[:, :1] + 0j, [0.0])[0], across, atol=1e-9
+    )  # linear exactly
     field = data["field_real"].values + 1j * data["field_imag"].values
     expected = grid.values(field[:, None], [1j * float(data["field_phase"])])[0]
     stored = data["mode_real"][mode].values + 1j * data["mode_imag"][mode].values

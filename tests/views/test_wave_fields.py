@@ -68,7 +68,11 @@ def test_the_page_of_a_mirror_moves_the_wave_that_one_picks(browser, tmp_path):
         error = float(view.dataset["decay_error"][1, carrier])
         shown = page.locator(".facts:has(#wave) dl").inner_text()
         assert f"{float(view.dataset['decay'][1, carrier]):.0f} ± {np.ceil(error):.0f} dB per row" in shown
-        field = (data["wave_real"] + 1j * data["wave_imag"]).transpose("frequency", "wave", ...).values[carrier, 1]
+        field = (
+            (data["wave_real"] + 1j * data["wave_imag"])
+            .transpose("frequency", "wave", ...)
+            .values[carrier, 1]
+        )
         colours, drawn = np.array(view.extra["colours"]), pixels(page, FIELD)[..., :3]
         height, width = drawn.shape[:2]
         for row in range(6):  # of the lattice, from left to right, two periods of them from bottom to top

@@ -140,7 +140,9 @@ class Slab:
         loss = 1 + 1j * loss_factor
         poles = np.where(self.lossy, loss, 1.0) * self.poles
         answer = (omega**4 / (poles - omega**2))[:, None] * self.coupling.conj().T
-        return np.asarray(loss * self.stiffness + self.lossless - omega**2 * self.mass - self.coupling @ answer)
+        return np.asarray(
+            loss * self.stiffness + self.lossless - omega**2 * self.mass - self.coupling @ answer
+        )
 
 
 @dataclass(frozen=True)

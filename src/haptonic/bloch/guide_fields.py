@@ -86,12 +86,18 @@ def guided_field(lattice: CondensedRows, mode: GuidedMode, across: Array, along:
             if not lattice.fillers:
                 continue
             filler, tiling = lattice.fillers[0]
-            piece = SlabFields.of(tiling, lattice.ends(phase)[0], phase, (lattice.line, lattice.face), rows.turn)
+            piece = SlabFields.of(
+                tiling, lattice.ends(phase)[0], phase, (lattice.line, lattice.face), rows.turn
+            )
             motion = piece.motion(omega, (interface.trace @ at_line)[:, None], inner.sum(axis=1)[:, None])
             shift = np.zeros(2)
         else:
             piece = slab
-            motion = slab.motion(omega, passed.sum(axis=1)[:, None], (passed * np.exp(behind.lattice.exponent)).sum(axis=1)[:, None])
+            motion = slab.motion(
+                omega,
+                passed.sum(axis=1)[:, None],
+                (passed * np.exp(behind.lattice.exponent)).sum(axis=1)[:, None],
+            )
             shift = number * rows.reach * rows.turn @ rows.step
         position = (piece.position + shift)[:, ::-1]
         grid = FaceGrid.of(along, across - edge, position, piece.triangles, np.array([[rows.period, 0.0]]))

@@ -103,6 +103,13 @@ class RibbonPencil:
         )
         return stiffness, mass
 
+    def slope(self, kappa: float, values: Array, modes: Complex) -> Array:
+        """(k,) derivatives (Hz/rad) of the frequencies of modes (n, k) with respect to the phase."""
+        stiffer, heavier = self.at(kappa, slope=True)
+        slope = np.einsum("nk,nk->k", modes.conj(), stiffer.times(modes)).real
+        slope -= values * np.einsum("nk,nk->k", modes.conj(), heavier.times(modes)).real
+        return np.asarray(slope / (8 * np.pi**2 * hertz(values)))
+
     def expanded(self, modes: Complex, kappa: float) -> Complex:
         """(t + m, k) unknowns of the tiling from modes (n, k) in the order of the blocks."""
         free = np.empty_like(modes)
@@ -121,17 +128,20 @@ class RibbonModes:
     """Modes of a ribbon at one phase along it, lowest first.
 
     kappa : rad; frequency, error : (k,) Hz; the error bounds the distance to the exact frequency
-    slope : (k,) derivatives of the frequency with respect to the phase, Hz/rad
+    slope, slope_error : (k,) derivatives of the frequency with respect to the phase, Hz/rad; the error is an
+        estimate from the slopes of the lower orders
     fields : (t + m, k) unknowns of the tiling, unit mass
-    energy : (k, lines, columns) energy of each cell
+    energy, lower_energy : (k, lines, columns) energy of each cell, and by the lower orders
     """
 
     kappa: float
     frequency: Array
     error: Array
     slope: Array
+    slope_error: Array
     fields: Complex
     energy: Array
+    lower_energy: Array
 
 
 @dataclass(frozen=True)
@@ -167,45 +177,53 @@ class RibbonModel:
         below, values, modes = eigenpairs_within(*self.fine.at(kappa), *_squares(low, high))
         frequency, fields = hertz(values), self.fine.expanded(modes, kappa)
         if not len(frequency):
-            none = np.empty(0)
+            none, nowhere = np.empty(0), np.empty((0, *self.ribbon.guide.shape))
             return RibbonModes(
                 kappa=kappa,
                 frequency=none,
                 error=none,
                 slope=none,
+                slope_error=none,
                 fields=fields,
-                energy=np.empty((0, *self.ribbon.guide.shape)),
+                energy=nowhere,
+                lower_energy=nowhere,
             )
-        distance = np.abs(self._lower(kappa, low, high, below, len(frequency)) - frequency)
+        lower_values, lower_modes = self._lower(kappa, low, high, below, len(frequency))
         every = np.ones(len(frequency), dtype=bool)
-        error = self.resolution.estimate(self.ribbon, frequency, distance, every)
-        error += interior_error(values, self._summed("truncation", fields).sum(axis=(1, 2)))
-        stiffer, heavier = self.fine.at(kappa, slope=True)
-        slope = np.einsum("nk,nk->k", modes.conj(), stiffer.times(modes)).real
-        slope -= values * np.einsum("nk,nk->k", modes.conj(), heavier.times(modes)).real
+        error = self.resolution.estimate(
+            self.ribbon, frequency, np.abs(hertz(lower_values) - frequency), every
+        )
+        error += interior_error(values, self._summed(self.fine, "truncation", fields).sum(axis=(1, 2)))
+        slope = self.fine.slope(kappa, values, modes)
+        apart = np.abs(self.coarse.slope(kappa, lower_values, lower_modes) - slope)
+        # as of a frequency, and the relative error of the frequency, because both scale with the stiffness
+        slope_error = self.resolution.remaining(self.ribbon) * (apart + np.sqrt((apart**2).mean()))
         return RibbonModes(
             kappa=kappa,
             frequency=frequency,
             error=error,
-            slope=slope / (8 * np.pi**2 * frequency),
+            slope=slope,
+            slope_error=slope_error + error / frequency * np.abs(slope),
             fields=fields,
-            energy=self._summed("mass", fields),
+            energy=self._summed(self.fine, "mass", fields),
+            lower_energy=self._summed(self.coarse, "mass", self.coarse.expanded(lower_modes, kappa)),
         )
 
-    def _lower(self, kappa: float, low: float, high: float, below: int, count: int) -> Array:
-        """(count,) frequencies of the lower orders by rank among all modes, from rank ``below`` on, Hz."""
+    def _lower(self, kappa: float, low: float, high: float, below: int, count: int) -> tuple[Array, Complex]:
+        """Eigenvalues (count,) and modes (n, count) of the lower orders, by rank from ``below`` on."""
         pencil, below_low, above_high = self.coarse.at(kappa), WIDER, WIDER
         while True:
             ends = _squares(max(1 - below_low, LEAST) * low, (1 + above_high) * high)
-            first, values, _ = eigenpairs_within(*pencil, *ends)
+            first, values, modes = eigenpairs_within(*pencil, *ends)
             if first <= below and first + len(values) >= below + count:
-                return hertz(values[below - first : below - first + count])
+                chosen = slice(below - first, below - first + count)
+                return values[chosen], modes[:, chosen]
             below_low *= 2 if first > below else 1
             above_high *= 2 if first + len(values) < below + count else 1
 
-    def _summed(self, form: str, fields: Complex) -> Array:
+    def _summed(self, pencil: RibbonPencil, form: str, fields: Complex) -> Array:
         """(k, lines, columns) values of a form of the tiles on fields (t + m, k), by cell."""
-        tiling = self.fine.tiling
+        tiling = pencil.tiling
         values = np.zeros((*self.ribbon.guide.shape, fields.shape[1]))
         places = self.ribbon.place_of_tile.T
         for number, (unknowns, (line, column)) in enumerate(zip(tiling.own, places, strict=True)):

@@ -13,6 +13,8 @@ from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, wit
 from haptonic.gate import declared
 from haptonic.later import xarray as xr
 
+NO_DECAY = "a strip, a mode within a bulk band, or fewer than two rows to compare"
+
 
 def ribbon_dataset(
     model: RibbonModel, modes_by_phase: Sequence[RibbonModes], bulk: Array, rows: int | None
@@ -30,11 +32,13 @@ def ribbon_dataset(
         share = modes.energy / modes.energy.sum(axis=(1, 2), keepdims=True)
         share_in_guide, between = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
         wavenumber, across = harmonics(ribbon, model.fine, modes)
+        fall, fall_error = (np.where(between, each, np.nan) for each in decay(model, modes))
         pieces.append({
             "phase": np.full(len(modes.frequency), modes.kappa),
             "frequency": modes.frequency,
             "frequency_error": modes.error,
             "group_velocity": 2 * np.pi * ribbon.period * modes.slope,
+            "group_velocity_error": 2 * np.pi * ribbon.period * modes.slope_error,
             "guide_share": share_in_guide,
             "cell_share": share,
             "in_gap": between.astype(np.int8),
@@ -42,7 +46,8 @@ def ribbon_dataset(
                 (ribbon.kind == "strip")
                 | between & (share_in_guide > within(modes.energy, outermost(ribbon)))
             ).astype(np.int8),
-            "decay": np.where(between, decay(ribbon, modes.energy), np.nan),
+            "decay": fall,
+            "decay_error": fall_error,
             "wavenumber": wavenumber,
             "nodal_lines": across,
             "intervals": wavenumber * (rows or np.nan) * ribbon.period / np.pi - 0.5,
@@ -57,6 +62,8 @@ def ribbon_dataset(
         "frequency": ("Hz", "frequency"),
         "frequency_error": ("Hz", "bound of the frequency's error"),
         "group_velocity": ("m/s", "group velocity along the ribbon"),
+        "group_velocity_error": ("m/s", "estimate of the group velocity's error"),
+        "decay_error": ("dB/row", "estimate of the decay's error"),
         "guide_share": (
             "1",
             "share of energy in the guide or defect, in the cells on either side of an edge, or at the free "
@@ -78,7 +85,8 @@ def ribbon_dataset(
         dataset[name].attrs = {"units": unit, "long_name": title}
     return declared(
         dataset,
-        decay="a strip, a mode within a bulk band, or fewer than two rows to compare",
+        decay=NO_DECAY,
+        decay_error=NO_DECAY,
         wavenumber="tiles without sides along the ribbon, or several lines of cells",
         nodal_lines="no guide of one line, or tiles without sides along the ribbon",
         intervals="no length in cells was given, or tiles without sides along the ribbon",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from haptonic.arrays import Array, Bools
-from haptonic.bloch.ribbon import RibbonModes, RibbonPencil
+from haptonic.bloch.ribbon import RibbonModel, RibbonModes, RibbonPencil
 from haptonic.cell import Ribbon
 
 FAINTEST = 1e-18  # share of the energy below which a column contains rounding errors only
@@ -13,6 +13,7 @@ LEAST_ON_LINE = 3  # places along the ribbon needed to determine harmonics
 HARMONICS = np.arange(-3, 4)
 STILL = 0.05  # share of the largest amplitude across the guide below which the sign is not used
 NEAR_AND_FAR = 5  # number of rows from which the first, with evanescent waves of all kinds, is left out
+OWN_AND_SHARED = 2.0  # distances to the lower orders in an error: its own, and as much for all modes
 
 
 def within(energy: Array, cells: Bools) -> Array:
@@ -39,17 +40,28 @@ def in_gap(modes: RibbonModes, bulk: Array) -> Bools:
     return free
 
 
-def decay(ribbon: Ribbon, energy: Array) -> Array:
-    """(k,) decay of modes with energies (k, lines, columns) away from the guide, dB per row; NaN in a strip.
+def decay(model: RibbonModel, modes: RibbonModes) -> tuple[Array, Array]:
+    """(k,) decay of modes away from the guide, dB per row, and estimates of its errors; NaN in a strip.
 
     Least squares over the columns on each side, without the outermost column, which contains waves reflected
-    at the free edge; the smaller value of the two sides. NaN for fewer than two rows.
+    at the free edge; the smaller value of the two sides. NaN for fewer than two rows. The error follows from
+    the distance to the decay by the lower orders, as that of a frequency, and contains the standard error of
+    the slope.
     """
+    energies = modes.energy, modes.lower_energy
+    (slopes, scatter), (lower, _) = (_slopes(model.ribbon, energy) for energy in energies)
+    side = np.where(np.isnan(slopes), np.inf, slopes).argmin(axis=0)[None]
+    chosen, other, error = (np.take_along_axis(each, side, axis=0)[0] for each in (slopes, lower, scatter))
+    return chosen, OWN_AND_SHARED * model.resolution.remaining(model.ribbon) * np.abs(chosen - other) + error
+
+
+def _slopes(ribbon: Ribbon, energy: Array) -> tuple[Array, Array]:
+    """(2, k) decay to the left and to the right for energies (k, lines, columns), and its standard errors."""
     guide = np.flatnonzero(ribbon.guide.any(axis=0))
+    slopes, scatter = np.full((2, 2, len(energy)), np.nan)
     if not len(guide):
-        return np.full(len(energy), np.nan)
+        return slopes, scatter
     energy = energy.sum(axis=1)
-    slopes = np.full((2, len(energy)), np.nan)
     beside = int(ribbon.kind != "edge")  # the columns at an edge between two crystals are the first rows
     sides = range(min(guide) - beside, -1, -1), range(max(guide) + beside, energy.shape[1])
     for side, columns in enumerate(sides):
@@ -61,8 +73,17 @@ def decay(ribbon: Ribbon, energy: Array) -> Array:
         for number, of_rows in enumerate(share):
             there = of_rows > FAINTEST
             if there.sum() > 1:
-                slopes[side, number] = -np.polyfit(np.flatnonzero(there), 10 * np.log10(of_rows[there]), 1)[0]
-    return np.asarray(np.fmin(*slopes))
+                line = _fitted(np.flatnonzero(there).astype(float), 10 * np.log10(of_rows[there]))
+                slopes[side, number], scatter[side, number] = line
+    return slopes, scatter
+
+
+def _fitted(x: Array, y: Array) -> tuple[float, float]:
+    """Fall of the line of least squares, and the standard error of its slope; 0 for two points."""
+    slope, level = np.polyfit(x, y, 1)
+    spread = ((x - x.mean()) ** 2).sum()
+    missed = ((y - slope * x - level) ** 2).sum()
+    return -float(slope), float(np.sqrt(missed / max(len(x) - 2, 1) / spread))
 
 
 def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple[Array, Array]:

@@ -86,9 +86,7 @@ def _page(results: Results) -> str:
         most=MOST_FINDINGS,
         facts=_key_numbers(results),
         chapters=chapters,
-        views={
-            place: embedded_data(view) for part in chapters for place, (_, view) in part.opened.items()
-        },
+        views={place: embedded_data(view) for part in chapters for place, (_, view) in part.opened.items()},
         program=program(),
         digest=digest(),
         absent=[part for part in parts if isinstance(part, Absent)],

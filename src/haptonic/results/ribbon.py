@@ -14,7 +14,7 @@ from haptonic.plots.text import uncertain_hertz
 from haptonic.results.result import Result, figure, file
 from haptonic.results.ribbon_view import ribbon_view
 from haptonic.results.table import Column, Table
-from haptonic.units import hz_text, in_percent
+from haptonic.units import hz_text, in_percent, uncertain
 from haptonic.views import InteractiveView, write_page
 
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
@@ -26,9 +26,9 @@ COLUMNS = (
     Column("wavenumber", form=".1f"),
     Column("nodal lines across", form=".0f", of="nodal_lines"),
     Column("intervals along", form=".0f", of="intervals"),
-    Column("group velocity", form=".0f", of="group_velocity"),
+    Column("group velocity", form=".0f", of="group_velocity", error="group_velocity_error"),
     Column("in the guide", shown="%", form=".1f", of="guide_share"),
-    Column("decay", form=".1f"),
+    Column("decay", form=".1f", error="decay_error"),
 )
 # columns without meaning for a kind of ribbon
 OMITTED = {
@@ -115,9 +115,11 @@ class RibbonWaves(Result):
         intervals = float(best["intervals"])
         across = float(best["nodal_lines"])
         name = f"{across:.0f}x{intervals:.0f}, " if np.isfinite(intervals) and np.isfinite(across) else ""
-        decay = float(best["decay"])
-        near, speed, inside = (float(best[name]) for name in ("frequency", "group_velocity", "guide_share"))
-        decays = f", and it decays by {decay:.1f} dB per row" if np.isfinite(decay) else ""
+        decay, speed = (
+            uncertain(float(best[name]), float(best[f"{name}_error"])) for name in ("decay", "group_velocity")
+        )
+        near, inside = (float(best[name]) for name in ("frequency", "guide_share"))
+        decays = f", and it decays by {decay} dB per row" if np.isfinite(best["decay"]) else ""
         there = "outermost columns" if self.is_strip else f"{self.dataset.attrs['kind']}"
         return [
             self._of_strip(where)
@@ -127,7 +129,7 @@ class RibbonWaves(Result):
             f"Nearest to {hz_text(self.target, form='.4g')}: "
             f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "
             f"{float(best['phase_share']):.3f} pi per period): {in_percent(inside)} of its energy "
-            f"is in the {there}{decays}; group velocity {speed:.0f} m/s.",
+            f"is in the {there}{decays}; group velocity {speed} m/s.",
             *self._of_copies(near),
         ]
 

@@ -85,7 +85,11 @@ class Column:
             return
         cells = array.values.tolist()
         if self.error:
-            cells = [Uncertain(*pair) for pair in zip(cells, data[self.error].values.tolist(), strict=True)]
+            errors = data[self.error].values.tolist()
+            cells = [
+                cell if math.isnan(cell) else Uncertain(cell, error)
+                for cell, error in zip(cells, errors, strict=True)
+            ]
         if self.ends is not None:
             low, high = (data[end].values.tolist() for end in self.ends)
             cells = [Ranged(*three) for three in zip(low, high, cells, strict=True)]

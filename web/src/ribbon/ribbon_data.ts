@@ -2,6 +2,7 @@
 
 import type { Dataset, Numbers } from "../dataset";
 import type { FieldGrid, FieldPart, FieldWave } from "../parts/field";
+import { uncertain } from "../parts/numbers";
 import { frequencyUnits, wavevectorUnits, type Unit } from "../parts/units";
 
 const LONG = 1.6; // length of the drawn part over its width
@@ -82,8 +83,15 @@ export class RibbonModes {
     return this.data.values("guided")[mode] === 1;
   }
 
-  decay(mode: number): number {
-    return this.data.values("decay")[mode] ?? NaN;
+  /** Decay with its error, dB per row; empty without one. */
+  decay(mode: number): string {
+    const [decay, error] = ["decay", "decay_error"].map((name) => this.data.values(name)[mode] ?? NaN) as [number, number];
+    return Number.isFinite(decay) ? uncertain(decay, error) : "";
+  }
+
+  /** Group velocity with its error, m/s. */
+  speed(mode: number): string {
+    return uncertain(this.velocity[mode] ?? NaN, this.data.values("group_velocity_error")[mode] ?? NaN);
   }
 
   direction(mode: number): string {

@@ -18,7 +18,7 @@ import { colour, Diagram } from "./diagram";
 import { RibbonModes } from "./ribbon_data";
 
 const FOOT =
-  "Each error bounds the distance to the exact frequency of the model. The field is that of the strongest component on " +
+  "Errors of frequencies bound the distance to the exact ones of the model, those of velocity and decay are estimates. The field is that of the strongest component on " +
   "the flat face, relative to its largest displacement.";
 const STILL_HINT = "Fields of the modes are computed with the option --html.";
 
@@ -145,9 +145,9 @@ function ModeFacts({ ribbon, choice }: Props) {
   const [mode, unit, along] = [choice.mode.value, choice.unit.value, choice.wavevectorUnit.value];
   const decay = ribbon.decay(mode);
   const facts: [string, string][] = [
-    ["group velocity", `${(ribbon.velocity[mode] ?? 0).toFixed(0)} m/s`],
+    ["group velocity", `${ribbon.speed(mode)} m/s`],
     [`energy in ${ribbon.place}`, percent(ribbon.share[mode])],
-    ["decay", Number.isFinite(decay) ? `${decay.toFixed(1)} dB per row` : ""],
+    ["decay", decay && `${decay} dB per row`],
     ["shown displacement", ribbon.hasFields ? ribbon.direction(mode) : ""],
   ];
   return (
@@ -183,7 +183,7 @@ function ModeTable({ ribbon, choice }: Props) {
               <td>{frequencyText(ribbon, mode, unit)}</td>
               <td>{ribbon.isGuided(mode) ? "yes" : "no"}</td>
               <td>{percent(ribbon.share[mode])}</td>
-              <td>{Number.isFinite(ribbon.decay(mode)) ? ribbon.decay(mode).toFixed(1) : "-"}</td>
+              <td>{ribbon.decay(mode) || "-"}</td>
               <td>
                 <button type="button" onClick={() => (choice.mode.value = mode)}>
                   {withUnit(rounded(ribbon.at(mode) / unit.factor), unit)}
