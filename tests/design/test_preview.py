@@ -38,7 +38,13 @@ CELLS = {
 def line_of(curves, values: np.ndarray) -> tuple[DesignLine, CertifiedBands]:
     """A line through exact curves, each with a value for every band at one wavevector."""
     every = [curves(value)[None] for value in values]
-    samples = tuple(Samples(f, np.zeros((2, f.shape[1] - 1)), np.zeros((2, f.shape[1] - 1))) for f in every)
+    samples = tuple(
+        Samples(
+            frequency=f, edges=np.zeros((2, f.shape[1] - 1)), doubt=np.zeros((2, f.shape[1] - 1)),
+            distance=np.zeros(1), pitch=1.0,
+        )
+        for f in every
+    )  # fmt: skip
     middle = len(values) // 2
     dataset = xr.Dataset(
         {

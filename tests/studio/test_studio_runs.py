@@ -194,3 +194,52 @@ def test_a_number_that_the_text_gives_in_another_way_gives_a_new_text(tmp_path):
     assert loads(result).parameters()["material.density"] == pytest.approx(2800.0)
     with pytest.raises(HaptonicError):
         design_text(QUICK_CELL, {"material.density": 2800.0}, tmp_path)  # of a material by name
+
+
+def test_runs_of_the_command_line_are_listed_opened_and_compared(tmp_path):
+    """Also one that ends while the studio runs, whose number another run has."""
+    (tmp_path / "quick.toml").write_text(QUICK_CELL, "utf-8")
+
+    def command(*words: str) -> None:
+        call = [sys.executable, "-m", "haptonic", *words]
+        subprocess.run(call, check=True, cwd=tmp_path, capture_output=True)
+
+    command("bands", "quick.toml", "--out", "bands")
+    with served(tmp_path, "quick.toml") as studio, studio.listening() as page:
+        (first,) = json.loads(page.recv())["jobs"]
+        assert (first["analysis"], first["title"], first["byCommand"]) == ("bands", "Quick", True)
+        answer = studio.ask("GET", f"/api/jobs/{first['number']}").json
+        assert answer["command"] == "haptonic bands quick.toml"
+        assert answer["answer"]["summary"][0].startswith("Complete gap")
+        picture = studio.ask("GET", f"/api/jobs/{first['number']}/pictures/dispersion")
+        assert picture.content == (tmp_path / "bands/dispersion.svg").read_bytes()
+        number = start(studio, "bands", QUICK_CELL.replace("14.7 mm", "14 mm"))
+        studio.finished(number, drawn=True)
+        (tmp_path / "quick.toml").write_text(QUICK_CELL.replace("14.7 mm", "14.2 mm"), "utf-8")
+        command("bands", "quick.toml", "--json")
+        end, jobs = time.monotonic() + PATIENCE, []
+        while len(jobs) < 3 and time.monotonic() < end:
+            jobs = json.loads(page.recv())["jobs"]
+        assert [job["number"] for job in jobs] == [1, 2, 3]
+        assert [job["byCommand"] for job in jobs] == [True, False, True]
+        compared = studio.post("differences", first=1, second=3).json
+        assert "14.2 mm" in json.dumps(compared["tables"][0])
+        assert start(studio, "bands", QUICK_CELL) == 4
+
+
+def test_a_run_with_a_number_that_is_taken_has_the_next_one(tmp_path):
+    here, other = Archive(tmp_path), Archive(tmp_path)
+    orders = [Order(1, QUICK_CELL, tmp_path, f"{name}.toml", "bands", {}) for name in ("a", "b")]
+    for archive, order in zip((here, other), orders, strict=True):
+        job = Job.ordered(order)
+        job.answer = {"title": order.file}
+        job.finish("done")
+        archive.keep(job)
+    assert here.refresh()
+    assert not here.refresh()
+    assert [brief["file"] for brief in here.briefs.values()] == ["a.toml", "b.toml"]
+    assert here.read(2).order.file == "b.toml"
+    assert here.read(2).number == 2
+    other.remove(1)
+    assert here.refresh()
+    assert list(here.briefs) == [1]

@@ -1,5 +1,6 @@
 """A number is turned beside its diagram: preview at once, certified curves after it, one step to undo."""
 
+import math
 import re
 
 import pytest
@@ -101,6 +102,40 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
             page.get_by_role("button", name="Undo").click()
         expect(page.locator(TEXT)).to_have_value(before)
         page.get_by_text("The study has changed: compute it first.").wait_for()
+
+
+NAMED = TURNED_CELL.replace('pitch = "7 mm"', 'pitch = "a"') + '\n[parameters]\na = "7 mm"\n'
+END = "() => document.querySelector('.curves').plot.scales.x.max"
+
+
+def test_the_axis_of_wavevectors_follows_a_turned_pitch(browser, tmp_path):
+    (tmp_path / "named.toml").write_text(NAMED, "utf-8")
+    path = 2 + 2**0.5  # from the middle of the zone to X, M and back, in units of pi over the pitch
+    with served(tmp_path, "named.toml") as running, opened(browser, running) as page:
+        page.get_by_role("button", name="Compute bands").click()
+        expect(page.locator(SLIDER)).to_be_enabled(timeout=PATIENCE)
+        page.locator(".turning select").select_option("parameters.a", timeout=PATIENCE)
+        page.wait_for_selector(".turning[data-prepared=true]", timeout=PATIENCE)
+        assert page.evaluate(END) == pytest.approx(path, rel=1e-9)
+        page.get_by_label("Wavevectors in").first.select_option("rad/m")
+        assert page.evaluate(END) == pytest.approx(path * math.pi / 7e-3, rel=1e-9)
+        drag(page, [0.5, 0.55, 0.6])
+        expect(page.locator(".kind")).to_have_text("preview")
+        turned = float(re.search(r"[\d.]+", page.locator(".turning output").inner_text())[0]) * 1e-3
+        assert turned > 7.01e-3
+        expected = pytest.approx(path * math.pi / turned, rel=1e-4)
+        assert page.evaluate(END) == expected
+        page.get_by_label("Wavevectors in").first.select_option("π/a")
+        assert page.evaluate(END) == pytest.approx(path, rel=1e-9)
+        page.get_by_label("Wavevectors in").first.select_option("rad/m")
+        page.mouse.up()
+        expect(page.locator(".kind")).to_have_text("certified", timeout=PATIENCE)
+        assert page.evaluate(END) == expected
+        page.locator(".walk").focus()
+        page.keyboard.press("h")
+        page.locator(SLIDER).press("End")
+        expect(page.locator(".kind")).to_have_text("preview")
+        assert page.evaluate(END) == expected  # the held design has the longer path
 
 
 def turn(studio, text: str, value: str) -> int:

@@ -1,4 +1,4 @@
-"""The page of waveguides: fields against profiles, decays and the motion of the rows, and the page in a browser."""
+"""The page of waveguides: fields against profiles and decays, and the page in a browser."""
 
 import numpy as np
 import pytest

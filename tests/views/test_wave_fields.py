@@ -1,4 +1,4 @@
-"""Fields of waves in rows of a lattice: against modes of the whole lattice, and moving on the page of a mirror."""
+"""Fields of waves in rows: against modes of the whole lattice, and moving on the page of a mirror."""
 
 import numpy as np
 import pytest
@@ -64,7 +64,8 @@ def test_the_page_of_a_mirror_moves_the_wave_that_one_picks(browser, tmp_path):
         page.keyboard.press("W")
         page.wait_for_selector(f"{FIELD}[data-shown='{lines + carrier}']")
         words = page.locator("#wave").inner_text()
-        assert words.startswith("Wave 2 of 8") and words.endswith("decays")
+        assert words.startswith("Wave 2 of 8")
+        assert words.endswith("decays")
         error = float(view.dataset["decay_error"][1, carrier])
         shown = page.locator(".facts:has(#wave) dl").inner_text()
         assert f"{float(view.dataset['decay'][1, carrier]):.0f} ± {np.ceil(error):.0f} dB per row" in shown

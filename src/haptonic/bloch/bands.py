@@ -79,7 +79,8 @@ def bands_dataset(
             np.stack([getattr(each, name)[: model.count] for each in solutions])
             for name in ("frequency", "error")
         )
-        first(xr.merge([_curves_dataset(frequency, error), _gaps_dataset(gaps)]))
+        curves = xr.merge([_curves_dataset(frequency, error), _gaps_dataset(gaps)])
+        first(curves.assign_attrs(scales(cell)))
 
     def merged_parts() -> xr.Dataset:
         along = diagram(model, path, solutions)

@@ -129,7 +129,10 @@ class Slab:
         return FaceStiffness.of(whole[faces, faces] - whole[faces, inner] @ follow)
 
     def answer(self, omega: float, faces: Complex) -> tuple[Complex, Complex]:
-        """Motion of the boundary (b, k) and of the modes (m, k) for motions of the faces (2n, k), no losses."""
+        """Motion of the boundary (b, k) and of the modes (m, k) for motions of the faces (2n, k).
+
+        Losses are left out.
+        """
         whole, inner = self._dynamic(omega, 0.0), slice(2 * self.size, None)
         between = -la.solve(whole[inner, inner], whole[inner, : 2 * self.size] @ faces)
         boundary = np.vstack([faces, between])

@@ -28,7 +28,7 @@ def flat_face(tiling: Tiling, turn: Array) -> tuple[Ints, Array, Ints]:
 
 
 def strongest(motion: Complex) -> tuple[Complex, Ints]:
-    """(n, k) component of motions (n, 3, k) with the largest norm, its largest value 1, and its number (k,)."""
+    """(n, k) component with the largest norm of motions (n, 3, k), largest 1, and its number (k,)."""
     number = np.linalg.norm(motion, axis=0).argmax(axis=0)
     chosen = np.take_along_axis(motion, number[None, None], axis=1)[:, 0]
     place = np.abs(chosen).argmax(axis=0)

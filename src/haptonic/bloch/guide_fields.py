@@ -1,4 +1,4 @@
-"""Fields of guided waves on the flat face: across the plain strip and the first rows of the lattice beside it."""
+"""Fields of guided waves on the flat face: across the plain strip and the first rows beside it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from haptonic.arrays import Array, Complex
-from haptonic.bloch.face_grid import STEPS, FaceGrid, flat_face, middles
+from haptonic.bloch.face_grid import STEPS, FaceGrid, middles
 from haptonic.bloch.guide import GuidedMode, Wall
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.row_fields import SlabFields
@@ -19,7 +19,7 @@ NORMAL = 2  # component of the displacement
 
 
 def guides_dataset(lattice: CondensedRows, modes: Sequence[GuidedMode]) -> xr.Dataset:
-    """Normal displacement of guided waves, largest 1, on one grid: across the widest strip, along one period."""
+    """Normal displacement of guided waves, largest 1, on one grid over the widest strip and one period."""
     step = float(lattice.rows.turn[0] @ lattice.rows.step)
     half = 0.5 * max(mode.width for mode in modes) + ROWS * step
     count = 2 * round(half / lattice.rows.period * STEPS)
@@ -42,8 +42,6 @@ def guides_dataset(lattice: CondensedRows, modes: Sequence[GuidedMode]) -> xr.Da
         "present": (of_grid[1:], np.ones(field.shape[1:], dtype=np.int8), "1", "1 where the plate is"),
         "across": ("across", across, "m", "position from the middle of the strip"),
         "along": ("along", along, "m", "position along the strip"),
-        "profile_position": (("waveguide", "place"), [mode.position for mode in modes], "m", "position from the middle of the strip"),
-        "profile": (("waveguide", "place"), [mode.amplitude for mode in modes], "1", "amplitude in the strip over its peak"),
     }  # fmt: skip
     return xr.Dataset(
         {
@@ -85,7 +83,7 @@ def guided_field(lattice: CondensedRows, mode: GuidedMode, across: Array, along:
         if number < 0:
             if not lattice.fillers:
                 continue
-            filler, tiling = lattice.fillers[0]
+            _, tiling = lattice.fillers[0]
             piece = SlabFields.of(
                 tiling, lattice.ends(phase)[0], phase, (lattice.line, lattice.face), rows.turn
             )

@@ -126,7 +126,7 @@ class RowFields:
                 "component: 0 across the rows, 1 along them, 2 normal",
             ),
             "slab_phase": (of_wave, exponent.imag, "rad", "phase from one slab to the next"),
-            "slab_decay": (of_wave, -exponent.real, "1", "decay from one slab to the next, natural logarithm"),
+            "slab_decay": (of_wave, -exponent.real, "1", "decay per slab, natural logarithm"),
             "slab_slip": ((), self.slip, "1", "distance of the next slab along the rows, over the period"),
             "slab_rows": ((), self.rows.rows.reach, "1", "number of rows of a slab"),
             "present": (of_grid[2:], self.grid.present, "1", "1 where the plate is"),

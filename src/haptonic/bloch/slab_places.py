@@ -59,7 +59,7 @@ class SlabPlaces:
         )
 
     def rim(self, number: int) -> tuple[Ints, sp.csr_array]:
-        """Numbers (r,) on the boundary of a tile's rim, and the matrix (t, r) of their motion on its trace."""
+        """Numbers (r,) on the boundary of a tile's rim, and the matrix (t, r) from these to its trace."""
         places = slice(self.starts[number], self.starts[number + 1])
         column = self.column[:, places]
         rows, at = np.unique(column, return_inverse=True)

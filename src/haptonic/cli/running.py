@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields
 from pathlib import Path
@@ -15,14 +16,16 @@ from haptonic.analyses.options import option_of, path_of
 from haptonic.analyses.runner import Runner
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.watching import watched
-from haptonic.errors import HaptonicError
+from haptonic.errors import HaptonicError, ResourceError
 from haptonic.paths import target
 from haptonic.results.common import refuse_taken
 from haptonic.results.cost import LONG
 from haptonic.results.result import Result, taken
 from haptonic.results.table import FORMS, Table, check_form
 from haptonic.store import Store
+from haptonic.studio.recording import record
 from haptonic.study import load
+from haptonic.study.loading import text_of
 
 SCREEN = 24  # lines of a terminal
 SENTENCES = 3  # sentences of the answer that are always printed
@@ -175,6 +178,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     budget = rest.pop("budget", None)
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
     study = None if file is None else load(file).within(budget, "--budget")
+    text, started = "" if file is None else text_of(file), time.time()
     analysis.admit(study, options)
     cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:
@@ -217,6 +221,12 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
                 voice.tell(f"written: {', '.join(Path(path).name for path in paths)}")
     if json:
         voice.answer(result.to_json() | located)
+    if study is not None and file is not None and budget is None:  # a budget is no part of the study
+        chosen = {field.name: getattr(options, field.name) for field in fields(options)}
+        try:
+            record(analysis, study, text, file, chosen, result, started, folder)
+        except ResourceError as error:
+            voice.say(f"The studio will not list this run: {error.cause}.")
 
 
 def show(result: Result, voice: Voice, *, every: bool) -> None:

@@ -14,7 +14,7 @@ A crossing may hide a bend of the opposite sign there. The next nodes show it, s
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -46,11 +46,14 @@ class Samples:
     frequency : (wavevectors of the path, bands) Hz
     edges : (2, bands - 1) Hz, over the zone: highest of each band but the last, and lowest of the next
     doubt : (2, bands - 1) how far each of them may lie inside the band between two samples, Hz
+    distance : (wavevectors,) length of the path up to each wavevector, rad/m; pitch : m
     """
 
     frequency: Array
     edges: Array
     doubt: Array
+    distance: Array
+    pitch: float
 
     @classmethod
     def of(cls, cell: UnitCell, settings: BandSettings) -> Samples:
@@ -66,7 +69,10 @@ class Samples:
                 sides = [zone.edge(band + up, 1 - 2 * up, ROUGH if far else None) for up in (0, 1)]
                 columns.append([(value, doubt) for value, _, doubt in sides])
         edges = np.array(columns).transpose(2, 1, 0)
-        return cls(hertz(np.array(values)), edges[0], edges[1])
+        return cls(
+            frequency=hertz(np.array(values)), edges=edges[0], doubt=edges[1], distance=path.distance,
+            pitch=cell.lattice.pitch,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -104,8 +110,10 @@ class CertifiedBands:
         edges = of_edges * samples.edges
         around = edges * (np.maximum(error_of_edges, level) + np.abs(of_edges - 1))
         none = np.zeros_like(samples.doubt)
-        return Samples(frequency, edges, none), Samples(
-            bound, around + samples.doubt + self.coarse.doubt, none
+        around = around + samples.doubt + self.coarse.doubt
+        return (
+            replace(samples, frequency=frequency, edges=edges, doubt=none),
+            replace(samples, frequency=bound, edges=around, doubt=none),
         )
 
     def _complete(self) -> list[Gap]:
@@ -138,6 +146,9 @@ class DesignLine:
         At the share t of the interval of length h between the nodes i and i + 1 a value and its bound are
 
             (1 - t) v[i] + t v[i+1]   and   (1 - t) e[i] + t e[i+1] + (b[i] + b[i+1]) h t (1 - t).
+
+        The reciprocal of the length of the path, and the pitch, are linear between two nodes: exactly, if the
+        number scales the lattice.
         """
         scaled = [certified.scaled(samples) for samples in self.samples]
         variables: dict[str, Any] = {}
@@ -155,6 +166,12 @@ class DesignLine:
                     {"units": "Hz", "long_name": "change of its slope, per SI unit of the number"},
                 ),
             }  # fmt: skip
+        for name, dims, unit, title in (
+            ("distance", ("wavevector",), "rad/m", "arc length of the wavevector"),
+            ("pitch", (), "m", "pitch of the lattice"),
+        ):
+            values = np.array([getattr(samples, name) for samples in self.samples])
+            variables[name] = (node + dims, values, {"units": unit, "long_name": title})
         value_attributes = {"units": "1", "long_name": "value of the number, SI"}
         return xr.Dataset(variables | {"value": (node, np.array(self.values), value_attributes)})
 

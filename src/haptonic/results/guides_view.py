@@ -10,7 +10,7 @@ from haptonic.views import InteractiveView
 
 
 def guides_view(data: xr.Dataset, title: str, summary: Sequence[str], best: int) -> InteractiveView:
-    """View of all waveguides; ``data`` as in `haptonic.results.guides.Guides`, with fields; ``best`` is shown."""
+    """View of all waveguides with fields; ``best`` is selected first."""
     return InteractiveView(
         kind="guides",
         title=title,

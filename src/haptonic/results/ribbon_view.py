@@ -12,9 +12,8 @@ from haptonic.views import InteractiveView
 
 STEPS = np.iinfo(np.int8).max  # of the largest displacement of a mode; a field has as many colours
 NUMBERS = [
-    "phase", "frequency", "frequency_error", "group_velocity", "group_velocity_error", "guide_share", "guided",
-    "decay", "decay_error",
-    "wavevector_phase", "bulk_lower", "bulk_upper",
+    "phase", "frequency", "frequency_error", "group_velocity", "group_velocity_error", "guide_share",
+    "guided", "decay", "decay_error", "wavevector_phase", "bulk_lower", "bulk_upper",
 ]  # fmt: skip
 FIELDS = ["mode_real", "mode_imag"]
 

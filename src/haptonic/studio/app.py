@@ -46,6 +46,7 @@ from haptonic.views import packed_page
 PROGRAM = "studio.js"
 PICTURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 MOST_CHANGES = 10  # of keys in one step
+PAUSE = 1.0  # s, between two looks for runs of the command line
 
 
 class Studio:
@@ -94,11 +95,19 @@ class Studio:
     @asynccontextmanager
     async def _lifespan(self, app: Starlette) -> Any:
         self._loop = asyncio.get_running_loop()
+        watching = asyncio.create_task(self._watch())
         yield
+        watching.cancel()
         self._loop = None
         self.jobs.end()
         self.exports.close()
         self.readings.close()
+
+    async def _watch(self) -> None:
+        """Look for runs of the command line."""
+        while True:
+            await asyncio.sleep(PAUSE)
+            self.jobs.refresh()
 
     def _tell(self) -> None:
         """Wake all pages; called from any thread."""

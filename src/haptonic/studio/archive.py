@@ -11,7 +11,7 @@ import io
 import json
 import secrets
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from contextlib import suppress
 from dataclasses import asdict, fields
 from pathlib import Path
@@ -43,12 +43,35 @@ class Archive:
         self.studies = studies
         self.briefs: dict[int, dict[str, Any]] = {}
         self._paths: dict[int, Path] = {}
-        for path in sorted(self.folder.glob("*.zip"), key=_time):
-            with suppress(*FAULTS), zipfile.ZipFile(path) as parts:
-                brief = json_from(parts.read(BRIEF).decode())
-                if brief["form"] == FORM and isinstance(brief["number"], int):
-                    self.briefs[brief["number"]] = brief
-                    self._paths[brief["number"]] = path
+        self._changed = 0.0
+        self.refresh()
+
+    def refresh(self, taken: Container[int] = ()) -> bool:
+        """Add runs that another program has written, and drop those it has removed; True if there were any.
+
+        taken : numbers of jobs that are not written yet; a new run with one of them, or with that of another
+            run, has the next free number here
+        """
+        if (changed := _time(self.folder)) == self._changed:
+            return False
+        self._changed, before = changed, dict(self._paths)
+        there = sorted(self.folder.glob("*.zip"), key=_time)
+        for number in [number for number, path in self._paths.items() if path not in there]:
+            del self.briefs[number], self._paths[number]
+        known = set(self._paths.values())
+        for path in there:
+            if path not in known:
+                with suppress(*FAULTS), zipfile.ZipFile(path) as parts:
+                    self._add(path, json_from(parts.read(BRIEF).decode()), taken)
+        return self._paths != before
+
+    def _add(self, path: Path, brief: dict[str, Any], taken: Container[int]) -> None:
+        if brief["form"] != FORM or not isinstance(brief["number"], int):
+            return
+        number = brief["number"]
+        while number in self.briefs or number in taken:
+            number += 1
+        self.briefs[number], self._paths[number] = brief | {"number": number}, path
 
     def keep(self, job: Job) -> None:
         """Write a finished job, and remove the oldest beyond the limits.
@@ -72,7 +95,8 @@ class Archive:
         """A run with its answer; None without a file that can be read."""
         with suppress(*FAULTS), zipfile.ZipFile(self._paths[number]) as parts:
             plain = json_from(parts.read(WHOLE).decode())
-            job = Job(Order(folder=self.studies, **plain.pop("order")), **plain)
+            order = plain.pop("order") | {"number": number}
+            job = Job(Order(folder=self.studies, **order), **plain)
             job.view = parts.read(VIEW) if VIEW in parts.namelist() else None
             return job
         return None

@@ -24,6 +24,7 @@ class Job:
     first : view with the part of the result that is computed first
     knobs : numbers that can be turned, see `haptonic.analyses.turning`
     previews : by path of a number, count of the improvements so far and view
+    by_command : True for a run of the command line
     """
 
     order: Order
@@ -42,6 +43,7 @@ class Job:
     view: bytes | None = None
     knobs: list[dict[str, Any]] | None = None
     previews: dict[str, tuple[int, bytes]] = field(default_factory=dict)
+    by_command: bool = False
 
     @classmethod
     def ordered(cls, order: Order) -> Job:
@@ -74,7 +76,7 @@ class Job:
             "number": self.number, "analysis": self.order.analysis, "file": self.order.file,
             "title": self.order.title[:LONGEST_TITLE], "started": self.started,
             "state": self.state, "cost": self.cost, "progress": self.progress,
-            "points": len(self.points), "turned": bool(self.order.turned),
+            "points": len(self.points), "turned": bool(self.order.turned), "byCommand": self.by_command,
             "archived": False, "first": self.first is not None, "turns": self.knobs is not None,
             "previews": {path: count for path, (count, _) in self.previews.items()},
             "seconds": round(time.time() - self.started if self.state == "running" else self.seconds, 1),

@@ -85,6 +85,13 @@ class Jobs:
             here = {number: job.brief() for number, job in self.jobs.items()}
             return [brief for _, brief in sorted((self.archive.briefs | here).items())]
 
+    def refresh(self) -> None:
+        """Take over runs of the command line that are new, and tell the pages."""
+        with self._lock:
+            is_new = self.archive.refresh(self.jobs)
+        if is_new:
+            self.tell()
+
     def job(self, number: int) -> Job | None:
         """A job with its answer, from memory or from the archive; None without one."""
         with self._lock:
@@ -123,7 +130,7 @@ class Jobs:
                 self._forget_running()
             else:
                 self._stop_running()
-            self._count += 1
+            self._count = max(self._count, *self.archive.briefs, 0) + 1
             job = Job.ordered(replace(order, number=self._count))
             self._send(job)
             self._current = self.jobs[job.number] = job

@@ -6,13 +6,13 @@ import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { dot, horizontalLine } from "../parts/marks";
 import { kept, onClick, widthIn, within } from "../parts/plot";
-import { titled } from "../parts/units";
+import { titled, wavevectorUnits, type Unit } from "../parts/units";
 import type { BandDiagram, Gap, Point } from "./diagram_data";
-import type { Layer, Newer } from "./layer";
+import { layerOfDiagram, type Layer, type Newer } from "./layer";
 import { paintLayer } from "./paint_layer";
 import type { Choice } from "./state";
 
-const LOWEST = 320; // CSS pixels, least height of the diagram
+const LOWEST = 340; // CSS pixels, least height of the diagram
 const ASPECT = 0.72; // height over width
 const REACH = 40; // CSS pixels, largest distance of a click from the mode that it picks
 
@@ -35,16 +35,23 @@ export function Curves({ diagram, choice, newer }: Props) {
 /** Draw the diagram into an element and keep it up to date; returns what removes it. */
 function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { layer, isWaiting }: Newer): () => void {
   const factor = () => choice.unit.peek().factor;
+  const own = layerOfDiagram(diagram);
+  const drawnLayer = () => layer.peek() ?? own;
+  const lengthOf = (of: Layer) => wavevectorUnit(choice, of).factor;
+  const end = (of: Layer) => (of.distance[diagram.rows - 1] ?? 1) / lengthOf(of);
   const branches = diagram.branches();
   const data = (): uPlot.AlignedData => [
-    Array.from(diagram.distance),
+    Array.from(diagram.distance, (distance) => distance / lengthOf(own)),
     ...branches.map((curve) => curve.map((value) => (value === null ? null : value / factor()))),
   ];
   const size = () => {
     const width = widthIn(element);
     return { width, height: Math.max(LOWEST, Math.min(ASPECT * width, 0.7 * innerHeight)) };
   };
-  const cornerAt = diagram.corners.map(({ row }) => diagram.distance[row] ?? 0);
+  const cornerAt = () => {
+    const of = drawnLayer();
+    return diagram.corners.map(({ row }) => (of.distance[row] ?? 0) / lengthOf(of));
+  };
   const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: {} };
   const plot = new uPlot(
     {
@@ -58,9 +65,13 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { lay
       axes: [
         {
           ...axis,
-          splits: () => cornerAt,
-          values: () => diagram.corners.map(({ label }) => label),
-          font: "15px system-ui, sans-serif",
+          splits: cornerAt,
+          values: () => cornerAt().map((at, k) => `${diagram.corners[k]?.label}\n${Number(at.toPrecision(3))}`),
+          font: "14px system-ui, sans-serif",
+          size: 56,
+          label: "wavevector",
+          labelFont: "14px system-ui, sans-serif",
+          labelSize: 22,
           grid: { stroke: () => themeColour("rule"), width: 1 },
         },
         {
@@ -90,15 +101,17 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { lay
               const held = choice.held.peek();
               const gaps = isWaiting.peek() ? [] : (layer.peek() ?? diagram).gaps;
               paintGaps(u, gaps, diagram.carrier, factor());
-              if (held !== null) paintLayer(u, diagram, held.layer, factor(), "held");
+              if (held !== null) paintLayer(u, diagram, held.layer, factor(), lengthOf(held.layer), "held");
             }),
         ],
         draw: [
           (u) => {
             const drawn = layer.peek();
             if (drawn !== null)
-              within(u, () => paintLayer(u, diagram, drawn, factor(), drawn.isPreview ? "preview" : "certified"));
-            paintMarks(u, diagram, choice, drawn);
+              within(u, () =>
+                paintLayer(u, diagram, drawn, factor(), lengthOf(drawn), drawn.isPreview ? "preview" : "certified"),
+              );
+            paintMarks(u, diagram, choice, drawnLayer());
           },
         ],
       },
@@ -107,17 +120,28 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { lay
     element,
   );
   const whole = () => plot.setScale("y", { min: 0, max: diagram.top / factor() });
+  const along = () => {
+    const held = choice.held.peek();
+    plot.setScale("x", { min: 0, max: Math.max(end(drawnLayer()), held === null ? 0 : end(held.layer)) });
+  };
   whole();
   onClick(plot, (left, top) => {
-    const point = nearest(plot, diagram, factor(), left, top);
+    const point = nearest(plot, diagram, factor(), lengthOf(own), left, top);
     if (point !== undefined) choice.point.value = point;
   });
+  Object.assign(element, { plot }); // for tests
   return kept(plot, element, size, [
     effect(() => {
-      const label = plot.axes[1];
-      if (label !== undefined) label.label = titled("frequency", choice.unit.value);
+      const [x, y] = plot.axes;
+      if (x !== undefined) x.label = titled("length of the path", choice.wavevectorUnit.value);
+      if (y !== undefined) y.label = titled("frequency", choice.unit.value);
       plot.setData(data(), true);
       whole();
+      along();
+    }),
+    effect(() => {
+      void [layer.value, choice.held.value];
+      along();
     }),
     effect(() => {
       const high = diagram.at(choice.point.value) / factor();
@@ -128,17 +152,24 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { lay
   ]);
 }
 
+/** The chosen unit of wavevectors, for the pitch of a layer. */
+function wavevectorUnit(choice: Choice, { pitch }: Layer): Unit {
+  const unit = choice.wavevectorUnit.peek();
+  return wavevectorUnits(pitch).find(({ name }) => name === unit.name) ?? unit;
+}
+
 /** Mode whose point is nearest to a place in CSS pixels; none beyond `REACH`. */
 function nearest(
   plot: uPlot,
   diagram: BandDiagram,
   factor: number,
+  length: number,
   left: number,
   top: number,
 ): Point | undefined {
   let [best, least]: [Point | undefined, number] = [undefined, REACH];
   for (let row = 0; row < diagram.rows; row++) {
-    const x = plot.valToPos(diagram.distance[row] ?? 0, "x") - left;
+    const x = plot.valToPos((diagram.distance[row] ?? 0) / length, "x") - left;
     if (Math.abs(x) > least) continue;
     for (let band = 0; band < diagram.bands; band++) {
       const away = Math.hypot(x, plot.valToPos(diagram.at({ row, band }) / factor, "y") - top);
@@ -181,10 +212,10 @@ function hatch(ctx: CanvasRenderingContext2D, left: number, top: number, width: 
   ctx.restore();
 }
 
-function paintMarks(plot: uPlot, diagram: BandDiagram, choice: Choice, layer: Layer | null): void {
+function paintMarks(plot: uPlot, diagram: BandDiagram, choice: Choice, layer: Layer): void {
   const point = choice.point.peek();
-  const x = plot.valToPos(diagram.distance[point.row] ?? 0, "x", true);
-  const frequency = layer?.frequency[point.row * diagram.bands + point.band] ?? diagram.at(point);
+  const x = plot.valToPos((layer.distance[point.row] ?? 0) / wavevectorUnit(choice, layer).factor, "x", true);
+  const frequency = layer.frequency[point.row * diagram.bands + point.band] ?? NaN;
   const y = plot.valToPos(frequency / choice.unit.peek().factor, "y", true);
   dot(plot.ctx, [x, y], "accent", 6);
 }

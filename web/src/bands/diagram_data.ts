@@ -1,7 +1,7 @@
 /** Numbers of a band diagram with the names that the view uses. */
 
 import type { Dataset, Numbers } from "../dataset";
-import { frequencyUnits, type Unit } from "../parts/units";
+import { frequencyUnits, wavevectorUnits, type Unit } from "../parts/units";
 
 export interface Gap {
   below: number; // number of the band below, from 1
@@ -30,6 +30,8 @@ export class BandDiagram {
   readonly carrier: number | undefined;
   readonly top: number; // upper end of the axis of frequencies, Hz
   readonly units: Unit[]; // of frequency
+  readonly pitch: number; // m
+  readonly wavevectorUnits: Unit[];
   private readonly names: string[];
 
   constructor(readonly data: Dataset) {
@@ -45,6 +47,8 @@ export class BandDiagram {
     this.carrier = typeof carrier === "number" ? carrier : undefined;
     this.top = Number(data.header.extra["top"]);
     this.units = frequencyUnits(data);
+    this.pitch = pitchOf(data);
+    this.wavevectorUnits = wavevectorUnits(this.pitch);
     this.gaps = readGaps(data);
   }
 
@@ -118,6 +122,9 @@ export class BandDiagram {
     return { row: best, band };
   }
 }
+
+/** Pitch of the lattice of a dataset of bands, m. */
+export const pitchOf = (data: Dataset): number => Number(data.header.attrs["pitch_m"]);
 
 /** Gaps of a dataset of bands. */
 export function readGaps(data: Dataset): Gap[] {

@@ -3,13 +3,15 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { Dataset, Numbers } from "../dataset";
 import type { Turned } from "../parts/host";
-import { readGaps, type BandDiagram, type Gap } from "./diagram_data";
+import { pitchOf, readGaps, type BandDiagram, type Gap } from "./diagram_data";
 
 const TOO_FAR = 0.2; // relative error from which a preview is not shown
 const LEAST = 0.1; // of the highest frequency; below it, errors are compared with this share
 
 export interface Layer {
   isPreview: boolean;
+  distance: ArrayLike<number>; // length of the path up to each wavevector, rad/m
+  pitch: number; // m
   frequency: ArrayLike<number>; // of each band at each wavevector, Hz
   error: ArrayLike<number>;
   gaps: Gap[];
@@ -20,7 +22,8 @@ function layerOf({ data, at }: Turned): Layer | null {
   if (data === null) return null;
   if (at !== null) return previewAt(data, at);
   const [frequency, error] = [data.values("frequency"), data.values("frequency_error")];
-  return { isPreview: false, frequency, error, gaps: readGaps(data) };
+  const [distance, pitch] = [data.values("distance"), pitchOf(data)];
+  return { isPreview: false, distance, pitch, frequency, error, gaps: readGaps(data) };
 }
 
 /** What replaces the curves of the diagram. */
@@ -34,8 +37,10 @@ export function newerThan(turned: ReadonlySignal<Turned | null> | undefined): Ne
   return { layer, isWaiting: computed(() => Boolean(turned?.value) && layer.value === null) };
 }
 
-export const layerOfDiagram = ({ frequency, error, gaps }: BandDiagram): Layer => ({
+export const layerOfDiagram = ({ distance, pitch, frequency, error, gaps }: BandDiagram): Layer => ({
   isPreview: false,
+  distance,
+  pitch,
   frequency,
   error,
   gaps,
@@ -79,5 +84,16 @@ function previewAt(data: Dataset, at: number): Layer | null {
     direction: "all",
     waves: "all",
   }));
-  return { isPreview: true, frequency, error, gaps: gaps.filter(({ lower, upper }) => upper > lower) };
+  const pair = (name: string, row: number) => {
+    const values = data.values(name);
+    const count = values.length / nodes.length;
+    return [values[(after - 1) * count + row] ?? NaN, values[after * count + row] ?? NaN] as const;
+  };
+  const distance = Float64Array.from({ length: data.values("distance").length / nodes.length }, (_, row) => {
+    const [before, behind] = pair("distance", row);
+    return before === 0 ? 0 : 1 / ((1 - share) / before + share / behind);
+  });
+  const [narrow, wide] = pair("pitch", 0);
+  const pitch = (1 - share) * narrow + share * wide;
+  return { isPreview: true, distance, pitch, frequency, error, gaps: gaps.filter(({ lower, upper }) => upper > lower) };
 }

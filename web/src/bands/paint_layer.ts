@@ -13,10 +13,13 @@ const LOOKS: Record<Look, { colour: string; dash: number[]; width: number }> = {
   held: { colour: "curve-1", dash: [1.5, 3], width: 1.5 },
 };
 
-export function paintLayer(plot: uPlot, diagram: BandDiagram, layer: Layer, factor: number, look: Look): void {
+/** Paint with frequencies over a factor, and the path over `length`. */
+export function paintLayer(
+  plot: uPlot, diagram: BandDiagram, layer: Layer, factor: number, length: number, look: Look,
+): void {
   const { ctx } = plot;
   const { colour, dash, width } = LOOKS[look];
-  const across = Array.from(diagram.distance, (distance) => plot.valToPos(distance, "x", true));
+  const across = Array.from(layer.distance, (distance) => plot.valToPos(distance / length, "x", true));
   const up = (k: number, sign: number) => {
     const value = (layer.frequency[k] ?? NaN) + sign * (layer.error[k] ?? NaN);
     return plot.valToPos(value / factor, "y", true);

@@ -16,6 +16,7 @@ export interface Choice extends Pace {
   swing: Signal<number>; // largest drawn displacement, as a share of the period
   copies: Signal<[number, number]>; // cells along a1 and a2
   unit: Signal<Unit>;
+  wavevectorUnit: Signal<Unit>;
   listing: Signal<Listed>;
   held: Signal<(Held & { layer: Layer }) | null>; // a design to compare with
 }
@@ -29,6 +30,7 @@ export function startingChoice(diagram: BandDiagram): Choice {
     pace: signal(0.7),
     copies: signal<[number, number]>([2, 2]),
     unit: signal(suitable(diagram.units, Math.max(...diagram.frequency))),
+    wavevectorUnit: signal(diagram.wavevectorUnits[1]!),
     listing: signal<Listed>("none"),
     held: signal(null),
   };

@@ -74,6 +74,7 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
           </Walk>
           <p class="axes">
             <UnitSelect title="Frequencies in" units={diagram.units} unit={choice.unit} />
+            <UnitSelect title="Wavevectors in" units={diagram.wavevectorUnits} unit={choice.wavevectorUnit} />
             <Legend diagram={diagram} isPreview={kind === "preview"} isHeld={held !== null} />
           </p>
           {held !== null && host && kind !== "earlier design" && (

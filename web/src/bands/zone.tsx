@@ -3,11 +3,11 @@
 import { computed, signal, type Signal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import { themeColour, onTheme } from "../parts/colours";
-import { PlayButton, UnitSelect } from "../parts/controls";
+import { PlayButton } from "../parts/controls";
 import { FactList } from "../parts/facts";
 import { keyPressed, type Key } from "../parts/keys";
 import { uncertain } from "../parts/numbers";
-import { rounded, titled, wavevectorUnits, withUnit, type Unit } from "../parts/units";
+import { rounded, titled, withUnit, type Unit } from "../parts/units";
 import { Walk } from "../parts/walk";
 import type { BandDiagram } from "./diagram_data";
 import { Mode } from "./mode";
@@ -22,7 +22,6 @@ const LEAST_SPEED = 1; // m/s, below which it has no direction
 
 interface ZoneChoice {
   image: Signal<number>; // number of the wavevector among those of the whole zone
-  wavevectorUnit: Signal<Unit>;
 }
 
 interface Props {
@@ -38,10 +37,9 @@ export function Zone({ diagram, choice }: Props) {
 
 function ZoneSection({ diagram, choice }: Props) {
   const zone = useMemo(() => new ZoneSurface(diagram.data), [diagram]);
-  const units = useMemo(() => wavevectorUnits(Number(diagram.data.header.attrs["pitch_m"])), [diagram]);
   const own = useMemo<ZoneChoice>(
-    () => ({ image: signal(zone.highest(choice.point.peek().band)), wavevectorUnit: signal(units[1]!) }),
-    [zone, units, choice],
+    () => ({ image: signal(zone.highest(choice.point.peek().band)) }),
+    [zone, choice],
   );
   const keys = useMemo(() => zoneKeys(diagram, zone, own, choice), [diagram, zone, own, choice]);
   const motion = useMemo(
@@ -74,7 +72,6 @@ function ZoneSection({ diagram, choice }: Props) {
               ))}
             </select>
           </label>
-          <UnitSelect title="Wavevectors in" units={units} unit={own.wavevectorUnit} />
         </p>
         <Scale zone={zone} diagram={diagram} band={band} unit={choice.unit.value} />
         <ZoneFacts diagram={diagram} zone={zone} own={own} choice={choice} />
@@ -260,7 +257,7 @@ interface FactsProps extends Props {
 }
 
 function ZoneFacts({ diagram, zone, own, choice }: FactsProps) {
-  const [image, along, unit] = [own.image.value, own.wavevectorUnit.value, choice.unit.value];
+  const [image, along, unit] = [own.image.value, choice.wavevectorUnit.value, choice.unit.value];
   const { band } = choice.point.value;
   const [x, y] = zone.wavevector(image).map((value) => Number((value / along.factor).toFixed(3)));
   const sample = zone.sample(image);

@@ -56,7 +56,9 @@ function Run({ job }: { job: Job }) {
         </button>
       </td>
       <td class="study-title">{job.title || "-"}</td>
-      <td>{job.file}</td>
+      <td>
+        {job.file} {job.byCommand && <span class="quiet">command line</span>}
+      </td>
       <td class="number">{began(job.started)}</td>
       <td class="number">{job.state === "running" ? "" : `${Math.round(job.seconds)} s`}</td>
       <td>

@@ -148,6 +148,7 @@ export interface Job {
   turned: boolean; // it belongs to a number that a user turns
   first: boolean; // the part of the view that is computed first is there
   archived: boolean; // from an earlier start of the server, or too old to stay in memory
+  byCommand?: boolean; // of the command line
   turns: boolean; // the list of numbers that can be turned is there
   previews: Record<string, number>; // improvements of each preview so far, by the path of its number
 }
