@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from itertools import product
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -27,6 +28,9 @@ from haptonic.cell.mesh import mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.plots import style
 from haptonic.views import write_page
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
 
 ROOT = Path(__file__).parents[1]
 IMAGES = ROOT / "docs" / "images"
@@ -140,7 +144,8 @@ def draw_pages() -> None:
     touchpad, edge = hp.load(TOUCHPAD), hp.load(ROOT / "src/haptonic/templates/edge.toml")
     results = {
         "bands": touchpad.bands(html=True, surface=True),
-        "layers": touchpad.layers(),
+        "layers": touchpad.layers(html=True),
+        "waveguide": touchpad.waveguide(html=True),
         "ribbon": edge.ribbon(html=True),
         "plate": touchpad.plate(html=True),
         "feel": touchpad.feel(html=True),
@@ -152,8 +157,20 @@ def draw_pages() -> None:
             with page_at(browser, file.as_uri(), 1440, reduced_motion="reduce") as page:
                 page.wait_for_selector(".walk canvas")
                 page.wait_for_timeout(500)  # until all parts are drawn
-                for place, picture in enumerate([name, "zone"] if name == "bands" else [name]):
-                    page.locator(".pair").nth(place).screenshot(path=IMAGES / f"{picture}-page.png")
+                page.locator(".pair").first.screenshot(path=IMAGES / f"{name}-page.png")
+                if name == "bands":
+                    draw_zone(page)
+
+
+def draw_zone(page: Page) -> None:
+    """The zone on the page of bands, at a wavevector inside it."""
+    zone = page.get_by_role("application", name="Brillouin zone")
+    for key, times in (("ArrowLeft", 9), ("ArrowDown", 5)):
+        for _ in range(times):
+            zone.press(key)
+    page.add_style_tag(content=".insight { position: static !important; }")  # it would cover the picture
+    page.wait_for_timeout(500)
+    page.locator(".pair").nth(1).screenshot(path=IMAGES / "zone-page.png")
 
 
 STEPS = 40  # of the slider, from the design to the preview that is drawn

@@ -19,7 +19,7 @@ from haptonic import plots
 from haptonic.bloch import bands_dataset
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.cell.skin import drawing_cells, outer_faces, outline_edges
-from haptonic.errors import ResourceError
+from haptonic.errors import HaptonicError, ResourceError
 from haptonic.plots import style
 from haptonic.plots.bands import CURVE_STYLES, RIGID
 from haptonic.results.bands import Bands
@@ -190,6 +190,16 @@ class TestDispersion:
         assert "#0072B2" in {line.get_color() for line in lines}
         assert result.plot("natures").legends
         assert not result.plot("natures", legend=False).legends
+
+    @pytest.mark.parametrize(("unit", "length"), [("rad/m", np.pi / 7e-3), ("pi/a", 1.0)])
+    def test_the_length_of_the_path_is_written_in_a_unit(self, unit, length):
+        axes = plots.dispersion(reference_bands(), wavevectors=unit).axes[0]
+        name, written = axes.get_xticklabels()[1].get_text().split("\n")
+        assert name == "X"
+        assert float(written) == pytest.approx(length, rel=5e-3)
+        assert unit.replace("pi", "π") in axes.get_xlabel()
+        with pytest.raises(HaptonicError, match="wavevectors"):
+            plots.dispersion(reference_bands(), wavevectors="1/m")
 
     def test_the_corners_are_named(self, drawn):
         axes = drawn["dispersion"].axes[0]

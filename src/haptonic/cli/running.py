@@ -23,7 +23,6 @@ from haptonic.results.cost import LONG
 from haptonic.results.result import Result, taken
 from haptonic.results.table import FORMS, Table, check_form
 from haptonic.store import Store
-from haptonic.studio.recording import record
 from haptonic.study import load
 from haptonic.study.loading import text_of
 
@@ -223,6 +222,8 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         voice.answer(result.to_json() | located)
     if study is not None and file is not None and budget is None:  # a budget is no part of the study
         chosen = {field.name: getattr(options, field.name) for field in fields(options)}
+        from haptonic.studio.recording import record  # after the answer, as it takes 0.1 s
+
         try:
             record(analysis, study, text, file, chosen, result, started, folder)
         except ResourceError as error:

@@ -166,12 +166,13 @@ class DesignLine:
                     {"units": "Hz", "long_name": "change of its slope, per SI unit of the number"},
                 ),
             }  # fmt: skip
-        for name, dims, unit, title in (
-            ("distance", ("wavevector",), "rad/m", "arc length of the wavevector"),
-            ("pitch", (), "m", "pitch of the lattice"),
-        ):
+        shared = {
+            "distance": (("node", "wavevector"), "rad/m", "arc length of the wavevector"),
+            "pitch": (node, "m", "pitch of the lattice"),
+        }
+        for name, (along, unit, title) in shared.items():
             values = np.array([getattr(samples, name) for samples in self.samples])
-            variables[name] = (node + dims, values, {"units": unit, "long_name": title})
+            variables[name] = (along, values, {"units": unit, "long_name": title})
         value_attributes = {"units": "1", "long_name": "value of the number, SI"}
         return xr.Dataset(variables | {"value": (node, np.array(self.values), value_attributes)})
 

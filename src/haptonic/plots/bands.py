@@ -10,11 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array, Ints
+from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.looks import colours
 from haptonic.plots.stage import stage
-from haptonic.plots.text import band_text
+from haptonic.plots.text import WavevectorUnit, band_text
 from haptonic.units import hz_text
 
 LEAST_SHOWN = 0.4  # of the frequencies, for plain bands to end where the last one is lowest
@@ -51,6 +52,7 @@ def dispersion(
     title: str = "",
     *,
     natures: bool = False,
+    wavevectors: WavevectorUnit | None = None,
     ax: Axes | None = None,
 ) -> Figure:
     """Bands along the path; complete gaps shaded, the carrier dashed.
@@ -63,6 +65,7 @@ def dispersion(
     carrier_hz : drive frequency, Hz
     natures : draw each mode in the colour, dashes and marker of what moves; where its nature changes along a
         branch, so do these
+    wavevectors : unit of the length of the path, which is then written below the corners
     """
     on = stage(ax, 11.5)
     axes = on.axes
@@ -78,7 +81,7 @@ def dispersion(
             linewidth=0.0, alpha=0.35, zorder=0, gid=f"gap {waves}",
         )  # fmt: skip
     present = _draw_branches(axes, dataset, distance, frequency, None if natures else colours([style.INK])[0])
-    mark_corners(axes, dataset)
+    mark_corners(axes, dataset, wavevectors)
     axes.set_ylabel("frequency (kHz)")
     if title:
         axes.set_title(title, parse_math=False)
@@ -133,14 +136,31 @@ def _gap_labels(dataset: xr.Dataset) -> list[tuple[float, str]]:
     ]
 
 
-def mark_corners(axes: Axes, dataset: xr.Dataset) -> None:
-    """Name the corners of the irreducible zone below the axes, with a line at each."""
+def mark_corners(axes: Axes, dataset: xr.Dataset, unit: WavevectorUnit | None = None) -> None:
+    """Name the corners of the irreducible zone below the axes, with a line at each.
+
+    With a unit, the length of the path up to each corner is below its name.
+
+    Raises
+    ------
+    HaptonicError : another unit
+    """
     corners = json.loads(dataset.attrs["path_corners"])
     places = dataset["distance"].values[corners]
     for place in places[1:-1]:
         axes.axvline(place, color=style.PALE_INK, lw=0.6, zorder=1)
-    axes.set_xticks(places, json.loads(dataset.attrs["path_labels"]))
-    axes.set_xlabel("wavevector")
+    labels = json.loads(dataset.attrs["path_labels"])
+    if unit is None:
+        axes.set_xticks(places, labels)
+        axes.set_xlabel("wavevector")
+        return
+    per_metre = {"rad/m": 1.0, "pi/a": np.pi / float(dataset.attrs["pitch_m"])}
+    if unit not in per_metre:
+        cause = "wavevectors have no such unit here"
+        raise HaptonicError.unknown("wavevectors", str(unit), list(per_metre), cause)
+    lengths = places / per_metre[unit]
+    axes.set_xticks(places, [f"{label}\n{length:.3g}" for label, length in zip(labels, lengths, strict=True)])
+    axes.set_xlabel(f"length of the path ({'π/a' if unit == 'pi/a' else unit})")
 
 
 def _draw_branches(

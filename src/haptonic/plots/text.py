@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from haptonic.names import visible
 from haptonic.units import frequency_scale, uncertain
@@ -12,6 +12,8 @@ from haptonic.units import frequency_scale, uncertain
 if TYPE_CHECKING:
     from haptonic.bloch import Gap
     from haptonic.vibrometry import MeasuredGap
+
+WavevectorUnit = Literal["rad/m", "pi/a"]
 
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten that they take away
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}

@@ -15,7 +15,7 @@ from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import further_gaps_of, lattice_of, mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
-from haptonic.plots.text import gap_text
+from haptonic.plots.text import WavevectorUnit, gap_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
@@ -230,9 +230,10 @@ class Bands(Result):
         "Simulated dispersion along the edge of the irreducible zone. Complete gaps are shaded, those of one "
         "parity hatched.",
     )
-    def _dispersion(self, *, ax: Axes | None = None) -> Figure:
-        """Band diagram with the complete gaps and the carrier."""
-        return plots.dispersion(self.dataset, self.dataset.attrs.get("carrier_hz"), ax=ax)
+    def _dispersion(self, *, wavevectors: WavevectorUnit | None = None, ax: Axes | None = None) -> Figure:
+        """Band diagram with the complete gaps and the carrier; ``wavevectors`` is a unit for the path."""
+        carrier = self.dataset.attrs.get("carrier_hz")
+        return plots.dispersion(self.dataset, carrier, wavevectors=wavevectors, ax=ax)
 
     @figure(
         "natures",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -34,7 +33,8 @@ def record(
 
     Parameters
     ----------
-    text : of the study, in its file; options : by name; started : time of its begin; files : folder with its pictures, None if none was written
+    text : of the study, in its file; options : by name; started : time of its begin
+    files : folder with its pictures; None if none was written
 
     Raises
     ------

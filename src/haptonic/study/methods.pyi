@@ -109,6 +109,7 @@ class Methods:
     def waveguide(
         self,
         *,
+        html: bool = ...,
         mode: str | None = ...,
         store: haptonic.store.Store | None = None,
         workers: int = 0,
