@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Bools, Complex, Ints
-from haptonic.bloch.slab_places import SlabPlaces
+from haptonic.bloch.slab_boundary import SlabBoundary
 from haptonic.later import csgraph, linalg as la
 from haptonic.superelement import Tiling
 
@@ -91,7 +91,7 @@ class Slab:
 
         left, right : (n, 2) places of the faces, m, in the same order; lossy : True for tiles with losses
         """
-        joint, places = tiling.joint, SlabPlaces.of(tiling, phase, left, right)
+        joint, places = tiling.joint, SlabBoundary.of(tiling, phase, left, right)
         total = places.total
         stiffness, lossless, mass = np.zeros((3, total, total), dtype=complex)
         coupling, poles = [], []

@@ -12,7 +12,7 @@ from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.evanescent import Slab, Waves
 from haptonic.bloch.face_grid import STEPS, FaceGrid, flat_face, middles, strongest
 from haptonic.bloch.rows import CondensedRows
-from haptonic.bloch.slab_places import SlabPlaces
+from haptonic.bloch.slab_boundary import SlabBoundary
 from haptonic.later import xarray as xr
 from haptonic.superelement import Tiling
 
@@ -21,12 +21,12 @@ from haptonic.superelement import Tiling
 class SlabFields:
     """Motion of the flat face of a slab that follows from the motion of its two faces.
 
-    tiling, places, slab : the slab, at a phase along it; turn : (2, 2) axes across and along the rows
+    tiling, boundary, slab : the slab, at a phase along it; turn : (2, 2) axes across and along the rows
     nodes, position, triangles : flat face, see `flat_face`
     """
 
     tiling: Tiling
-    places: SlabPlaces
+    boundary: SlabBoundary
     slab: Slab
     turn: Array
     nodes: Ints
@@ -36,7 +36,16 @@ class SlabFields:
     @classmethod
     def of(cls, tiling: Tiling, slab: Slab, phase: float, faces: tuple[Array, Array], turn: Array) -> Self:
         """Make it for a slab of a tiling between two faces (n, 2), m."""
-        return cls(tiling, SlabPlaces.of(tiling, phase, *faces), slab, turn, *flat_face(tiling, turn))
+        nodes, position, triangles = flat_face(tiling, turn)
+        return cls(
+            tiling=tiling,
+            boundary=SlabBoundary.of(tiling, phase, *faces),
+            slab=slab,
+            turn=turn,
+            nodes=nodes,
+            position=position,
+            triangles=triangles,
+        )
 
     @classmethod
     def of_rows(cls, rows: CondensedRows, phase: float) -> Self:
@@ -50,7 +59,7 @@ class SlabFields:
         unknowns = np.zeros((self.tiling.size, boundary.shape[1]), dtype=complex)
         first = 0
         for number, (tile, own) in enumerate(zip(self.tiling.tiles, self.tiling.own, strict=True)):
-            rows, spread = self.places.rim(number)
+            rows, spread = self.boundary.rim(number)
             count = tile.size - tile.trace_size
             unknowns[own] = np.vstack([spread @ boundary[rows], modes[first : first + count]])
             first += count
@@ -112,17 +121,17 @@ class RowFields:
         field = self.grid.values(chosen, exponents)
         return WaveField(field / np.abs(field).max(axis=(1, 2), keepdims=True), component, waves.exponent)
 
-    def dataset(self, found: Sequence[WaveField]) -> xr.Dataset:
+    def dataset(self, wave_fields: Sequence[WaveField]) -> xr.Dataset:
         """Dataset of the fields at each frequency."""
-        field = np.array([each.field for each in found]).astype(np.complex64)
-        exponent = np.array([each.exponent for each in found])
+        field = np.array([each.field for each in wave_fields]).astype(np.complex64)
+        exponent = np.array([each.exponent for each in wave_fields])
         of_wave = ("frequency", "wave")
         of_grid = (*of_wave, "across", "along")
         variables = {
             "wave_real": (of_grid, field.real, "1", "displacement in phase, largest 1 in a slab"),
             "wave_imag": (of_grid, field.imag, "1", "displacement a quarter period earlier"),
             "wave_component": (
-                of_wave, np.array([each.component for each in found], dtype=np.int8), "1",
+                of_wave, np.array([each.component for each in wave_fields], dtype=np.int8), "1",
                 "component: 0 across the rows, 1 along them, 2 normal",
             ),
             "slab_phase": (of_wave, exponent.imag, "rad", "phase from one slab to the next"),

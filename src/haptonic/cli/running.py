@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields
 from pathlib import Path
@@ -23,8 +22,8 @@ from haptonic.results.cost import LONG
 from haptonic.results.result import Result, taken
 from haptonic.results.table import FORMS, Table, check_form
 from haptonic.store import Store
+from haptonic.studio.recording import CommandRun
 from haptonic.study import load
-from haptonic.study.loading import text_of
 
 SCREEN = 24  # lines of a terminal
 SENTENCES = 3  # sentences of the answer that are always printed
@@ -177,7 +176,8 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     budget = rest.pop("budget", None)
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
     study = None if file is None else load(file).within(budget, "--budget")
-    text, started = "" if file is None else text_of(file), time.time()
+    # a budget is no part of the study
+    run = CommandRun.begun(analysis, study, file) if budget is None else None
     analysis.admit(study, options)
     cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:
@@ -220,12 +220,9 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
                 voice.tell(f"written: {', '.join(Path(path).name for path in paths)}")
     if json:
         voice.answer(result.to_json() | located)
-    if study is not None and file is not None and budget is None:  # a budget is no part of the study
-        chosen = {field.name: getattr(options, field.name) for field in fields(options)}
-        from haptonic.studio.recording import record  # after the answer, as it takes 0.1 s
-
+    if run is not None:
         try:
-            record(analysis, study, text, file, chosen, result, started, folder)
+            run.keep(options, result, folder)
         except ResourceError as error:
             voice.say(f"The studio will not list this run: {error.cause}.")
 

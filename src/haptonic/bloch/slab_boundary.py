@@ -15,7 +15,7 @@ BETWEEN = 2  # places on neither of two faces
 
 
 @dataclass(frozen=True)
-class SlabPlaces:
+class SlabBoundary:
     """Places of a tiling with one period between two faces, at a fixed phase of the period.
 
     column : (levels, places, 3) number on the boundary of each unknown of the rims: the left face, the right
