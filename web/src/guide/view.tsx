@@ -53,13 +53,13 @@ function GuidesView({ data }: { data: Dataset }) {
       <div class="pair">
         <section aria-label="Waveguides">
           <Walk label="Waveguides. Arrow keys select another length.">
-            <SizeChart guides={guides} choice={choice} />
+            {guides.count > 1 && <SizeChart guides={guides} choice={choice} />}
+            <ProfileChart guides={guides} choice={choice} />
           </Walk>
           <p class="axes">
             <UnitSelect title="Frequencies in" units={guides.units} unit={choice.unit} />
           </p>
           <GuideFacts guides={guides} choice={choice} />
-          <ProfileChart guides={guides} choice={choice} />
         </section>
         <section aria-label="Mode">
           <Field
