@@ -177,7 +177,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     options = analysis.chosen({name: value for name, value in rest.items() if value is not None})
     study = None if file is None else load(file).within(budget, "--budget")
     # a budget is no part of the study
-    run = CommandRun.begun(analysis, study, file) if budget is None else None
+    run = CommandRun.begun(analysis, study, file, options) if budget is None else None
     analysis.admit(study, options)
     cost = analysis.cost(study, options) if analysis.cost else None
     if cost and dry:
@@ -222,7 +222,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         voice.answer(result.to_json() | located)
     if run is not None:
         try:
-            run.keep(options, result, folder)
+            run.keep(result)
         except ResourceError as error:
             voice.say(f"The studio will not list this run: {error.cause}.")
 
