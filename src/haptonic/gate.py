@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,12 @@ from haptonic.errors import NumericalError
 from haptonic.later import xarray as xr
 
 WORD = "nan_means"
+
+
+def describe(dataset: xr.Dataset, titles: Mapping[str, tuple[str, str]]) -> None:
+    """Give variables of a dataset their units and titles."""
+    for name, (unit, title) in titles.items():
+        dataset[name].attrs = {"units": unit, "long_name": title}
 
 
 def declared(dataset: xr.Dataset, **meanings: str) -> xr.Dataset:

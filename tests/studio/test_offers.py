@@ -42,7 +42,7 @@ def test_offered_analyses_need_only_what_a_page_can_give():
     assert {"plan", "bands", "layers", "plate", "design", "scan", "friction", "compare"} <= set(names)
     assert not {"export", "reproduce", "simulate scan", "simulate friction"} & set(names)
     interactive = [offer["name"] for offer in offers() if offer["interactive"]]
-    assert interactive == ["bands", "layers", "ribbon", "plate", "feel", "scan", "friction"]
+    assert interactive == ["bands", "layers", "waveguide", "ribbon", "plate", "feel", "scan", "friction"]
     (bands,) = [offer for offer in offers() if offer["name"] == "bands"]
     assert [each["name"] for each in bands["options"]] == ["surface", "modes_at"]
 

@@ -214,7 +214,7 @@ def test_runs_of_the_command_line_are_listed_opened_and_compared(tmp_path):
         picture = studio.ask("GET", f"/api/jobs/{first['number']}/pictures/dispersion")
         assert picture.content == (tmp_path / "bands/dispersion.svg").read_bytes()
         number = start(studio, "bands", QUICK_CELL.replace("14.7 mm", "14 mm"))
-        studio.finished(number, drawn=True)
+        studio.finished(number)
         (tmp_path / "quick.toml").write_text(QUICK_CELL.replace("14.7 mm", "14.2 mm"), "utf-8")
         command("bands", "quick.toml", "--json")
         end, jobs = time.monotonic() + PATIENCE, []

@@ -1,12 +1,13 @@
 """Bands, gaps and modes of the infinite lattice, computed from one small matrix pencil."""
 
-from haptonic.bloch.bands import bands_dataset, gaps_dataset, gaps_of, mode_shapes
+from haptonic.bloch.bands import bands_dataset, gaps_dataset, gaps_of
 from haptonic.bloch.gaps import Gap
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.model import BlochModel, bloch_model
 from haptonic.bloch.pencil import Pencil, bloch_pencil
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.rows import CondensedRows, attenuation
+from haptonic.bloch.shapes import mode_shapes
 
 __all__ = [
     "BlochModel",

@@ -12,20 +12,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
-from haptonic.bloch.character import NAMES, characters
+from haptonic.bloch.character import NAMES
 from haptonic.bloch.gaps import Gap, complete_gaps, listed_gaps
 from haptonic.bloch.mesh_levels import Lack
 from haptonic.bloch.model import BlochModel, best_model, candidate_models
 from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
+from haptonic.bloch.shapes import mode_shapes
 from haptonic.bloch.symmetry import MIDDLE, WAVES
 from haptonic.bloch.tracking import Diagram, diagram, solved
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import ZoneModes, zone_surface
+from haptonic.brillouin import Path
 from haptonic.cell import UnitCell
 from haptonic.cell.scales import scales
-from haptonic.gate import declared
+from haptonic.gate import declared, describe
 from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread
@@ -79,7 +81,7 @@ def bands_dataset(
             np.stack([getattr(each, name)[: model.count] for each in solutions])
             for name in ("frequency", "error")
         )
-        curves = xr.merge([_curves_dataset(frequency, error), _gaps_dataset(gaps)])
+        curves = xr.merge([_curves_dataset(path, frequency, error), _gaps_dataset(gaps)])
         first(curves.assign_attrs(scales(cell)))
 
     def merged_parts() -> xr.Dataset:
@@ -147,7 +149,7 @@ def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = 
     wavevectors, _ = cell.zone.triangles(2)
     lowest = min(float(model.frequencies(kappa)[-1]) for kappa in wavevectors)
     dataset["searched_up_to"] = (), lowest
-    _describe(
+    describe(
         dataset,
         {"searched_up_to": ("Hz", "lowest computed frequency of the last band; above it more bands exist")},
     )
@@ -194,7 +196,7 @@ def add_further_gaps(dataset: xr.Dataset, gaps: Mapping[str, tuple[Gap, ...]]) -
     further[f"{FURTHER}gap_lattice"] = f"{FURTHER}gap", number
     further[f"{FURTHER}lattice"] = f"{FURTHER}lattice", np.array(list(gaps))
     titles = {"gap_lattice": "number of its lattice, from 0", "lattice": "name of a further lattice"}
-    _describe(further, {f"{FURTHER}{name}": ("1", title) for name, title in titles.items()})
+    describe(further, {f"{FURTHER}{name}": ("1", title) for name, title in titles.items()})
     return dataset.merge(further)
 
 
@@ -270,73 +272,36 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     return checked, missed
 
 
-def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
-    """Fields of all modes at one wavevector on the meshes of all tiles, with linear sub-cells for drawing."""
-    tiling = model.fine.tiling
-    solution = model.solve(kappa)
-    shapes = model.displacement(solution)
-    largest = np.abs(shapes).max(axis=(0, 1))
-    turned = shapes / largest
-    for k in range(turned.shape[2]):  # choose the phase with the largest real part
-        square = (turned[..., k] ** 2).sum()
-        turned[..., k] *= np.exp(-0.5j * np.angle(square))
-    named = characters(tiling, solution.fields)
-    dataset = xr.Dataset(
-        {
-            "node_position": (("node", "xyz"), tiling.points),
-            "subcell": (("cell", "corner"), tiling.linear_subcells()),
-            "mode_frequency": ("mode", solution.frequency),
-            "mode_error": ("mode", solution.error),
-            "mode_name": ("mode", named.name),
-            "mode_parity": ("mode", model.fine.parity(solution.modes)),
-            "mode_kappa": ("axis", kappa),
-            "mode_real": (("mode", "node", "xyz"), np.moveaxis(turned.real, 2, 0).astype(np.float32)),
-            "mode_imag": (("mode", "node", "xyz"), np.moveaxis(turned.imag, 2, 0).astype(np.float32)),
-        }
-    )
-    _describe(dataset, {
-        "node_position": ("m", "position of the mesh's nodes"),
-        "subcell": ("1", "eight corners of linear cells between nodes"),
-        "mode_frequency": ("Hz", "frequency"),
-        "mode_error": ("Hz", "bound of the frequency's error"),
-        "mode_name": ("1", "character, a position in character_names"),
-        "mode_parity": ("1", MIDDLE),
-        "mode_kappa": ("rad", "phases k . a1 and k . a2"),
-        "mode_real": ("1", "displacement in phase, largest component 1"),
-        "mode_imag": ("1", "displacement a quarter period earlier"),
-    })  # fmt: skip
-    return dataset
-
-
 def _mesh_attribute(model: BlochModel) -> str:
     """Plans of the tiles as JSON text; for a single tile its plan."""
     plans = [asdict(plan) for plan in model.resolution.plans(model.cell)]
     return json.dumps(plans[0] if len(plans) == 1 else plans)
 
 
-def _describe(dataset: xr.Dataset, titles: dict[str, tuple[str, str]]) -> None:
-    for name, (unit, title) in titles.items():
-        dataset[name].attrs = {"units": unit, "long_name": title}
-
-
-def _curves_dataset(frequency: Array, error: Array) -> xr.Dataset:
+def _curves_dataset(path: Path, frequency: Array, error: Array) -> xr.Dataset:
     """Frequencies (wavevectors, bands) along a path and bounds of their errors, Hz."""
     of_modes = ("wavevector", "band")
     dataset = xr.Dataset(
-        {"frequency": (of_modes, frequency), "frequency_error": (of_modes, error)},
+        {
+            "distance": ("wavevector", path.distance),
+            "frequency": (of_modes, frequency),
+            "frequency_error": (of_modes, error),
+        },
         coords={"band": np.arange(1, frequency.shape[1] + 1)},
     )
-    titles = {"frequency": ("Hz", "frequency"), "frequency_error": ("Hz", "bound of the frequency's error")}
-    _describe(dataset, titles)
+    describe(dataset, {
+        "distance": ("rad/m", "arc length of the wavevector along the edge of the irreducible zone"),
+        "frequency": ("Hz", "frequency"),
+        "frequency_error": ("Hz", "bound of the frequency's error"),
+    })  # fmt: skip
     return dataset
 
 
 def _diagram_dataset(along: Diagram) -> xr.Dataset:
-    of_modes, curves = ("wavevector", "band"), _curves_dataset(along.frequency, along.error)
+    of_modes, curves = ("wavevector", "band"), _curves_dataset(along.path, along.frequency, along.error)
     dataset = xr.Dataset(
         {
             "kappa": (("wavevector", "axis"), along.path.kappa),
-            "distance": ("wavevector", along.path.distance),
             **curves,
             "group_velocity": ((*of_modes, "axis"), along.velocity),
             "parity": (of_modes, along.parity),
@@ -349,9 +314,8 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
             "character": (of_modes, along.name),
         }
     )
-    _describe(dataset, {
+    describe(dataset, {
         "kappa": ("rad", "phases k . a1 and k . a2"),
-        "distance": ("rad/m", "arc length of the wavevector along the edge of the irreducible zone"),
         "group_velocity": ("m/s", "group velocity along x and y; NaN for rigid-body motions"),
         "parity": ("1", "+1 even, -1 odd under the mirror of the segment, 0 without one"),
         "middle_parity": ("1", MIDDLE),
@@ -384,7 +348,7 @@ def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
             "gap_samples": ("gap", np.array([g.samples for g in gaps], dtype=np.int64)),
         }
     )
-    _describe(dataset, {name: (unit, title) for name, (_, unit, title) in plain.items()} | {
+    describe(dataset, {name: (unit, title) for name, (_, unit, title) in plain.items()} | {
         "gap_below": ("1", "number of the band below, from 1"),
         "gap_lower_kappa": ("rad", "phases at which the lower edge lies"),
         "gap_upper_kappa": ("rad", "phases at which the upper edge lies"),

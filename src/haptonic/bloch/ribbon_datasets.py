@@ -10,7 +10,7 @@ from haptonic.arrays import Array
 from haptonic.bloch.face_grid import flat_face
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
 from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
-from haptonic.gate import declared
+from haptonic.gate import declared, describe
 from haptonic.later import xarray as xr
 
 NO_DECAY = "a strip, a mode within a bulk band, or fewer than two rows to compare"
@@ -81,8 +81,7 @@ def ribbon_dataset(
         "nodal_lines": ("1", "nodal lines of the normal motion across the guide"),
         "intervals": ("1", "intervals between nodal lines along a guide of the given length"),
     }
-    for name, (unit, title) in titles.items():
-        dataset[name].attrs = {"units": unit, "long_name": title}
+    describe(dataset, titles)
     return declared(
         dataset,
         decay=NO_DECAY,

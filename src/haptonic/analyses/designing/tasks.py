@@ -15,6 +15,7 @@ from haptonic.cell import UnitCell
 from haptonic.design.brief import Brief
 from haptonic.design.quick import QUICK
 from haptonic.design.search import HeightRow, Visited, climb, spread, starts_of
+from haptonic.gate import describe
 from haptonic.jobs import Task
 from haptonic.later import xarray as xr
 
@@ -108,8 +109,7 @@ def all_seen(brief: Brief, history: Sequence[tuple[str, Visited]]) -> xr.Dataset
     dataset["value"] = ("visit", "parameter"), np.array([brief.values(visit.share) for visit in visits])
     dataset["stage"] = "visit", np.array([stage for stage, _ in history])
     dataset = dataset.assign_coords(parameter=list(brief.paths))
-    for name, (unit, title) in TITLES.items():
-        dataset[name].attrs = {"units": unit, "long_name": title}
+    describe(dataset, TITLES)
     dataset.attrs |= {"carrier_hz": brief.carrier, "mesh": json.dumps(asdict(QUICK))}
     dataset["parameter"].attrs |= brief.links.attributes(brief.paths)
     return dataset
