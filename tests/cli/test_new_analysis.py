@@ -14,6 +14,8 @@ import toy
 from haptonic.analyses import NAMES
 from haptonic.cli.app import app
 from haptonic.errors import StudyError
+from haptonic.studio.answers import answer_of
+from haptonic.studio.offers import as_command, offered, offers
 from haptonic.study.computing import AnalysisMethod
 from quick import QUICK_CELL
 
@@ -32,6 +34,9 @@ def added(monkeypatch):
     monkeypatch.setitem(NAMES, "toy", "Count, as a toy does.")
     # the class of studies is made with the names that there are when it is imported
     monkeypatch.setattr(haptonic.Study, "toy", AnalysisMethod("toy", haptonic.Study.run), raising=False)
+    offers.cache_clear()
+    yield
+    offers.cache_clear()
 
 
 def ran(*words):
@@ -63,6 +68,18 @@ class TestAddedAnalysis:
     def test_its_forecast_is_told_by_itself_and_by_a_plan(self, study):
         assert json.loads(ran("toy", study(), "--number", 4, "--dry-run", "--json"))["processor_s"] == 8.0
         assert json.loads(ran("plan", study(), "--json"))["data"]["processor_time_s"]["toy"] == 4.0
+
+    def test_the_studio_offers_it_with_options_and_answer(self, study):
+        (toys,) = [offer for offer in offers() if offer["name"] == "toy"]
+        assert toys["help"] == "Count, as a toy does."
+        assert [(each["name"], each["form"], each["unit"], each["default"]) for each in toys["options"]] == [
+            ("number", "int", "", 2), ("length", "text", "m", 1e-3),
+        ]  # fmt: skip
+        assert as_command(offered("toy"), "my.toml", {"number": 3}) == "haptonic toy my.toml --number 3"
+        answer, view = answer_of(haptonic.load(study()).toy())
+        assert answer["summary"] == ["It counts to 2."]
+        assert [picture["name"] for picture in answer["pictures"]] == ["toy"]
+        assert view is None
 
     def test_it_refuses_to_overwrite(self, study, tmp_path):
         out = tmp_path / "out"
