@@ -20,6 +20,7 @@ from haptonic.results.bands import Bands
 from haptonic.results.scan.value import ScanResult
 from haptonic.results.table import Table
 from haptonic.vibrometry.maps.edges import Edge, LatticeGap
+from haptonic.vibrometry.maps.registration import Registration
 from made_up import reference_bands
 
 tables = st.lists(st.integers(0, 40), max_size=6).map(
@@ -154,7 +155,7 @@ def test_a_report_says_first_what_each_part_found(others):
 @pytest.mark.parametrize("all_of_it", [True, False])
 def test_a_scan_says_first_what_was_read_then_how_a_model_fits_and_the_gap(all_of_it):
     """Reading and registration come last; parts that are not asked for are not mentioned."""
-    moved = SimpleNamespace(scale=1.0, angle=0.0, shift=np.zeros(2), misfit=0.0)
+    moved = Registration(scale=1.0, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=0.0)
     edges = LatticeGap(Edge(66e3, 100.0), None, ("no upper edge",))
     stands_out = SimpleNamespace(lower=53e3, upper=59e3, lower_error=10.0, upper_error=20.0)
     scan = SimpleNamespace(

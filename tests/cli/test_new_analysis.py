@@ -30,10 +30,10 @@ BARE = (
 @pytest.fixture
 def added(monkeypatch):
     """The one line."""
+    studies = haptonic.Study  # has methods for the names that there are when it is imported
     monkeypatch.setitem(sys.modules, "haptonic.analyses.toy", toy)
     monkeypatch.setitem(NAMES, "toy", "Count, as a toy does.")
-    # the class of studies is made with the names that there are when it is imported
-    monkeypatch.setattr(haptonic.Study, "toy", AnalysisMethod("toy", haptonic.Study.run), raising=False)
+    monkeypatch.setattr(studies, "toy", AnalysisMethod("toy", studies.run), raising=False)
     offers.cache_clear()
     yield
     offers.cache_clear()
