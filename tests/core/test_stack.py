@@ -129,7 +129,10 @@ def test_frequencies_are_those_of_the_whole_mesh(name):
     assert condensed == pytest.approx(frequencies(*assembled(mesh, *one.solids), P, 8), rel=2e-4)
 
 
-@pytest.mark.parametrize("name", ["hole", "coated inclusion", "triangular"])
+@pytest.mark.parametrize(
+    "name",
+    ["coated inclusion", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("hole", "triangular"))],
+)
 def test_discs_through_the_plate_part_waves_by_parity(name):
     """A mode is its image or the opposite; a slight draft, which needs the whole mesh, changes little."""
     one = CELLS[name]
