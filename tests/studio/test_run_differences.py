@@ -9,7 +9,7 @@ from haptonic.results.table import Column, Ranged, Table, Uncertain
 from haptonic.studio.answers import plain_table, table_of
 from haptonic.studio.comparing import compared
 from haptonic.studio.job import Job
-from haptonic.studio.worker import Order
+from haptonic.studio.order import Order
 from quick import QUICK_CELL
 
 COLUMNS = ("gap", Column("from", "Hz", "kHz", ".2f"), Column("share", "", "%", ".1f"))

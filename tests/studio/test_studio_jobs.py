@@ -14,7 +14,8 @@ import psutil
 import pytest
 from served import PATIENCE, Served, served
 
-from haptonic.studio.worker import Order, Wish, serve
+from haptonic.studio.order import Order, Wish
+from haptonic.studio.worker import serve
 from haptonic.study import templates
 from quick import QUICK_CELL
 

@@ -18,7 +18,8 @@ from haptonic.studio import archive as module
 from haptonic.studio.archive import Archive
 from haptonic.studio.designs import design_text
 from haptonic.studio.job import Job
-from haptonic.studio.worker import Order, Wishes, study_of
+from haptonic.studio.order import Order
+from haptonic.studio.worker import Wishes, study_of
 from haptonic.study import loads
 from quick import QUICK_CELL
 

@@ -21,7 +21,7 @@ from haptonic.atomic import write_atomically
 from haptonic.gate import json_from
 from haptonic.store import Store
 from haptonic.studio.job import Job
-from haptonic.studio.worker import Order
+from haptonic.studio.order import Order
 
 FORM = 2  # of the files; those of another form are left alone
 MOST_RUNS, MOST_BYTES = 50, 500_000_000  # older runs leave

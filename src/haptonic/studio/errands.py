@@ -11,7 +11,8 @@ from typing import Any
 
 from haptonic.errors import HaptonicError
 from haptonic.studio.jobs import Worker, worker_died
-from haptonic.studio.worker import Order, serve
+from haptonic.studio.order import Order
+from haptonic.studio.worker import serve
 
 PRIORITY = 3  # lower than that of computations, in steps of ``nice``
 

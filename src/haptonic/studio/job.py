@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from haptonic.studio.offers import as_command, as_python, offered
-from haptonic.studio.worker import Order
+from haptonic.studio.order import Order
 
 LONGEST_TITLE = 200  # characters in the list, which is sent after every change
 

@@ -18,7 +18,8 @@ from typing import Any
 from haptonic.errors import HaptonicWarning, ResourceError, StudyError
 from haptonic.studio.archive import Archive
 from haptonic.studio.job import Job
-from haptonic.studio.worker import Order, Wish, serve
+from haptonic.studio.order import Order, Wish
+from haptonic.studio.worker import serve
 
 KEPT = 8  # jobs whose answers stay in memory
 MOST_POINTS = 5000  # of a job

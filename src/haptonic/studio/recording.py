@@ -14,7 +14,7 @@ from haptonic.studio.answers import answer_of
 from haptonic.studio.archive import Archive
 from haptonic.studio.job import Job
 from haptonic.studio.offers import is_offered
-from haptonic.studio.worker import Order
+from haptonic.studio.order import Order
 from haptonic.study.schema import Description
 from haptonic.study.text_file import text_of
 

@@ -7,7 +7,7 @@ from typing import Any
 from haptonic.errors import StudyError, shown
 from haptonic.studio.checking import title_of
 from haptonic.studio.offers import chosen, offered, with_paths
-from haptonic.studio.worker import Order
+from haptonic.studio.order import Order
 from haptonic.studio.workspace import Workspace
 
 UNNAMED = "my.toml"  # name in commands for a study that is not saved yet

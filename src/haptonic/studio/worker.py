@@ -18,11 +18,10 @@ import signal
 import threading
 import traceback
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from multiprocessing.connection import Connection
-from pathlib import Path
 from queue import SimpleQueue
 from types import FrameType
 from typing import Any
@@ -35,47 +34,15 @@ from haptonic.later import leave_out, xarray as xr
 from haptonic.results.result import Result
 from haptonic.studio.answers import answer_of, packed_part
 from haptonic.studio.editing import steps_of
-from haptonic.studio.files import Export, file_of
+from haptonic.studio.files import file_of
 from haptonic.studio.offers import offered, with_paths
+from haptonic.studio.order import Order, Wish
 from haptonic.studio.workspace import Workspace
 from haptonic.study import Study
 from haptonic.study.loading import examined
 
 MOST_WISHES = 20  # paths that are remembered
 Send = Callable[..., None]  # kind and content of a message
-
-
-@dataclass(frozen=True)
-class Order:
-    """An analysis to compute.
-
-    number : of the job
-    text : of the study; title : in it; folder : of its file, which may have no such name yet
-    analysis : name of an offered analysis
-    export : file to make of the result, instead of an answer for the page
-    alone : the analysis does not use the study of the page
-    examines : only read the files, and report what was understood
-    turned : path of the number that a user turns; empty for another order
-    """
-
-    number: int
-    text: str
-    folder: Path
-    file: str
-    analysis: str
-    options: Mapping[str, Any]
-    title: str = ""
-    export: Export | None = None
-    turned: str = ""
-    alone: bool = False
-    examines: bool = False
-
-
-@dataclass(frozen=True)
-class Wish:
-    """A number whose preview is wanted before others."""
-
-    path: str
 
 
 class _ReplacedError(BaseException):
