@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,16 @@ def describe(dataset: xr.Dataset, titles: Mapping[str, tuple[str, str]]) -> None
     """Give variables of a dataset their units and titles."""
     for name, (unit, title) in titles.items():
         dataset[name].attrs = {"units": unit, "long_name": title}
+
+
+def titled(variables: Mapping[str, tuple[Sequence[str], Any, str, str]]) -> xr.Dataset:
+    """Dataset of variables, each given by its dimensions, values, unit and title."""
+    return xr.Dataset(
+        {
+            name: (dims, values, {"units": unit, "long_name": title})
+            for name, (dims, values, unit, title) in variables.items()
+        }
+    )
 
 
 def declared(dataset: xr.Dataset, **meanings: str) -> xr.Dataset:

@@ -8,7 +8,7 @@ from playwright.sync_api import Page
 from browser import STILL, advances, faults_of_layout, page_at, pixels
 from haptonic.bloch.face_grid import FaceGrid
 from haptonic.results.ribbon import RibbonWaves
-from haptonic.results.ribbon_view import STEPS
+from haptonic.results.steps import STEPS
 from haptonic.study import loads
 from haptonic.units import uncertain
 from quick import QUICK_CELL

@@ -5,11 +5,11 @@ import pytest
 
 from browser import STILL, advances, faults_of_layout, page_at, pixels
 from haptonic.bloch.evanescent import bloch_waves
-from haptonic.bloch.face_grid import FaceGrid, flat_face, strongest
+from haptonic.bloch.face_grid import FaceGrid, FlatFace, strongest
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import best_model
 from haptonic.bloch.row_fields import RowFields
-from haptonic.results.ribbon_view import STEPS
+from haptonic.results.steps import STEPS
 from haptonic.study import loads
 from quick import QUICK_CELL
 
@@ -32,16 +32,18 @@ def test_a_wave_in_rows_is_the_mode_of_the_lattice_at_its_phases(text, along, ph
     assert len(waves), "nothing would be compared"
     found, position = fields.field(omega, waves), fields.grid
     per_row = rows.exponents(waves, phase)
-    nodes, places, triangles = flat_face(model.fine.tiling, lattice.turn)
+    face = FlatFace.of(model.fine.tiling, lattice.turn)
     vectors = study.cell.lattice.vectors @ lattice.turn.T
-    grid = FaceGrid.of(position.across, position.along, places[:, ::-1], triangles, vectors[:, ::-1])
+    grid = FaceGrid.of(
+        position.across, position.along, face.position[:, ::-1], face.triangles, vectors[:, ::-1]
+    )
     basis = np.linalg.inv(np.array([lattice.along, lattice.across], dtype=float).T)
     for number, exponent in enumerate(per_row):
         kappa = np.array([phase, exponent.imag]) @ basis
         solution = model.solve(kappa)
         mode = int(np.abs(solution.frequency - 20e3).argmin())
         assert solution.frequency[mode] == pytest.approx(20e3, rel=1e-2)
-        motion = model.displacement(solution)[nodes][..., [mode]]
+        motion = model.displacement(solution)[face.nodes][..., [mode]]
         motion[:, :2] = np.einsum("xy,nyk->nxk", lattice.turn, motion[:, :2])
         chosen, component = strongest(motion)
         assert component[0] == found.component[number]

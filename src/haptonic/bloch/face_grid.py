@@ -16,15 +16,37 @@ EDGE = 1e-9  # share by which a point may lie outside a triangle due to rounding
 FARTHEST = 2  # translations from a point of the grid to the meshed period; tiles of oblique lattices lean
 
 
-def flat_face(tiling: Tiling, turn: Array) -> tuple[Ints, Array, Ints]:
-    """Nodes (n,) on the flat face, positions (n, 2) in axes turned by (2, 2), m, and triangles (t, 3)."""
-    points = tiling.points
-    faces = tiling.linear_subcells()[:, :4]
-    faces = faces[(np.abs(points[faces, 2]) < EDGE * np.ptp(points)).all(axis=1)]
-    nodes, corners = np.unique(faces, return_inverse=True)
-    corners = corners.reshape(-1, 4)
-    triangles = np.concatenate([corners[:, :3], corners[:, [0, 2, 3]]])
-    return nodes, points[nodes, :2] @ turn.T, triangles
+@dataclass(frozen=True)
+class FlatFace:
+    """Flat face of a tiling, in axes turned by ``turn`` (2, 2).
+
+    nodes : (n,) on the face; position : (n, 2) m; triangles : (t, 3)
+    """
+
+    tiling: Tiling
+    turn: Array
+    nodes: Ints
+    position: Array
+    triangles: Ints
+
+    @classmethod
+    def of(cls, tiling: Tiling, turn: Array) -> Self:
+        """Find the face."""
+        points = tiling.points
+        faces = tiling.linear_subcells()[:, :4]
+        faces = faces[(np.abs(points[faces, 2]) < EDGE * np.ptp(points)).all(axis=1)]
+        nodes, corners = np.unique(faces, return_inverse=True)
+        corners = corners.reshape(-1, 4)
+        triangles = np.concatenate([corners[:, :3], corners[:, [0, 2, 3]]])
+        return cls(
+            tiling=tiling, turn=turn, nodes=nodes, position=points[nodes, :2] @ turn.T, triangles=triangles
+        )
+
+    def motion(self, unknowns: Complex) -> Complex:
+        """(n, 3, k) displacement along the turned axes and normal, from unknowns (u, k) of the tiling."""
+        motion = self.tiling.lifted(unknowns)[self.nodes]
+        motion[:, :2] = np.einsum("xy,nyk->nxk", self.turn, motion[:, :2])
+        return np.asarray(motion)
 
 
 def strongest(motion: Complex) -> tuple[Complex, Ints]:

@@ -12,6 +12,7 @@ from haptonic.bloch.guide import GuidedMode, Wall
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.row_fields import SlabFields
 from haptonic.bloch.rows import CondensedRows
+from haptonic.gate import titled
 from haptonic.later import xarray as xr
 
 ROWS = 4  # of the lattice that are drawn on each side
@@ -43,12 +44,7 @@ def guides_dataset(lattice: CondensedRows, modes: Sequence[GuidedMode]) -> xr.Da
         "across": ("across", across, "m", "position from the middle of the strip"),
         "along": ("along", along, "m", "position along the strip"),
     }  # fmt: skip
-    return xr.Dataset(
-        {
-            name: (dims, np.asarray(values), {"units": unit, "long_name": title})
-            for name, (dims, values, unit, title) in variables.items()
-        }
-    )
+    return titled(variables)
 
 
 def guided_field(lattice: CondensedRows, mode: GuidedMode, across: Array, along: Array) -> Complex:
@@ -97,8 +93,10 @@ def guided_field(lattice: CondensedRows, mode: GuidedMode, across: Array, along:
                 (passed * np.exp(behind.lattice.exponent)).sum(axis=1)[:, None],
             )
             shift = number * rows.reach * rows.turn @ rows.step
-        position = (piece.position + shift)[:, ::-1]
-        grid = FaceGrid.of(along, across - edge, position, piece.triangles, np.array([[rows.period, 0.0]]))
+        position = (piece.face.position + shift)[:, ::-1]
+        grid = FaceGrid.of(
+            along, across - edge, position, piece.face.triangles, np.array([[rows.period, 0.0]])
+        )
         values = grid.values(motion[:, NORMAL], np.array([1j * phase]))[0].T
         there = grid.present.T.astype(bool) & ~inside[:, None]
         field[there] = values[there]

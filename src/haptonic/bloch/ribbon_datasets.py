@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.bloch.face_grid import flat_face
+from haptonic.bloch.face_grid import FlatFace, strongest
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
 from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
 from haptonic.gate import declared, describe
@@ -115,22 +115,18 @@ def field_dataset(
     """Dataset of a mode's field on the flat face: its largest component, with the ribbon along y."""
     modes = next(modes for modes in modes_by_phase if modes.kappa == float(chosen["phase"]))
     number = int(np.abs(modes.frequency - float(chosen["frequency"])).argmin())
-    tiling, ribbon = model.fine.tiling, model.ribbon
-    nodes, position, triangles = flat_face(tiling, ribbon.turn)
-    motion = tiling.lifted(modes.fields[:, [number]])[nodes, :, 0]
-    motion[:, :2] = motion[:, :2] @ ribbon.turn.T
-    which = int(np.linalg.norm(motion, axis=0).argmax())
-    field = motion[:, which]
-    field = field / field[np.abs(field).argmax()]
+    face = FlatFace.of(model.fine.tiling, model.ribbon.turn)
+    fields, components = strongest(face.motion(modes.fields[:, [number]]))
+    field = fields[:, 0]
     dataset = xr.Dataset(
         {
-            "field_position": (("node", "axis"), position),
-            "field_triangle": (("triangle", "vertex"), triangles),
+            "field_position": (("node", "axis"), face.position),
+            "field_triangle": (("triangle", "vertex"), face.triangles),
             "field_real": ("node", field.real),
             "field_imag": ("node", field.imag),
             "field_frequency": ((), float(chosen["frequency"])),
             "field_phase": ((), float(chosen["phase"])),
-            "field_component": ((), which),
+            "field_component": ((), int(components[0])),
         }
     )
     for name, unit in (("field_position", "m"), ("field_frequency", "Hz"), ("field_phase", "rad")):

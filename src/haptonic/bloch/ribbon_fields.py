@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from haptonic.bloch.face_grid import FaceGrid, flat_face, strongest
+from haptonic.bloch.face_grid import FaceGrid, FlatFace, strongest
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
 from haptonic.later import xarray as xr
 
@@ -16,17 +16,14 @@ def fields_dataset(model: RibbonModel, modes_by_phase: Sequence[RibbonModes]) ->
 
     Modes are in the order of `haptonic.bloch.ribbon_datasets.ribbon_dataset`.
     """
-    tiling, ribbon = model.fine.tiling, model.ribbon
-    nodes, position, triangles = flat_face(tiling, ribbon.turn)
-    grid = FaceGrid.of_strip(position, triangles, ribbon.period)
+    face = FlatFace.of(model.fine.tiling, model.ribbon.turn)
+    grid = FaceGrid.of_strip(face.position, face.triangles, model.ribbon.period)
     fields = [np.zeros((0, len(grid.across), len(grid.along)), dtype=complex)]
     components = [np.zeros(0, dtype=np.int64)]
     for modes in modes_by_phase:
         if not len(modes.frequency):
             continue
-        motion = tiling.lifted(modes.fields)[nodes]  # (nodes, 3, modes)
-        motion[:, :2] = np.einsum("xy,nyk->nxk", ribbon.turn, motion[:, :2])
-        chosen, component = strongest(motion)
+        chosen, component = strongest(face.motion(modes.fields))
         fields.append(grid.values(chosen, np.array([1j * modes.kappa])))
         components.append(component)
     field = np.concatenate(fields).astype(np.complex64)

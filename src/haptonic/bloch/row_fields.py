@@ -10,9 +10,10 @@ import numpy as np
 
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.evanescent import Slab, Waves
-from haptonic.bloch.face_grid import STEPS, FaceGrid, flat_face, middles, strongest
+from haptonic.bloch.face_grid import STEPS, FaceGrid, FlatFace, middles, strongest
 from haptonic.bloch.rows import CondensedRows
 from haptonic.bloch.slab_boundary import SlabBoundary
+from haptonic.gate import titled
 from haptonic.later import xarray as xr
 from haptonic.superelement import Tiling
 
@@ -21,31 +22,17 @@ from haptonic.superelement import Tiling
 class SlabFields:
     """Motion of the flat face of a slab that follows from the motion of its two faces.
 
-    tiling, boundary, slab : the slab, at a phase along it; turn : (2, 2) axes across and along the rows
-    nodes, position, triangles : flat face, see `flat_face`
+    boundary, slab : the slab, at a phase along it; face : in axes across and along the rows
     """
 
-    tiling: Tiling
     boundary: SlabBoundary
     slab: Slab
-    turn: Array
-    nodes: Ints
-    position: Array
-    triangles: Ints
+    face: FlatFace
 
     @classmethod
     def of(cls, tiling: Tiling, slab: Slab, phase: float, faces: tuple[Array, Array], turn: Array) -> Self:
         """Make it for a slab of a tiling between two faces (n, 2), m."""
-        nodes, position, triangles = flat_face(tiling, turn)
-        return cls(
-            tiling=tiling,
-            boundary=SlabBoundary.of(tiling, phase, *faces),
-            slab=slab,
-            turn=turn,
-            nodes=nodes,
-            position=position,
-            triangles=triangles,
-        )
+        return cls(SlabBoundary.of(tiling, phase, *faces), slab, FlatFace.of(tiling, turn))
 
     @classmethod
     def of_rows(cls, rows: CondensedRows, phase: float) -> Self:
@@ -56,16 +43,14 @@ class SlabFields:
     def motion(self, omega: float, left: Complex, right: Complex) -> Complex:
         """(nodes, 3, k) displacement across, along and normal for motions (n, k) of the faces at omega."""
         boundary, modes = self.slab.answer(omega, np.vstack([left, right]))
-        unknowns = np.zeros((self.tiling.size, boundary.shape[1]), dtype=complex)
-        first = 0
-        for number, (tile, own) in enumerate(zip(self.tiling.tiles, self.tiling.own, strict=True)):
+        tiling, first = self.face.tiling, 0
+        unknowns = np.zeros((tiling.size, boundary.shape[1]), dtype=complex)
+        for number, (tile, own) in enumerate(zip(tiling.tiles, tiling.own, strict=True)):
             rows, spread = self.boundary.rim(number)
             count = tile.size - tile.trace_size
             unknowns[own] = np.vstack([spread @ boundary[rows], modes[first : first + count]])
             first += count
-        motion = self.tiling.lifted(unknowns)[self.nodes]
-        motion[:, :2] = np.einsum("xy,nyk->nxk", self.turn, motion[:, :2])
-        return np.asarray(motion)
+        return self.face.motion(unknowns)
 
 
 @dataclass(frozen=True)
@@ -98,12 +83,12 @@ class RowFields:
         """Make the grid of rows."""
         slab, lattice = SlabFields.of_rows(rows, phase), rows.rows
         step = lattice.turn @ (lattice.reach * lattice.step)
-        position = slab.position[:, ::-1]  # along the rows, then across them
+        position = slab.face.position[:, ::-1]  # along the rows, then across them
         per_row = STEPS * lattice.reach
         grid = FaceGrid.of(
             middles(position[:, 0].min(), lattice.period, max(2, round(per_row * lattice.period / step[0]))),
             middles(lattice.middle, step[0], per_row),
-            position, slab.triangles, np.array([[lattice.period, 0.0], step[::-1]]),
+            position, slab.face.triangles, np.array([[lattice.period, 0.0], step[::-1]]),
         )  # fmt: skip
         return cls(slab, grid, phase, rows)
 
@@ -142,9 +127,4 @@ class RowFields:
             "across": ("across", self.grid.across, "m", "position along the rows"),
             "along": ("along", self.grid.along, "m", "position across the rows"),
         }  # fmt: skip
-        return xr.Dataset(
-            {
-                name: (dims, values, {"units": unit, "long_name": title})
-                for name, (dims, values, unit, title) in variables.items()
-            }
-        )
+        return titled(variables)

@@ -16,7 +16,7 @@ from haptonic.bloch.representative import images, signed_operations
 from haptonic.bloch.symmetry import MIDDLE, mirrors_at
 from haptonic.bloch.tracking import group_velocity, split_by_parity
 from haptonic.brillouin import IrreducibleZone
-from haptonic.gate import declared
+from haptonic.gate import declared, titled
 from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice, Operation, PointGroup
 from haptonic.superelement import JointImage
@@ -70,12 +70,7 @@ class ZoneSurface:
             ),
             "density_frequency": ("bin", 0.5 * (edges[:-1] + edges[1:]), "Hz", "middle of the bin"),
         }  # fmt: skip
-        return xr.Dataset(
-            {
-                name: (dims, values, {"units": unit, "long_name": title})
-                for name, (dims, values, unit, title) in variables.items()
-            }
-        )
+        return titled(variables)
 
     def density_of_states(self, edges: Array) -> Array:
         """(bins,) states per cell and Hz between the given frequencies (bins + 1,).
@@ -180,12 +175,7 @@ class ZoneModes:
             "zone_middle_parity": (of_modes, self.middle, "1", MIDDLE),
             "zone_character": (of_modes, self.character, "1", "character, a position in character_names"),
         }  # fmt: skip
-        dataset = xr.Dataset(
-            {
-                name: (dims, values, {"units": unit, "long_name": title})
-                for name, (dims, values, unit, title) in variables.items()
-            }
-        )
+        dataset = titled(variables)
         return declared(dataset, zone_velocity="not defined for a rigid-body motion")
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from haptonic.later import xarray as xr
-from haptonic.results.ribbon_view import FIELDS, field_colours, in_steps
+from haptonic.results.ribbon_view import FIELDS
+from haptonic.results.steps import in_steps, step_colours
 from haptonic.views import InteractiveView
 
 
@@ -17,7 +18,7 @@ def guides_view(data: xr.Dataset, title: str, summary: Sequence[str], best: int)
         dataset=data.assign({name: in_steps(data[name]) for name in FIELDS}),
         extra={
             "summary": list(summary),
-            "colours": field_colours(),
+            "colours": step_colours(),
             "best": best,
             "gap": [float(end) for end in data.attrs["gap"]],
         },

@@ -10,7 +10,7 @@ from haptonic.arrays import Array
 from haptonic.bloch.mirrors import LEAST_SHARE
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
-from haptonic.results.ribbon_view import field_colours, in_steps
+from haptonic.results.steps import in_steps, step_colours
 from haptonic.views import InteractiveView
 
 DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of the phase of 1 rad
@@ -53,7 +53,7 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
         fields = {name: in_steps(data[name].transpose(*OF_FIELDS)) for name in ("wave_real", "wave_imag")}
         fields |= {name: data[name].transpose("wave", "frequency").variable for name in OF_WAVES}
         fields |= {name: data[name].variable for name in OF_GRID}
-        extra["colours"] = field_colours()
+        extra["colours"] = step_colours()
     return InteractiveView(
         kind="layers",
         title=title,

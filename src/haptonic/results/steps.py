@@ -1,4 +1,4 @@
-"""Displacements of a view in small integers: each frequency in steps of its own."""
+"""Displacements of a view in small integers: each frequency, or each mode, in steps of its own."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.arrays import AnyComplex
+from haptonic.later import xarray as xr
 
-STEPS = np.iinfo(np.int8).max  # of the largest displacement at a frequency; a map has as many colours
+STEPS = np.iinfo(np.int8).max  # of the largest displacement; a map has as many colours
 
 
 def stepped(name: str, field: AnyComplex, dims: Sequence[Hashable]) -> dict[str, Any]:
@@ -28,6 +29,11 @@ def stepped(name: str, field: AnyComplex, dims: Sequence[Hashable]) -> dict[str,
         f"{name}_imag": (dims, np.rint(field.imag / wide).astype(np.int8)),
         f"{name}_step": (dims[0], step, about),
     }
+
+
+def in_steps(field: xr.DataArray) -> xr.Variable:
+    """Displacements up to 1 in `STEPS`."""
+    return xr.Variable(field.dims, np.rint(STEPS * field.values).astype(np.int8), field.attrs)
 
 
 def step_colours() -> list[list[int]]:
