@@ -1,6 +1,6 @@
 /** The keys of the view of bands. */
 
-import type { Key } from "../parts/keys";
+import { motionKey, type Key } from "../parts/keys";
 import { listingKeys } from "../parts/listing";
 import type { BandDiagram } from "./diagram_data";
 import { LARGEST_SWING, moved, nextGap, type Choice } from "./state";
@@ -24,11 +24,7 @@ export function bandsKeys(diagram: BandDiagram, choice: Choice, hold?: () => voi
       effect: "next higher or lower band",
       actions: { ArrowUp: () => walk(0, 1), ArrowDown: () => walk(0, -1) },
     },
-    {
-      keys: "space",
-      effect: "move or stop",
-      actions: { " ": () => (choice.playing.value = !choice.playing.value) },
-    },
+    motionKey(choice),
     {
       keys: "+ −",
       effect: "larger or smaller displacement",

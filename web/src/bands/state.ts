@@ -1,7 +1,7 @@
 /** What the user of a band diagram has chosen. */
 
 import { signal, type Signal } from "@preact/signals";
-import { wantsStill, type Pace } from "../parts/cycle";
+import { startingPace, type Pace } from "../parts/cycle";
 import type { Listed } from "../parts/listing";
 import { suitable, type Unit } from "../parts/units";
 import type { BandDiagram, Point } from "./diagram_data";
@@ -25,9 +25,8 @@ export function startingChoice(diagram: BandDiagram): Choice {
   const gap = diagram.gaps[0];
   return {
     point: signal(gap ? diagram.belowGap(gap) : { row: diagram.corners[1]?.row ?? 0, band: 0 }),
-    playing: signal(!wantsStill()),
+    ...startingPace(),
     swing: signal(0.15),
-    pace: signal(0.7),
     copies: signal<[number, number]>([2, 2]),
     unit: signal(suitable(diagram.units, Math.max(...diagram.frequency))),
     wavevectorUnit: signal(diagram.wavevectorUnits[1]!),

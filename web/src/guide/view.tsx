@@ -5,12 +5,12 @@ import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import type { Dataset } from "../dataset";
 import { Chart } from "../parts/chart";
-import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
-import { wantsStill, type Pace } from "../parts/cycle";
+import { PaceControls, UnitSelect } from "../parts/controls";
+import { startingPace, type Pace } from "../parts/cycle";
 import { FactList } from "../parts/facts";
 import { Field } from "../parts/field";
 import { Frame, origin } from "../parts/frame";
-import type { Key } from "../parts/keys";
+import { motionKey, type Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
 import { dot, shadeInterval, verticalLine } from "../parts/marks";
 import { uncertain } from "../parts/numbers";
@@ -39,8 +39,7 @@ function GuidesView({ data }: { data: Dataset }) {
     () => ({
       guide: signal(guides.best),
       unit: signal(suitable(guides.units, guides.value("frequency", guides.best))),
-      playing: signal(!wantsStill()),
-      pace: signal(0.7),
+      ...startingPace(),
       listing: signal<Listed>("none"),
     }),
     [guides],
@@ -67,10 +66,7 @@ function GuidesView({ data }: { data: Dataset }) {
             label="Field of the guided mode, the strip from left to right between rows of the lattice"
             name="waveguide" caption={`${data.header.title}, ${origin(data)}`}
           />
-          <div class="controls">
-            <PlayButton playing={choice.playing} />
-            <PaceSlider pace={choice.pace} />
-          </div>
+          <PaceControls {...choice} />
         </section>
       </div>
       <Listing listing={choice.listing} keys={keys}>
@@ -98,7 +94,7 @@ function guidesKeys(guides: Waveguides, choice: Choice): Key[] {
       actions: { ArrowLeft: go(-1), ArrowRight: go(1) },
     },
     { keys: "b", effect: "waveguide nearest to the carrier", actions: { b: () => (choice.guide.value = guides.best) } },
-    { keys: "space", effect: "move or stop", actions: { " ": () => (choice.playing.value = !choice.playing.value) } },
+    motionKey(choice),
     ...listingKeys(choice.listing),
   ];
 }

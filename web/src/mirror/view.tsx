@@ -5,12 +5,12 @@ import { useMemo } from "preact/hooks";
 import type uPlot from "uplot";
 import type { Dataset } from "../dataset";
 import { Chart } from "../parts/chart";
-import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
-import { wantsStill, type Pace } from "../parts/cycle";
+import { PaceControls, UnitSelect } from "../parts/controls";
+import { startingPace, type Pace } from "../parts/cycle";
 import { FactList } from "../parts/facts";
 import { Field } from "../parts/field";
 import { Frame, origin } from "../parts/frame";
-import type { Key } from "../parts/keys";
+import { motionKey, type Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
 import { dot, line, shadeInterval, verticalLine } from "../parts/marks";
 import { uncertain } from "../parts/numbers";
@@ -54,8 +54,7 @@ function MirrorView({ data }: { data: Dataset }) {
       rows: signal(mirror.rows.length - 1),
       incident: signal(mirror.incident[0] ?? ""),
       wave: signal(0),
-      playing: signal(!wantsStill()),
-      pace: signal(0.7),
+      ...startingPace(),
       unit: signal(suitable(mirror.units, Math.max(...mirror.frequency))),
       listing: signal<Listed>("none"),
     }),
@@ -132,7 +131,7 @@ function mirrorKeys(mirror: Mirror, choice: Choice): Key[] {
         W: () => (choice.wave.value = bounded(choice.wave.value - 1, mirror.waves)),
       },
     },
-    { keys: "space", effect: "move or stop", actions: { " ": () => (choice.playing.value = !choice.playing.value) } },
+    motionKey(choice),
     { keys: "c", effect: "carrier", actions: { c: () => (choice.line.value = mirror.nearest(mirror.carrier)) } },
     ...listingKeys(choice.listing),
   ];
@@ -254,10 +253,7 @@ function WaveField({ mirror, choice }: Props) {
   return (
     <>
       <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the wave, rows from left to right" name="wave" caption={caption} />
-      <div class="controls">
-        <PlayButton playing={choice.playing} />
-        <PaceSlider pace={choice.pace} />
-      </div>
+      <PaceControls {...choice} />
     </>
   );
 }

@@ -1,6 +1,7 @@
 /** Controls that views share: units, and the motion. */
 
 import type { Signal } from "@preact/signals";
+import type { Pace } from "./cycle";
 import type { Unit } from "./units";
 
 export function UnitSelect({ title, units, unit }: { title: string; units: Unit[]; unit: Signal<Unit> }) {
@@ -24,6 +25,16 @@ export function PlayButton({ playing }: { playing: Signal<boolean> }) {
     <button type="button" onClick={() => (playing.value = !playing.value)}>
       {playing.value ? "Stop" : "Move"}
     </button>
+  );
+}
+
+/** Start, stop and pace of a motion. */
+export function PaceControls({ playing, pace }: Pace) {
+  return (
+    <div class="controls">
+      <PlayButton playing={playing} />
+      <PaceSlider pace={pace} />
+    </div>
   );
 }
 

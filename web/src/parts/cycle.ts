@@ -1,6 +1,6 @@
 /** The moment of a vibration that is drawn, and what moves it on. */
 
-import { effect, type Signal } from "@preact/signals";
+import { effect, signal, type Signal } from "@preact/signals";
 
 export interface Pace {
   playing: Signal<boolean>;
@@ -8,9 +8,12 @@ export interface Pace {
 }
 
 /** True if the system asks for little motion. */
-export function wantsStill(): boolean {
+function wantsStill(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
+
+/** A motion that a view begins with. */
+export const startingPace = (): Pace => ({ playing: signal(!wantsStill()), pace: signal(0.7) });
 
 export class Cycle {
   moment = 0; // of the cycle, from 0 to 1

@@ -1,6 +1,7 @@
 /** Keys of a view: what each does, and when it belongs to an element instead. */
 
 import { signal } from "@preact/signals";
+import type { Pace } from "./cycle";
 
 export interface Key {
   keys: string; // as the list prints them
@@ -22,6 +23,13 @@ export function addKeys(title: string, keys: Key[]): () => void {
   keyLists.value = [...keyLists.peek(), added];
   return () => (keyLists.value = keyLists.peek().filter((each) => each !== added));
 }
+
+/** The key that starts and stops a motion. */
+export const motionKey = ({ playing }: Pace): Key => ({
+  keys: "space",
+  effect: "move or stop",
+  actions: { " ": () => (playing.value = !playing.value) },
+});
 
 const WRITTEN_IN = "input, textarea, select"; // use letters and arrows themselves
 const PRESSED = "button, summary, a"; // use the space bar themselves

@@ -1,8 +1,8 @@
 /** What the user of a plate's response has chosen. */
 
 import { signal, type Signal } from "@preact/signals";
-import { wantsStill, type Pace } from "../parts/cycle";
-import type { Key } from "../parts/keys";
+import { startingPace, type Pace } from "../parts/cycle";
+import { motionKey, type Key } from "../parts/keys";
 import { listingKeys, type Listed } from "../parts/listing";
 import { suitable, type Unit } from "../parts/units";
 import type { PlateResponse, Shown } from "./plate_data";
@@ -25,8 +25,7 @@ export function startingChoice(plate: PlateResponse): Choice {
     plan: signal(false),
     common: signal(false),
     unit: signal(suitable(plate.units, Math.max(...plate.frequency))),
-    playing: signal(!wantsStill()),
-    pace: signal(0.7),
+    ...startingPace(),
     listing: signal<Listed>("none"),
   };
 }
@@ -64,11 +63,7 @@ export function plateKeys(plate: PlateResponse, choice: Choice): Key[] {
     { keys: "g", effect: plate.firstIs, actions: { g: () => jump(plate.first) } },
     ...(plate.fields.length > 1 ? [scale] : []),
     { keys: "l", effect: "pillars and supports", actions: { l: () => (choice.plan.value = !choice.plan.value) } },
-    {
-      keys: "space",
-      effect: "move or stop",
-      actions: { " ": () => (choice.playing.value = !choice.playing.value) },
-    },
+    motionKey(choice),
     ...listingKeys(choice.listing),
   ];
 }

@@ -4,12 +4,12 @@ import { computed, signal, type Signal } from "@preact/signals";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { Dataset } from "../dataset";
 import { onTheme } from "../parts/colours";
-import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
-import { wantsStill, type Pace } from "../parts/cycle";
+import { PaceControls, UnitSelect } from "../parts/controls";
+import { startingPace, type Pace } from "../parts/cycle";
 import { FactList } from "../parts/facts";
 import { Field } from "../parts/field";
 import { Frame, origin } from "../parts/frame";
-import type { Key } from "../parts/keys";
+import { motionKey, type Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
 import { uncertain } from "../parts/numbers";
 import { rounded, suitable, titled, withUnit, type Unit } from "../parts/units";
@@ -45,8 +45,7 @@ function RibbonView({ data }: { data: Dataset }) {
       mode: signal(ribbon.first),
       unit: signal(suitable(ribbon.units, ribbon.range[1])),
       wavevectorUnit: signal(ribbon.wavevectorUnits[1]!),
-      playing: signal(!wantsStill()),
-      pace: signal(0.7),
+      ...startingPace(),
       listing: signal<Listed>("none"),
     }),
     [ribbon],
@@ -69,12 +68,7 @@ function RibbonView({ data }: { data: Dataset }) {
         <section aria-label="Mode">
           {ribbon.hasFields ? <ModeField ribbon={ribbon} choice={choice} /> : <p>{STILL_HINT}</p>}
           <ModeFacts ribbon={ribbon} choice={choice} />
-          {ribbon.hasFields && (
-            <div class="controls">
-              <PlayButton playing={choice.playing} />
-              <PaceSlider pace={choice.pace} />
-            </div>
-          )}
+          {ribbon.hasFields && <PaceControls {...choice} />}
         </section>
       </div>
       <Listing listing={choice.listing} keys={keys}>
@@ -104,7 +98,7 @@ function ribbonKeys(ribbon: RibbonModes, choice: Choice): Key[] {
       actions: { ArrowUp: () => walk(0, 1), ArrowDown: () => walk(0, -1) },
     },
     { keys: "p n", effect: "previous or next guided mode", actions: { p: () => next(-1), n: () => next(1) } },
-    { keys: "space", effect: "move or stop", actions: { " ": () => (choice.playing.value = !choice.playing.value) } },
+    motionKey(choice),
     ...listingKeys(choice.listing),
   ];
 }
