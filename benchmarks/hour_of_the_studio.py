@@ -156,7 +156,9 @@ def measured(page: Any, server: psutil.Process, roles: dict[int, str]) -> dict[s
     session = page.context.new_cdp_session(page)
     session.send("HeapProfiler.collectGarbage")
     session.send("Performance.enable")
-    metrics = {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
+    metrics = {
+        metric["name"]: metric["value"] for metric in session.send("Performance.getMetrics")["metrics"]
+    }
     session.detach()
     memory = {"server": server.memory_info().rss / 1e6}
     for child in server.children():

@@ -31,9 +31,10 @@ from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import hertz
 from haptonic.cell import Pillar, UnitCell
 from haptonic.cell.quadrature import lobatto
+from haptonic.elements import element_matrices
 from haptonic.errors import HaptonicError
 from haptonic.later import linalg as la
-from haptonic.materials import Material, elasticity_tensor, material
+from haptonic.materials import Material, material
 from haptonic.parallel import one_thread
 from haptonic.superelement import Tiling
 
@@ -50,20 +51,16 @@ def highest(order: int) -> Array:
 
 def energies(points: Array, nodes: Ints, solid: Material, fields: Fields) -> tuple[Array, Array]:
     """Energies of fields (n, 3, m) in elements: (3, m) of their highest polynomials, (m,) in all."""
-    of_axis = [lobatto(count - 1) for count in nodes.shape[1:]]
-    slopes, weights = [axis[2] for axis in of_axis], [axis[1] for axis in of_axis]
-    jacobian = np.stack(
-        [np.einsum(rule.replace("m", ""), slope, points[nodes])
-         for rule, slope in zip(ALONG, slopes, strict=True)], axis=-1,
-    )  # fmt: skip
-    volume = np.linalg.det(jacobian) * (weights[0][:, None, None] * weights[1][:, None] * weights[2])
-    inverse, tensor = np.linalg.inv(jacobian), elasticity_tensor(solid.stiffness)
+    matrices = element_matrices(points, nodes, solid)
+    first, second = matrices.pairs
 
     def energy(values: Fields) -> Array:
-        local = [np.einsum(rule, slope, values) for rule, slope in zip(ALONG, slopes, strict=True)]
-        gradient = np.einsum("xabckml,xabcln->xabckmn", np.stack(local, axis=-1), inverse)
-        stress = np.einsum("ikjl,xabcjml->xabcimk", tensor, gradient)
-        return np.asarray(np.einsum("xabcimk,xabcimk,xabc->m", stress.conj(), gradient, volume).real)
+        at_nodes = values.reshape(len(nodes), -1, *fields.shape[1:])
+        pairs = (
+            np.einsum("kim,kij,kjm->m", each[first].conj(), stiffness, each[second], optimize=True)
+            for each, stiffness in zip(at_nodes, matrices.stiffness, strict=True)
+        )
+        return np.asarray(sum(pairs).real)
 
     values = fields[nodes]
     surplus = [
