@@ -6,7 +6,7 @@ from bricks import ALUMINIUM, PITCH, THICKNESS
 from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import material
-from haptonic.plate.body.recipes import Fineness
+from haptonic.plate.body.tile_construction import Fineness
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.parts import Actuator, Bond, Finger, Force, Plate
 from haptonic.plate.layout.supports import Support

@@ -14,9 +14,9 @@ from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.plate.body.bending_waves import _bending, highest_resolved, shortest_wavelength
 from haptonic.plate.body.model import PlateModel
-from haptonic.plate.body.recipes import Fineness
 from haptonic.plate.body.reduction import cell_tile
 from haptonic.plate.body.skeleton import numbered
+from haptonic.plate.body.tile_construction import Fineness
 from haptonic.plate.layout.grid import Block
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.supports import Support

@@ -13,7 +13,7 @@ from haptonic.cell import MeshPlan, UnitCell
 from haptonic.cell.quadrature import lobatto
 from haptonic.lattice import Lattice
 from haptonic.plate.body import reduction
-from haptonic.plate.body.joined import joined_tile, opened_tile
+from haptonic.plate.body.joined_tile import joined_tile, opened_tile
 from haptonic.plate.body.reduction import MISSED_BY_BLOCK, block_tile, cell_tile
 from haptonic.plate.body.skeleton import TraceOrders, numbered
 from haptonic.plate.body.unreduced import BodyOrders, body

@@ -10,8 +10,8 @@ from whole import answered
 
 from haptonic.plate import Band, Force, Plate, PlateModel, Support
 from haptonic.plate.body.bonds import Bonded
+from haptonic.plate.body.parameter_update import updated
 from haptonic.plate.body.unreduced import BodyOrders, body
-from haptonic.plate.body.updated import updated
 from haptonic.plate.layout.keys import PLATE, bond as bond_of, ceramic, electric
 from haptonic.plate.vibration.family import Family, anchored
 

@@ -1,5 +1,5 @@
 from .body.model import PlateModel as PlateModel
-from .body.recipes import Fineness as Fineness
+from .body.tile_construction import Fineness as Fineness
 from .layout.grid import Layout as Layout
 from .layout.parts import Actuator as Actuator, Bond as Bond, Finger as Finger, Force as Force, Plate as Plate
 from .layout.supports import Support as Support

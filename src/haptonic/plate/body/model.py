@@ -14,8 +14,8 @@ from haptonic.later import linalg as la, sparse as sp
 from haptonic.plate.body.assembly import Assembly
 from haptonic.plate.body.bending_waves import check_resolved
 from haptonic.plate.body.foundations import Foundation, supported, total_stiffness
-from haptonic.plate.body.recipes import Fineness, recipe_of, tiles_of
 from haptonic.plate.body.skeleton import Skeleton
+from haptonic.plate.body.tile_construction import Fineness, recipe_of, tiles_of
 from haptonic.plate.body.unreduced import loss_factors
 from haptonic.plate.layout.blocks import blocks_of
 from haptonic.plate.layout.keys import PLATE, PartKey
@@ -78,7 +78,7 @@ class PlateModel:
         """Reduce the tiles of a plate for frequencies up to ``highest`` (Hz) and put them together.
 
         ``bonds`` contains, by actuator, the smallest and the largest thickness (m) of its bond that the tile
-        allows; see `haptonic.plate.body.updated`.
+        allows; see `haptonic.plate.body.parameter_update`.
 
         Raises
         ------

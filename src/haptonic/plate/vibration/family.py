@@ -20,9 +20,9 @@ from haptonic.arrays import Array, Complex
 from haptonic.later import linalg as la
 from haptonic.plate.body.bonds import Bond3
 from haptonic.plate.body.model import PlateModel
+from haptonic.plate.body.parameter_update import bond_thickness, stiffness_ratio, support_ratio, updated
 from haptonic.plate.body.tile import applied
 from haptonic.plate.body.unreduced import loss_factors
-from haptonic.plate.body.updated import bond_thickness, stiffness_ratio, support_ratio, updated
 from haptonic.plate.layout.keys import PLATE, PartKey, bond, support
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.vibration.damping import real_times
@@ -117,7 +117,7 @@ class Family:
         )  # fmt: skip
 
     def poles(self, plate: Plate) -> Poles:
-        """Compute the modes of the plate with other parameters; see `haptonic.plate.body.updated`."""
+        """Compute modes for other parameters; see `haptonic.plate.body.parameter_update`."""
         thickness, factors = bond_thickness(plate), loss_factors(plate)
         factors[PLATE] *= stiffness_ratio(self.plate, plate)
         for number, spring in enumerate(plate.supports):

@@ -15,8 +15,8 @@ import numpy as np
 from haptonic import solvers
 from haptonic.materials import IsotropicMaterial
 from haptonic.plate.body.model import OPEN_FROM
-from haptonic.plate.body.recipes import Fineness
 from haptonic.plate.body.skeleton import Skeleton, TraceOrders
+from haptonic.plate.body.tile_construction import Fineness
 from haptonic.plate.layout.blocks import Attached, blocks_of, kind_of
 from haptonic.plate.layout.grid import Block, Layout
 from haptonic.plate.layout.parts import Plate

@@ -14,7 +14,7 @@ from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
 from haptonic.plate.body.bending_waves import shortest_wavelength
 from haptonic.plate.body.model import PlateModel
-from haptonic.plate.body.recipes import Fineness
+from haptonic.plate.body.tile_construction import Fineness
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.sampling import grid_points, reference_of, unit_drives
 from haptonic.plate.vibration.damping import real_times

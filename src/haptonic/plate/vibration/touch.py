@@ -19,7 +19,7 @@ from haptonic.gate import WORD
 from haptonic.later import linalg as la, xarray as xr
 from haptonic.parallel import each
 from haptonic.plate.body.model import PlateModel
-from haptonic.plate.body.recipes import Fineness
+from haptonic.plate.body.tile_construction import Fineness
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.keys import PLATE
 from haptonic.plate.layout.parts import Plate

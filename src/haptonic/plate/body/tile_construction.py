@@ -15,7 +15,7 @@ from haptonic.cell.brickwork import Steps, equal_pieces
 from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread, threads
 from haptonic.plate.body.bonds import Bonded
-from haptonic.plate.body.joined import joined_tile, opened_tile
+from haptonic.plate.body.joined_tile import joined_tile, opened_tile
 from haptonic.plate.body.reduction import block_tile, cell_tile
 from haptonic.plate.body.skeleton import TraceOrders
 from haptonic.plate.body.surface import surface_weights
@@ -80,7 +80,7 @@ class Recipe:
     steps : widths and heights of the tiles that a brick covers, or of one tile
     shape : rows and columns of bricks or tiles that are joined
     attached : parts on a separate block, or empty; block : only with attached parts
-    open_trace : unknowns of the trace that are condensed into the tile, see `haptonic.plate.body.joined`
+    open_trace : unknowns of the trace that are condensed into the tile, see `haptonic.plate.body.joined_tile`
     """
 
     brick: tuple[str, int] | None
