@@ -20,7 +20,7 @@ import haptonic
 from haptonic.analyses import scanning
 from haptonic.analyses.scanning import Estimation, OnPlate, compute_scan
 from haptonic.plate.layout.sampling import driven_region
-from haptonic.plate.vibration.levels import contrasts
+from haptonic.plate.vibration.region_measures import contrasts
 from haptonic.response import FrequencyResponse
 from haptonic.results import write_files
 from haptonic.results.scan import ScanResult, SimulatedScan

@@ -27,7 +27,7 @@ from haptonic.plate.vibration.direct import direct_answer
 from haptonic.plate.vibration.forecast import Counted
 from haptonic.plate.vibration.krylov import Basis, chains
 from haptonic.plate.vibration.modes import modes_between
-from haptonic.plate.vibration.reduced import ReducedPlate, amplification
+from haptonic.plate.vibration.reduced_plate import ReducedPlate, amplification
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.plate.vibration.sweep import MOST_DIRECT, Band, _forces
 

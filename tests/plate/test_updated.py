@@ -13,7 +13,7 @@ from haptonic.plate.body.bonds import Bonded
 from haptonic.plate.body.parameter_update import updated
 from haptonic.plate.body.unreduced import BodyOrders, body
 from haptonic.plate.layout.keys import PLATE, bond as bond_of, ceramic, electric
-from haptonic.plate.vibration.family import Family, anchored
+from haptonic.plate.vibration.parameter_family import Family, anchored
 
 HIGHEST = 40e3
 POINTS = np.array([(3e-3, 4e-3), (10e-3, 12e-3), (19e-3, 5e-3)])

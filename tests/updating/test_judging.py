@@ -7,7 +7,7 @@ from small_plate import LINES, POINTS, plate
 from five_parts import refusing
 from haptonic.analyses.verdict import _on_plate
 from haptonic.errors import ScanError
-from haptonic.plate.vibration.levels import contrasts
+from haptonic.plate.vibration.region_measures import contrasts
 from haptonic.response import FrequencyResponse
 from haptonic.results.verdict import BEFORE, MEASURED, Verdict
 from haptonic.updating.agreement import together

@@ -21,7 +21,7 @@ from haptonic.errors import ResponseError, ScanError
 from haptonic.later import xarray as xr
 from haptonic.plate import Layout, Plate
 from haptonic.plate.layout.sampling import driven_region, tile_names
-from haptonic.plate.vibration.levels import marked_lines
+from haptonic.plate.vibration.region_measures import marked_lines
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
 from haptonic.results.scan import ScanResult

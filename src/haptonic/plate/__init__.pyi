@@ -4,5 +4,5 @@ from .layout.grid import Layout as Layout
 from .layout.parts import Actuator as Actuator, Bond as Bond, Finger as Finger, Force as Force, Plate as Plate
 from .layout.supports import Support as Support
 from .vibration.modes import PlateModes as PlateModes, modes_between as modes_between
-from .vibration.reduced import Vibration as Vibration
+from .vibration.reduced_plate import Vibration as Vibration
 from .vibration.sweep import Band as Band

@@ -16,7 +16,7 @@ from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout.sampling import driven_region
-from haptonic.plate.vibration.levels import contrasts
+from haptonic.plate.vibration.region_measures import contrasts
 from haptonic.response import FrequencyResponse, average_spectrum, write
 from haptonic.results.common import stamped
 from haptonic.results.plain import split
@@ -86,7 +86,7 @@ class Verdict(Result):
         return {name: label if name == MEASURED else f"{name} (simulated)" for name in self.responses}
 
     def contrasts(self) -> dict[str, dict[str, Array]]:
-        """Contrasts by pair of regions and response, dB; see `haptonic.plate.vibration.levels.contrasts`."""
+        """Contrasts of the driven region by pair of regions and response, dB."""
         by_name = {
             name: contrasts(response, driven_region(self.plate)) for name, response in self.responses.items()
         }

@@ -14,7 +14,7 @@ import numpy as np
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.errors import ScanError
 from haptonic.plate import Fineness, Plate, PlateModel
-from haptonic.plate.vibration.family import Anchor, Family, anchored
+from haptonic.plate.vibration.parameter_family import Anchor, Family, anchored
 from haptonic.progress import Progress, silent
 from haptonic.units import format_quantity, in_percent
 from haptonic.updating.intervals import Uncertainty, uncertainty

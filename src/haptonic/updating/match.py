@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.plate import Plate
-from haptonic.plate.vibration.family import Family
+from haptonic.plate.vibration.parameter_family import Family
 from haptonic.updating.parameters import changed, values_of
 from haptonic.updating.settings import Unknown
 

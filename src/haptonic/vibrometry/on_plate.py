@@ -12,7 +12,7 @@ from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.sampling import driven_region, tile_names
-from haptonic.plate.vibration.levels import compared
+from haptonic.plate.vibration.region_measures import compared
 from haptonic.response import FrequencyResponse
 from haptonic.response.measures import along, sides
 from haptonic.vibrometry.guides import MIRROR, Mirror, guides_of, mirror_beside, strips_of

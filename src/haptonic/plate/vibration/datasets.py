@@ -16,7 +16,7 @@ from haptonic.plate.layout.keys import PLATE, PartKey
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.sampling import reference_of
 from haptonic.plate.vibration.modes import PlateModes, nodal_name
-from haptonic.plate.vibration.reduced import Vibration
+from haptonic.plate.vibration.reduced_plate import Vibration
 from haptonic.plate.vibration.sweep import Band
 
 

@@ -19,8 +19,8 @@ from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.sampling import grid_points, reference_of, unit_drives
 from haptonic.plate.vibration.damping import real_times
 from haptonic.plate.vibration.datasets import body_dataset, lines_dataset, modes_dataset
-from haptonic.plate.vibration.levels import ABOVE, BELOW, NEAR, marked_lines, resonance_of
 from haptonic.plate.vibration.modes import modes_between
+from haptonic.plate.vibration.region_measures import ABOVE, BELOW, NEAR, marked_lines, resonance_of
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.plate.vibration.sweep import Band
 from haptonic.progress import Progress, silent

@@ -19,7 +19,7 @@ from haptonic.plate.body.model import PlateModel
 from haptonic.plate.layout.parts import Finger, Plate
 from haptonic.plate.vibration.direct import direct_answer
 from haptonic.plate.vibration.krylov import Basis, Chain, chains
-from haptonic.plate.vibration.reduced import ReducedPlate, Vibration
+from haptonic.plate.vibration.reduced_plate import ReducedPlate, Vibration
 from haptonic.progress import Progress, silent
 from haptonic.units import hz_text
 

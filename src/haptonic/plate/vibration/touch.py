@@ -31,9 +31,9 @@ from haptonic.plate.layout.sampling import (
     unit_drives,
 )
 from haptonic.plate.vibration.damping import real_times
-from haptonic.plate.vibration.levels import NEAR, loudest_within
 from haptonic.plate.vibration.modes import PlateModes, modes_between
-from haptonic.plate.vibration.reduced import ReducedPlate
+from haptonic.plate.vibration.reduced_plate import ReducedPlate
+from haptonic.plate.vibration.region_measures import NEAR, loudest_within
 from haptonic.plate.vibration.sweep import Band
 from haptonic.progress import Progress, silent
 from haptonic.response.measures import discs

@@ -18,7 +18,7 @@ from haptonic.names import file_parts
 from haptonic.plate import Plate
 from haptonic.plate.layout.sampling import driven_region, reference_of
 from haptonic.plate.vibration.datasets import part_name
-from haptonic.plate.vibration.levels import below_finger, compared, contrasts, resonance_of
+from haptonic.plate.vibration.region_measures import below_finger, compared, contrasts, resonance_of
 from haptonic.response import FrequencyResponse, rms, write
 from haptonic.response.measures import along
 from haptonic.results.common import write_netcdf

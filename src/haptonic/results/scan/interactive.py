@@ -12,7 +12,7 @@ from haptonic.arrays import Array, Ints
 from haptonic.later import xarray as xr
 from haptonic.plate.layout.drawing import drawing_of
 from haptonic.plate.layout.sampling import driven_region
-from haptonic.plate.vibration.levels import contrasts
+from haptonic.plate.vibration.region_measures import contrasts
 from haptonic.response import FrequencyResponse, average_spectrum, rms
 from haptonic.response.measures import along
 from haptonic.response.rasters import point_map

@@ -14,7 +14,7 @@ from haptonic.errors import HaptonicError, ScanError
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout.sampling import driven_region
-from haptonic.plate.vibration.levels import contrasts
+from haptonic.plate.vibration.region_measures import contrasts
 from haptonic.response import FrequencyResponse, write
 from haptonic.results.common import Writer
 from haptonic.results.result import Result
