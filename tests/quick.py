@@ -1,4 +1,4 @@
-"""The start of a study: one that computes in about a second, and the plate and pillar of the prototype."""
+"""Texts of studies: a quick cell with a plate and a ribbon, and the plate and pillar of the prototype."""
 
 QUICK_CELL = """
 title = "Quick"
@@ -21,6 +21,40 @@ accuracy = 2e-2
 [mesh]
 order = 2
 foot_rings = 0
+"""
+
+QUICK_PLATE = """
+[plate]
+map = "o11o22o"
+rows = 2
+loss_factor = 5e-3
+[plate.tiles]
+o = "lattice"
+1 = "A"
+2 = "B"
+[plate.clamp]
+corners = "5 mm"
+[[plate.actuator]]
+name = "A1"
+region = "A"
+centre = ["7 mm", "3 mm"]
+size = ["6 mm", "5 mm", "0.5 mm"]
+material = "pzt-4"
+voltage = "10 V"
+[plate.response]
+lowest = "2 kHz"
+highest = "20 kHz"
+points = 19
+"""
+
+QUICK_RIBBON = """
+[ribbon]
+map = "oo"
+points = 3
+lowest = "40 kHz"
+highest = "60 kHz"
+[ribbon.tiles]
+o = "lattice"
 """
 
 PROTOTYPE_PLATE = """

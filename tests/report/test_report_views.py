@@ -12,17 +12,7 @@ from haptonic.report.page import page
 from haptonic.study import loads
 from haptonic.views import program
 from made_up import reference_layers, results_of
-from quick import QUICK_CELL
-
-RIBBON = """
-[ribbon]
-map = "oo"
-points = 3
-lowest = "40 kHz"
-highest = "60 kHz"
-[ribbon.tiles]
-o = "lattice"
-"""
+from quick import QUICK_CELL, QUICK_RIBBON
 
 
 def test_views_of_chapters_open_one_at_a_time(browser, tmp_path, monkeypatch):
@@ -62,7 +52,7 @@ def test_a_chapter_opens_each_of_its_views_and_a_plain_chapter_its_own(browser, 
     for name in ("mode_shapes", "dispersion", "projected", "ribbon_field"):
         monkeypatch.setattr(f"haptonic.plots.{name}", lambda *_, **__: Figure())
     monkeypatch.setattr("haptonic.plots.moving_modes", lambda dataset: b"")
-    study = loads(QUICK_CELL + RIBBON)
+    study = loads(QUICK_CELL + QUICK_RIBBON)
     bands, ribbon = study.bands(), study.ribbon(html=True)
     results = results_of(study, bands.dataset)
     text = page(replace(results, parts={**results.parts, "ribbon": ribbon}))

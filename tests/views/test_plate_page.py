@@ -9,32 +9,10 @@ from haptonic.results.plate import PlateResult
 from haptonic.results.plate.interactive import plate_view
 from haptonic.results.steps import STEPS
 from haptonic.study import loads
-from quick import QUICK_CELL
+from quick import QUICK_CELL, QUICK_PLATE
 
 MAP = ".map canvas"
-PLATE = """
-[plate]
-map = "o11o22o"
-rows = 2
-loss_factor = 5e-3
-[plate.tiles]
-o = "lattice"
-1 = "A"
-2 = "B <i>"
-[plate.clamp]
-corners = "5 mm"
-[[plate.actuator]]
-name = "A1"
-region = "A"
-centre = ["7 mm", "3 mm"]
-size = ["6 mm", "5 mm", "0.5 mm"]
-material = "pzt-4"
-voltage = "10 V"
-[plate.response]
-lowest = "2 kHz"
-highest = "20 kHz"
-points = 19
-"""
+PLATE = QUICK_PLATE.replace('"B"', '"B <i>"')
 
 
 @pytest.fixture(scope="module")

@@ -11,17 +11,8 @@ from haptonic.results.ribbon import RibbonWaves
 from haptonic.results.steps import STEPS
 from haptonic.study import loads
 from haptonic.units import uncertain
-from quick import QUICK_CELL
+from quick import QUICK_CELL, QUICK_RIBBON
 
-RIBBON = """
-[ribbon]
-map = "oo"
-points = 3
-lowest = "40 kHz"
-highest = "60 kHz"
-[ribbon.tiles]
-o = "lattice"
-"""
 FIELD = ".map canvas"
 # select a unit; true if the page has another plot in the same task
 SELECT_UNIT = """async (select) => {
@@ -35,7 +26,7 @@ SELECT_UNIT = """async (select) => {
 
 @pytest.fixture(scope="module")
 def ribbon() -> RibbonWaves:
-    return loads(QUICK_CELL + RIBBON).ribbon(html=True)
+    return loads(QUICK_CELL + QUICK_RIBBON).ribbon(html=True)
 
 
 def mode_of_field(ribbon: RibbonWaves) -> int:
