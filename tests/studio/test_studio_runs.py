@@ -14,7 +14,6 @@ import pytest
 from served import PATIENCE, Served, served
 
 from haptonic.errors import HaptonicError
-from haptonic.studio import archive as module
 from haptonic.studio.archive import Archive
 from haptonic.studio.designs import design_text
 from haptonic.studio.job import Job
@@ -120,9 +119,8 @@ def test_the_latest_wish_is_prepared_first():
     assert wishes.first_of(["thickness", "pitch"]) == "pitch"
 
 
-def test_the_archive_is_bounded_and_leaves_damaged_files_alone(tmp_path, monkeypatch):
-    runs = Archive(tmp_path)
-    monkeypatch.setattr(module, "MOST_RUNS", 3)
+def test_the_archive_is_bounded_and_leaves_damaged_files_alone(tmp_path):
+    runs = Archive(tmp_path, most_runs=3)
     for number in range(1, 6):
         runs.keep(a_run(tmp_path, number))
     assert sorted(runs.briefs) == [3, 4, 5]
@@ -134,9 +132,9 @@ def test_the_archive_is_bounded_and_leaves_damaged_files_alone(tmp_path, monkeyp
     paths[1].write_bytes(b"")
     assert list(Archive(tmp_path).briefs) == [5]
     assert Archive(tmp_path / "other").briefs == {}
-    monkeypatch.setattr(module, "MOST_BYTES", 1)  # the newest stays whatever its size
-    runs.keep(a_run(tmp_path, 6))
-    assert list(runs.briefs) == [6]
+    small = Archive(tmp_path, most_bytes=1)
+    small.keep(a_run(tmp_path, 6))  # the newest stays whatever its size
+    assert list(small.briefs) == [6]
 
 
 def test_points_of_a_sweep_come_with_errors_and_open_as_designs(studio):

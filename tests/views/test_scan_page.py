@@ -13,7 +13,8 @@ from haptonic.analyses import named
 from haptonic.analyses.runner import Runner
 from haptonic.response import FrequencyResponse
 from haptonic.response.rasters import point_map
-from haptonic.results.scan import ScanResult, interactive
+from haptonic.results.scan import ScanResult
+from haptonic.results.scan.interactive import scan_view
 from haptonic.results.steps import STEPS
 from haptonic.results.verdict import BEFORE, MEASURED
 
@@ -66,6 +67,18 @@ def test_the_view_has_the_displacement_of_every_point(compared):
     np.testing.assert_allclose(rows["all points (model)"], 0.5 * rows["all points"], rtol=1e-6)
 
 
+def test_the_agreement_is_zero_where_the_model_does_not_move(alone, compared):
+    data = compared.verdict.responses[BEFORE].dataset
+    moving = data["frequency"] != data["frequency"][-1]
+    model = FrequencyResponse(data.assign(response=data["response"].where(moving, 0.0)))
+    verdict = SimpleNamespace(
+        **vars(compared.verdict) | {"responses": {MEASURED: alone.response, BEFORE: model}}
+    )
+    agreement = replace(alone, verdict=verdict).view().dataset["agreement"].values
+    assert agreement[-1] == 0.0
+    np.testing.assert_allclose(agreement[:-1], 1.0, atol=1e-9)
+
+
 def test_without_a_model_there_is_one_map(alone):
     view = alone.view()
     assert view.extra["maps"] == {"shape": "scan, measured"}
@@ -74,9 +87,8 @@ def test_without_a_model_there_is_one_map(alone):
     assert [name for name in alone.files if name == "scan.html"]
 
 
-def test_a_large_scan_has_fewer_frequencies_and_says_so(alone, monkeypatch):
-    monkeypatch.setattr(interactive, "MOST_NUMBERS", 2 * 9 * 10)
-    view = alone.view()
+def test_a_large_scan_has_fewer_frequencies_and_says_so(alone):
+    view = scan_view(alone, most_numbers=2 * 9 * 10)
     lines = view.dataset["frequency"].values
     assert len(lines) in (10, 11)
     assert np.abs(lines - alone.loudest).min() == 0

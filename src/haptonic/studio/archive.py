@@ -24,7 +24,6 @@ from haptonic.studio.job import Job
 from haptonic.studio.order import Order
 
 FORM = 2  # of the files; those of another form are left alone
-MOST_RUNS, MOST_BYTES = 50, 500_000_000  # older runs leave
 BRIEF, WHOLE, VIEW = "brief.json", "whole.json", "view"
 APART = ("view", "order", "first", "knobs", "previews")  # with files of their own, or not kept
 ARCHIVED = {"archived": True, "first": False, "turns": False, "previews": {}}  # what is not kept
@@ -34,13 +33,16 @@ FAULTS = (OSError, zipfile.BadZipFile, KeyError, ValueError, TypeError)  # of a 
 class Archive:
     """Runs of one folder of studies, each a file that is complete or absent.
 
+    most_runs, most_bytes : limits of the folder; the oldest runs leave first, and the newest stays
     briefs : state of each run for the list of the page, by its number
     """
 
-    def __init__(self, studies: Path, store: Store | None = None) -> None:
+    def __init__(
+        self, studies: Path, store: Store | None = None, *, most_runs: int = 50, most_bytes: int = 500_000_000
+    ) -> None:
         digest = hashlib.sha256(str(studies).encode("utf-8", "surrogateescape")).hexdigest()
         self.folder = (Store.default() if store is None else store).root / "studio" / digest[:32]
-        self.studies = studies
+        self.studies, self.most_runs, self.most_bytes = studies, most_runs, most_bytes
         self.briefs: dict[int, dict[str, Any]] = {}
         self._paths: dict[int, Path] = {}
         self._changed = 0.0
@@ -113,7 +115,7 @@ class Archive:
         total = 0
         for count, (number, size) in enumerate(list(self._sizes()), start=1):
             total += size
-            if count > 1 and (count > MOST_RUNS or total > MOST_BYTES):
+            if count > 1 and (count > self.most_runs or total > self.most_bytes):
                 self.remove(number)
 
     def _sizes(self) -> Iterator[tuple[int, int]]:

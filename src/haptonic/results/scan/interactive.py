@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from haptonic.arrays import Array, Ints
+from haptonic.arrays import AnyComplex, Array, Ints
 from haptonic.later import xarray as xr
 from haptonic.plate.layout.drawing import drawing_of
 from haptonic.plate.layout.sampling import driven_region
 from haptonic.plate.vibration.region_measures import contrasts
-from haptonic.response import FrequencyResponse, average_spectrum, rms
+from haptonic.response import FrequencyResponse, average_spectrum, frac, rms
 from haptonic.response.measures import along
 from haptonic.response.rasters import point_map
 from haptonic.results.steps import step_colours, stepped
@@ -23,23 +23,22 @@ from haptonic.views import InteractiveView
 if TYPE_CHECKING:
     from haptonic.results.scan.value import ScanResult
 
-MOST_NUMBERS = 40_000_000  # of the maps; more frequencies are left out evenly
 NO_PLATE: dict[str, Any] = {"plate": [], "regions": {}, "features": [], "held": [], "patches": {}}
 
 
-def scan_view(result: ScanResult) -> InteractiveView:
+def scan_view(result: ScanResult, most_numbers: int = 40_000_000) -> InteractiveView:
     """View of the measured response, and of the last model if the scan was compared with one.
 
     ``shape_real`` and ``model_real`` are normal displacements (frequency, point) per unit of the reference,
     in steps as from `stepped`. ``place`` (y, x) is the number of the point that a place of
-    the map shows, or -1.
+    the map shows, or -1. Maps with more than ``most_numbers`` numbers have every n-th frequency only.
     """
     shown = {"shape": result.response}
     titles = {"shape": f"scan, {result.origin}"}
     if (verdict := result.verdict) is not None:
         shown = {"shape": verdict.responses[MEASURED], "model": verdict.responses[verdict.last]}
         titles["model"] = f"{verdict.last}, simulated"
-    lines = _lines(shown, result.shapes)
+    lines = _lines(shown, result.shapes, most_numbers)
     moving = {name: response.with_lines(lines) for name, response in shown.items()}
     first = moving["shape"]
     number, x, y = point_map(first.points)
@@ -71,12 +70,12 @@ def scan_view(result: ScanResult) -> InteractiveView:
     return InteractiveView(kind="scan", title=result.title, dataset=data, extra=_extra(result, titles, first))
 
 
-def _lines(shown: Mapping[str, FrequencyResponse], shapes: tuple[float, ...]) -> Ints:
+def _lines(shown: Mapping[str, FrequencyResponse], shapes: tuple[float, ...], most_numbers: int) -> Ints:
     """Numbers of the frequencies in the view: all above zero, or every n-th one and the operating shapes."""
     response = shown["shape"]
     positive = np.flatnonzero(response.frequency > 0)
     numbers = 2 * len(shown) * len(response.points) * len(positive)
-    every = max(1, -(-numbers // MOST_NUMBERS))
+    every = max(1, -(-numbers // most_numbers))
     marked = [int(np.abs(response.frequency - shape).argmin()) for shape in shapes]
     return np.union1d(positive[::every], [line for line in marked if response.frequency[line] > 0]).astype(
         int
@@ -88,11 +87,12 @@ def _normal(response: FrequencyResponse) -> Any:
     return response.values[..., list(response.dataset["direction"].values).index("z")]
 
 
-def _agreement(first: Any, second: Any) -> Array:
+def _agreement(first: AnyComplex, second: AnyComplex) -> Array:
     """Modal assurance criterion of two fields at each frequency; 0 where one of them does not move."""
-    product = np.abs((first.conj() * second).sum(axis=1)) ** 2
-    energy = (np.abs(first) ** 2).sum(axis=1) * (np.abs(second) ** 2).sum(axis=1)
-    return np.asarray(np.divide(product, energy, out=np.zeros(len(product)), where=energy > 0), dtype=float)
+    moving = first.any(axis=1) & second.any(axis=1)
+    agreement = np.zeros(len(first))
+    agreement[moving] = frac(first[moving].T, second[moving].T)  # over the points in place of the lines
+    return agreement
 
 
 def _levels(moving: Mapping[str, FrequencyResponse]) -> dict[str, xr.DataArray]:
