@@ -142,17 +142,17 @@ class TestFaults:
         assert_reads(good)
 
     @pytest.mark.parametrize(
-        ("code", "error"),
+        ("code", "error", "seconds"),
         [
-            ("while True: pass", ChannelError),
-            ("kept = [bytearray(2**22) for _ in iter(int, 1)]", ResourceError),
+            ("while True: pass", ChannelError, 0.5),
+            ("kept = [bytearray(2**22) for _ in iter(int, 1)]", ResourceError, 2.0),
         ],
     )
-    def test_without_limits_of_the_system(self, good, answering, code, error):
+    def test_without_limits_of_the_system(self, good, answering, code, error, seconds):
         """As on Windows: then the process that asks watches alone."""
         answering(code, before="child.resource = None")
         with pytest.raises(error):
-            ask("hdf5.tree", good, limits=Limits(seconds=2.0, waiting=24.0, memory=2**28))
+            ask("hdf5.tree", good, limits=Limits(seconds=seconds, waiting=24.0, memory=2**28))
 
     def test_what_an_earlier_file_did_is_not_the_next_one_s_fault(self, good, answering):
         """A process that has read other files crashes: the file is tried again in a fresh one."""
