@@ -125,10 +125,11 @@ def paint(page: Any) -> None:
 
 
 def use(page: Any, random: np.random.Generator) -> None:
-    """One round: two minutes of use.
+    """One round: two minutes of use, from the same study each time, so that designs do not drift.
 
     Locators wait here, because the handle of an element would keep its whole view in memory.
     """
+    page.fill(TEXT, STUDY)
     compute(page, "bands")
     page.locator(".turning select:enabled").wait_for(timeout=PATIENCE)
     for path in ("cell.pillar.diameter", "cell.pillar.height", "cell.thickness", "cell.pitch"):

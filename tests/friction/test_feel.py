@@ -156,6 +156,15 @@ def test_times_and_ratios_are_those_with_a_finger():
     assert margin.stopped == pytest.approx(1 - margin.idle / margin.driven)
 
 
+def test_far_from_every_mode_the_time_is_not_determined():
+    far = made()
+    far.loaded["quality"][:] = math.nan
+    assert math.isnan(far.rise)
+    assert math.isnan(far.constant)
+    time = Feel(PLATE, gap(52e3, 60e3), far).requirements[-2]
+    assert (time.colour, time.reason.split(":")[0]) == ("amber", "not determined")
+
+
 @pytest.mark.parametrize(
     ("strengths", "driven"), [((1, 1), ("A", "B")), ((0, 2), ("B",)), ((1, 0), ("A",)), ((0, 0), ("A", "B"))]
 )

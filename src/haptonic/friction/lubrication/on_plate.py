@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -101,19 +102,24 @@ class FrictionOnPlate:
         return self.drive * float(self.loaded["amplitude"].sel(load=load).values[self.below[region]].mean())
 
     def quality(self, load: str = "value") -> float:
-        """Median quality factor of the dominant mode, with a finger on the first driven region."""
+        """Median quality factor of the dominant mode, with a finger on the first driven region.
+
+        NaN if no mode is near the frequency; then `rise` and `constant` are NaN too.
+        """
         where = self.below[self.driven[0]] if self.driven else np.ones(self.loaded.sizes["point"], dtype=bool)
         return float(np.median(self.loaded["quality"].sel(load=load).values[where]))
 
     @property
     def rise(self) -> float:
         """Rise time (10 to 90 %) of the vibration with a finger on the driven region, s."""
-        return rise_time(self.quality(), self.frequency)
+        quality = self.quality()
+        return rise_time(quality, self.frequency) if math.isfinite(quality) else math.nan
 
     @property
     def constant(self) -> float:
         """Time constant of the vibration with a finger on the driven region, s."""
-        return time_constant(self.quality(), self.frequency)
+        quality = self.quality()
+        return time_constant(quality, self.frequency) if math.isfinite(quality) else math.nan
 
     @property
     def ratio(self) -> dict[str, float]:

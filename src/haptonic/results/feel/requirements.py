@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Literal
@@ -38,7 +39,8 @@ def requirements(
     Parameters
     ----------
     driven : regions whose friction a drive should reduce; that of the others should not change
-    rise, constant : 10 to 90 % rise time and time constant with a finger on the driven region, s
+    rise, constant : 10 to 90 % rise time and time constant with a finger on the driven region, s; NaN if no
+        mode is near the frequency
     frequency : of the drive, Hz; gap : around the carrier
     """
     regions = [
@@ -65,10 +67,13 @@ def _idle(name: str, felt: Reduction) -> Requirement:
 
 
 def _time(rise: float, constant: float) -> Requirement:
+    what = "the vibration builds up in time"
+    if math.isnan(rise):
+        return Requirement("amber", what, "not determined: no mode near the frequency of the drive")
     colour: Colour = "green" if rise <= CUE_THRESHOLD else "amber" if constant <= CUE_THRESHOLD else "red"
     reason = f"10 to 90 % in {_milliseconds(rise)}, time constant {_milliseconds(constant)}"
     wanted = f"wanted {_milliseconds(CUE_THRESHOLD)} or less"
-    return Requirement(colour, "the vibration builds up in time", f"{reason}, {wanted}")
+    return Requirement(colour, what, f"{reason}, {wanted}")
 
 
 def drive_in_gap(frequency: float, gap: Gap | None) -> Requirement:
