@@ -83,7 +83,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     waveguide = chosen_settings(study, options)
     gap = need_gap_at(runner.gaps(cell, settings), carrier)
     best = best_model(cell, settings)
-    resolution = best.model.resolution
+    resolution, share = best.model.resolution, best.model.worst_error
     lattice = condensed_rows(cell, resolution, waveguide.direction)
     closed_by = None
     if waveguide.ends == "mirror":
@@ -97,7 +97,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     strips, refusal = [], None
     for count in lengths:
         try:
-            strips.append(strip_of(lattice, gap, carrier, waveguide, count, closed_by))
+            strips.append(strip_of(lattice, gap, carrier, waveguide, count, closed_by, share))
         except StudyError as error:
             refusal = error
     if not strips:
@@ -108,7 +108,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
         dataset = dataset.merge(guides_dataset(lattice, [strip.mode for strip in strips]))
     dataset.attrs = {
         "carrier_hz": carrier,
-        "relative_frequency_error": best.model.worst_error,
+        "relative_frequency_error": share,
         "mode": f"{across}x{along}",
         "ends": waveguide.ends,
         "period": period,

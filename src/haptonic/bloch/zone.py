@@ -14,7 +14,7 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.reduced import SPARE_MODES
 from haptonic.bloch.representative import images, signed_operations
 from haptonic.bloch.symmetry import MIDDLE, mirrors_at
-from haptonic.bloch.tracking import group_velocity, split_by_parity
+from haptonic.bloch.tracking import group_velocity, group_velocity_error, split_by_parity
 from haptonic.brillouin import IrreducibleZone
 from haptonic.gate import declared, titled
 from haptonic.later import xarray as xr
@@ -117,6 +117,7 @@ class ZoneModes:
     """Modes at samples of the zone; n wavevectors, k bands.
 
     velocity : (n, k, 2) group velocity, m/s; NaN for rigid-body motions
+    velocity_error : (n, k) estimate of the length of its error, m/s
     parity : (n, k) +1 even, -1 odd under the mirror of the wavevector, 0 without one
     mirror : (n,) name of this mirror, empty without one
     middle, character : (n, k), as in `haptonic.bloch.tracking.Diagram`
@@ -124,6 +125,7 @@ class ZoneModes:
     """
 
     velocity: Array
+    velocity_error: Array
     parity: Ints
     mirror: tuple[str, ...]
     middle: Ints
@@ -134,7 +136,7 @@ class ZoneModes:
     def of(cls, model: BlochModel, kappa: Array) -> Self:
         """Solve at phases (n, 2); degenerate modes are combined to definite parity."""
         tiling, images = model.fine.tiling, dict[Operation, JointImage]()
-        velocity, parity, names, middle, fields = [], [], [], [], []
+        velocity, uncertainty, parity, names, middle, fields = [], [], [], [], [], []
         for phases in kappa:
             # spare modes, so that the last band does not divide a degenerate pair
             solution = model.solve(phases, spare=SPARE_MODES)
@@ -146,6 +148,7 @@ class ZoneModes:
                 mirror = images.setdefault(operation, tiling.joint.image(operation))
             of_bands, signs = split_by_parity(solution, model, mirror)
             velocity.append(group_velocity(model, of_bands))
+            uncertainty.append(group_velocity_error(model, solution)[: model.count])
             parity.append(signs)
             names.append(name)
             middle.append(model.fine.parity(of_bands.modes))
@@ -153,6 +156,7 @@ class ZoneModes:
         joined = np.hstack(fields)
         return cls(
             velocity=np.stack(velocity),
+            velocity_error=np.stack(uncertainty),
             parity=np.stack(parity),
             mirror=tuple(names),
             middle=np.stack(middle),
@@ -168,6 +172,10 @@ class ZoneModes:
                 (*of_modes, "axis"), self.velocity, "m/s",
                 "group velocity along x and y; NaN for rigid-body motions",
             ),
+            "zone_velocity_error": (
+                of_modes, self.velocity_error, "m/s",
+                "estimate of the length of the error of the group velocity",
+            ),
             "zone_parity": (of_modes, self.parity, "1", "+1 even, -1 odd under the mirror, 0 without one"),
             "zone_mirror": (
                 of_modes[:1], np.array(self.mirror).astype("U"), "1", "mirror that keeps the wavevector",
@@ -176,7 +184,8 @@ class ZoneModes:
             "zone_character": (of_modes, self.character, "1", "character, a position in character_names"),
         }  # fmt: skip
         dataset = titled(variables)
-        return declared(dataset, zone_velocity="not defined for a rigid-body motion")
+        still = "not defined for a rigid-body motion"
+        return declared(dataset, zone_velocity=still, zone_velocity_error=still)
 
 
 def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:

@@ -14,7 +14,7 @@ from haptonic.results.guides_view import guides_view
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
-from haptonic.units import hz_text, in_percent
+from haptonic.units import hz_text, in_percent, uncertain
 from haptonic.views import InteractiveView, write_page
 
 COLUMNS = (
@@ -22,7 +22,8 @@ COLUMNS = (
     Column("cells", of="rows"), Column("frequency", shown="kHz", form=".3f"),
     Column("nodal spacing", shown="mm", form=".3f", of="nodal_spacing"),
     Column("edge / peak", form=".3f", of="amplitude_at_edge"),
-    Column("fixed line", shown="mm", form=".2f", of="fixed_line"), Column("decay", form=".1f"),
+    Column("fixed line", shown="mm", form=".2f", of="fixed_line"),
+    Column("decay", form=".1f", error="decay_error"),
 )  # fmt: skip
 
 
@@ -56,7 +57,7 @@ class Guides(Result):
             f"Mode {self.across}x{self.along} lies at {hz_text(best.frequency, form='.3f')} in a waveguide "
             f"{best.mode.width * 1e3:.2f} mm wide and {best.length * 1e3:.1f} mm long between two mirrors.",
             f"Its amplitude at the edge of the lattice is {in_percent(best.mode.at_edge)} of its peak; in "
-            f"the lattice it decays by {best.decay:.1f} dB per row.",
+            f"the lattice it decays by {uncertain(best.decay, best.decay_error)} dB per row.",
         ]
 
     def tables(self) -> list[Table]:

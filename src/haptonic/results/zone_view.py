@@ -12,7 +12,8 @@ from haptonic.later import xarray as xr
 SAMPLES = ["zone_kappa", "zone_frequency", "zone_error"]
 ZONE_SHORT = ["zone_mode_real", "zone_mode_imag"]  # stored with 16 bits
 MODES = [
-    "zone_velocity", "zone_parity", "zone_mirror", "zone_middle_parity", "zone_character", *ZONE_SHORT,
+    "zone_velocity", "zone_velocity_error", "zone_parity", "zone_mirror", "zone_middle_parity",
+    "zone_character", *ZONE_SHORT,
 ]  # fmt: skip
 
 

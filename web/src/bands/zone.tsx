@@ -18,7 +18,6 @@ const LARGEST = 440; // CSS pixels, side of the map
 const ROOM = 26; // CSS pixels around the zone, for names of corners
 const LEVELS = 8; // about as many contours
 const ARROW = 34; // CSS pixels, length of the arrow of the group velocity
-const LEAST_SPEED = 1; // m/s, below which it has no direction
 
 interface ZoneChoice {
   image: Signal<number>; // number of the wavevector among those of the whole zone
@@ -175,7 +174,7 @@ function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, i
   context.stroke();
   paintCorners(context, zone, toPixel);
   const velocity = zone.hasModes ? zone.velocity(image, band) : undefined;
-  if (velocity !== undefined) paintArrow(context, toPixel(zone.wavevector(image)), velocity);
+  if (velocity !== undefined && Math.hypot(...velocity) > zone.velocityError(image, band)) paintArrow(context, toPixel(zone.wavevector(image)), velocity);
   context.beginPath();
   context.arc(...toPixel(zone.wavevector(image)), 5, 0, 2 * Math.PI);
   context.fillStyle = themeColour("accent");
@@ -190,7 +189,6 @@ function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, i
 /** An arrow from a place in the direction of a group velocity, which is at right angles to the contours. */
 function paintArrow(context: CanvasRenderingContext2D, [x, y]: [number, number], [vx, vy]: [number, number]): void {
   const speed = Math.hypot(vx, vy);
-  if (!(speed > LEAST_SPEED)) return;
   const [right, down] = [vx / speed, -vy / speed];
   const at = (along: number, aside: number): [number, number] => [x + along * right - aside * down, y + along * down + aside * right];
   for (const [colour, width] of [["#ffffff", 5], [themeColour("accent"), 2.5]] as const) {
@@ -312,12 +310,12 @@ function modeFacts(diagram: BandDiagram, zone: ZoneSurface, image: number, band:
   return [
     ["motion", diagram.motion(motion)],
     ["symmetry", symmetry],
-    ["group velocity", velocity ? velocityText(velocity) : "not defined"],
+    ["group velocity", velocity ? velocityText(velocity, zone.velocityError(image, band)) : "not defined"],
   ];
 }
 
-function velocityText([x, y]: [number, number]): string {
+function velocityText([x, y]: [number, number], error: number): string {
   const speed = Math.hypot(x, y);
-  if (speed < LEAST_SPEED) return "0 m/s";
-  return `${speed.toPrecision(3)} m/s at ${((Math.atan2(y, x) * 180) / Math.PI).toFixed(0)}° from x`;
+  const direction = speed > error ? ` at ${((Math.atan2(y, x) * 180) / Math.PI).toFixed(0)}° from x` : "";
+  return `${uncertain(speed, error)} m/s${direction}`;
 }

@@ -77,6 +77,11 @@ export class ZoneSurface {
     return Number.isFinite(vx) && Number.isFinite(vy) ? [sign * (xx * vx + xy * vy), sign * (yx * vx + yy * vy)] : undefined;
   }
 
+  /** Length of the error of the group velocity, m/s. */
+  velocityError(image: number, band: number): number {
+    return this.data.values("zone_velocity_error")[this.sample(image) * this.bands + band] ?? NaN;
+  }
+
   /** Number of the motion of a mode, and its symmetry in words. */
   described(image: number, band: number): { motion: number | undefined; symmetry: string } {
     const sample = this.sample(image);

@@ -158,7 +158,7 @@ function GuideFacts({ guides, choice }: Props) {
     ["length", `${millimetres("length", 1)}, ${guides.value("rows", guide)} cells`],
     ["distance of nodal lines", millimetres("nodal_spacing", 3)],
     ["amplitude at the edge", `${(100 * guides.value("amplitude_at_edge", guide)).toFixed(1)} % of the peak`],
-    ["decay in the lattice", `${guides.value("decay", guide).toFixed(1)} dB per row`],
+    ["decay in the lattice", `${decayText(guides, guide)} dB per row`],
   ];
   return (
     <div class="facts">
@@ -175,6 +175,8 @@ function frequencyText(guides: Waveguides, guide: number, { factor }: Unit): str
   const frequency = guides.value("frequency", guide) / factor;
   return uncertain(frequency, guides.frequencyError * frequency);
 }
+
+const decayText = (guides: Waveguides, guide: number) => uncertain(guides.value("decay", guide), guides.value("decay_error", guide));
 
 function GuideTable({ guides, choice }: Props) {
   const unit = choice.unit.value;
@@ -196,7 +198,7 @@ function GuideTable({ guides, choice }: Props) {
               <td>{(1e3 * guides.value("length", guide)).toFixed(1)}</td>
               <td>{(1e3 * guides.value("width", guide)).toFixed(2)}</td>
               <td>{frequencyText(guides, guide, unit)}</td>
-              <td>{guides.value("decay", guide).toFixed(1)}</td>
+              <td>{decayText(guides, guide)}</td>
               <td>{guides.value("amplitude_at_edge", guide).toFixed(3)}</td>
               <td>
                 <button type="button" onClick={() => (choice.guide.value = guide)}>

@@ -7,7 +7,7 @@ import numpy as np
 from haptonic.report.chapter import Absent, Chapter, Finding, Results
 from haptonic.results.guides import Guides
 from haptonic.results.layers import Layers
-from haptonic.units import hz_text, in_percent
+from haptonic.units import hz_text, in_percent, uncertain
 
 TITLE = "Mirror"
 ROWS = 3  # of cells on either side of a guide, as prototypes have them
@@ -75,7 +75,8 @@ def _findings(layers: Layers, guides: Guides | None) -> list[str]:
         along = np.degrees(np.arcsin(min(1.0, best.mode.wavenumber / _free_wavenumber(guides))))
         text = (
             f"The waves of the waveguide's mode meet the rows at {along:.0f}° from the normal. In the "
-            f"lattice they decay by {best.decay:.1f} dB per row, about {three:.0f} dB in three rows."
+            f"lattice they decay by {uncertain(best.decay, best.decay_error)} dB per row, about "
+            f"{three:.0f} dB in three rows."
         )
         findings.append(Finding(text, "decay"))
     return findings
