@@ -1,6 +1,7 @@
 """Files of a result from the studio: made by the result's own writers, in an export process."""
 
 import io
+import math
 import os
 import re
 import signal
@@ -10,8 +11,11 @@ import pytest
 from PIL import Image
 from served import Served, served
 
+from haptonic import plots
 from haptonic.plots.looks import LOOKS
 from haptonic.results.table import FORMS
+from haptonic.studio.files import chosen_export, file_of
+from haptonic.study import loads
 from quick import QUICK_CELL
 
 HOSTILE = QUICK_CELL.replace('"Quick"', '"<script>../../x</script>"')
@@ -29,7 +33,7 @@ def job(studio) -> dict:
     return studio.finished(reply.json["number"])
 
 
-def saved(studio: Served, job: dict, **wanted: str) -> tuple[str, bytes]:
+def saved(studio: Served, job: dict, **wanted: object) -> tuple[str, bytes]:
     reply = studio.post("product", number=job["number"], **wanted)
     assert reply.status == 200, reply.content
     assert reply.headers["Content-Type"] == "application/octet-stream"
@@ -69,6 +73,27 @@ def test_tables_and_files_are_those_of_the_result(studio, job):
     assert not any(".." in each or each.startswith("/") for each in names)
 
 
+def test_axes_of_pictures_have_the_units_of_the_view(studio, job, monkeypatch):
+    units = {"Hz": ["ωa/(2πcₜ)", 4.5e5], "rad/m": ["2π/a", 2 * math.pi / 7e-3]}
+    wanted = {"kind": "picture", "name": "dispersion", "form": "svg"}
+    usual, other = (saved(studio, job, **wanted, **more)[1] for more in ({}, {"units": units}))
+    assert usual != other
+    figures = []
+    monkeypatch.setattr(plots, "rendered", lambda figure, kind: figures.append(figure) or b"")
+    result = loads(QUICK_CELL).bands()
+    for given in ({}, units):
+        file_of(result, chosen_export(wanted | {"units": given}), "bands")
+    plain, chosen = (figure.axes[0] for figure in figures)
+    assert (plain.get_xlabel(), plain.get_ylabel()) == ("wavevector", "frequency (kHz)")
+    assert (chosen.get_xlabel(), chosen.get_ylabel()) == ("length of the path (2π/a)", "ωa/(2πcₜ)")
+    assert chosen.get_ylim() == plain.get_ylim()  # the same curves
+    assert [text.get_text() for text in chosen.get_xticklabels()][1] == "X\n0.5"
+    places = chosen.get_yticks()
+    assert len(places) > 3
+    for place in places:
+        assert float(chosen.yaxis.get_major_formatter()(place, 0)) == pytest.approx(1e3 * place / 4.5e5)
+
+
 def test_the_page_is_saved_and_never_shown_by_the_studio(studio, job):
     reply = studio.ask("GET", f"/api/jobs/{job['number']}/page")
     assert reply.headers["Content-Disposition"] == 'attachment; filename="bands.html"'
@@ -83,6 +108,11 @@ def test_the_page_is_saved_and_never_shown_by_the_studio(studio, job):
         {"kind": "picture", "name": "../../x", "form": "svg"},
         {"kind": "picture", "name": "dispersion", "form": "exe"},
         {"kind": "picture", "name": "dispersion", "form": "svg", "style": "__class__"},
+        {"kind": "picture", "name": "dispersion", "form": "svg", "units": {"Hz": ["<script>", 1.0]}},
+        {"kind": "picture", "name": "dispersion", "form": "svg", "units": {"rad/m": ["kHz", 1.0]}},
+        {"kind": "picture", "name": "dispersion", "form": "svg", "units": {"Hz": ["kHz", 0]}},
+        {"kind": "picture", "name": "dispersion", "form": "svg", "units": {"Hz": "kHz"}},
+        {"kind": "picture", "name": "dispersion", "form": "svg", "units": ["kHz"]},
         {"kind": "table", "name": "none", "form": "csv"},
         {"kind": "file", "name": "../quick.toml"},
         {"kind": "file", "name": ["bands.nc"]},

@@ -13,7 +13,7 @@ from haptonic.arrays import Array, Ints
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
-from haptonic.plots.looks import colours
+from haptonic.plots.looks import AxisUnit, choice, colours
 from haptonic.plots.stage import stage
 from haptonic.plots.text import WavevectorUnit, band_text
 from haptonic.units import hz_text
@@ -139,7 +139,8 @@ def _gap_labels(dataset: xr.Dataset) -> list[tuple[float, str]]:
 def mark_corners(axes: Axes, dataset: xr.Dataset, unit: WavevectorUnit | None = None) -> None:
     """Name the corners of the irreducible zone below the axes, with a line at each.
 
-    With a unit, the length of the path up to each corner is below its name.
+    With a unit, or one that was chosen for all axes, the length of the path up to each corner is below its
+    name.
 
     Raises
     ------
@@ -150,17 +151,20 @@ def mark_corners(axes: Axes, dataset: xr.Dataset, unit: WavevectorUnit | None = 
     for place in places[1:-1]:
         axes.axvline(place, color=style.PALE_INK, lw=0.6, zorder=1)
     labels = json.loads(dataset.attrs["path_labels"])
-    if unit is None:
+    shown = choice().units.get("rad/m")
+    if unit is not None:
+        per_metre = {"rad/m": 1.0, "pi/a": np.pi / float(dataset.attrs["pitch_m"])}
+        if unit not in per_metre:
+            cause = "wavevectors have no such unit here"
+            raise HaptonicError.unknown("wavevectors", str(unit), list(per_metre), cause)
+        shown = AxisUnit(unit.replace("pi", "π"), per_metre[unit])
+    if shown is None:
         axes.set_xticks(places, labels)
         axes.set_xlabel("wavevector")
         return
-    per_metre = {"rad/m": 1.0, "pi/a": np.pi / float(dataset.attrs["pitch_m"])}
-    if unit not in per_metre:
-        cause = "wavevectors have no such unit here"
-        raise HaptonicError.unknown("wavevectors", str(unit), list(per_metre), cause)
-    lengths = places / per_metre[unit]
+    lengths = places / shown.factor
     axes.set_xticks(places, [f"{label}\n{length:.3g}" for label, length in zip(labels, lengths, strict=True)])
-    axes.set_xlabel(f"length of the path ({'π/a' if unit == 'pi/a' else unit})")
+    axes.set_xlabel(f"length of the path ({shown.name})")
 
 
 def _draw_branches(

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from haptonic.errors import HaptonicError, shown
 from haptonic.later import colors  # stored pictures need no matplotlib
@@ -36,16 +36,26 @@ LOOKS = {
 }
 
 
+@dataclass(frozen=True)
+class AxisUnit:
+    """Unit of the axes of one quantity. factor : SI units in one of it"""
+
+    name: str
+    factor: float
+
+
 @dataclass
 class Choice:
     """A look, whether legends are drawn, and colours of the curves.
 
+    units : of axes by the SI unit of their quantity, "Hz" or "rad/m"; others have the usual ones
     coloured : whether a picture used the colours
     """
 
     look: Look = PAGE
     legend: bool = True
     colours: tuple[str, ...] = ()
+    units: Mapping[str, AxisUnit] = field(default_factory=dict)
     coloured: bool = False
 
 
@@ -59,7 +69,11 @@ def choice() -> Choice:
 
 @contextmanager
 def chosen(
-    style: str | None = None, *, legend: bool = True, color: str | Sequence[str] | None = None
+    style: str | None = None,
+    *,
+    legend: bool = True,
+    color: str | Sequence[str] | None = None,
+    units: Mapping[str, AxisUnit] | None = None,
 ) -> Iterator[None]:
     """Draw the pictures of a block in one look.
 
@@ -69,6 +83,7 @@ def chosen(
         for both (180 mm), "slide" (240 mm, 16 points); by default the look around the block
     legend : whether to explain curves and marks beside the axes
     color : of the curves in their order, one or several; the rest keep theirs
+    units : of axes, see `Choice`
 
     Raises
     ------
@@ -83,7 +98,9 @@ def chosen(
                 argument="color", given=shown(name), allowed='a colour of matplotlib, such as "#0072B2"',
                 cause="the name is misspelt, or a map of colours", next_step='write color="black"',
             )  # fmt: skip
-    chosen_options = Choice(LOOKS[style] if style else choice().look, legend, colours)
+    chosen_options = Choice(
+        look=LOOKS[style] if style else choice().look, legend=legend, colours=colours, units=units or {}
+    )
     token = _CHOICE.set(chosen_options)
     try:
         yield

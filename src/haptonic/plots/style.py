@@ -152,23 +152,27 @@ def weigh(figure: Figure, factor: float) -> None:
 
 
 def suit_units(figure: Figure) -> None:
-    """Show the ticks of every axis and colour bar in kHz in MHz or GHz, in mm in µm or nm, where that suits.
+    """Show the ticks of all axes and colour bars in the chosen unit, or in MHz, GHz, µm or nm if that suits.
 
-    What is drawn stays in kHz and mm; labels of ticks and the unit in the axis's name change.
+    What is drawn stays in kHz, mm and rad/mm; labels of ticks and the unit in the axis's name change.
     """
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
             name = axis.get_label().get_text()
-            unit = next((known for known in TICKS if f"({known})" in name), None)
+            unit = next((known for known in (*TICKS, *OF_SI) if f"({known})" in name), None)
             if unit is None or axis.get_scale() != "linear":
                 continue
             low, high = axis.get_view_interval()
-            suited, scale = TICKS[unit](max(abs(low), abs(high)))
+            suited, scale = _shown_unit(unit, max(abs(low), abs(high)))
             if suited == unit:
                 continue
-            places = MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
+            most = min(6, max(3, len(axis.get_majorticklocs()) - 1))
+            locator = MaxNLocator(nbins=most, steps=[1, 2, 2.5, 5, 10])
+            places = np.asarray(locator.tick_values(low * scale, high * scale)) / scale
             axis.set_major_locator(FixedLocator([place for place in places if low <= place <= high]))
-            axis.set_major_formatter(FuncFormatter(lambda x, _, scale=scale: f"{x * scale:.10g}"))
+            axis.set_major_formatter(FuncFormatter(lambda x, _, scale=scale: f"{x * scale:.6g}"))
+            if "ω" in suited:  # a ratio is the quantity itself
+                name = name.replace(f"frequency ({unit})", suited)
             axis.get_label().set_text(name.replace(f"({unit})", f"({suited})"))
 
 
@@ -183,6 +187,16 @@ def _frequency_scale(largest: float) -> tuple[str, float]:
     return unit, 1e3 * scale
 
 
+def _shown_unit(unit: str, largest: float) -> tuple[str, float]:
+    """Unit in which an axis drawn in a unit is shown, and the factor to it."""
+    quantity, factor = OF_SI.get(unit, ("", 1.0))
+    wanted = choice().units.get(quantity)
+    if wanted is not None:
+        return wanted.name, factor / wanted.factor
+    return TICKS[unit](largest) if unit in TICKS else (unit, 1.0)
+
+
+OF_SI = {"kHz": ("Hz", 1e3), "rad/mm": ("rad/m", 1e3)}  # units of drawn axes whose unit can be chosen
 TICKS = {"kHz": _frequency_scale, "mm": _length_scale}
 
 

@@ -33,7 +33,7 @@ def iso_frequency(dataset: xr.Dataset, bands: tuple[int, ...] = ()) -> Figure:
     figure = style.suited(0.42, 7, 1.0 if len(chosen) > 1 else 0.55)
     surface = ZoneSurface.of_dataset(dataset)
     below = dataset["gap_below"].values[dataset["gap_complete"].values.astype(bool)]
-    panels = figure.subplots(1, len(chosen), squeeze=False)[0]
+    panels = figure.subplots(1, len(chosen), squeeze=False, sharey=True)[0]
     for axes, band in zip(panels, chosen, strict=True):
         _contours(figure, axes, surface, band, ", below the gap" if band in below else "")
         axes.set_xlabel(r"$k_x$ (rad/mm)", parse_math=True)

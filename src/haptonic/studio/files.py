@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import io
+import math
 import re
 import zipfile
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
 from haptonic import plots
 from haptonic.errors import StudyError, shown
-from haptonic.plots.looks import LOOKS
+from haptonic.plots.looks import LOOKS, AxisUnit
 from haptonic.results.result import Result
 from haptonic.results.table import FORMS
 
 PICTURES = ("svg", "pdf", "png")
 ENDINGS = {"latex": "tex", "markdown": "md"}  # of tables, where it is not the name of the form
+UNITS = {"Hz": ("Hz", "kHz", "MHz", "ωa/(2πcₜ)"), "rad/m": ("rad/m", "π/a", "2π/a")}  # as in units.ts
 OTHERS = re.compile(r"[^A-Za-z0-9._+-]+")
 
 
@@ -27,12 +29,14 @@ class Export:
 
     kind : "picture", "table", "file", or "folder" for everything; name : of the picture, table or file
     form : format of a picture or table; style : of a picture
+    units : of the axes of a picture by the SI unit of their quantity
     """
 
     kind: str
     name: str
     form: str
     style: str
+    units: dict[str, AxisUnit] = field(default_factory=dict)
 
 
 def choices() -> dict[str, Any]:
@@ -56,7 +60,21 @@ def chosen_export(given: dict[str, Any]) -> Export:
     ):  # fmt: skip
         if not isinstance(value, str) or value not in names:
             raise StudyError.unknown(argument, shown(value), list(names), "the page does not offer it")
-    return Export(kind=str(kind), name=str(name), form=form, style=style)
+    units = _units(given.get("units", {}))
+    return Export(kind=str(kind), name=str(name), form=form, style=style, units=units)
+
+
+def _units(given: object) -> dict[str, AxisUnit]:
+    """Units of axes, each with its factor, which depends on the pitch and the material of the design."""
+    units = {}
+    for quantity, unit in given.items() if isinstance(given, dict) else [("", given)]:
+        name, factor = unit if isinstance(unit, list) and len(unit) == 2 else ("", 0)
+        is_number = isinstance(factor, int | float) and math.isfinite(factor) and factor > 0
+        if name not in UNITS.get(quantity, ()) or not is_number:
+            every = [each for of_quantity in UNITS.values() for each in of_quantity]
+            raise StudyError.unknown("units", shown(given), every, "the page does not offer it")
+        units[quantity] = AxisUnit(name, float(factor))
+    return units
 
 
 def picture_export(name: str) -> Export:
@@ -74,7 +92,7 @@ def file_of(result: Result, export: Export, analysis: str) -> tuple[str, bytes]:
     match export.kind:
         case "picture":
             _need(export.name, result.figures)
-            with plots.chosen(export.style):
+            with plots.chosen(export.style, units=export.units):
                 content = plots.rendered(result.figures[export.name], export.form)
             name = f"{export.name}.{export.form}"
         case "table":

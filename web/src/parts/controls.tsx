@@ -2,14 +2,27 @@
 
 import type { Signal } from "@preact/signals";
 import type { Pace } from "./cycle";
-import type { Unit } from "./units";
+import { useEffect } from "preact/hooks";
+import { shownUnits, type Unit } from "./units";
 
 export function UnitSelect({ title, units, unit }: { title: string; units: Unit[]; unit: Signal<Unit> }) {
+  const { value } = unit;
+  const si = units[0]?.name ?? "";
+  useEffect(() => {
+    shownUnits.value = { ...shownUnits.peek(), [si]: value };
+  }, [si, value]);
+  useEffect(
+    () => () => {
+      const { [si]: _, ...others } = shownUnits.peek();
+      shownUnits.value = others;
+    },
+    [si],
+  );
   return (
     <label>
       {title}{" "}
       <select
-        value={unit.value.name}
+        value={value.name}
         onChange={({ currentTarget }) => (unit.value = units[currentTarget.selectedIndex] ?? unit.value)}
       >
         {units.map(({ name }) => (

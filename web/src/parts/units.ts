@@ -1,5 +1,6 @@
 /** Units of frequencies and wavevectors. A view may show each quantity in any of its units. */
 
+import { signal } from "@preact/signals";
 import type { Dataset } from "../dataset";
 
 export interface Unit {
@@ -14,6 +15,9 @@ const SI_PREFIXES: Unit[] = [
   { name: "MHz", factor: 1e6 },
 ];
 const LONGEST = 1e4; // in its unit, the largest frequency has at most four digits before its point
+
+/** Units that the view on the page has chosen, by the SI unit of their quantity. */
+export const shownUnits = signal<Record<string, Unit>>({});
 
 /** Units of frequency: with pitch a and the speed of shear waves of an isotropic plate, also ωa/(2πcₜ) = f a/cₜ. */
 export function frequencyUnits(data: Dataset): Unit[] {

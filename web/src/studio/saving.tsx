@@ -2,6 +2,7 @@
 
 import { useState } from "preact/hooks";
 import { download } from "../parts/download";
+import { shownUnits } from "../parts/units";
 import { server, type Answer, type Exports, type WholeJob } from "./server";
 import { attempt } from "./study";
 
@@ -22,11 +23,12 @@ export function Saving({ job, answer, exports }: Props) {
   const [kind, name] = [what.slice(0, what.indexOf(" ")), what.slice(what.indexOf(" ") + 1)];
   const forms = kind === "picture" ? exports.pictures : kind === "table" ? exports.tables : [];
   const chosen = forms.includes(form) ? form : (forms[0] ?? "");
+  const units = Object.entries(shownUnits.value).map(([quantity, { name, factor }]) => [quantity, [name, factor]] as const);
   const save = () =>
     attempt(async () => {
       setBusy(true);
       try {
-        const wanted = { kind, name, form: chosen, ...(kind === "picture" ? { style } : {}) };
+        const wanted = { kind, name, form: chosen, ...(kind === "picture" ? { style, units: Object.fromEntries(units) } : {}) };
         const file = await (kind === "page" ? server.page(job.number) : server.export(job.number, wanted));
         download(file.content, file.name);
       } finally {
@@ -73,6 +75,7 @@ export function Saving({ job, answer, exports }: Props) {
           </select>
         </label>
       )}
+      {kind === "picture" && units.length > 0 && <span class="quiet">axes in {units.map(([, [name]]) => name).join(" and ")}, as in the view</span>}
       <button type="button" disabled={busy} onClick={() => void save()}>
         {busy ? "The file is made" : "Save file"}
       </button>
