@@ -6,6 +6,7 @@ import json
 from typing import Any
 
 import numpy as np
+from hour_of_the_studio import ALLOWED
 from matplotlib.figure import Figure
 from record import RESULTS, ROOT
 
@@ -673,11 +674,18 @@ def hour(record: dict[str, Any]) -> str:
         ]
         for name, m in record["memory"].items()
     ]
+    growing = ", ".join(
+        name for name, m in record["memory"].items() if m["per_round"] - 2 * m["standard_error"] > ALLOWED
+    )
     return f"""## Memory of an hour of the studio
 
 {record["rounds"]} rounds of use in headless Chromium: in each, bands are computed, four numbers are turned, pictures are shown, the map is
-painted, a plate and a finger are computed and moved, and older runs are opened. Memory after a round, MB, and thousands of elements; the slope per
-round and twice its standard error begin after {record["warm_rounds"]} rounds, when the caches are full.
+painted, a plate and a finger are computed and moved, and older runs are opened.
+
+Memory after a round, MB, and thousands of elements; the slope per
+round and twice its standard error begin after {record["warm_rounds"]} rounds, when the caches are full. All rounds took {record["seconds"] / 60:.0f} min.
+The {record["received"]} MB of answers that the driver of the browser lets the page keep are left out.
+Slopes of more than {ALLOWED} beyond twice their standard error: {growing or "none"}.
 
 {table(["memory of", "at the end", "largest", "per round"], rows)}
 
