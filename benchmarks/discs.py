@@ -5,8 +5,7 @@
 
 Each cell is computed on some meshes, and on a finer one of order six with two rings. For each mesh: the
 estimate over the distance to the finer mesh, for those of ten bands at four wavevectors whose distance
-exceeds its uncertainty. The last table has the factor that each class of edges needs, see
-`Resolution.remaining`.
+exceeds its uncertainty. The last table has the same by classes of edges.
 """
 
 from __future__ import annotations
@@ -25,12 +24,12 @@ from haptonic.arrays import Array
 from haptonic.bloch import Resolution
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import unreduced
-from haptonic.cell import Disc, MeshPlan, Site, UnitCell
+from haptonic.cell import Disc, Site, UnitCell
 from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 from haptonic.parallel import one_thread
-from haptonic.superelement import Tiling
+from haptonic.superelement import Tiling, missing_energy, on_each
 
 INTERIOR = (4, 36)  # of all meshes
 TRUNCATED = 1e-4  # relative: its largest truncation error of ten bands in a thick plate
@@ -38,6 +37,7 @@ REFERENCE = 6  # order of the finer mesh, with two rings; the order below shows 
 UNSURE = 0.6  # uncertainty of the finer mesh as a share of that distance
 MODES = 12  # bands, of which ten are judged
 JUDGED = 10
+MOVING = 1e-4  # share of the highest frequency; only rigid motions are below
 SHARES = np.array([(0.35, 0.73), (1.0, 0.0), (0.13, -0.83), (1.0, 1.0)])  # of pi
 TUNGSTEN = IsotropicMaterial(411e9, 0.28, 19250.0, name="tungsten")
 RUBBER = IsotropicMaterial(1.175e5, 0.469, 1300.0, name="rubber")
@@ -139,7 +139,6 @@ class Row:
 
     edges : class of its edges; off, stated : largest relative distance and estimate
     below : estimates smaller than the distance by more than its uncertainty
-    factor : smallest factor in `Resolution.remaining` without any of these
     """
 
     seed: int
@@ -154,12 +153,11 @@ class Row:
     median: float
     off: float
     stated: float
-    factor: float
     seconds: float
 
 
 def edges_of(cell: UnitCell) -> str:
-    """Class of a cell's edges, as its factors distinguish them."""
+    """Class of a cell's edges."""
     stacks = [placed.tile.stack for placed in cell.tiles if placed.tile.stack is not None]
     if any(stack.has_corners for stack in stacks):
         return "upright corners"
@@ -170,30 +168,32 @@ def edges_of(cell: UnitCell) -> str:
     return "interfaces" if any(len(stack.solids) for stack in stacks) else "no edges"
 
 
-def frequencies(cell: UnitCell, plans: Sequence[MeshPlan]) -> Array:
-    """(wavevectors, MODES) frequencies on some meshes of the tiles, Hz."""
+def solved(cell: UnitCell, mesh: Resolution) -> tuple[Array, Array]:
+    """(wavevectors, MODES) frequencies on a mesh, and errors of the mesh, Hz."""
     with one_thread():
-        pencil = unreduced(Tiling.condensed(cell, plans, *INTERIOR, measured=False))[0]
-        return np.array([hertz(eigenpairs(pencil, np.pi * share, MODES)[0]) for share in SHARES])
+        tiling = Tiling.condensed(cell, mesh.plans(cell), *INTERIOR, measured=False)
+        pencil, expanded = unreduced(tiling)
+        frequencies, errors = [], []
+        for kappa in np.pi * SHARES:
+            values, modes = eigenpairs(pencil, kappa, MODES)
+            energies = (on_each(form, expanded(modes, kappa)) for form in tiling.surplus)
+            frequencies.append(hertz(values))
+            moving = np.maximum(frequencies[-1], MOVING * frequencies[-1].max())
+            errors.append(missing_energy(*energies) / (8 * np.pi**2 * moving))
+    return np.array(frequencies), np.array(errors)
 
 
 def survey(seed: int, number: int, meshes: Sequence[str]) -> list[Row]:
     """Compare the estimates of a cell on each mesh with the finer mesh."""
     feature, cell = drawn(seed, number)
-    fine, lower = (
-        frequencies(cell, Resolution(order, 2).plans(cell)) for order in (REFERENCE, REFERENCE - 1)
-    )
+    fine, lower = (solved(cell, Resolution(order, 2))[0] for order in (REFERENCE, REFERENCE - 1))
     unsure = UNSURE * np.abs(fine - lower) + TRUNCATED * fine
     rows = []
     for mesh in meshes:
         start, used = time.process_time(), Resolution(*(int(part) for part in mesh.split("-")))
-        found, coarse = (frequencies(cell, plans) for plans in (used.plans(cell), used.lowered(cell)))
-        estimate = np.array([
-            used.estimate(cell, row, np.abs(row - low), row > 1e-4 * found.max())
-            for row, low in zip(found, coarse, strict=True)
-        ])  # fmt: skip
+        found, estimate = solved(cell, used)
         off = np.abs(found - fine)
-        moving = found > 1e-4 * found.max()
+        moving = found > MOVING * found.max()
         moving[:, JUDGED:] = False
         moving &= off > unsure
         if not moving.any():
@@ -205,7 +205,7 @@ def survey(seed: int, number: int, meshes: Sequence[str]) -> list[Row]:
                 mesh=mesh, frequencies=int(moving.sum()), below=int((certain > 1).sum()),
                 least=float(ratio.min()), median=float(np.median(ratio)),
                 off=float((off / found)[moving].max()), stated=float((estimate / found)[moving].max()),
-                factor=float(certain.max() * used.remaining(cell)), seconds=time.process_time() - start,
+                seconds=time.process_time() - start,
             )
         )  # fmt: skip
     return rows
@@ -219,7 +219,6 @@ def summary(rows: Sequence[Row]) -> dict[str, Any]:
         "below": sum(row.below for row in rows),
         "least": round(min(row.least for row in rows), 2),
         "median": round(float(np.median([row.median for row in rows])), 1),
-        "factor": round(max(row.factor for row in rows), 2),
     }
 
 
@@ -255,7 +254,7 @@ def main(count: int, seed: int, minutes: float, meshes: Sequence[str], features:
             print(
                 f"{row.number} {row.feature}, {row.lattice}, {row.edges}, {row.mesh}: off {row.off:.1e}, "
                 f"stated {row.stated:.1e}, {row.below} below, ratio {row.least:.2f}, {row.median:.1f}, "
-                f"factor {row.factor:.2f}, {row.seconds:.0f} s",
+                f"{row.seconds:.0f} s",
                 flush=True,
             )
     groups = {(row.mesh, row.edges): summary([r for r in rows if (r.mesh, r.edges) == (row.mesh, row.edges)])

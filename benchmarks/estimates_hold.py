@@ -29,7 +29,6 @@ from truth import KINDS, STOUT_FROM, TILES, TILES_FROM, Drawn, Truth, drawn, for
 
 from haptonic.bloch.mesh_levels import MeshLimits, first_level, started
 from haptonic.bloch.model import bloch_model
-from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.truncation import REST
 from haptonic.errors import HaptonicError
@@ -178,25 +177,6 @@ def append(path: Path, row: Row) -> None:
         writer.writerow(asdict(row))
 
 
-def factors(rows: list[Row]) -> dict[str, dict[str, float]]:
-    """By resolution, the largest factor of the distance to a lower mesh that was needed, and the one in use.
-
-    The part of the estimate that is not the mesh's counts as though it were, so the factor is a little high.
-    """
-    found: dict[str, dict[str, float]] = {}
-    for row in rows:
-        if row.frequencies:
-            name = row.resolution.rpartition(",")[0]
-            order, rings = (int(word) for word in name.replace(",", "").split() if word.isdigit())
-            cell = drawn(row.seed, row.number).cell
-            used = Resolution(order, rings).for_bands(cell, row.count).remaining(cell)
-            entry = found.setdefault(name, {"designs": 0, "needed": 0.0, "used_at_least": used})
-            entry["designs"] += 1
-            entry["needed"] = max(entry["needed"], used / row.least_ratio)
-            entry["used_at_least"] = min(entry["used_at_least"], used)
-    return found
-
-
 def at_once(row: Row) -> bool:
     return row.outcome.startswith("refused") and row.seconds < AT_ONCE
 
@@ -340,7 +320,6 @@ def main(
             "not_run": sorted(not_run),
             "refused_at_once": sum(at_once(row) for row in rows),
             "rows": [*classes, of_class(rows, "all")],
-            "factors": factors(rows),
             "not_answered": reasons,
             "remark": remark,
         },

@@ -194,7 +194,8 @@ class TestDesign:
 
     def test_a_model_too_coarse_to_tell_says_so(self, here, cheap, asking):
         """The closest design does hold the carrier, if only the edges' errors were smaller."""
-        ran = here("design", asking(LIMITS, HEIGHT))
+        narrower = ('diameter = "3.5 mm"', 'diameter = "3.3 mm"')
+        ran = here("design", asking(LIMITS, HEIGHT, changes=(narrower,)))
         assert_five_parts(ran, code="inaccurate", argument="bands.accuracy")
 
     def test_nothing_to_vary(self, here, study, tmp_path):

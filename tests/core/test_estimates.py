@@ -44,9 +44,9 @@ def test_what_the_interior_leaves_out_is_told_for_many_bands(number):
     """25 bands, among them those of a pillar that hardly moves the cell's sides."""
     cell, resolution, count = drawn(SEED, number).cell, Resolution(2, 1, 3, 24), 25
     exact = hertz(cell, resolution.for_bands(cell, count).plan(cell), count)
-    model = BlochModel.of(cell, resolution, count, measured=False, many=False)
+    model = BlochModel.of(cell, resolution, count, measured=False)
     while largest_truncation(model.fine.tiling, count)[0] > TRUSTED_TRUNCATION:
-        model = BlochModel.of(cell, model.resolution.grown(), count, measured=False, many=False)
+        model = BlochModel.of(cell, model.resolution.grown(), count, measured=False)
     pencil = model.fine.whole
     for kappa, expected in zip(SEEN, exact, strict=True):
         values, modes = eigenpairs(pencil, kappa, count + 2)
@@ -79,7 +79,7 @@ def test_what_gaps_that_cross_beside_square_pillars_leave_is_told():
     lattice = Lattice.rectangular(3.7363027654333503e-3, 4.503567597544592e-3)
     pillar = Pillar(3.4903098153032737e-3, 0.5578126472228378e-3, section="square")
     cell = UnitCell(lattice, 0.1400846910132193e-3, material("aluminium-2017a"), pillar)
-    model = BlochModel.of(cell, Resolution(4, 1, 4, 22), 15, measured=False, many=False)
+    model = BlochModel.of(cell, Resolution(4, 1, 4, 22), 15, measured=False)
     for kappa, bands in finer.items():
         found = model.solve(np.array(kappa))
         for band, frequency in bands.items():
@@ -110,7 +110,7 @@ def share_of_estimate(cell, resolution: Resolution, **finer: int) -> np.ndarray:
     """What some of a mesh's orders change when they are raised to ``finer``, over the estimates."""
     plan = resolution.plan(cell)
     here, there = (hertz(cell, way, 10) for way in (plan, replace(plan, **finer)))
-    model = BlochModel.of(cell, resolution, 10, measured=False, many=False)
+    model = BlochModel.of(cell, resolution, 10, measured=False)
     return np.abs(here - there) / [model.solve(kappa).error for kappa in SEEN]
 
 

@@ -103,7 +103,7 @@ def test_cells_with_several_pillars_agree_with_the_peer(name):
     lattice = Lattice(lattice=name, pitch=7 * MM)
     site = tuple(Site(pillar=Pillar(1.6 * MM, height)) for height in heights)
     cell = UnitCell(lattice, 1.5 * MM, metal, site=site)
-    model = BlochModel.of(cell, Resolution(4, 1), COUNT, measured=False, many=False)
+    model = BlochModel.of(cell, Resolution(4, 1), COUNT, measured=False)
     same = PeerCell(7 * MM, 7 * MM, 1.5 * MM, 1.6 * MM, 5 * MM, 70e9, 0.33, 2700.0)
     # the sites moved together, so that no foot crosses the parallelogram
     places = ((cell.shares + (0.0 if name == "honeycomb" else 0.25)) % 1.0) @ lattice.vectors

@@ -163,7 +163,7 @@ def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
 def test_above_the_last_bulk_band_that_was_computed_no_gap_is_told():
     bulk = np.array([[[10.0, 20.0], [25.0, 30.0]], [[9.0, 11.0], [26.0, 27.0]]])
     at = np.array([5.0, 15.0, 22.0, 24.8, 28.0, 31.0])
-    modes = RibbonModes(0.3, at, np.full(6, 0.5), at, at, at, at, at)
+    modes = RibbonModes(0.3, at, np.full(6, 0.5), at, at, at, at, at, 1.0)
     assert list(in_gap(modes, bulk)) == [True, False, True, False, False, False]
 
 

@@ -118,7 +118,7 @@ FINER = {  # Hz by phases / pi, with order 5 and three rings at the foot
 
 @pytest.mark.parametrize("order", daily([3, 4, 5], 3))
 def test_the_truth_is_within_the_estimates_of_a_stout_pillar(order):
-    found = BlochModel.of(STOUT, Resolution(order, 1, 4, 24), 10, measured=False, many=False)
+    found = BlochModel.of(STOUT, Resolution(order, 1, 4, 24), 10, measured=False)
     ratios = []
     for phases, exact in FINER.items():
         solution = found.solve(np.pi * np.array(phases))

@@ -22,6 +22,7 @@ from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.shapes import mode_shapes
 from haptonic.bloch.symmetry import MIDDLE, WAVES
 from haptonic.bloch.tracking import Diagram, diagram, solved
+from haptonic.bloch.truncation import REST
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import ZoneModes, zone_surface
 from haptonic.brillouin import Path
@@ -34,6 +35,7 @@ from haptonic.parallel import one_thread
 from haptonic.superelement import whole_mesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
+APART = 3.0  # margin of counts, as a multiple of the estimated distance of a band to the lower orders
 LEAST_COUNTED = 2  # order of a model up to which counts use its own mesh: the next is too coarse for them
 FURTHER = "further_"  # before the names of variables and dimensions of other lattices of a plate
 
@@ -124,7 +126,16 @@ def bands_dataset(
         **scales(cell),
         **best.attributes(settings),
     }
+    if "largest_error" in dataset.attrs:  # the diagram has more wavevectors than the estimate over the zone
+        dataset.attrs["largest_error"] = max(dataset.attrs["largest_error"], _largest_error(dataset))
     return dataset
+
+
+def _largest_error(dataset: xr.Dataset) -> float:
+    """Largest relative error of the diagram, rigid motions excluded."""
+    frequency = dataset["frequency"].values
+    moving = frequency > REST * frequency.max()
+    return float((dataset["frequency_error"].values[moving] / frequency[moving]).max())
 
 
 @one_thread()
@@ -240,9 +251,9 @@ def mode_names(dataset: xr.Dataset) -> list[str]:
 def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     """Compare the number of bands below some frequencies with an exact count in a mesh without reduction.
 
-    The comparison is made at the corners of the irreducible zone and half-way between them. The mesh is that
-    of the lower orders with which the model estimates its errors: a count there takes a third of the time. A
-    wavevector is skipped if a band may lie on different sides of the frequency in the two.
+    The comparison is made at the corners of the irreducible zone and half-way between them. The orders of the
+    mesh are one lower, because a count then takes a third of the time. A wavevector is skipped if a band may
+    lie on different sides of the frequency in the two.
 
     Returns
     -------
@@ -251,8 +262,6 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
     cell, resolution = model.cell, model.resolution
     lower = resolution.order > LEAST_COUNTED
     mesh = whole_mesh(cell, resolution.lowered(cell) if lower else resolution.plans(cell))
-    # an error is at least ``remaining`` times the distance of its band to that of the lower orders
-    apart = 1 + (1 / resolution.remaining(cell) if lower else 1)
     periodic = Periodic.of_joint(mesh.joint)
     wavevectors, _ = cell.zone.triangles(2)
     checked = missed = 0
@@ -261,7 +270,8 @@ def count_check(model: BlochModel, frequencies: list[float]) -> tuple[int, int]:
         matrix, clamped = dynamic.matrix, dynamic.below
         for kappa in wavevectors:
             solution = model.solve(kappa)
-            if (np.abs(solution.frequency - level) < apart * solution.error).any():
+            apart = APART * model.to_lower_orders(solution) if lower else np.zeros(model.count)
+            if (np.abs(solution.frequency - level) < solution.error + apart).any():
                 continue
             folded = periodic.hermitian(matrix, kappa)
             exact = clamped + int((np.linalg.eigvalsh(folded) < 0).sum())

@@ -45,10 +45,10 @@ class CentredPencil:
     middle: sp.csr_array | None
 
     @classmethod
-    def of(cls, tiling: Tiling) -> CentredPencil:
-        """Centre the pencil of a cell that the half-turn leaves unchanged."""
+    def of(cls, tiling: Tiling, forms: tuple[Array, Array] | None = None) -> CentredPencil:
+        """Centre the pencil of a cell that the half-turn leaves unchanged; forms as for `bloch_pencil`."""
         periodic = Periodic.of(tiling)
-        laurent = bloch_pencil(tiling)
+        laurent = bloch_pencil(tiling, forms)
         count, turned = len(periodic.free), tiling.half_turn()
         assert turned is not None, "a cell that the half-turn changes"
         source, signs, away = (of_unknowns[periodic.free] for of_unknowns in turned)
@@ -181,11 +181,12 @@ class PhasedPencil:
     middle: sp.csr_array | None
 
     @classmethod
-    def of(cls, tiling: Tiling) -> PhasedPencil:
+    def of(cls, tiling: Tiling, forms: tuple[Array, Array] | None = None) -> PhasedPencil:
+        """Make the pencil of any cell; forms as for `bloch_pencil`."""
         periodic = Periodic.of(tiling)
         return cls(
             periodic,
-            bloch_pencil(tiling),
+            bloch_pencil(tiling, forms),
             periodic.translations(tiling.trace_size),
             periodic.in_middle_plane(tiling),
         )
@@ -256,11 +257,14 @@ def _long_waves(
     return np.hstack([rest, *slopes, *curvatures])
 
 
-def lattice_pencil(tiling: Tiling) -> CentredPencil | PhasedPencil:
-    """Make the pencil of a tiling, real if half a turn leaves the cell unchanged."""
+def lattice_pencil(tiling: Tiling, forms: tuple[Array, Array] | None = None) -> CentredPencil | PhasedPencil:
+    """Make the pencil of a tiling, real if half a turn leaves the cell unchanged.
+
+    forms : as for `bloch_pencil`
+    """
     if tiling.is_centred:
-        return CentredPencil.of(tiling)
-    return PhasedPencil.of(tiling)
+        return CentredPencil.of(tiling, forms)
+    return PhasedPencil.of(tiling, forms)
 
 
 @dataclass(frozen=True)

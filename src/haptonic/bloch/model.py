@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -22,8 +21,8 @@ from haptonic.bloch.mesh_levels import (
     refusal,
     starting_rung,
 )
-from haptonic.bloch.pencil import Evaluated, SplitPencil, eigenpairs, hertz
-from haptonic.bloch.reduced import ReducedCell, unreduced
+from haptonic.bloch.pencil import SplitPencil, eigenpairs, hertz
+from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import BandSettings
@@ -88,14 +87,13 @@ class BlochModel:
     The small basis covers the irreducible zone; `representative` maps every wavevector there.
 
     cell, resolution : of the model; count : number of bands
-    fine : reduced model; coarse : pencil of lower order, for the error estimate
+    fine : reduced model
     """
 
     cell: UnitCell
     resolution: Resolution
     count: int
     fine: ReducedCell
-    coarse: Evaluated
 
     @classmethod
     def of(
@@ -105,7 +103,6 @@ class BlochModel:
         count: int,
         *,
         measured: bool = True,
-        many: bool = True,
         whole: Tiling | None = None,
         highest: float | None = None,
     ) -> BlochModel:
@@ -114,38 +111,23 @@ class BlochModel:
         Parameters
         ----------
         measured : whether characters of modes are needed
-        many : whether errors are needed at many wavevectors; then the coarse pencil is reduced
         whole : the cell condensed with this resolution; by default it is condensed here
         highest : Hz, up to which few interior modes suffice; by default all are used
         """
         resolution = resolution.for_bands(cell, count)
-        goal = resolution.projection_goal
-        steps, block = resolution.steps, resolution.block
-
-        def lowered() -> Evaluated:
-            plans = resolution.lowered(cell)
-            lower = Tiling.condensed(cell, plans, steps, block, measured=False, highest=highest)
-            # a first, unchecked basis gave an estimate of 2 % instead of 0.05 % for the tenth band of a plain
-            # plate
-            if many:
-                return ReducedCell.of(lower, count, goal).pencil
-            return unreduced(lower)[0]
-
-        # these matrices are too small for threads inside the linear algebra; both models share the threads
-        # for symmetry classes, the larger model first
-        with one_thread(), ThreadPoolExecutor(1) as aside:
-            coarse = aside.submit(lowered)
+        # these matrices are too small for threads inside the linear algebra
+        with one_thread():
             if whole is None:
                 whole = Tiling.condensed(
-                    cell, resolution.plans(cell), steps, block, measured=measured, highest=highest
+                    cell,
+                    resolution.plans(cell),
+                    resolution.steps,
+                    resolution.block,
+                    measured=measured,
+                    highest=highest,
                 )
-            return cls(
-                cell=cell,
-                resolution=resolution,
-                count=count,
-                fine=ReducedCell.of(whole, count, goal),
-                coarse=coarse.result(),
-            )
+            fine = ReducedCell.of(whole, count, resolution.projection_goal)
+        return cls(cell=cell, resolution=resolution, count=count, fine=fine)
 
     @cached_property
     def halves(self) -> dict[int, BlochModel]:
@@ -156,15 +138,13 @@ class BlochModel:
         """
         if not isinstance(self.fine.pencil, SplitPencil):
             return {}
-        assert isinstance(self.coarse, SplitPencil)
         models = {}
         wavevectors, _ = self.cell.zone.triangles(HALVES_DIVISIONS)
         modes = [eigenpairs(self.fine.pencil, kappa, self.count)[1] for kappa in wavevectors]
-        for parity, coarse in zip((1, -1), self.coarse.parts, strict=True):
+        for parity in (1, -1):
             count = min(int((self.fine.parity(some) == parity).sum()) for some in modes)
             if count:
-                fine = self.fine.of_parity(parity)
-                models[parity] = replace(self, count=count, fine=fine, coarse=coarse)
+                models[parity] = replace(self, count=count, fine=self.fine.of_parity(parity))
         return models
 
     def representative(self, kappa: Array) -> Representative:
@@ -182,23 +162,26 @@ class BlochModel:
         values, modes = eigenpairs(self.fine.pencil, kappa, count + ABOVE)
         fields = self.fine.expanded(modes, kappa)
         frequency = hertz(values)
-        distance = np.abs(hertz(eigenpairs(self.coarse, kappa, count + ABOVE)[0]) - frequency)
-        moving = frequency > REST * self.highest
-        error = self.resolution.estimate(self.cell, frequency, distance, moving)
-        error += self._lost(values, fields) + frequency * self.fine.projection_error
-        error += self.fine.rounding / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest))
+        missing, _, left_out = self.fine.losses(modes, kappa)
+        error = interior_error(values, left_out) + frequency * self.fine.projection_error
+        error += self._in_hertz(missing + self.fine.rounding, frequency)
         error = ranked(frequency, error)
         return Solution(source=source, frequency=frequency, error=error, fields=fields, modes=modes).lowest(
             count
         )
 
+    def to_lower_orders(self, solution: Solution) -> Array:
+        """(k,) estimated distances to the frequencies of a mesh with orders one lower, Hz."""
+        _, lower, _ = self.fine.losses(solution.modes, solution.source.kappa)
+        return self._in_hertz(lower, solution.frequency)
+
+    def _in_hertz(self, change: Array, frequency: Array) -> Array:
+        """Changes of frequencies, Hz, from those of eigenvalues, (rad/s)^2."""
+        return np.asarray(change / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest)))
+
     def displacement(self, solution: Solution) -> Complex:
         """(nodes, 3, k) motion of the meshes of all tiles, one after the other, at `Solution.kappa`."""
         return solution.source.fields(self.fine.tiling, solution.fields)
-
-    def _lost(self, values: Array, fields: Complex) -> Array:
-        """(k,) decrease of the frequencies of k modes due to the omitted interior fields, Hz."""
-        return interior_error(values, on_each(self.fine.tiling.truncation, fields))
 
     @cached_property
     def _worst(self) -> tuple[float, float]:
@@ -207,7 +190,8 @@ class BlochModel:
         worst = np.zeros(2)
         for kappa in wavevectors:
             solution = self.solve(kappa)
-            lost = self._lost((2 * np.pi * solution.frequency) ** 2, solution.fields)
+            *_, left_out = self.fine.losses(solution.modes, solution.source.kappa)
+            lost = interior_error((2 * np.pi * solution.frequency) ** 2, left_out)
             moving = solution.frequency > REST * self.highest
             errors = np.stack([solution.error, solution.error - lost])[:, moving] / solution.frequency[moving]
             worst = np.maximum(worst, errors.max(axis=1, initial=0.0))
@@ -220,11 +204,7 @@ class BlochModel:
 
     @property
     def mesh_error(self) -> float:
-        """Largest relative error estimate without the truncation error of the interior.
-
-        The interior of the lower orders is truncated alike, so the distance of a band to them contains little
-        truncation error once its estimate is reliable.
-        """
+        """Largest relative error estimate without the truncation error of the interior."""
         return self._worst[1]
 
     @cached_property
@@ -303,7 +283,7 @@ def candidate_models(
             )
         mesh, highest, excess = reached.mesh, reached.highest, 1.0
         if reached.truncation <= TRUSTED_TRUNCATION or (chosen is not None and lack is None):
-            model = BlochModel.of(cell, mesh, count, many=not gaps_only, whole=reached.whole, highest=highest)
+            model = BlochModel.of(cell, mesh, count, whole=reached.whole, highest=highest)
             spent += mesh.seconds(cell)
             answered = True
             yield model

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import cast
 
 import numpy as np
 
@@ -16,10 +18,10 @@ from haptonic.bloch.centred import (
     parts_of,
     together,
 )
-from haptonic.bloch.pencil import Evaluated, Pencil, SplitPencil, eigenpairs
+from haptonic.bloch.pencil import Derived, Evaluated, Pencil, SplitPencil, eigenpairs
 from haptonic.brillouin import IrreducibleZone
 from haptonic.later import linalg as la, sparse as sp
-from haptonic.superelement import Tiling, definite
+from haptonic.superelement import Tiling, definite, missing_energy, on_each
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
 # Share of the path from rest to the zone's corners at which a basis is checked too, because bands of a plain
@@ -31,12 +33,70 @@ LOST_DIRECTION = 1e-10  # smallest share of the snapshots' inertia for a basis v
 TIGHTER = 0.1  # factor on that share if the basis is too coarse: little inertia may be much energy
 
 
+@dataclass(frozen=True, eq=False)
+class Losses:
+    """Forms on a basis that estimate what modes lack; computed when they are first needed.
+
+    basis : (free unknowns, r) of the tiling's whole pencil
+    """
+
+    tiling: Tiling
+    basis: Array
+
+    @cached_property
+    def pencils(self) -> tuple[Derived, Derived]:
+        """The forms on the basis, two in each pencil."""
+        surplus, of_kind, before = self.tiling.surplus
+        first, second = (
+            lattice_pencil(self.tiling, pair).projected(self.basis)
+            for pair in ((surplus, of_kind), (before, self.tiling.truncation))
+        )
+        return first, second
+
+    def at(self, modes: Fields, kappa: Array) -> tuple[Array, Array, Array]:
+        """(k,) values for modes (r, k) of unit mass: energy that the mesh lacks (N/m), energy that orders one
+        lower would lack in addition (N/m), and the truncation form.
+
+        See `haptonic.superelement.surplus` and `Superelement.truncation`.
+        """
+        surplus, of_kind, before, truncation = (
+            on_each(form, modes) for pencil in self.pencils for form in pencil.at(kappa)
+        )
+        return missing_energy(surplus, of_kind, before), surplus + of_kind, truncation
+
+
+@dataclass(frozen=True)
+class StiffenedPencil:
+    """Pencil with the surplus as additional stiffness, which changes modes about as lower orders would.
+
+    whole : stiffness and mass; surplus : two forms that are added
+    """
+
+    whole: Derived
+    surplus: Derived
+
+    @property
+    def size(self) -> int:
+        return self.whole.size
+
+    def at(self, kappa: Array) -> tuple[Fields, Fields]:
+        """(r, r) stiffness and mass at the phases (2,)."""
+        stiffness, mass = self.whole.at(kappa)
+        return stiffness + sum(self.surplus.at(kappa)), mass
+
+    def slope(self, kappa: Array, direction: int) -> tuple[Fields, Fields]:
+        """Exact derivatives of stiffness and mass with respect to one phase."""
+        stiffness, mass = self.whole.slope(kappa, direction)
+        return stiffness + sum(self.surplus.slope(kappa, direction)), mass
+
+
 @dataclass(frozen=True)
 class ReducedCell:
     """Condensed cell in a small basis for the whole irreducible zone, long waves included.
 
     tiling : the condensed cell; whole : its pencil
     pencil : on the small basis; basis : (free unknowns, r)
+    errors : forms on the basis of all motions; members : numbers of this basis in that one
     projection_error : relative error of frequencies due to the basis: the allowed one, or a larger one
     measured
         at wavevectors outside the training set
@@ -47,6 +107,8 @@ class ReducedCell:
     whole: CentredPencil | PhasedPencil
     pencil: RealPencil | Pencil | SplitPencil[RealPencil | Pencil]
     basis: Array
+    errors: Losses
+    members: slice
     projection_error: float
     rounding: float
 
@@ -99,15 +161,30 @@ class ReducedCell:
             if error <= goal:
                 break
         assert small is not None
+        basis = np.hstack([part.embedding @ of for part, of in zip(parts, bases, strict=True)])
         # between the checked wavevectors the error may equal the allowed one
         return cls(
             tiling=tiling,
             whole=full,
             pencil=small,
-            basis=np.hstack([part.embedding @ of for part, of in zip(parts, bases, strict=True)]),
+            basis=basis,
+            errors=Losses(tiling, basis),
+            members=slice(None),
             projection_error=max(error, goal),
             rounding=float(np.abs(at_rest).max()),
         )
+
+    def losses(self, modes: Fields, kappa: Array) -> tuple[Array, Array, Array]:
+        """Values of `Losses.at` for modes (r, k) of this cell."""
+        whole = np.zeros((self.errors.basis.shape[1], modes.shape[1]), dtype=modes.dtype)
+        whole[self.members] = modes
+        return self.errors.at(whole, kappa)
+
+    @property
+    def stiffened(self) -> StiffenedPencil:
+        """The pencil of all motions with the surplus as additional stiffness."""
+        assert self.members == slice(None), "motions of one parity"
+        return StiffenedPencil(cast("Derived", self.pencil), self.errors.pencils[0])
 
     def parity(self, modes: Fields) -> Ints:
         """(k,) parity of modes (r, k) about the plate's middle plane: +1, -1, or 0 if it is not a mirror."""
@@ -120,7 +197,7 @@ class ReducedCell:
         assert isinstance(self.pencil, SplitPencil), "a cell without this mirror"
         first = self.pencil.parts[0].size
         part, members = (0, slice(None, first)) if parity > 0 else (1, slice(first, None))
-        return replace(self, pencil=self.pencil.parts[part], basis=self.basis[:, members])
+        return replace(self, pencil=self.pencil.parts[part], basis=self.basis[:, members], members=members)
 
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the tiling from (r, k) modes of the small pencil."""

@@ -1,4 +1,4 @@
-"""Mesh resolution for a requested accuracy, with its error, time and memory."""
+"""Mesh resolution for a requested accuracy, with its time and memory."""
 
 from __future__ import annotations
 
@@ -6,39 +6,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-from haptonic.arrays import Array, Bools
-from haptonic.cell import MeshPlan, Period, Pillar, Stack, TileShape, UnitCell
-from haptonic.cell.edges import between_edges, is_unbridged
-from haptonic.cell.orders import USUAL_BANDS, orders_for_bands
+from haptonic.cell import MeshPlan, Period, TileShape, UnitCell
+from haptonic.cell.orders import USUAL_BANDS
 from haptonic.cell.pieces import Meshed, pieces_of
 from haptonic.parallel import threads
 from haptonic.superelement.symmetry import THIRD, folds_of
 from haptonic.superelement.trace import trace_levels
 
-MEASURED = {(3, 1): 0.55, (4, 1): 0.45, (5, 1): 0.75, (5, 2): 0.35, (6, 2): 0.6}  # see `remaining`
-# The same with one ring for tiles without four sides, by order, with a sharp foot and with a fillet. Several
-# elements share a quarter turn there, and the next lower order has a small smooth error: the edge dominates
-# earlier. `benchmarks/estimates_hold.py --tiles` measures which factor each order needs.
-OF_BLOCKS = {3: 0.45, 4: 0.7, 5: 1.1}
-OF_BLOCKS_ROUNDED = {3: 0.3, 4: 0.45, 5: 0.75}
-# Increase of these factors from order 4 on, as a share per order added for many bands, until the edge
-# dominates
-FOR_BANDS = 0.6
-# Least factor if a fillet has no elements of intermediate size between its arc and much wider elements: a
-# single element to the middle of a wide pillar on a thin plate had an error of 1.3 %, and a factor of 0.38
-UNBRIDGED = 0.55
-ON_THIN = {3: 0.3, 4: 0.55}  # for a thin plate: the mesh below order 3 has two orders less around the axis
-# For square pillars with a gap below this share of their half width, factors up to order 4 are multiplied:
-# where gaps cross at corners motion changes within their width, and the difference to the lower order is half
-# of the error. At 0.07, six of a hundred frequencies needed 1.1 instead of 0.75.
-CROSSING, CROSSED = 0.11, 1.4
-# For discs without an edge with a graded mesh, see `benchmarks/discs.py`: of the plate's material only, and
-# with interfaces, at whose ends on a surface stress is weakly singular.
-WITHOUT_EDGE, AT_INTERFACES = 0.3, 1.0
-WITHIN_PLATE = {3: 0.35, 4: 0.35, 5: 0.5}  # with edges within the plate only, as for a blind hole
-OF_SOLIDS = 0.2  # for curved tetrahedra of a CAD file, refined towards edges; see `benchmarks/solids.py`
 # For solids of a CAD file: unknowns per element and cube of the order, measured 0.7 to 1.1; time (s) and
 # memory (bytes) for powers of their number: 13,700 took 2 s, 140,000 took 90 s and 8.5 GB, the lower order a
 # third more.
@@ -53,8 +27,6 @@ PER_KEPT, PER_PAIR, PER_FACTOR, PER_PENCIL, RESIDENT = 1.3, 52.0, 52.0, 92.0, 4e
 BY_THIRDS = 1.5  # times the pairs: parts of a tile with the third of a turn have separate indices
 LEAST_ORDER = 2  # that a study can set
 LEAST_STEPS, WIDEST = 2, 40  # of an interior: least number of blocks, and their largest size
-UNRESOLVED = 25.0  # see `Resolution.unresolved`
-SHARED = 1.0  # share of the root mean square of all relative distances to lower orders, added to each band
 
 
 @dataclass(frozen=True)
@@ -128,106 +100,6 @@ class Resolution:
         """Allowed relative error of a frequency due to the small basis, well below that of the mesh."""
         return 1e-4 * 0.4 ** max(self.order - 4, 0)
 
-    def remaining(self, cell: Period) -> float:
-        """Error of this resolution as a multiple of its distance to the next lower orders.
-
-        That distance is a band's own plus ``SHARED`` times the root mean square of all. At the re-entrant
-        edge (270 degrees) stress grows as r^-0.4555, so on a given mesh the error of a frequency falls as
-        order^(-4 * 0.5445) once the edge dominates it. Before that the smooth part contributes, the
-        error falls faster, and the factors are measured. Largest ratios of error to distance with order 3:
-        0.44 in 62 designs with a pillar on a thick plate, 0.15 in 66 on a thin plate; with order 4: 0.44 in
-        33 designs, usually 0.23, and 0.47 on a thin plate with a narrow neck; with order 5: 0.32 in 19
-        designs, and 0.61 for a stout pillar with draft on a thick plate, where the edge dominates already;
-        with two rings: 0.19 in 4. The factors are up to twice as large. With two rings or more the edge does
-        not dominate up to order 6, and this is assumed for higher orders. A step is another re-entrant edge
-        with a graded mesh; close above a fillet the mesh is not graded, and the edge is assumed to dominate
-        for all orders. A plain plate has no edge: the largest ratio was 0.11 in 24 meshes that resolve the
-        bands; `unresolved` covers other meshes.
-
-        Many bands add orders for the smooth part, so the edge dominates earlier. For a stout pillar on a
-        thick plate the ratio at order 4 was 0.38 for 10 bands, 0.43 for 12, 0.66 for 15, 0.68 for 20 and 0.78
-        for 30, for another pillar 0.87 for 20; at order 5 it was 0.53 to 1.01; at order 3 0.23 to 0.27, with
-        a factor of 0.55.
-        """
-        return max(self._remaining(placed.tile, placed.tile.area / cell.area) for placed in cell.tiles)
-
-    def _remaining(self, tile: TileShape, share: float) -> float:
-        pillar = tile.pillar
-        if tile.solid is not None:
-            return self._of_singular if tile.solid.is_mesh else OF_SOLIDS
-        if tile.stack is not None:
-            return self._of_stack(tile.stack)
-        if pillar is None:
-            return 0.15
-        narrow = bool(len(pillar.outline.flats)) and tile.clearance < CROSSING * pillar.widest
-        factor = self._of_edge(tile, pillar)
-        if is_unbridged(tile, self.foot_rings):
-            factor = max(factor, UNBRIDGED)
-        if self.order > 3:
-            finer = orders_for_bands(tile, self.bands * share) - orders_for_bands(tile, USUAL_BANDS * share)
-            factor = min(factor * (1.0 + FOR_BANDS * max(finer, 0.0)), max(factor, self._of_edge_alone))
-        return factor * CROSSED if narrow and self.order < 5 else factor
-
-    def _of_stack(self, stack: Stack) -> float:
-        """Factor for discs, that of a pillar's foot if stress is singular at an edge."""
-        if stack.has_corners:
-            return self._of_edge_alone
-        if not stack.singular.any():
-            return AT_INTERFACES if len(stack.solids) else WITHOUT_EDGE
-        rings = min(self.foot_rings, 2)
-        if rings == 1 and self.order in WITHIN_PLATE and not stack.singular[:, stack.in_plate :].any():
-            return WITHIN_PLATE[self.order]
-        return MEASURED.get((self.order, rings), MEASURED[6, 2] if rings == 2 else self._of_edge_alone)
-
-    @property
-    def _of_edge_alone(self) -> float:
-        """Factor if a re-entrant edge dominates the error."""
-        return max(self._of_singular, 1.3)
-
-    @property
-    def _of_singular(self) -> float:
-        """Factor for an error that falls as order^(-4 * 0.5445) on a given mesh.
-
-        Measured on meshes from files with elements of 1 mm to 3 mm, a pillar of 3 mm and a pitch of 7 mm:
-        0.08 with order 2, 0.41 with order 3 and 0.71 with order 4.
-        """
-        return 1.0 / float((self.order / (self.order - 1)) ** (4 * 0.5445) - 1.0)
-
-    def _of_edge(self, tile: TileShape, pillar: Pillar) -> float:
-        if (
-            pillar.step is not None and pillar.fillet and between_edges(tile) is None
-        ):  # the mesh is not graded
-            return self._of_edge_alone
-        if self.foot_rings >= 2:
-            return MEASURED.get((self.order, 2), MEASURED[6, 2])
-        if len(tile.corners) != 4 and self.foot_rings:
-            factors = OF_BLOCKS_ROUNDED if pillar.fillet else OF_BLOCKS
-            return factors.get(self.order, self._of_edge_alone)
-        if tile.is_thin and self.order in ON_THIN:
-            return ON_THIN[self.order]
-        return MEASURED.get((self.order, self.foot_rings), self._of_edge_alone)
-
-    def unresolved(self, cell: Period) -> float:
-        """Increase of `remaining` per relative distance of a plain plate's band.
-
-        Without an edge each order divides the error, by a factor that grows with the resolution of the wave.
-        The ratio of error to distance was 0.27 at order 5 for a band at a distance of 0.013 from order 4, and
-        0.58 at order 4 for a band at 0.029 from order 3.
-        """
-        return 0.0 if cell.has_features else UNRESOLVED
-
-    def estimate(self, cell: Period, frequency: Array, distance: Array, moving: Bools) -> Array:
-        """(k,) mesh errors of frequencies (k,), from their distance to the next lower orders, Hz.
-
-        moving : (k,) False for rigid motions
-        """
-        # A band may be equal in both by chance, so a share of the distances of other bands is added. Their
-        # mean is too small if few bands differ much, and the equal one is of their kind.
-        relative = np.divide(distance, frequency, out=np.zeros_like(distance), where=moving)
-        others = math.sqrt(np.sum(relative[moving] ** 2) / max(np.count_nonzero(moving), 1))
-        error = self.remaining(cell) * (distance + SHARED * others * frequency)
-        return np.asarray(error + self.unresolved(cell) * distance * relative)
-
     def memory(self, cell: Period) -> float:
         """Estimate of the peak memory, bytes; `benchmarks/answered_in_budget.py` measures it.
 
@@ -268,7 +140,7 @@ class Resolution:
         )
 
     def seconds(self, cell: Period) -> float:
-        """Estimate of the processor time of a model, its coarse one included, s.
+        """Estimate of the processor time of a model, s.
 
         Static responses to the trace and the interior's blocks dominate: their number times the number of
         nodes. Fourteen cells of orders 3 to 6 with plates of 0.005 to 0.35 pitches took 0.24 to 0.42 us for

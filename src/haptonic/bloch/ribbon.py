@@ -7,7 +7,7 @@ localised at the guide or the edge and decay into the crystals.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,10 +20,10 @@ from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.truncation import interior_error
 from haptonic.cell import Ribbon
 from haptonic.later import sparse as sp
-from haptonic.superelement import Tiling, definite, on_each
+from haptonic.superelement import Superelement, Tiling, definite, missing_energy, on_each
 
 ACROSS = 33  # phases across, at which bulk bands are sampled
-WIDER = 0.03  # share of a frequency, first search range at the next lower orders
+WIDER = 0.03  # share of a frequency, first search range in the stiffened pencil
 LEAST = 1e-3  # share of the lowest frequency; only rigid motions lie below
 
 
@@ -43,8 +43,11 @@ class RibbonPencil:
     off: tuple[dict[int, Array], ...]
 
     @classmethod
-    def of(cls, ribbon: Ribbon, tiling: Tiling) -> RibbonPencil:
-        """Assign each free unknown to the block of its first column."""
+    def of(cls, ribbon: Ribbon, tiling: Tiling, *, stiffened: bool = False) -> RibbonPencil:
+        """Assign each free unknown to the block of its first column.
+
+        stiffened : whether the surplus of tiles is added to their stiffness
+        """
         periodic = Periodic.of(tiling)
         column = np.full(len(periodic.free), len(ribbon.first))
         for unknowns, number in zip(tiling.own, ribbon.place_of_tile[1], strict=True):
@@ -58,7 +61,8 @@ class RibbonPencil:
         beside: list[dict[int, Array]] = [{} for _ in sizes[1:]]
         for number, unknowns in enumerate(tiling.own):
             tile = tiling.tiles[number]
-            forms = [tiling.joint.form(number, form, tile.trace_size) for form in (tile.stiffness, tile.mass)]
+            stiffness = tile.stiffness + tile.surplus[:2].sum(axis=0) if stiffened else tile.stiffness
+            forms = [tiling.joint.form(number, form, tile.trace_size) for form in (stiffness, tile.mass)]
             free, shift = periodic.number[unknowns], periodic.shift[unknowns, 0]
             groups = {
                 (int(g), int(s)): np.flatnonzero((block[free] == g) & (shift == s))
@@ -129,9 +133,10 @@ class RibbonModes:
 
     kappa : rad; frequency, error : (k,) Hz; the error bounds the distance to the exact frequency
     slope, slope_error : (k,) derivatives of the frequency with respect to the phase, Hz/rad; the error is an
-        estimate from the slopes of the lower orders
+        estimate from the slopes of the stiffened pencil
     fields : (t + m, k) unknowns of the tiling, unit mass
-    energy, lower_energy : (k, lines, columns) energy of each cell, and by the lower orders
+    energy, stiffened_energy : (k, lines, columns) energy of each cell, and in the stiffened pencil
+    remaining : errors of the frequencies as a multiple of their distances to the stiffened pencil
     """
 
     kappa: float
@@ -141,31 +146,33 @@ class RibbonModes:
     slope_error: Array
     fields: Complex
     energy: Array
-    lower_energy: Array
+    stiffened_energy: Array
+    remaining: float
 
 
 @dataclass(frozen=True)
 class RibbonModel:
     """Modes of a ribbon at any phase along it.
 
-    fine : pencil; coarse : pencil of lower orders, for the error estimate
+    fine : pencil
+    stiffened : the same with the surplus as additional stiffness, whose modes differ about as those of orders
+        one lower, for errors of group velocity and decay
     """
 
     ribbon: Ribbon
     resolution: Resolution
     fine: RibbonPencil
-    coarse: RibbonPencil
+    stiffened: RibbonPencil
 
     @classmethod
     @definite()
     def of(cls, ribbon: Ribbon, resolution: Resolution) -> RibbonModel:
-        """Condense each different tile for both pencils, and join them."""
-        steps, block = resolution.steps, resolution.block
-        fine, coarse = (
-            RibbonPencil.of(ribbon, Tiling.condensed(ribbon, plans, steps, block, measured=False))
-            for plans in (resolution.plans(ribbon), resolution.lowered(ribbon))
+        """Condense each different tile, and join them."""
+        tiling = Tiling.condensed(
+            ribbon, resolution.plans(ribbon), resolution.steps, resolution.block, measured=False
         )
-        return cls(ribbon, resolution, fine, coarse)
+        fine, stiffened = (RibbonPencil.of(ribbon, tiling, stiffened=which) for which in (False, True))
+        return cls(ribbon, resolution, fine, stiffened)
 
     def frequencies(self, kappa: float, low: float, high: float) -> Array:
         """(k,) frequencies of all modes between two frequencies, Hz, without fields and errors."""
@@ -186,18 +193,19 @@ class RibbonModel:
                 slope_error=none,
                 fields=fields,
                 energy=nowhere,
-                lower_energy=nowhere,
+                stiffened_energy=nowhere,
+                remaining=0.0,
             )
-        lower_values, lower_modes = self._lower(kappa, low, high, below, len(frequency))
-        every = np.ones(len(frequency), dtype=bool)
-        error = self.resolution.estimate(
-            self.ribbon, frequency, np.abs(hertz(lower_values) - frequency), every
-        )
-        error += interior_error(values, self._summed(self.fine, "truncation", fields).sum(axis=(1, 2)))
+        stiff_values, stiff_modes = self._of_ranks(kappa, low, high, below, len(frequency))
+        surplus = (self._summed(self.fine, _surplus(number), fields).sum(axis=(1, 2)) for number in range(3))
+        error = missing_energy(*surplus) / (8 * np.pi**2 * frequency)
+        remaining = _root_mean_square(error) / _root_mean_square(hertz(stiff_values) - frequency)
+        left_out = self._summed(self.fine, lambda tile: tile.truncation, fields).sum(axis=(1, 2))
+        error += interior_error(values, left_out)
         slope = self.fine.slope(kappa, values, modes)
-        apart = np.abs(self.coarse.slope(kappa, lower_values, lower_modes) - slope)
+        apart = np.abs(self.stiffened.slope(kappa, stiff_values, stiff_modes) - slope)
         # as of a frequency, and the relative error of the frequency, because both scale with the stiffness
-        slope_error = self.resolution.remaining(self.ribbon) * (apart + np.sqrt((apart**2).mean()))
+        slope_error = remaining * (apart + _root_mean_square(apart))
         return RibbonModes(
             kappa=kappa,
             frequency=frequency,
@@ -205,13 +213,18 @@ class RibbonModel:
             slope=slope,
             slope_error=slope_error + error / frequency * np.abs(slope),
             fields=fields,
-            energy=self._summed(self.fine, "mass", fields),
-            lower_energy=self._summed(self.coarse, "mass", self.coarse.expanded(lower_modes, kappa)),
+            energy=self._summed(self.fine, lambda tile: tile.mass, fields),
+            stiffened_energy=self._summed(
+                self.stiffened, lambda tile: tile.mass, self.stiffened.expanded(stiff_modes, kappa)
+            ),
+            remaining=remaining,
         )
 
-    def _lower(self, kappa: float, low: float, high: float, below: int, count: int) -> tuple[Array, Complex]:
-        """Eigenvalues (count,) and modes (n, count) of the lower orders, by rank from ``below`` on."""
-        pencil, below_low, above_high = self.coarse.at(kappa), WIDER, WIDER
+    def _of_ranks(
+        self, kappa: float, low: float, high: float, below: int, count: int
+    ) -> tuple[Array, Complex]:
+        """Eigenvalues (count,) and modes (n, count) of the stiffened pencil, by rank from ``below`` on."""
+        pencil, below_low, above_high = self.stiffened.at(kappa), WIDER, WIDER
         while True:
             ends = _squares(max(1 - below_low, LEAST) * low, (1 + above_high) * high)
             first, values, modes = eigenpairs_within(*pencil, *ends)
@@ -221,7 +234,9 @@ class RibbonModel:
             below_low *= 2 if first > below else 1
             above_high *= 2 if first + len(values) < below + count else 1
 
-    def _summed(self, pencil: RibbonPencil, form: str, fields: Complex) -> Array:
+    def _summed(
+        self, pencil: RibbonPencil, form_of: Callable[[Superelement], Array], fields: Complex
+    ) -> Array:
         """(k, lines, columns) values of a form of the tiles on fields (t + m, k), by cell."""
         tiling = pencil.tiling
         values = np.zeros((*self.ribbon.guide.shape, fields.shape[1]))
@@ -231,9 +246,17 @@ class RibbonModel:
             of_tile = fields[unknowns]
             trace = tiling.joint.turned(number, of_tile[: tile.trace_size], back=True)
             values[line, column] += on_each(
-                getattr(tile, form), np.concatenate([trace, of_tile[tile.trace_size :]])
+                form_of(tile), np.concatenate([trace, of_tile[tile.trace_size :]])
             )
         return np.moveaxis(values, -1, 0)
+
+
+def _surplus(number: int) -> Callable[[Superelement], Array]:
+    return lambda tile: np.asarray(tile.surplus[number])
+
+
+def _root_mean_square(values: Array) -> float:
+    return float(np.sqrt((values**2).mean()))
 
 
 def _squares(low: float, high: float) -> tuple[float, float]:

@@ -13,7 +13,7 @@ LEAST_ON_LINE = 3  # places along the ribbon needed to determine harmonics
 HARMONICS = np.arange(-3, 4)
 STILL = 0.05  # share of the largest amplitude across the guide below which the sign is not used
 NEAR_AND_FAR = 5  # number of rows from which the first, with evanescent waves of all kinds, is left out
-OWN_AND_SHARED = 2.0  # distances to the lower orders in an error: its own, and as much for all modes
+OWN_AND_SHARED = 2.0  # distances to the stiffened pencil in an error: its own, and as much for all modes
 
 
 def within(energy: Array, cells: Bools) -> Array:
@@ -45,14 +45,13 @@ def decay(model: RibbonModel, modes: RibbonModes) -> tuple[Array, Array]:
 
     Least squares over the columns on each side, without the outermost column, which contains waves reflected
     at the free edge; the smaller value of the two sides. NaN for fewer than two rows. The error follows from
-    the distance to the decay by the lower orders, as that of a frequency, and contains the standard error of
-    the slope.
+    the distance to the decay in the stiffened pencil, and contains the standard error of the slope.
     """
-    energies = modes.energy, modes.lower_energy
+    energies = modes.energy, modes.stiffened_energy
     (slopes, scatter), (lower, _) = (_slopes(model.ribbon, energy) for energy in energies)
     side = np.where(np.isnan(slopes), np.inf, slopes).argmin(axis=0)[None]
     chosen, other, error = (np.take_along_axis(each, side, axis=0)[0] for each in (slopes, lower, scatter))
-    return chosen, OWN_AND_SHARED * model.resolution.remaining(model.ribbon) * np.abs(chosen - other) + error
+    return chosen, OWN_AND_SHARED * modes.remaining * np.abs(chosen - other) + error
 
 
 def _slopes(ribbon: Ribbon, energy: Array) -> tuple[Array, Array]:

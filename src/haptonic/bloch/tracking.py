@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -135,18 +135,17 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
 def group_velocity_error(model: BlochModel, solution: Solution) -> Array:
     """(k,) estimates of the error of the group velocity of each mode, m/s; NaN for rigid-body motions.
 
-    Like that of a frequency, the error follows from the difference to the lower orders. The relative error of
-    the frequency is added, because both scale with the stiffness. If the errors of frequencies overlap, these
-    modes may be mixed in the exact solution, so the range of their velocities is added. In 3024 velocities
-    of three lattices on two meshes the difference to a finer mesh was above the estimate in two cases, by a
-    fifth, apart from velocities that symmetry makes zero.
+    It follows from the difference to the pencil stiffened by the surplus. The relative error of the frequency
+    is added, because both scale with the stiffness. If the errors of frequencies overlap, these modes may be
+    mixed in the exact solution, so the range of their velocities is added.
     """
     frequency, error, kappa = solution.frequency, solution.error, solution.source.kappa
-    values, modes = eigenpairs(model.coarse, kappa, len(frequency))
+    stiffened = model.fine.stiffened
+    values, modes = eigenpairs(stiffened, kappa, len(frequency))
     apart = frequency[1:] - error[1:] > frequency[:-1] + error[:-1]
     ends = [0, *(int(end) + 1 for end in np.flatnonzero(apart)), len(frequency)]
     groups = [slice(low, high) for low, high in pairwise(ends)]
-    vectors, pencils = model.cell.lattice.vectors, (model.fine.pencil, cast("Derived", model.coarse))
+    vectors, pencils = model.cell.lattice.vectors, (model.fine.pencil, stiffened)
     fine, lower = (
         _velocities(pencil, kappa, *pairs, groups, vectors)
         for pencil, pairs in zip(
@@ -161,7 +160,9 @@ def group_velocity_error(model: BlochModel, solution: Solution) -> Array:
     def with_others(of_modes: Array) -> Array:
         return np.asarray(of_modes + np.sqrt((of_modes[moving] ** 2).mean(axis=0)))
 
-    errors = model.resolution.remaining(model.cell) * with_others(away) + mixed
+    missing, _, _ = model.fine.losses(solution.modes, kappa)
+    remaining = missing[moving].sum() / (values - (2 * np.pi * frequency) ** 2)[moving].sum()
+    errors = remaining * with_others(away) + mixed
     errors += (error / np.maximum(frequency, REST * model.highest))[:, None] * with_others(np.abs(fine))
     return np.where(moving, np.linalg.norm(errors, axis=1), np.nan)
 

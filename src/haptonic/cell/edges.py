@@ -88,12 +88,6 @@ def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
     return _needed(cell, cell.pillar, rings)
 
 
-def is_unbridged(cell: TileShape, rings: int) -> bool:
-    """True if such elements are left out because of a fillet, whose arc the rings follow."""
-    pillar = cell.pillar
-    return pillar is not None and bool(pillar.fillet) and rings > 0 and any(_needed(cell, pillar, rings))
-
-
 def _needed(cell: TileShape, pillar: Pillar, rings: int) -> tuple[int, int, int, int]:
     near = foot_reach(cell, rings)[0]
     _, high, radius = pillar.stages[0]

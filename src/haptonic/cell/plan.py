@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from haptonic.arrays import Bools
 from haptonic.cell.blocks import VOID, Grid, StackBlocks, curves_of_levels
 from haptonic.cell.divided import blocks_of
-from haptonic.cell.edges import between_edges, bridges, is_unbridged
+from haptonic.cell.edges import bridges
 from haptonic.cell.orders import (
     ROUNDING,
     around_quarter,
@@ -246,41 +246,11 @@ class MeshPlan:
         )
 
     def lowered(self, cell: TileShape) -> MeshPlan:
-        """The same blocks with orders one lower, for an estimate of the error.
-
-        A single element around a quarter turn loses two orders: a field that is even about its middle gains
-        nothing from an odd order, an odd field nothing from an even one. With one order fewer, the estimate
-        for a band with an error of 0.4 % was 0.1 %, with two 1.6 %. But the six orders of a thick plate lose
-        one: at order 3 the edge has a larger error than they have, and four resolve too little of ten bands
-        for any estimate.
-
-        With a single thin ring the order along z does not change through the plate and, if the pillar is a
-        prism, along it: the foot then has most of the error, which the thin layer shows, and thicker elements
-        of lower order would have far larger errors. A pillar with draft, or with a step near its foot, is
-        meshed along z up to its top, and its error shows at a lower order only: two lower, for the same
-        reason as around. There is no thin layer at such a step above a fillet either: with grading towards
-        both, elements of some designs had no volume at a corner. If a fillet removes the elements between a
-        narrow neck and a thick plate, the error of the plate's own elements shows at a lower order only: for
-        0.3 % the estimate was 0.2 %.
-        """
+        """The same blocks with orders one lower."""
         if cell.solid is not None:
             return MeshPlan.suited(cell, self.upward - 1, self.foot_rings)
-        pillar = cell.pillar
-        ungraded = pillar is not None and pillar.step is not None and not self.step_rings
-        ungraded = ungraded and between_edges(cell) is None
-        ungraded = ungraded or is_unbridged(cell, self.foot_rings)
-        foot_leads = self.foot_rings == 1 and pillar is not None and not ungraded
-        fewer_around = 2 if cell.feature and self.blocks == 1 and (cell.is_thin or self.thin > 3) else 1
-        fewer_along = 2 if pillar and not pillar.is_prism else 0 if foot_leads else 1
-        fewer_upward = 0 if foot_leads and not cell.is_sheet else 1
-        return replace(
-            self,
-            order=max(self.order - fewer_around, 1),
-            outward=max(self.outward - 1, 1),
-            upward=max(self.upward - fewer_upward, 1),
-            along=max(self.along - fewer_along, 1),
-            thin=max(self.thin - 1, 1),
-        )
+        orders = {name: getattr(self, name) for name in ("order", "outward", "upward", "along", "thin")}
+        return replace(self, **{name: max(order - 1, 1) for name, order in orders.items()})
 
     @property
     def side(self) -> int:

@@ -60,7 +60,7 @@ def quick_model(cell: UnitCell, count: int) -> BlochModel:
 
 def _without_errors(cell: UnitCell, count: int, tiling: Tiling) -> BlochModel:
     reduced = ReducedCell.of(tiling, count, np.inf)
-    return BlochModel(cell=cell, resolution=QUICK, count=count, fine=reduced, coarse=reduced.pencil)
+    return BlochModel(cell=cell, resolution=QUICK, count=count, fine=reduced)
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from haptonic.foreign.meshes import MeshPeriod
 from haptonic.foreign.periods import SAME, SAME_VOLUME, DrawnPeriod
 
+ROUNDING = 1e-8  # values below are rounding errors of values near one
+
 
 def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
     """Contents of a file for one period of a plate.
@@ -77,7 +79,7 @@ def assembled(
     places), their values from those of the trace; ``above`` like the mass, for the parts beyond the plate's
     faces; ``points`` (n, 3) of the surface, ``cells`` (m, 4) quadrilaterals of it, seen from outside
     anticlockwise, ``lower`` (faces, n, n) nodes of quadrilaterals on the face at z = 0, and ``shown``, values
-    at the points from unknowns.
+    at the points from unknowns; ``highest`` scalar unknowns whose polynomials are of the given order.
     """
     import ngsolve as ng
 
@@ -110,7 +112,25 @@ def assembled(
         "cells": cells,
         "lower": lower,
         "shown": shown,
+        "highest": _highest(mesh, scalar, order),
     }
+
+
+def _highest(mesh: Any, scalar: Any, order: int) -> NDArray[np.int64]:
+    """Numbers of the scalar unknowns whose polynomials are of the highest order.
+
+    Polynomials are hierarchical: in any field of the order below, their values are zero.
+    """
+    import ngsolve as ng
+
+    if order == 1:
+        return np.arange(scalar.ndof)
+    below = ng.GridFunction(ng.H1(mesh, order=order - 1))
+    values = below.vec.FV().NumPy()
+    values[:] = np.random.default_rng(0).uniform(1.0, 2.0, len(values))
+    embedded = ng.GridFunction(scalar)
+    embedded.Set(below)
+    return np.flatnonzero(np.abs(embedded.vec.FV().NumPy()) < ROUNDING)
 
 
 def period_of(

@@ -8,6 +8,7 @@ from haptonic.superelement.interior import CraigBampton, with_all_modes
 from haptonic.superelement.joint import Joint, JointImage, repeated, steps_between
 from haptonic.superelement.solid import condense_solid
 from haptonic.superelement.substructured import condense_by_parts
+from haptonic.superelement.surplus import missing_energy
 from haptonic.superelement.tiling import TiledMesh, Tiling, whole_mesh
 from haptonic.superelement.trace import TraceOperation
 
@@ -27,6 +28,7 @@ __all__ = [
     "condensed",
     "definite",
     "dynamic_stiffness",
+    "missing_energy",
     "on_each",
     "repeated",
     "steps_between",

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -29,6 +30,7 @@ from haptonic.superelement.lifting import ClassLifting, Lifting, lifted
 from haptonic.superelement.measures import ENERGIES, ClassMeasures, Measures
 from haptonic.superelement.parts import reduced_by_parts
 from haptonic.superelement.sections import PillarSections, section_sizes
+from haptonic.superelement.surplus import FORMS
 from haptonic.superelement.trace import TraceOperation
 
 
@@ -66,6 +68,18 @@ class Superelement:
     @property
     def size(self) -> int:
         return len(self.stiffness)
+
+    @cached_property
+    def surplus(self) -> Array:
+        """(3, t + m, t + m) N/m; see `haptonic.superelement.surplus`."""
+        of_parts = [part.surplus for part in self.parts]
+        return np.stack([
+            unfolded_form(self.parts, [
+                ClassForm.split(forms[number], len(part.trace.kept))
+                for forms, part in zip(of_parts, self.parts, strict=True)
+            ])
+            for number in range(len(FORMS))
+        ])  # fmt: skip
 
     @property
     def half_turn_parity(self) -> Array:
@@ -150,7 +164,13 @@ def condensed(
 
     def piece(q: int) -> CondensedClass:
         reduced_class = classes[q]
-        part = ClassLifting(shared.traces[q], shared.through, reduced_class.static, reduced_class.modes)
+        part = ClassLifting(
+            trace=shared.traces[q],
+            through=shared.through,
+            static=reduced_class.static,
+            modes=reduced_class.modes,
+            rows=shared.rows,
+        )
         return CondensedClass.of(
             part, reduced_class, ClassMeasures.of(shared, q, reduced_class) if measured else None
         )
@@ -190,7 +210,12 @@ def assembled(
 
 def whole(pieces: Sequence[CondensedClass], name: str) -> Array:
     """(t + m, t + m) form of all classes together."""
-    forms, spreads = [piece.forms[name] for piece in pieces], [piece.part.trace.spread for piece in pieces]
+    return unfolded_form([piece.part for piece in pieces], [piece.forms[name] for piece in pieces])
+
+
+def unfolded_form(parts: Sequence[Lifting], forms: Sequence[ClassForm]) -> Array:
+    """(t + m, t + m) form from those of all classes."""
+    spreads = [part.trace.spread for part in parts]
     pairs = list(zip(spreads, forms, strict=True))
     corner = sp.hstack(spreads, format="csr") @ np.vstack(
         [(spread @ form.corner).T for spread, form in pairs]

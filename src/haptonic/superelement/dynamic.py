@@ -112,6 +112,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
                 through=shared.through,
                 static=(static := reduce(np.add, [piece[q].static for piece in pieces if q in piece])),
                 modes=static[:, :0],
+                rows=shared.rows,
             )
             for q in range(shared.folding.classes)
         ),

@@ -14,6 +14,7 @@ from haptonic.elements import matrices_by_region
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement.assembly import Assembler, assembler_of
 from haptonic.superelement.interior import Bounded
+from haptonic.superelement.surplus import NodeRows, highest_rows
 from haptonic.superelement.symmetry import Folding, fold, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
 
@@ -33,6 +34,7 @@ class FoldedMesh:
     levels : trace nodes through the thickness
     through : (plate levels, levels) interpolation from these to the levels of the mesh
     paired : (pairs, 9) stiffness between pairs of nodes, see `Assembler`
+    rows : rows of nodes that move by the highest polynomials
     representative_mass, nodal_mass : lumped mass of the folded and the whole mesh, kg
     """
 
@@ -41,6 +43,7 @@ class FoldedMesh:
     levels: int
     assembler: Assembler
     paired: Array
+    rows: list[NodeRows]
     through: Array
     representative_mass: Array
     nodal_mass: Array
@@ -70,6 +73,7 @@ class FoldedMesh:
             levels=levels,
             assembler=assembler,
             paired=assembler.paired(tuple(elements)),
+            rows=highest_rows(cell, topology, folding, tuple(elements)),
             through=through_levels(cell, mesh, levels),
             representative_mass=mass,
             nodal_mass=(mass / np.bincount(folding.node))[folding.node],

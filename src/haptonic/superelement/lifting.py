@@ -4,22 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
 
 from haptonic.arrays import Array, Fields
+from haptonic.superelement.surplus import NodeRows, surplus_forms
 from haptonic.superelement.trace import FoldedTrace
 
 
 @dataclass(frozen=True)
 class ClassLifting:
-    """Fields of one symmetry class: static responses (3 interior, b) and modes (3 interior, m)."""
+    """Fields of one symmetry class: static responses (3 interior, b) and modes (3 interior, m).
+
+    rows : see `haptonic.superelement.surplus`
+    """
 
     trace: FoldedTrace
     through: Array
     static: Array
     modes: Array
+    rows: list[NodeRows]
 
     @property
     def count(self) -> int:
@@ -32,6 +38,11 @@ class ClassLifting:
         inside = self.static @ of_class + self.modes @ amplitudes
         return unfolded(self.trace, inside, self.trace.on_levels(self.through, of_class))
 
+    @cached_property
+    def surplus(self) -> Array:
+        fields = whole_fields(self.trace, self.through, self.static, self.modes)
+        return surplus_forms(self.trace.folding, self.trace.symmetry_class, self.rows, fields)
+
 
 class Lifting(Protocol):
     """Lifting of a symmetry class; see `ClassLifting`."""
@@ -42,7 +53,29 @@ class Lifting(Protocol):
     @property
     def count(self) -> int: ...
 
+    @property
+    def surplus(self) -> Array:
+        """(3, b + m, b + m) N/m; see `haptonic.superelement.surplus`."""
+        ...
+
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields: ...
+
+
+def whole_fields(
+    trace: FoldedTrace, through: Array, static: Array, modes: Array, on_ends: Array | None = None
+) -> Array:
+    """(3 representatives, b + m) fields of a reduced class on all representatives.
+
+    on_ends : (3 representatives, s) motions of open ends; the boundary is the trace, then these
+    """
+    inner, count = static.shape
+    lateral, rim = len(trace.kept), 3 * trace.rim_size
+    fields = np.zeros((3 * len(trace.folding.origin), count + modes.shape[1]))
+    fields[:inner, :count], fields[:inner, count:] = static, modes
+    fields[inner : inner + rim, :lateral] = trace.on_levels(through, np.eye(lateral)).reshape(rim, lateral)
+    if on_ends is not None:
+        fields[inner + rim :, lateral:count] = on_ends
+    return fields
 
 
 def unfolded(trace: FoldedTrace, inside: Fields, *boundary: Fields) -> Fields:

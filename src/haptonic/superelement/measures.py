@@ -10,6 +10,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton
+from haptonic.superelement.lifting import whole_fields
 from haptonic.superelement.sections import PillarSections, momentum_forms
 
 ENERGIES = ("pillar_stiffness", "pillar_mass", "vertical_mass")
@@ -43,13 +44,7 @@ class ClassMeasures:
     def of(cls, shared: FoldedMesh, q: int, own: CraigBampton, on_ends: Array | None = None) -> ClassMeasures:
         """Compute the measures of a reduced class; ``on_ends`` as for `FoldedMesh.symmetry_class`."""
         inner, count = own.static.shape
-        on_rim = shared.rim_motion(q)
-        rim, lateral = on_rim.shape
-        # fields on all representatives without the sides, whose motion is not a pillar's and is added below
-        fields = np.zeros((3 * len(shared.folding.origin), count + own.modes.shape[1]))
-        fields[:inner, :count], fields[:inner, count:] = own.static, own.modes
-        if on_ends is not None:
-            fields[inner + rim :, lateral:count] = on_ends
+        fields = whole_fields(shared.traces[q], shared.through, own.static, own.modes, on_ends)
         stiff = shared.pillar_stiffness(q)
         # No force acts inside a pillar that responds statically to its ends. Only the rows on the plate and
         # on the ends do work then.
@@ -60,7 +55,6 @@ class ClassMeasures:
         strain = np.block([[of_static, moved[:, :count].T], [moved]])
         mass = np.repeat(shared.representative_mass, 3)
         pillar_mass, vertical_mass = (_gram(fields[rows], mass[rows]) for rows in (shared.above, np.s_[2::3]))
-        vertical_mass[:lateral, :lateral] += _gram(on_rim[2::3], mass[inner : inner + rim : 3])
         energies = dict(zip(ENERGIES, (strain, pillar_mass, vertical_mass), strict=True))
         return cls(energies, momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass) @ fields)
 

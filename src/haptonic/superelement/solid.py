@@ -25,6 +25,7 @@ from haptonic.superelement.condense import CondensedClass, Superelement, assembl
 from haptonic.superelement.dynamic import DynamicStiffness
 from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, reduced
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
+from haptonic.superelement.surplus import FORMS, beyond_at_edge
 from haptonic.superelement.symmetry import fold
 from haptonic.superelement.trace import FoldedTrace
 
@@ -37,11 +38,13 @@ class SurfaceLifting:
     """Lifting of a tile without symmetry to its surface.
 
     of_trace : (3 points, t); of_modes : (3 points, m)
+    surplus : (3, t + m, t + m) N/m; see `haptonic.superelement.surplus`
     """
 
     trace: FoldedTrace
     of_trace: Array
     of_modes: Array
+    surplus: Array
 
     @property
     def count(self) -> int:
@@ -60,6 +63,7 @@ class SolidBody:
 
     stiffness, mass : sparse, N/m and kg; above : share of the mass beyond the plate's faces
     inner, outer : numbers of the unknowns inside and on the lateral faces
+    highest : numbers of the unknowns whose polynomials are of the elements' order
     on_sides : (outer, t) motion of the lateral faces from the trace (level, place, component)
     shown : (3 points, 3 n) displacement at the points of the surface
     """
@@ -71,6 +75,7 @@ class SolidBody:
     above: sp.csr_array
     inner: Ints
     outer: Ints
+    highest: Ints
     on_sides: Array
     shown: sp.csr_array
     mesh: SurfaceMesh
@@ -127,6 +132,7 @@ class SolidBody:
             above=_sparse(assembly["above"]),
             inner=inner,
             outer=outer,
+            highest=(np.arange(3)[:, None] * count + assembly["highest"]).ravel(),
             on_sides=np.einsum("nt,ij->intj", trace, np.eye(3)).reshape(3 * len(trace), -1),
             shown=_by_point(of_points),
             mesh=mesh,
@@ -185,6 +191,15 @@ class SolidBody:
         fields[self.inner], fields[self.outer] = inside, self.on_sides @ sides
         return fields
 
+    def surplus(self, fields: Array) -> Array:
+        """(3, k, k) forms of `haptonic.superelement.surplus` on fields (3 n, k), N/m."""
+        top = fields[self.highest]
+        forms = np.zeros((len(FORMS), *(fields.shape[1],) * 2))
+        forms[0] = beyond_at_edge(self.plan.upward) * (
+            top.T @ (self.stiffness[self.highest][:, self.highest] @ top)
+        )
+        return forms
+
     def dynamic(self, omega: float) -> DynamicStiffness:
         """Dynamic stiffness of the trace at an angular frequency (rad/s), without any reduced model."""
         solver, below = self.factorised(omega**2)
@@ -231,9 +246,14 @@ def condense_solid(
         reduced_body = reduced_body.with_few_modes(highest, MISSED_BY_BANDS)
     of_trace = body.whole(reduced_body.static, np.eye(body.on_sides.shape[1]))
     of_modes = body.whole(reduced_body.modes, np.zeros((body.on_sides.shape[1], reduced_body.modes.shape[1])))
-    lifting = SurfaceLifting(body.trace, body.shown @ of_trace, body.shown @ of_modes)
-    measured_class = _measures(body, np.hstack([of_trace, of_modes])) if measured else None
-    piece = CondensedClass.of(lifting, reduced_body, measured_class)
+    fields = np.hstack([of_trace, of_modes])
+    lifting = SurfaceLifting(
+        trace=body.trace,
+        of_trace=body.shown @ of_trace,
+        of_modes=body.shown @ of_modes,
+        surplus=body.surplus(fields),
+    )
+    piece = CondensedClass.of(lifting, reduced_body, _measures(body, fields) if measured else None)
     return assembled(tile, (body.mesh,), plan.levels, [piece], NO_SECTIONS if measured else None)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -13,9 +14,10 @@ from haptonic.cell import HexMesh
 from haptonic.later import linalg as la
 from haptonic.superelement.condense import ClassForm, CondensedClass
 from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, CraigBampton, reduced
-from haptonic.superelement.lifting import unfolded
+from haptonic.superelement.lifting import unfolded, whole_fields
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.pillar_body import Kinds, PillarBody
+from haptonic.superelement.surplus import NodeRows, surplus_forms
 from haptonic.superelement.trace import FoldedTrace
 
 
@@ -26,6 +28,7 @@ class FootClass:
     parities : of the polynomials of the displacement's components in this class
     on_ends : (3 representatives, s) motion of its open ends from the unknowns of the sections
     own : reduced foot on boundary and modes; measures : on the same unknowns
+    through, rows : see `FoldedMesh`
     """
 
     trace: FoldedTrace
@@ -33,25 +36,32 @@ class FootClass:
     on_ends: Array
     own: CraigBampton
     measures: ClassMeasures | None
+    through: Array
+    rows: list[NodeRows]
+
+    @cached_property
+    def surplus(self) -> Array:
+        """(3, b + m, b + m) N/m; see `haptonic.superelement.surplus`."""
+        fields = whole_fields(self.trace, self.through, self.own.static, self.own.modes, self.on_ends)
+        return surplus_forms(self.trace.folding, self.trace.symmetry_class, self.rows, fields)
 
 
 @dataclass(frozen=True)
 class Storey:
     """Mesh of a foot with the body on it, in the axes of the cell.
 
-    mesh : includes the body, for pictures; through : see `FoldedMesh`
+    mesh : includes the body, for pictures
     """
 
     mesh: HexMesh
     body: PillarBody | None
     base: float
-    through: Array
 
     @classmethod
-    def of(cls, mesh: HexMesh, body: PillarBody | None, base: float, through: Array) -> Storey:
+    def of(cls, mesh: HexMesh, body: PillarBody | None, base: float) -> Storey:
         """Raise a mesh and a body, given in axes that start at a height ``base`` (m), to that height."""
         lifted = HexMesh(mesh.topology, mesh.points + np.array([0.0, 0.0, base])) if base else mesh
-        return cls(lifted, body and replace(body, low=body.low + base), base, through)
+        return cls(lifted, body and replace(body, low=body.low + base), base)
 
     def sizes(self, foot: Array) -> Array:
         """(3, sections) sizes of the foot's sections, given in its axes, and the body's; see `PillarBody`."""
@@ -64,7 +74,7 @@ class Storey:
         boundary, modes = np.split(own, [len(foot.own.mass)])
         inside = foot.own.static @ boundary + foot.own.modes @ modes
         rim, ends = np.split(boundary, [len(foot.trace.kept)])
-        on_rim = [] if whole.free else [foot.trace.on_levels(self.through, rim)]
+        on_rim = [] if whole.free else [foot.trace.on_levels(foot.through, rim)]
         below = unfolded(foot.trace, inside, *on_rim, (foot.on_ends @ ends).reshape(-1, 3, count))
         if self.body is None:
             return below
@@ -218,6 +228,15 @@ class SubstructuredPart:
     @property
     def count(self) -> int:
         return int(self.modes.shape[1])
+
+    @cached_property
+    def surplus(self) -> Array:
+        trace, inner = len(self.trace.kept), np.hstack([self.static, self.modes])
+        surplus = np.zeros((3, *(inner.shape[1],) * 2))
+        for number, foot in enumerate(self.feet):
+            of_foot, _ = self.members(number, np.eye(trace, inner.shape[1]), inner)
+            surplus += of_foot.T @ foot.surplus @ of_foot
+        return surplus
 
     def members(self, number: int, trace: Fields, inner: Fields) -> tuple[Fields, Fields]:
         """Boundary and modes of a foot, and unknowns of the body on it, from those of the class."""

@@ -70,8 +70,7 @@ def condense_by_parts(
         for piece, mesh, ends in zip(pieces, meshes, pairwise([None, *bodies]), strict=True)
     ]
     storeys = [
-        Storey.of(mesh, body, piece.base, foot.through)
-        for piece, mesh, body, foot in zip(pieces, meshes, bodies, feet, strict=True)
+        Storey.of(mesh, body, piece.base) for piece, mesh, body in zip(pieces, meshes, bodies, strict=True)
     ]
     classes = each(
         lambda of_class: joined(of_class, storeys, steps, block, highest),
@@ -116,13 +115,12 @@ def pillar_body_of(tile: TileShape, mesh: HexMesh, *, is_cut: bool = False) -> P
 class _Foot:
     """Condensed part below a body, down to the next body or to the plate.
 
-    levels, through : see `FoldedMesh`; sizes : of the pillar's sections below the body
+    levels : see `FoldedMesh`; sizes : of the pillar's sections below the body
     entries : number of entries of the interior stiffness
     """
 
     entries: int
     levels: int
-    through: Array
     classes: tuple[FootClass, ...]
     sizes: Array
 
@@ -167,12 +165,13 @@ def _condensed(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: in
             on_ends=on_ends[q],
             own=reduced_classes[q],
             measures=ClassMeasures.of(shared, q, reduced_classes[q], on_ends[q]) if measured else None,
+            through=shared.through,
+            rows=shared.rows,
         )
 
     return _Foot(
         entries=len(shared.assembler.pattern.indices),
         levels=shared.levels,
-        through=shared.through,
         classes=tuple(each(foot_class, range(len(reduced_classes)))),
         sizes=section_sizes(shared.mesh, shared.nodal_mass),
     )

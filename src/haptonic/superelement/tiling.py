@@ -132,6 +132,12 @@ class Tiling:
         return self.joined([tile.mass for tile in self.tiles])
 
     @cached_property
+    def surplus(self) -> Array:
+        """(3, n, n) N/m, see `Superelement`."""
+        forms = zip(*(tile.surplus for tile in self.tiles), strict=True)
+        return np.stack([self.joined(of_tiles) for of_tiles in forms])
+
+    @cached_property
     def truncation(self) -> Array:
         """(n, n) see `Superelement`."""
         return self.joined([tile.truncation for tile in self.tiles])

@@ -1,0 +1,204 @@
+"""Surplus of fields: the energy of their highest polynomials, which estimates the error of their mesh.
+
+In each element a displacement is a sum of products of hierarchical polynomials of the three local axes: the
+ends and integrated Legendre polynomials, which vanish at both ends and are orthogonal in the energy of a bar.
+The surplus of a field is the strain energy of its part with the highest polynomial along an axis, summed over
+axes and elements. From it follows the energy that the mesh lacks, which is the error of the eigenvalue of a
+mode of unit mass. Near an edge where stress grows as r^(a - 1), the energy of the polynomials of degree k
+falls as k^(-4 a - 1) (Babuska and Suri 1994, doi 10.1137/1036141), so those beyond the degree p have the
+energy of the last one times
+
+    sum over k > p of (p / k)^(4 a + 1)  =  p / (4 a) * (1 + 1 / (2 p))^(-4 a)   (midpoint rule).
+
+Away from edges the energies fall faster, and those beyond are at most that of the last degree if each degree
+at least halves them. Along an axis on which an element is its own image in a mirror, a mode has even or odd
+polynomials only: the highest of a kind is among the two highest, and the one before is two orders lower. The
+energy falls by about the same ratio from one to the next, so that ratio is used for those beyond.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from haptonic.arrays import Array, Bools, Ints
+from haptonic.cell import TileShape, Topology
+from haptonic.cell.quadrature import lobatto
+from haptonic.elements import ElementMatrices, coupled_pairs
+from haptonic.later import sparse as sp
+from haptonic.superelement.symmetry import Folding
+
+
+@lru_cache(maxsize=256)
+def polynomial(order: int, degree: int) -> tuple[Array, Array]:
+    """Values (order + 1,) of a polynomial at the nodes, and its share in values (order + 1,) there."""
+    values = legendre.legvander(lobatto(order)[0], order)
+    values[:, 2:] -= values[:, :-2].copy()
+    share: Array = np.linalg.inv(values)[degree]
+    return values[:, degree].astype(np.float64), share
+
+
+# Exponent a at a re-entrant edge of 270 degrees (Williams 1952, doi 10.1115/1.4010553)
+EDGE = 0.5445
+SMOOTH = 1.0  # energy beyond a degree as a multiple of that of this degree, away from edges
+# Energy beyond the highest polynomials in elements that are not their own images; in the others, energy of
+# the highest of each kind, and of those before
+FORMS = ("beyond", "highest_of_kind", "before")
+
+
+def missing_energy(beyond: Array, of_kind: Array, before: Array) -> Array:
+    """Estimate the energy that a mesh lacks from the values of `FORMS`, each (k,) of k modes."""
+    ratio = np.divide(of_kind, before, out=np.ones_like(of_kind), where=before > of_kind)
+    return np.asarray(beyond + ratio * of_kind)
+
+
+def beyond_at_edge(degree: int) -> float:
+    """Energy beyond a degree as a multiple of that of this degree, in an element at a re-entrant edge."""
+    return float(degree / (4 * EDGE) * (1 + 0.5 / degree) ** (-4 * EDGE))
+
+
+@dataclass(frozen=True)
+class NodeRows:
+    """Rows of nodes along an axis of some elements, each of which moves by one polynomial.
+
+    form : number of the form in `FORMS` that they contribute to
+    nodes : (elements, m, n) of each row; degree : of the polynomial
+    stiffness : (elements, 3 m, 3 m) between the rows, images included, N/m
+    """
+
+    form: int
+    nodes: Ints
+    degree: int
+    stiffness: Array
+
+
+@lru_cache(maxsize=64)
+def at_singular_edges(topology: Topology, solids: tuple[int, ...]) -> Bools:
+    """(nodes,) True for corners of elements on edges where stress is singular.
+
+    These are re-entrant edges, and edges where interfaces meet a surface or have a corner.
+
+    solids : number of the material of each region
+    """
+    corners = np.concatenate([
+        family.nodes[np.ix_(np.arange(len(family)), *([0, size - 1] for size in family.nodes.shape[1:]))]
+        for family in topology.families
+    ])  # fmt: skip
+    material = np.array(solids)[np.concatenate([family.region for family in topology.families]).astype(int)]
+    faces = np.concatenate([np.moveaxis(corners, axis, 1).reshape(-1, 2, 2) for axis in (1, 2, 3)])
+    _, place, times = np.unique(
+        np.sort(faces.reshape(-1, 4), axis=1), axis=0, return_inverse=True, return_counts=True
+    )
+    edges, place_of_edge = np.unique(_edges(corners), axis=0, return_inverse=True)
+    edge_of_element = place_of_edge.reshape(3, len(corners), 4)
+    around = np.stack([
+        np.bincount(edge_of_element[:, material == solid].ravel(), minlength=len(edges))
+        for solid in set(solids)
+    ])  # fmt: skip
+    outer = {tuple(edge) for edge in _edges(faces[times[place.ravel()] == 1])}
+    on_surface = np.array([tuple(edge) in outer for edge in edges])
+    several = (around > 0).sum(axis=0) > 1
+    # elements around an edge: three leave a re-entrant one, two and two meet at a flat interface
+    outside, inside = several | (around.sum(axis=0) > 2), several & (around % 2 == 1).any(axis=0)
+    singular = np.where(on_surface, outside, inside)
+    at_edge = np.zeros(topology.nodes, dtype=bool)
+    at_edge[edges[singular]] = True
+    return at_edge
+
+
+def _edges(corners: Ints) -> Ints:
+    """(edges, 2) corners of the edges of elements (n, 2, 2, 2) or faces (n, 2, 2), by their axes."""
+    along = [np.moveaxis(corners, axis, -1).reshape(-1, 2) for axis in range(1, corners.ndim)]
+    return np.sort(np.concatenate(along), axis=1)
+
+
+def highest_rows(
+    tile: TileShape, topology: Topology, folding: Folding, matrices: tuple[ElementMatrices, ...]
+) -> list[NodeRows]:
+    """Rows that move by the highest polynomials; ``matrices`` of the elements of each family."""
+    rows = []
+    singular = at_singular_edges(topology, tuple(tile.solids.index(solid) for solid in tile.solids))
+    if tile.stack is not None and tile.stack.has_corners:  # along upright edges, which touch most elements
+        singular = np.ones_like(singular)
+    for family, chosen, weight, of_family in zip(
+        topology.families, folding.chosen, folding.weight, matrices, strict=True
+    ):
+        nodes = family.nodes[chosen]
+        representative, sizes = folding.node[nodes], nodes.shape[1:]
+        near = np.asarray(singular[nodes].any(axis=(1, 2, 3)))
+        wanted: list[tuple[int, int, int, Ints]] = []
+        for axis, size in enumerate(sizes):
+            is_image = (representative == np.flip(representative, axis + 1)).all(axis=(1, 2, 3))
+            choices = [
+                (0, 1, ~is_image),
+                (1, 1, is_image),
+                (1, 2, is_image),
+                (2, 3, is_image),
+                (2, 4, is_image),
+            ]
+            wanted += [
+                (axis, form, size - lower, np.flatnonzero(members))
+                for form, lower, members in choices
+                if members.any() and size - lower > 1
+            ]
+        if not wanted:  # elements of order one have no such polynomials
+            continue
+        places = tuple((axis, degree) for axis, _, degree, _ in wanted)
+        between = _between_rows(sizes, places)
+        # elements last, because the sparse matrix is the first factor
+        by_pair = of_family.stiffness.transpose(1, 2, 3, 0).reshape(between.shape[1], -1)
+        stiffness = (between @ by_pair).reshape(-1, 3, 3, len(nodes)) * weight
+        start = 0
+        for axis, form, degree, members in wanted:
+            along = np.moveaxis(nodes, axis + 1, -1).reshape(len(nodes), -1, sizes[axis])
+            m = along.shape[1]
+            of_rows = stiffness[start : start + m * m].reshape(m, m, 3, 3, -1)[..., members]
+            start += m * m
+            of_rows = of_rows.transpose(4, 0, 2, 1, 3).reshape(-1, 3 * m, 3 * m)
+            if form == 0:
+                of_rows *= np.where(near[members], beyond_at_edge(degree), SMOOTH)[:, None, None]
+            rows.append(NodeRows(form=form, nodes=along[members], degree=degree, stiffness=of_rows))
+    return rows
+
+
+@lru_cache(maxsize=256)
+def _between_rows(sizes: tuple[int, int, int], places: tuple[tuple[int, int], ...]) -> sp.csr_array:
+    """Matrix from the stiffness between nodes to that between rows, m^2 for each of some polynomials.
+
+    places : axis and degree of each polynomial
+    """
+    blocks = []
+    for axis, degree in places:
+        rows = [list(np.unravel_index(end, sizes)) for end in coupled_pairs(sizes)]
+        along = [row.pop(axis) for row in rows]
+        others = tuple(size for other, size in enumerate(sizes) if other != axis)
+        first, second = (np.ravel_multi_index(tuple(row), others) for row in rows)
+        count, (values, _) = int(np.prod(others)), polynomial(sizes[axis] - 1, degree)
+        numbers = (first * count + second, np.arange(len(first)))
+        weights = values[along[0]] * values[along[1]]
+        blocks.append(sp.csr_array((weights, numbers), shape=(count**2, len(first))))
+    return sp.csr_array(sp.vstack(blocks))
+
+
+def surplus_forms(folding: Folding, q: int, rows: list[NodeRows], fields: Array) -> Array:
+    """(3, k, k) `FORMS` on fields (3 representatives, k) of a symmetry class, N/m."""
+    forms = np.zeros((len(FORMS), *(fields.shape[1],) * 2))
+    unknown = 3 * folding.node[:, None] + np.arange(3)
+    sign = folding.sign[q].astype(float)
+    for of_axis in rows:
+        share = polynomial(of_axis.nodes.shape[-1] - 1, of_axis.degree)[1]
+        # amplitudes of the polynomial, ordered by element, row and component
+        numbers = np.moveaxis(unknown[of_axis.nodes], -1, -2)
+        values = np.moveaxis(sign[of_axis.nodes], -1, -2) * share
+        starts = np.arange(0, numbers.size + 1, len(share))
+        amplitude_of = sp.csr_array(
+            (values.ravel(), numbers.ravel(), starts), shape=(len(starts) - 1, len(fields))
+        )
+        amplitudes = np.asarray(amplitude_of @ fields)
+        by_element = amplitudes.reshape(len(of_axis.nodes), -1, fields.shape[1])
+        forces = np.matmul(of_axis.stiffness, by_element).reshape(amplitudes.shape)
+        forms[of_axis.form] += amplitudes.T @ forces
+    return forms
