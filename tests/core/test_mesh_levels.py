@@ -300,20 +300,13 @@ def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
     assert mesh_levels.finer_level(cell, LADDER[-1], len(LADDER) - 1, 3.0, limits, 0.0).of == "range"
 
 
-def test_discs_through_the_plate_begin_at_the_level_that_they_need():
+def test_cells_with_discs_begin_at_the_level_of_the_accuracy():
     hole, coating = Disc(6e-3, empty=True), Disc(6e-3, material=material("epoxy"))
     steel = Disc(5e-3, material=material("steel"))
-
-    def first(*discs, accuracy=2e-3):
-        return first_rung(UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=discs), accuracy)
-
-    usual = first(replace(hole, low=-1e-3))
-    assert [first(hole), first(coating, steel), first(coating, replace(steel, draft=0.1))] == [
-        usual + 1,
-        usual + 3,
-        usual,
-    ]
-    assert first(coating, steel, accuracy=1e-9) == len(LADDER) - 1
+    for discs in ((hole,), (coating, steel), (replace(hole, low=-1e-3),)):
+        cell = UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=discs)
+        assert first_rung(cell, 2e-3) == mesh_levels.starting_rung(2e-3)
+        assert first_rung(cell, 1e-9) == len(LADDER) - 1
 
 
 def test_an_interior_grows_as_often_as_it_has_to():

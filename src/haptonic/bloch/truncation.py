@@ -20,9 +20,9 @@ from haptonic.superelement import Tiling, on_each
 TRUSTED_TRUNCATION, TRUNCATION_SHARE = 1e-3, 0.25
 FIRST_ORDER = 1.5  # largest ratio of the error to its first-order estimate, below the trusted one
 MOST_GROWTH = 5  # number of enlargements of the interior
-# Few modes serve up to this multiple of the highest frequency at the zone's corners, of as many modes above
-# the last band as are compared with the lower orders. Omitted modes are then above twice that frequency, and
-# their response is at most 4/3 of the static one that the truncation contains.
+# Few modes serve up to this multiple of the highest frequency at the zone's corners, of some modes above the
+# last band. Omitted modes are then above twice that frequency, and their response is at most 4/3 of the
+# static one that the truncation contains.
 ROOM, MODES_ABOVE = 4 / 3, 5
 REST = 1e-4  # share of the highest frequency below which a mode counts as a rigid-body motion
 

@@ -33,9 +33,7 @@ THIN_NECK = 0.46  # and on a thin plate: with one order fewer the error was 0.7 
 # Length of the neck between two pillars, in half pitches, that a quarter turn's order is enough for. At 0.36
 # the error with seven orders was 0.2 %, of which no lower order showed a third; with eight 0.07 %.
 WIDE_NECK = 0.5
-# Additional orders along a pillar that is meshed to its top. The coarser mesh has two fewer, that is three,
-# with errors of at most 0.015 %. With fewer the estimate would be the coarser mesh's error along the pillar,
-# 20 to 50 times the error of the finer mesh.
+# Additional orders along a pillar that is meshed to its top, where three leave errors of at most 0.015 %
 ALONG_MORE = 5
 # Largest length of an element through the plate, whose strain below the foot decays over the pillar's width,
 # in diameters. With one layer in a plate of 1.8 diameters the error at orders 3 and 4 was 0.1 %, which no
@@ -43,7 +41,7 @@ ALONG_MORE = 5
 # two is 3e-5 for six diameters.
 PLATE_LAYER, MOST_BELOW_BRIDGES = 1.0, 2
 HOLE_NECK = 0.8  # like `WIDE_NECK`, between two holes, where the whole plate bends
-LEAST_DIVIDED = 3  # order of elements divided at an outline's corners; estimates use one lower
+LEAST_DIVIDED = 3  # order of elements divided at an outline's corners
 
 
 @dataclass(frozen=True)
@@ -140,11 +138,10 @@ class MeshPlan:
         between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has quartic
         elements: cubic ones are too stiff along a pillar that bends and across the plate beside it, by more
         than all other errors together. With five orders instead of six around it, the error of the tenth band
-        of every third design was 0.7 to 3 %, of which a lower order showed a quarter to a half; with six 0.2
-        to 0.5 %. On a thin plate quartic elements would lock in the lower order that estimates the error, so
-        they have one order more there. Along a pillar that is not a prism, and therefore is meshed to its
-        top, all elements get `ALONG_MORE` orders more, because bending of a slender pillar has the largest
-        error there.
+        of every third design was 0.7 to 3 %; with six 0.2 to 0.5 %. On a thin plate elements have one order
+        more, because low orders lock. Along a pillar that is not a prism, and therefore is meshed to its top,
+        all elements get `ALONG_MORE` orders more, because bending of a slender pillar has the largest error
+        there.
         """
         shorter = orders_for_bands(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
