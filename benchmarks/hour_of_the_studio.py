@@ -25,6 +25,7 @@ from record import ROOT, write
 
 sys.path += [str(ROOT / "tests")]
 from browser import STILL, chromium, page_at
+from quick import FINER_CELL, QUICK_PLATE
 
 ROUNDS = 40  # with 4 turned numbers, 3 results, 2 strokes and 2 older runs each: more than an hour of use
 WARM = 17  # rounds before the slope: caches fill, and the list has as many runs as the server keeps
@@ -32,44 +33,7 @@ LEAST = 8  # further rounds
 ALLOWED = 0.1  # MB per round beyond twice the standard error of the slope; 3 MB in an hour
 ANSWERS = 300  # of 0.8 MB, more than the driver of the browser lets the page keep
 PATIENCE = 300_000  # ms
-STUDY = """
-carrier = "10 kHz"
-material = "aluminium-paper"
-[cell]
-pitch = "7 mm"
-thickness = "1.5 mm"
-[cell.pillar]
-diameter = "3.5 mm"
-height = "14.7 mm"
-[bands]
-count = 8
-points = 13
-accuracy = 2e-2
-[mesh]
-order = 3
-foot_rings = 1
-[plate]
-map = "o11o22o"
-rows = 2
-loss_factor = 5e-3
-[plate.tiles]
-o = "lattice"
-1 = "A"
-2 = "B"
-[plate.clamp]
-corners = "5 mm"
-[[plate.actuator]]
-name = "A1"
-region = "A"
-centre = ["7 mm", "3 mm"]
-size = ["6 mm", "5 mm", "0.5 mm"]
-material = "pzt-4"
-voltage = "10 V"
-[plate.response]
-lowest = "2 kHz"
-highest = "20 kHz"
-points = 19
-"""
+STUDY = FINER_CELL.replace("60 kHz", "10 kHz") + QUICK_PLATE
 TEXT = "textarea[aria-label^='Text of the study']"
 ENTERED = """([area, text]) => {
   const field = document.querySelector(area);

@@ -23,6 +23,8 @@ order = 2
 foot_rings = 0
 """
 
+FINER_CELL = QUICK_CELL.replace("order = 2", "order = 3").replace("foot_rings = 0", "foot_rings = 1")
+
 QUICK_PLATE = """
 [plate]
 map = "o11o22o"

@@ -5,10 +5,9 @@ import pytest
 import xarray as xr
 
 from haptonic.results.ribbon import RibbonWaves
-from quick import QUICK_CELL
+from quick import FINER_CELL
 from unseen_pictures import leave_pictures_empty
 
-FINER = QUICK_CELL.replace("order = 2", "order = 3").replace("foot_rings = 0", "foot_rings = 1")
 RIBBON = """
 [ribbon]
 map = "ooo111oo"
@@ -30,7 +29,7 @@ FILES = {"ribbon.nc", "ribbon.svg", "ribbon.png", "field.svg", "field.png"}
 def ran(inside, tmp_path_factory):
     """What the command says to machines, and the folder that it writes."""
     folder = tmp_path_factory.mktemp("ribbon")
-    (folder / "guide.toml").write_text(FINER + RIBBON, "utf-8")
+    (folder / "guide.toml").write_text(FINER_CELL + RIBBON, "utf-8")
     with pytest.MonkeyPatch.context() as patch:
         leave_pictures_empty(patch)
         told = inside("ribbon", folder / "guide.toml", "--json", "--html", "--out", folder / "out")
@@ -81,7 +80,7 @@ change = { "cell.pillar.height" = "13.5 mm" }
 @pytest.mark.nightly
 @pytest.mark.usefixtures("empty_pictures")
 def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, tmp_path):
-    study = FINER.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss
+    study = FINER_CELL.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss
     (tmp_path / "defect.toml").write_text(study, "utf-8")
     told = inside("ribbon", tmp_path / "defect.toml", "--tables", "--out", tmp_path / "out")
     assert told.code == 0, told.err
@@ -116,7 +115,7 @@ o = "lattice"
 
 @pytest.mark.usefixtures("empty_pictures")
 def test_a_strip_of_crystal_has_its_waves_and_its_stop_band(inside, tmp_path):
-    (tmp_path / "strip.toml").write_text(FINER + STRIP, "utf-8")
+    (tmp_path / "strip.toml").write_text(FINER_CELL + STRIP, "utf-8")
     ran = inside("ribbon", tmp_path / "strip.toml", "--tables", "--out", tmp_path / "out")
     assert ran.code == 0, ran.err
     assert {path.name for path in (tmp_path / "out").iterdir()} == FILES

@@ -102,10 +102,10 @@ def strip_of(
     interface = Interface.of(lattice, guided_mode.wavenumber)
     wall = Wall.of(interface, guided_mode.omega)
     assert wall is not None
-    moved = share if width is None else 2 * share
+    change = share if width is None else 2 * share  # relative, of the frequency
     decay, *others = (
         lattice.decay(bloch_waves(interface.slab.at(at), at)[0])
-        for at in guided_mode.omega * np.array([1.0, 1 - moved, 1 + moved])
+        for at in guided_mode.omega * np.array([1.0, 1 - change, 1 + change])
     )
     return Strip(
         rows=rows,

@@ -151,20 +151,20 @@ def mark_corners(axes: Axes, dataset: xr.Dataset, unit: WavevectorUnit | None = 
     for place in places[1:-1]:
         axes.axvline(place, color=style.PALE_INK, lw=0.6, zorder=1)
     labels = json.loads(dataset.attrs["path_labels"])
-    shown = choice().units.get("rad/m")
+    of_path = choice().units.get("rad/m")
     if unit is not None:
         per_metre = {"rad/m": 1.0, "pi/a": np.pi / float(dataset.attrs["pitch_m"])}
         if unit not in per_metre:
             cause = "wavevectors have no such unit here"
             raise HaptonicError.unknown("wavevectors", str(unit), list(per_metre), cause)
-        shown = AxisUnit(unit.replace("pi", "π"), per_metre[unit])
-    if shown is None:
+        of_path = AxisUnit(unit.replace("pi", "π"), per_metre[unit])
+    if of_path is None:
         axes.set_xticks(places, labels)
         axes.set_xlabel("wavevector")
         return
-    lengths = places / shown.factor
+    lengths = places / of_path.factor
     axes.set_xticks(places, [f"{label}\n{length:.3g}" for label, length in zip(labels, lengths, strict=True)])
-    axes.set_xlabel(f"length of the path ({shown.name})")
+    axes.set_xlabel(f"length of the path ({of_path.name})")
 
 
 def _draw_branches(

@@ -17,7 +17,7 @@ from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, CraigBampto
 from haptonic.superelement.lifting import unfolded, whole_fields
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.pillar_body import Kinds, PillarBody
-from haptonic.superelement.surplus import NodeRows, surplus_forms
+from haptonic.superelement.surplus import FORMS, NodeRows, surplus_forms
 from haptonic.superelement.trace import FoldedTrace
 
 
@@ -232,7 +232,7 @@ class SubstructuredPart:
     @cached_property
     def surplus(self) -> Array:
         trace, inner = len(self.trace.kept), np.hstack([self.static, self.modes])
-        surplus = np.zeros((3, *(inner.shape[1],) * 2))
+        surplus = np.zeros((len(FORMS), *(inner.shape[1],) * 2))
         for number, foot in enumerate(self.feet):
             of_foot, _ = self.members(number, np.eye(trace, inner.shape[1]), inner)
             surplus += of_foot.T @ foot.surplus @ of_foot
