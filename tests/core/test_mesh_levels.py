@@ -402,3 +402,12 @@ def test_a_forecast_for_upright_edges_has_all_meshes_within_the_limits():
     assert len(started(square, 10, 2e-3, MeshLimits(12.0, math.inf))) == 1
     assert len(started(square, 10, 3e-2, limits)) == 2  # which the first mesh may reach
     assert len(started(round_one, 10, 2e-3, limits)) == 2
+
+
+@pytest.mark.parametrize("disc", [Disc(6.3e-3, empty=True), Disc(5e-3, material=material("steel"))],
+                         ids=["hole", "inclusion"])  # fmt: skip
+def test_discs_through_thin_plates_reach_the_accuracy_on_the_first_mesh(disc):
+    cell = UnitCell(Lattice.square(7e-3), 1e-3, material("epoxy"), disc=(disc,))
+    level = first_rung(cell, 2e-3)
+    assert level == 1
+    assert BlochModel.of(cell, LADDER[level], 10, measured=False).mesh_error < 2e-3

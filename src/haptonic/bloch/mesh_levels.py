@@ -45,7 +45,7 @@ def first_rung(cell: UnitCell, accuracy: float) -> int:
     if not cell.has_features:
         return max(starting_rung(accuracy), 1)
     narrow = any(
-        placed.tile.feature is not None and placed.tile.is_thin and placed.tile.clearance < cell.thickness
+        placed.tile.pillar is not None and placed.tile.is_thin and placed.tile.clearance < cell.thickness
         for placed in cell.tiles
     )
     return min(starting_rung(accuracy) + narrow, len(LADDER) - 1)
