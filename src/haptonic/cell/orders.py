@@ -16,8 +16,8 @@ ROUNDING = 1e-9  # tolerance of ratios of lengths, so that a scaled cell has the
 PRISM_LAYER, LAYER_LENGTH = 1.4, 2.8
 SHORT_STAGE = 1.4  # diameters; up to this length, two layers are enough between foot and step
 # Additional levels through the rim, by the width of plate between it and the foot, in thicknesses. At 0.1 the
-# error with the cubic of order 4 was 0.18 %, which no other direction reduced and no lower order showed; two
-# more levels removed it. At 0.4 one more reduced 0.05 % to 0.03 %, and from 0.48 on they had no effect.
+# error with the cubic of order 4 was 0.18 %, which no other direction reduced; two more levels removed it. At
+# 0.4 one more reduced 0.05 % to 0.03 %, and from 0.48 on they had no effect.
 NEAR_RIM = {0.2: 2, 0.45: 1}
 # Bands whose waves determined the orders of an accuracy, and the highest order of a single element around a
 # quarter turn: two elements of half the order plus one cost a third.
@@ -27,8 +27,7 @@ USUAL_BANDS, MOST_AROUND = 10, 10
 def layers_along(pillar: Pillar) -> list[int]:
     """Layers of each of a pillar's stages, the lowest of them short, and the highest below a step.
 
-    Without a short layer, the error of one 2.8 diameters below a step's edge was 0.06 %, not shown by lower
-    orders.
+    Without a short layer, the error of one 2.8 diameters below a step's edge was 0.06 %.
     """
     longest = PRISM_LAYER if pillar.is_prism else LAYER_LENGTH
     lengths = [(high - low) / (2 * width) for low, high, width in pillar.stages]

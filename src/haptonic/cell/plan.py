@@ -31,14 +31,13 @@ SHEET_WAVES = 5 / 3  # the same on a sheet
 SHEET_NECK = 0.7  # like `WIDE_NECK`, on a sheet
 THIN_NECK = 0.46  # and on a thin plate: with one order fewer the error was 0.7 %, for an estimate of 0.3 %
 # Length of the neck between two pillars, in half pitches, that a quarter turn's order is enough for. At 0.36
-# the error with seven orders was 0.2 %, of which no lower order showed a third; with eight 0.07 %.
+# the error with seven orders was 0.2 %, with eight 0.07 %.
 WIDE_NECK = 0.5
 # Additional orders along a pillar that is meshed to its top, where three leave errors of at most 0.015 %
 ALONG_MORE = 5
 # Largest length of an element through the plate, whose strain below the foot decays over the pillar's width,
-# in diameters. With one layer in a plate of 1.8 diameters the error at orders 3 and 4 was 0.1 %, which no
-# lower order showed, with two 0.03 %. If layers grow from the foot's thin ones downwards, the error of
-# two is 3e-5 for six diameters.
+# in diameters. With one layer in a plate of 1.8 diameters the error at orders 3 and 4 was 0.1 %, with two
+# 0.03 %. If layers grow from the foot's thin ones downwards, the error of two is 3e-5 for six diameters.
 PLATE_LAYER, MOST_BELOW_BRIDGES = 1.0, 2
 # Like `WIDE_NECK`, between discs of a stack where the whole plate bends: between holes, or on a thin plate.
 # For plates of 0.02 to 0.14 pitches with holes and inclusions of 0.5 to 0.9 pitches, errors around them were
@@ -134,8 +133,8 @@ class MeshPlan:
 
         More bands than usual have shorter waves: a polynomial needs pi orders for each wave along it before
         it resolves anything, and gets as many more. Across the rings it gets half of them, rounded up: with
-        one fewer, the error of a tenth band on a thin rectangular plate was 0.4 %, of which the lower order
-        showed a third, because fields of one parity gain nothing from every other order.
+        one fewer, the error of a tenth band on a thin rectangular plate was 0.4 %, because fields of one
+        parity gain nothing from every other order.
 
         Around the pillar an element spans a quarter turn and gets two orders more, and still more if a neck
         between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has quartic
@@ -156,8 +155,7 @@ class MeshPlan:
             around, blocks = divided_order(around + more + bool(more))
             outward = (order + 3 if sheet else order) + more // 2
             # For a plate as thick as half its pitch, with Poisson ratio 0.44, the error was 2.8e-2 with order
-            # 3 through it, 6e-4 with 4, 2.4e-4 with 5 and nothing with 6: the error of an odd order does not
-            # show in the lower one.
+            # 3 through it, 6e-4 with 4, 2.4e-4 with 5 and nothing with 6.
             upward = order + order % 2 if order > 4 else order
             return cls(around, 0, 0, blocks=blocks, outward=outward, upward=upward, thin=order)
         if cell.is_sheet:
@@ -194,11 +192,9 @@ class MeshPlan:
 
         With the plans of thicker plates, the smooth part has the error. On a plate of 1/200 of the pitch the
         error of the plan of order 4 was 0.3 %, with seven orders across the rings instead of five 0.1 %, with
-        ten around instead of eight 0.025 %. Thin rings and layers keep order four: with three, the estimate
-        from lower orders would be 0.4 %. So does the plate: on one of 0.04 pitches the error with three was
-        0.04 %, which no lower order showed, because quadratic elements lock. The error of twenty bands with
-        ten orders around was 0.5 %, twice the estimate; ``shorter`` is the number of additional orders that
-        their waves need.
+        ten around instead of eight 0.025 %. Through the plate the order is at least four: on a plate of 0.04
+        pitches the error with three was 0.04 %, because low orders lock. The error of twenty bands with ten
+        orders around was 0.5 %; ``shorter`` is the number of additional orders that their waves need.
         """
         layers = layers_along(pillar)
         neck = neck_of(cell, pillar, 0.5 * cell.inradius)
