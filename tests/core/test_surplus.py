@@ -61,7 +61,8 @@ def energies(tile, mesh, fields):
                 if np.array_equal(representative, np.flip(representative, axis)):
                     wanted = [(1, order, 1), (1, order - 1, 1), (2, order - 2, 1), (2, order - 3, 1)]
                 else:
-                    wanted = [(0, order, beyond_at_edge(order) if near else 1.0)]
+                    smooth = 1 / 3 if tile.cell.pillar or axis == 1 else 1.0
+                    wanted = [(0, order, beyond_at_edge(order) if near and axis != 1 else smooth)]
                 for form, degree, factor in wanted:
                     if degree > 1:
                         moved = part(fields[nodes], axis, degree).reshape(nodes.size, *fields.shape[1:])
