@@ -434,3 +434,16 @@ def test_what_waits_is_what_was_asked_for_last_up_to_a_size_in_all(asked):
     assert len(kept) == len(waiting)
     for one in waiting:
         assert kept.of(one, lambda: pytest.fail("it was waiting")) == one
+
+
+def test_many_values_of_one_group_leave_the_last_of_another():
+    kept = Kept(10, int)
+    kept.of("design", lambda: 3, "fine")
+    for number in range(8):
+        kept.of(number, lambda: 2, "coarse")
+    assert kept.of("design", lambda: pytest.fail("it is stored"), "fine") == 3
+    assert len(kept) == 4
+    kept.of("other", lambda: 4, "finest")
+    kept.of("large", lambda: 9, "largest")
+    assert kept.of("large", lambda: pytest.fail("it is stored"), "largest") == 9
+    assert len(kept) == 1

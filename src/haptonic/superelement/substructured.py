@@ -148,7 +148,7 @@ def _foot(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, me
     solids = [(solid.density, solid.stiffness.tobytes()) for solid in tile.solids]
     key = hashlib.sha256(repr((about, solids)).encode() + points.tobytes()).hexdigest()
     whole = HexMesh(topology, points)
-    return _feet.of(key, lambda: _condensed(tile, whole, ends, steps, block, measured))
+    return _feet.of(key, lambda: _condensed(tile, whole, ends, steps, block, measured), topology.plan)
 
 
 def _condensed(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: int, measured: bool) -> _Foot:

@@ -2,6 +2,7 @@
 
 import { useEffect, useRef, useState } from "preact/hooks";
 import { FactList } from "../../parts/facts";
+import { jobs } from "../jobs";
 import { problems, text } from "../study";
 import { server, type Forecast } from "../server";
 import { ABSENT } from "./grid";
@@ -44,7 +45,10 @@ export function Forecasts() {
   const wanted = useRef<string | null>(null); // text that waits while another is estimated
   const isBusy = useRef(false);
   const current = text.value;
+  // the server estimates costs on a core that the curves of a turned number need
+  const isTurning = jobs.value.some(({ state, turned }) => state === "running" && turned);
   useEffect(() => {
+    if (isTurning) return;
     const timer = setTimeout(async () => {
       wanted.current = current;
       if (isBusy.current) return;
@@ -61,7 +65,7 @@ export function Forecasts() {
       isBusy.current = false;
     }, PAUSE);
     return () => clearTimeout(timer);
-  }, [current]);
+  }, [current, isTurning]);
   const isOld = costs === null || costs.of !== current;
   return (
     <details open>
