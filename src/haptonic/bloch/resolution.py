@@ -82,7 +82,7 @@ class Resolution:
         return meeting(tiles, [self.plan(tile, tile.area / cell.area) for tile in tiles])
 
     def lowered(self, cell: Period) -> tuple[MeshPlan, ...]:
-        """Plans with equal blocks and orders lower by one, for the error estimate."""
+        """Plans with equal blocks and orders lower by one, for exact counts."""
         tiles = [placed.tile for placed in cell.tiles]
         plans = [plan.lowered(tile) for plan, tile in zip(self.plans(cell), tiles, strict=True)]
         return meeting(tiles, plans)
