@@ -14,11 +14,11 @@ Away from edges the energies fall faster. Those beyond are at most that of the l
 least halves them, which is assumed through the plate and across the rings of discs. The Legendre coefficients
 of a wave exp(i x s), with s from -1 to 1, are spherical Bessel functions of x. If the order p is at least x,
 each degree has less than (p / (2 p + 1))^2 < 1/4 of the energy of the one before, and those beyond have at
-most a third of that of the last degree. This is assumed around discs, also along their edges, and in all
-directions about a pillar without a fillet on a plate that is not thin. Along an axis on which an element is
-its own image in a mirror, a mode has even or odd polynomials only: the highest of a kind is among the two
-highest, and the one before is two orders lower. The energy falls by about the same ratio from one to the
-next, so that ratio is used for those beyond.
+most a third of that of the last degree. This is assumed for outlines without corners: around discs, also
+along their edges, and in all directions about a pillar without a fillet on a plate that is not thin. Along an
+axis on which an element is its own image in a mirror, a mode has even or odd polynomials only: the highest of
+a kind is among the two highest, and the one before is two orders lower. The energy falls by about the same
+ratio from one to the next, so that ratio is used for those beyond.
 """
 
 from __future__ import annotations
@@ -76,13 +76,12 @@ def energy_beyond(tile: TileShape, axis: int, degree: int, near: Bools) -> Array
 
     near : (elements,) True for elements at edges where stress is singular
     """
-    if tile.pillar is not None and not (tile.pillar.fillet or tile.is_thin):
-        outline, elsewhere = tile.pillar.outline, WAVES
-    elif tile.stack is not None:
-        outline, elsewhere = tile.stack.outline, SMOOTH
-    else:
+    pillar = tile.pillar
+    feature, elsewhere = (tile.stack, SMOOTH) if pillar is None else (pillar, WAVES)
+    is_slow = pillar is not None and bool(pillar.fillet or tile.is_thin)
+    if feature is None or is_slow or len(feature.outline.corners):
         return np.where(near, beyond_at_edge(degree), SMOOTH)
-    if axis == AROUND and not len(outline.corners):
+    if axis == AROUND:
         return np.full(near.shape, WAVES)
     return np.where(near, beyond_at_edge(degree), elsewhere)
 
