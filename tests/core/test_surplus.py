@@ -13,7 +13,13 @@ from haptonic.elements import element_matrices
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.superelement import Tiling, on_each
-from haptonic.superelement.surplus import at_singular_edges, beyond_at_edge, missing_energy, polynomial
+from haptonic.superelement.surplus import (
+    at_singular_edges,
+    beyond_at_edge,
+    energy_beyond,
+    missing_energy,
+    polynomial,
+)
 
 MM = 1e-3
 SQUARE = Lattice.square(7 * MM)
@@ -121,6 +127,17 @@ def test_a_polynomial_is_found_in_itself_and_not_in_those_of_lower_degree():
 def test_energy_beyond_a_degree_is_the_sum_of_a_power():
     degrees = np.arange(5, 200_000)
     assert beyond_at_edge(4) == pytest.approx(((4 / degrees) ** (4 * 0.5445 + 1)).sum(), rel=2e-2)
+
+
+@pytest.mark.parametrize("inner", ["round", "square"])
+def test_energies_fall_as_those_of_waves_around_outlines_without_corners(inner):
+    """Corners count in all discs, not in the widest alone."""
+    discs = (Disc(5 * MM, material=material("epoxy")), Disc(2 * MM, section=inner, empty=True))
+    (placed,) = UnitCell(SQUARE, 1.5 * MM, ALUMINIUM, disc=discs).tiles
+    along, across = (energy_beyond(placed.tile, axis, 4, np.array([True, False])) for axis in (1, 0))
+    at_edge = [beyond_at_edge(4), 1.0]
+    assert across == pytest.approx(at_edge)
+    assert along == pytest.approx([1 / 3, 1 / 3] if inner == "round" else at_edge)
 
 
 def test_smooth_energies_that_do_not_fall_are_missing_as_a_whole():

@@ -71,19 +71,24 @@ def beyond_at_edge(degree: int) -> float:
     return float(degree / (4 * EDGE) * (1 + 0.5 / degree) ** (-4 * EDGE))
 
 
+def resolves_waves(tile: TileShape) -> bool:
+    """True if energies fall like those of waves: around discs, and in all directions about a pillar."""
+    if tile.pillar is not None:
+        corners = tile.pillar.outline.corners
+        return not (tile.pillar.fillet or tile.is_thin or len(corners))
+    return tile.stack is not None and not tile.stack.has_corners
+
+
 def energy_beyond(tile: TileShape, axis: int, degree: int, near: Bools) -> Array:
     """(elements,) energy beyond a degree along an axis as a multiple of that of this degree.
 
     near : (elements,) True for elements at edges where stress is singular
     """
-    pillar = tile.pillar
-    feature, elsewhere = (tile.stack, SMOOTH) if pillar is None else (pillar, WAVES)
-    is_slow = pillar is not None and bool(pillar.fillet or tile.is_thin)
-    if feature is None or is_slow or len(feature.outline.corners):
+    if not resolves_waves(tile):
         return np.where(near, beyond_at_edge(degree), SMOOTH)
     if axis == AROUND:
         return np.full(near.shape, WAVES)
-    return np.where(near, beyond_at_edge(degree), elsewhere)
+    return np.where(near, beyond_at_edge(degree), SMOOTH if tile.pillar is None else WAVES)
 
 
 @dataclass(frozen=True)
