@@ -154,7 +154,6 @@ def drags() -> dict[str, Any]:
     figures: dict[str, Any] = {}
     numbers = ("cell.pillar.diameter", "cell.pillar.height", "cell.thickness")
     with tempfile.TemporaryDirectory() as folder, chromium() as browser:
-        os.environ["HAPTONIC_STORE"] = str(Path(folder) / "store")  # no design is there from an earlier run
         for name, paths in (("touchpad", numbers), ("scaled-cell", ("parameters.a",))):
             (Path(folder) / f"{name}.toml").write_text(str(templates()[name]), "utf-8")
             with served(Path(folder), f"{name}.toml") as studio, opened(browser, studio) as page:
@@ -172,7 +171,9 @@ def main() -> None:
     file = RESULTS / "drag_answers_at_once.json"
     before = json.loads(file.read_text("utf-8")) if file.exists() else {}
     commit = machine()["commit"]
-    measured = {name: PARTS[name]() | {"commit": commit} for name in sys.argv[1:] or PARTS}
+    with tempfile.TemporaryDirectory() as store:
+        os.environ["HAPTONIC_STORE"] = store  # without designs of an earlier run
+        measured = {name: PARTS[name]() | {"commit": commit} for name in sys.argv[1:] or PARTS}
     write("drag_answers_at_once", {name: before[name] for name in PARTS if name in before} | measured)
 
 

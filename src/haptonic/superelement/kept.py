@@ -13,16 +13,15 @@ Value = TypeVar("Value")
 class Kept(Generic[Value]):
     """Cache of the most recently used values by key. A value larger than ``most`` alone is not stored.
 
-    Values may belong to groups. The last value of each group leaves only when no other is left, so that many
-    values of one group, such as the coarse meshes of a preview, do not remove the one of another.
+    Values may belong to groups. The last value of a group is removed only if no group has two, so that many
+    values of one group, such as coarse meshes of previews, do not remove that of another group.
 
     size : function that measures a value; most : largest sum of the sizes of all stored values
     """
 
     def __init__(self, most: float, size: Callable[[Value], float]) -> None:
         self._most, self._size = most, size
-        self._values: OrderedDict[Hashable, Value] = OrderedDict()
-        self._groups: dict[Hashable, Hashable] = {}  # by key
+        self._values: OrderedDict[Hashable, tuple[Value, Hashable]] = OrderedDict()  # and their groups
         self._lock = Lock()
 
     def __len__(self) -> int:
@@ -33,25 +32,23 @@ class Kept(Generic[Value]):
         with self._lock:
             if key in self._values:
                 self._values.move_to_end(key)
-                return self._values[key]
+                return self._values[key][0]
         value = make()
         if self._size(value) > self._most:
             return value
         with self._lock:
-            self._values[key], self._groups[key] = value, group
-            while sum(map(self._size, self._values.values())) > self._most:
-                oldest = self._dispensable()
-                del self._values[oldest], self._groups[oldest]
+            self._values[key] = value, group
+            while sum(self._size(stored) for stored, _ in self._values.values()) > self._most:
+                del self._values[self._dispensable()]
         return value
 
     def _dispensable(self) -> Hashable:
-        """The least recently used key whose group has another; without one, the least recently used."""
-        counts = Counter(self._groups.values())
+        """Key of the least recently used value whose group has another; without one, of the oldest value."""
+        sizes = Counter(group for _, group in self._values.values())
         oldest = next(iter(self._values))
-        return next((key for key in self._values if counts[self._groups[key]] > 1), oldest)
+        return next((key for key, (_, group) in self._values.items() if sizes[group] > 1), oldest)
 
     def clear(self) -> None:
         """Remove all values."""
         with self._lock:
             self._values.clear()
-            self._groups.clear()

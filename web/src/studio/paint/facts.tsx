@@ -1,5 +1,6 @@
 /** Sizes, counts and mass of a plate, and the estimated costs of its commands. */
 
+import { computed } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { FactList } from "../../parts/facts";
 import { jobs } from "../jobs";
@@ -9,6 +10,9 @@ import { ABSENT } from "./grid";
 import { drawing, grid, isPending, tiles } from "./state";
 
 const PAUSE = 800; // ms after the last change before costs are estimated
+
+/** True while curves of a turned number are computed; an estimate would take a core from them. */
+const isTurning = computed(() => jobs.value.some(({ state, turned }) => state === "running" && turned));
 
 /** A number with three digits, without a power of ten. */
 const short = (value: number): string => String(Number(value.toPrecision(3)));
@@ -45,10 +49,9 @@ export function Forecasts() {
   const wanted = useRef<string | null>(null); // text that waits while another is estimated
   const isBusy = useRef(false);
   const current = text.value;
-  // the server estimates costs on a core that the curves of a turned number need
-  const isTurning = jobs.value.some(({ state, turned }) => state === "running" && turned);
+  const waits = isTurning.value;
   useEffect(() => {
-    if (isTurning) return;
+    if (waits) return;
     const timer = setTimeout(async () => {
       wanted.current = current;
       if (isBusy.current) return;
@@ -65,7 +68,7 @@ export function Forecasts() {
       isBusy.current = false;
     }, PAUSE);
     return () => clearTimeout(timer);
-  }, [current, isTurning]);
+  }, [current, waits]);
   const isOld = costs === null || costs.of !== current;
   return (
     <details open>
