@@ -115,6 +115,20 @@ def test_a_link_opens_its_study_and_a_bad_one_changes_nothing(browser, studio):
         assert (studio.studio.workspace.folder / "sweep.toml").read_text("utf-8") == SWEEP
 
 
+def test_news_of_the_server_leaves_a_refusal_on_the_page(browser, studio):
+    with opened(browser, studio) as page:
+        page.route("**/api/jobs/*", lambda route: None)  # the answers wait
+        page.reload()
+        page.evaluate("location.hash = '#study=!!'")
+        refusal = page.get_by_role("alert").get_by_text("next step")
+        refusal.wait_for()
+        page.unroute("**/api/jobs/*")
+        page.locator("summary", has_text="Runs").click()
+        page.get_by_role("button", name="2. sweep", exact=True).click()
+        page.wait_for_selector("[data-marks]")
+        expect(refusal).to_be_visible()
+
+
 def options(page) -> list[str]:
     page.evaluate("() => new Promise(requestAnimationFrame)")  # the list follows the text
     return page.locator(".completions li").all_inner_texts()

@@ -3,7 +3,7 @@
 import { effect, signal } from "@preact/signals";
 import { jobs, shown } from "./jobs";
 import { server, type Compared } from "./server";
-import { attempt } from "./study";
+import { react } from "./study";
 import { TableOf } from "./table";
 
 export const other = signal<number | null>(null); // the run with which the shown one is compared
@@ -18,7 +18,7 @@ export function followComparison(): void {
       compared.value = null;
       return;
     }
-    void attempt(async () => {
+    void react(async () => {
       const answer = await server.compare(first!, second!);
       if (other.peek() === first && shown.peek() === second) compared.value = answer;
     });

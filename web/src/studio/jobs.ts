@@ -2,7 +2,7 @@
 
 import { computed, effect, signal } from "@preact/signals";
 import { followJobs, server, type Job, type Wanted, type WholeJob } from "./server";
-import { attempt } from "./study";
+import { attempt, react } from "./study";
 
 export const jobs = signal<Job[]>([]);
 export const lost = signal(false); // the server does not answer
@@ -37,7 +37,7 @@ export function follow(): void {
     if (job === undefined || job.state === "running") return; // until then the result before stays
     const known = whole.peek();
     if (known?.number === job.number && known.state === job.state) return;
-    void attempt(async () => {
+    void react(async () => {
       const answer = await server.job(job.number);
       if (shown.peek() === answer.number) whole.value = answer;
     });

@@ -4,7 +4,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { uncertain } from "../parts/numbers";
 import { jobs, shown } from "./jobs";
 import { server, type DesignPoint, type PointNumber } from "./server";
-import { attempt } from "./study";
+import { react } from "./study";
 
 export const ORDER = "order of computation";
 const ALL = "";
@@ -49,7 +49,7 @@ export function followPoints(): void {
 async function more(number: number): Promise<void> {
   if (asking) return; // the next list of jobs asks again
   asking = true;
-  await attempt(async () => {
+  await react(async () => {
     const first = points.peek().length;
     const next = await server.points(number, first);
     asking = false; // before the signal, whose effect may ask for more

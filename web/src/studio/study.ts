@@ -48,9 +48,14 @@ function take(state: Checked & { text: string }): void {
   remarks.value = state.remarks;
 }
 
-/** Run an action; its refusal is shown. */
+/** Run an action of the user; its refusal, if any, replaces that of the action before. */
 export async function attempt(action: () => Promise<void>): Promise<void> {
   notice.value = null;
+  await react(action);
+}
+
+/** Run an action that follows from news of the server; a refusal that the user has not read stays. */
+export async function react(action: () => Promise<void>): Promise<void> {
   try {
     await action();
   } catch (reason) {

@@ -5,7 +5,7 @@ import type { Dataset } from "../dataset";
 import type { Turned } from "../parts/host";
 import { jobs, shown, whole } from "./jobs";
 import { server, type Knob, type WholeJob } from "./server";
-import { attempt, change, file, text } from "./study";
+import { attempt, change, file, react, text } from "./study";
 
 const PAUSE = 50; // ms after a move before its certified curves are computed; a newer move replaces them
 
@@ -91,7 +91,7 @@ export function followTurns(): void {
   const once = (name: string, action: () => Promise<void>) => {
     if (asked.has(name)) return;
     asked.add(name);
-    void attempt(action);
+    void react(action);
   };
   effect(() => {
     const job = whole.value;
