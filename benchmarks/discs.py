@@ -22,8 +22,8 @@ from record import write
 
 from haptonic.arrays import Array
 from haptonic.bloch import Resolution
+from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs, hertz
-from haptonic.bloch.reduced import unreduced
 from haptonic.cell import Disc, Site, UnitCell
 from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
@@ -172,11 +172,11 @@ def solved(cell: UnitCell, mesh: Resolution) -> tuple[Array, Array]:
     """(wavevectors, MODES) frequencies on a mesh, and errors of the mesh, Hz."""
     with one_thread():
         tiling = Tiling.condensed(cell, mesh.plans(cell), *INTERIOR, measured=False)
-        pencil, expanded = unreduced(tiling)
+        pencil = lattice_pencil(tiling)
         frequencies, errors = [], []
         for kappa in np.pi * SHARES:
             values, modes = eigenpairs(pencil, kappa, MODES)
-            energies = (on_each(form, expanded(modes, kappa)) for form in tiling.surplus)
+            energies = (on_each(form, pencil.fields(modes, kappa)) for form in tiling.surplus)
             frequencies.append(hertz(values))
             moving = np.maximum(frequencies[-1], MOVING * frequencies[-1].max())
             errors.append(missing_energy(*energies) / (8 * np.pi**2 * moving))

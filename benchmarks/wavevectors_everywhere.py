@@ -18,9 +18,9 @@ import numpy as np
 from record import ROOT, STUDY, write
 from threadpoolctl import threadpool_limits
 
+from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.model import BlochModel, bloch_model
 from haptonic.bloch.pencil import eigenpairs, hertz
-from haptonic.bloch.reduced import unreduced
 from haptonic.bloch.representative import BESIDE
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.settings import BandSettings
@@ -79,7 +79,7 @@ def finer(model: BlochModel) -> Any:
     used = model.resolution.grown()
     more = Resolution(used.order + FINER, used.foot_rings, used.steps, used.block, used.bands)
     tiling = Tiling.condensed(model.cell, more.plans(model.cell), more.steps, more.block, measured=False)
-    return unreduced(tiling)[0]
+    return lattice_pencil(tiling)
 
 
 def measured(

@@ -50,7 +50,7 @@ def test_truncation_errors_of_many_bands_bound_what_the_interior_omits(number):
     pencil = model.fine.whole
     for kappa, expected in zip(SEEN, exact, strict=True):
         values, modes = eigenpairs(pencil, kappa, count + 2)
-        fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
+        fields = pencil.fields(modes, kappa)
         frequency = np.sqrt(values) / (2 * np.pi)
         lost = interior_error(values, on_each(model.fine.tiling.truncation, fields))
         assert (frequency[:count] - expected <= ranked(frequency, lost)[:count] + 1e-5 * expected).all()

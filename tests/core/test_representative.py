@@ -14,7 +14,8 @@ from strategies import lattices
 
 from daily import daily
 from five_parts import refused
-from haptonic.bloch import BlochModel, Resolution, mode_shapes, reduced
+from haptonic.bloch import BlochModel, Resolution, mode_shapes
+from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import IDENTITY, Representative, images, signed_operations
@@ -80,9 +81,9 @@ def model(name):
 def unreduced(the_model, kappa, count=6):
     """Frequencies (Hz) and nodal fields of the pencil before any reduction, at the wavevector itself."""
     tiling = the_model.fine.tiling
-    pencil, expanded = reduced.unreduced(tiling)
+    pencil = lattice_pencil(tiling)
     values, modes = eigenpairs(pencil, kappa, count)
-    return hertz(values), tiling.lifted(expanded(modes, kappa))
+    return hertz(values), tiling.lifted(pencil.fields(modes, kappa))
 
 
 def drawn(name, count):

@@ -265,7 +265,7 @@ def test_the_group_is_that_of_lattice_and_sites(name, order, half_turn):
     cell = CELLS[name]
     assert len(cell.point_group) == order
     assert (HALF_TURN in cell.point_group) == half_turn
-    assert isinstance(whole(cell), CentredPencil if half_turn else PhasedPencil)
+    assert type(whole(cell)) is (CentredPencil if half_turn else PhasedPencil)
     expected = hertz(cell, INSIDE)
     for operation in cell.point_group.operations:
         turned = np.linalg.inv(np.array(operation)).T @ INSIDE

@@ -187,7 +187,7 @@ def modes_of(name, order, way):
     return (
         superelement,
         values,
-        pencil.periodic.expanded(pencil.free(modes, np.array(kappa)), np.array(kappa)),
+        pencil.fields(modes, np.array(kappa)),
     )
 
 
@@ -283,7 +283,7 @@ def test_the_omission_tells_what_two_steps_lose():
     poor = condense_by_parts(cell, plan, 2, block=4, measured=False)
     pencil = CentredPencil.of(Tiling.single(poor))
     values, modes = eigenpairs(pencil, kappa, 10)
-    fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
+    fields = pencil.fields(modes, kappa)
     lost = np.sqrt(values / exact) - 1
     told = 0.5 * values * on_each(poor.truncation, fields)
     assert lost[-1] > 1e-5, "else the test sees nothing"

@@ -278,7 +278,7 @@ def _computed(cell: UnitCell, used: Resolution, more: int) -> tuple[Array, Array
     found, lost = [], []
     for kappa in wavevectors(cell):
         values, modes = eigenpairs(pencil, kappa, used.bands)
-        fields = pencil.periodic.expanded(pencil.free(modes, kappa), kappa)
+        fields = pencil.fields(modes, kappa)
         found.append(hertz(values))
         lost.append(interior_error(values, on_each(tiling.truncation, fields)))
     return np.array(found), np.array(lost)

@@ -1,163 +1,237 @@
-"""Real pencils of cells that a half-turn about their centre leaves unchanged.
+"""Pencils of Bloch waves of a lattice: stiffness and mass of a tiling at any wavevector.
 
-With phases relative to the centre, the half-turn R about the normal maps Bloch fields at kappa to fields
-at -kappa by a constant matrix, and so does complex conjugation: ``conj(A(kappa)) = A(-kappa) =
-R A(kappa) R``. On even vectors, and ``i`` times odd ones, A(kappa) is therefore real and symmetric. Real
-eigenproblems take a quarter of the time of Hermitian ones.
+Two symmetries of a cell divide the work. If the plate's middle plane is a mirror, motions that are even and
+odd in it are not coupled. If half a turn R about the normal leaves the cell unchanged, R maps Bloch fields at
+kappa, with phases relative to the centre, to fields at -kappa by a constant matrix, and so does complex
+conjugation: ``conj(A(kappa)) = A(-kappa) = R A(kappa) R``. On even vectors, and ``i`` times odd ones,
+A(kappa) is therefore real and symmetric. Real eigenproblems take a quarter of the time of Hermitian ones.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
+from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
-from haptonic.arrays import Array, Complex, Fields
-from haptonic.bloch.pencil import AnyPencil, Pencil, Periodic, SplitPencil, bloch_pencil
+from haptonic.arrays import Array, Bools, Complex, Fields
+from haptonic.bloch.pencil import AnyPencil, Pencil, Periodic, SplitPencil
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement import Tiling
 
 STEP = 1e-3  # rad, of finite differences that approximate derivatives at Gamma
+ROUNDING = 1e-12  # largest entry that is zero but for rounding, of fields with entries of order one
 
 
-@dataclass(frozen=True)
-class CentredPencil:
-    """Pencil of a tiling as real symmetric matrices.
+@dataclass(frozen=True, eq=False)
+class PhasedPencil:
+    """Pencil of a tiling as Hermitian matrices.
 
-    periodic : the free unknowns of the lattice
-    pencil : Laurent pencil on combinations of free unknowns that are even or odd under the half-turn
-    combinations : (n, n) sparse orthogonal matrix of these combinations
-    offset : (n, 2) position of the middle of each relative to the centre, in half translations
-    odd : (n,) True for odd combinations
-    translations : (n, 3) unit motions along x, y and z
-    middle : (n, n) sparse, the mirror in the plate's middle plane on these unknowns, or None
+    The t + m unknowns of the tiling are ``motions diag(exp(i place . kappa)) spread`` times those of the
+    pencil, at the phases kappa.
+
+    forms : stiffness and mass (p, p) of the motions
+    motions : (t + m, p) sparse orthonormal combinations of the tiling's unknowns
+    place : (p, 2) of each motion, in half translations
+    spread : (p, n) sparse
+    translations : (n, 3) unit motions along x, y and z; zero if the pencil does not contain them
     """
 
-    periodic: Periodic
-    pencil: Pencil
-    combinations: sp.csr_array
-    offset: Array
-    odd: NDArray[np.bool_]
+    forms: tuple[Array, Array]
+    motions: sp.csr_array
+    place: Array
+    spread: sp.csr_array
     translations: Array
-    middle: sp.csr_array | None
 
     @classmethod
-    def of(cls, tiling: Tiling, forms: tuple[Array, Array] | None = None) -> CentredPencil:
-        """Centre the pencil of a cell that the half-turn leaves unchanged; forms as for `bloch_pencil`."""
+    def of(cls, tiling: Tiling) -> Self:
+        """Make the pencil of all motions of a tiling."""
         periodic = Periodic.of(tiling)
-        laurent = bloch_pencil(tiling, forms)
-        count, turned = len(periodic.free), tiling.half_turn()
-        assert turned is not None, "a cell that the half-turn changes"
-        source, signs, away = (of_unknowns[periodic.free] for of_unknowns in turned)
-        image, sign = periodic.number[source], signs
-        # each orbit {j, image of j} gives an even and an odd combination; a fixed unknown is even or odd
-        j = np.arange(count)
-        first, alone = j[j < image], j[j == image]
-        second, between, pairs = image[first], sign[first], len(first)
-        root = np.full(pairs, np.sqrt(0.5))
-        values = np.concatenate([root, root * between, root, -root * between, np.ones(len(alone))])
-        rows = np.concatenate([first, second, first, second, alone])
-        even, odd = np.arange(pairs), np.arange(pairs, 2 * pairs)
-        columns = np.concatenate([even, even, odd, odd, np.arange(2 * pairs, count)])
-        combinations = sp.csr_array((values, (rows, columns)), shape=(count, count))
-
-        middle = periodic.in_middle_plane(tiling)
-        between = periodic.shift[source] + away  # translation from an unknown to its image
+        place, spread = cls._of_free(tiling, periodic)
+        uniform = np.arange(tiling.size)[:, None] % 3 == np.arange(3)
+        uniform[tiling.trace_size :] = False
+        shares = (spread.conj().T @ uniform) / _norms(spread)[:, None]
         return cls(
-            periodic=periodic,
-            pencil=laurent.combined(combinations),
-            combinations=combinations,
-            offset=0.5 * between[np.concatenate([first, first, alone])],
-            odd=np.concatenate([np.zeros(pairs, bool), np.ones(pairs, bool), sign[alone] < 0]),
-            translations=combinations.T @ periodic.translations(tiling.trace_size),
-            middle=None if middle is None else combinations.T @ middle @ combinations,
+            forms=(tiling.stiffness, tiling.mass),
+            motions=sp.eye_array(tiling.size, format="csr"),
+            place=place,
+            spread=spread,
+            translations=shares.real - shares.imag,
         )
+
+    @staticmethod
+    def _of_free(tiling: Tiling, periodic: Periodic) -> tuple[Array, sp.csr_array]:
+        """Place of each of the tiling's unknowns, and their spread from those of the pencil."""
+        count = len(periodic.number)
+        ones = np.ones(count, dtype=complex)
+        spread = sp.csr_array((ones, (np.arange(count), periodic.number)), shape=(count, len(periodic.free)))
+        return periodic.shift.astype(float), spread
 
     @property
     def size(self) -> int:
-        return self.pencil.size
+        return int(self.spread.shape[1])
 
-    def phases(self, kappa: Array) -> Complex:
-        """(n,) factors between real unknowns and those of the pencil."""
-        return np.asarray(np.where(self.odd, 1j, 1.0) * np.exp(-1j * (self.offset @ kappa)))
+    @property
+    def parts(self) -> tuple[Self]:
+        """The pencil itself, as the only part; see `SplitPencil`."""
+        return (self,)
 
-    def at(self, kappa: Array) -> tuple[Array, Array]:
-        """(n, n) real symmetric stiffness and mass at the phases (2,)."""
-        factor = self.phases(kappa)
-        turn = np.outer(factor.conj(), factor)
-        K, M = (turn.real * real - turn.imag * imaginary for real, imaginary in self.pencil.components(kappa))
+    def at(self, kappa: Array) -> tuple[Fields, Fields]:
+        """(n, n) Hermitian stiffness and mass at the phases (2,)."""
+        cosine, sine = self._parts(kappa)
+
+        def on_waves(form: Array) -> Complex:
+            crossed = cosine.T @ np.ascontiguousarray((sine.T @ form).T)
+            return np.asarray(_congruent(cosine, form) + _congruent(sine, form) + 1j * (crossed - crossed.T))
+
+        K, M = (on_waves(form) for form in self.forms)
         return K, M
 
-    def free(self, modes: Fields, kappa: Array) -> Complex:
-        """(n, k) free unknowns of the lattice from real modes (n, k)."""
-        return np.asarray(self.combinations @ (self.phases(kappa)[:, None] * modes))
-
-    def restricted(self, fields: sp.csr_array) -> CentredPencil:
-        """The pencil on orthonormal combinations (n, m) of unknowns of equal offset and parity."""
-        some = abs(fields).argmax(axis=0)
-        return replace(
-            self,
-            pencil=self.pencil.combined(fields),
-            combinations=self.combinations @ fields,
-            offset=self.offset[some],
-            odd=self.odd[some],
-            translations=fields.T @ self.translations,
-            middle=None,
+    def _parts(self, kappa: Array) -> tuple[sp.csr_array, sp.csr_array]:
+        """Real and imaginary part (p, n) of the spread with its phases."""
+        spread = self.spread
+        phase = np.repeat(np.exp(1j * (self.place @ kappa)), np.diff(spread.indptr))
+        data = spread.data * phase
+        real, imaginary = (
+            sp.csr_array((part, spread.indices, spread.indptr), shape=spread.shape)
+            for part in (data.real, data.imag)
         )
+        return real, imaginary
 
-    def projected(self, basis: Array) -> RealPencil:
-        """The pencil on a constant real basis (n, r)."""
-        size = basis.shape[1]
-        sums: dict[tuple[float, float], Array] = {}
-        for piece in self._pieces:
-            # Re of (1, i, -i) exp(i x) is (cos x, -sin x, sin x)
-            total = sums.setdefault(piece.shift, np.zeros((2, 2, size, size)))[1 if piece.turned else 0]
-            left, right = basis[piece.rows].T, basis[piece.columns]
-            total += (-piece.turned or 1) * (left @ piece.forms @ right)
-        stacked = np.stack(list(sums.values()), axis=2)  # cosine or sine, form, shift, r, r
-        return RealPencil(np.array(list(sums)), stacked[0], stacked[1])
+    def fields(self, modes: Fields, kappa: Array) -> Complex:
+        """(t + m, k) unknowns of the tiling from modes (n, k)."""
+        phase = np.exp(1j * (self.place @ kappa))
+        return np.asarray(self.motions @ (phase[:, None] * (self.spread @ modes)))
 
-    @cached_property
-    def _pieces(self) -> list[_Piece]:
-        """Nonzero parts of the pencil between unknowns of equal offset and parity."""
-        kinds, member = np.unique(np.column_stack([2 * self.offset, self.odd]), axis=0, return_inverse=True)
+    def halves(self, tiling: Tiling) -> tuple[Self, ...]:
+        """Pencils of symmetric and antisymmetric motions about the middle plane, which are not coupled.
+
+        A pencil whose middle plane is not a mirror is the only one.
+        """
+        image = tiling.in_middle_plane()
+        if image is None:
+            return (self,)
+        source, sign = image
+        count = len(source)
+        mirror = sp.csr_array((sign, (np.arange(count), source)), shape=(count, count))
+        on_waves = sp.csr_array((self.spread.conj().T @ mirror @ self.spread).multiply(
+            1 / _norms(self.spread)[:, None]
+        ))  # fmt: skip
+        pencils = []
+        for motions, waves in zip(_halves(mirror), _halves(_without_rounding(on_waves).real), strict=True):
+            stiffness, mass = _on_combinations(motions, np.stack(self.forms))
+            pencils.append(
+                type(self)(
+                    forms=(stiffness, mass),
+                    motions=motions,
+                    place=self.place[abs(motions).argmax(axis=0)],
+                    spread=_without_rounding(motions.T @ self.spread @ waves),
+                    translations=waves.T @ self.translations,
+                )
+            )
+        return tuple(pencils)
+
+    def projected(self, basis: Array, forms: Sequence[Array] | None = None) -> Pencil | RealPencil:
+        """The pencil on a constant basis (n, r), which must be real to conserve time reversal.
+
+        forms : two forms (t + m, t + m) of the tiling in place of its stiffness and mass
+        """
+        shifts, (stiffness, mass) = self._laurent(basis, forms)
+        return Pencil(shifts.astype(np.int64), stiffness.real, mass.real)
+
+    def _laurent(self, basis: Array, forms: Sequence[Array] | None) -> tuple[Array, Complex]:
+        """Shifts (s, 2) and coefficients (2, s, r, r) of ``exp(i shift . kappa)`` on a basis.
+
+        Only one of two opposite shifts is given; (0, 0) comes first.
+        """
+        own = self.forms if forms is None else _on_combinations(self.motions, np.stack(forms))
+        size, spread = basis.shape[1], self.spread @ basis
+        parts = np.hstack([spread.real, spread.imag])
+        kinds, member = np.unique(np.rint(2 * self.place).astype(np.int64), axis=0, return_inverse=True)
         groups = [np.flatnonzero(member.ravel() == kind) for kind in range(len(kinds))]
-        pencil, pieces = self.pencil, []
-        for number, shift in enumerate(pencil.shifts):
-            form_blocks = np.stack([pencil.stiffness[number], pencil.mass[number]])
-            for sign in (1, -1) if shift.any() else (1,):
-                forms = form_blocks if sign > 0 else form_blocks.swapaxes(1, 2)
-                for g, rows in enumerate(groups):
-                    for h, columns in enumerate(groups):
-                        part = forms[:, rows[:, None], columns]
-                        if not part.any():
-                            continue
-                        step = sign * shift + 0.5 * (kinds[g, :2] - kinds[h, :2])
-                        forward = 1 if tuple(step) >= (0, 0) else -1
-                        turned = int(forward * (kinds[h, 2] - kinds[g, 2]))
-                        pieces.append(
-                            _Piece(
-                                shift=tuple(forward * step),
-                                turned=turned,
-                                rows=rows,
-                                columns=columns,
-                                forms=part,
-                            )
-                        )
-        return pieces
+        sums = {(0, 0): np.zeros((2, size, size), dtype=complex)}
+        for number, form in enumerate(own):
+            for kind, columns in zip(kinds, groups, strict=True):
+                loads = form[columns].T @ parts[columns]
+                for other, rows in zip(kinds, groups, strict=True):
+                    step = tuple((kind - other).tolist())
+                    if step < (0, 0):
+                        continue  # the adjoint of its opposite
+                    work = (parts[rows].T @ loads[rows]).reshape(2, size, 2, size)
+                    total = sums.setdefault(step, np.zeros((2, size, size), dtype=complex))
+                    total[number] += work[0, :, 0] + work[1, :, 1] + 1j * (work[0, :, 1] - work[1, :, 0])
+        return 0.5 * np.array(list(sums)), np.stack(list(sums.values()), axis=1)
 
     def near_rest(self) -> Array:
-        """(n, 12) translations and their derivatives with respect to the phases, at zero wavevector.
+        """(n, r) translations and their derivatives with respect to the phases, at zero wavevector.
 
         The basis contains first derivatives of all translations, and second derivatives of the one along z,
         whose frequency grows with the square of the wavevector. It is exact in the limit of long waves.
         """
-        (K, M), (K1, _), (K2, _), (K12, _) = (
-            self.at(STEP * np.array(kappa)) for kappa in ((0, 0), (1, 0), (0, 1), (1, 1))
-        )
+        (K, M), (K1, _), (K2, _), (K12, _) = self._around_rest()
+        # first derivatives of the stiffness, and of modes, are imaginary
+        first = [A.imag / STEP for A in (K1, K2)]
+        bent = [(A - K).real / STEP**2 for A in (K1, K2, K12)]
+        return _long_waves(K.real, M.real, self.translations, first, bent, 1.0)
+
+    def _around_rest(self) -> list[tuple[Fields, Fields]]:
+        return [self.at(STEP * np.array(kappa)) for kappa in ((0, 0), (1, 0), (0, 1), (1, 1))]
+
+    def snapshots(self, modes: Fields) -> Array:
+        """Real fields that span given modes, with at most unit mass."""
+        return np.hstack([modes.real, modes.imag])
+
+
+class CentredPencil(PhasedPencil):
+    """Pencil of a cell that the half-turn leaves unchanged, as real symmetric matrices.
+
+    The spread is real for unknowns of even fields, and imaginary for those of odd ones.
+    """
+
+    @staticmethod
+    def _of_free(tiling: Tiling, periodic: Periodic) -> tuple[Array, sp.csr_array]:
+        free, turned = len(periodic.free), tiling.half_turn()
+        assert turned is not None, "a cell that the half-turn changes"
+        source, sign, away = (of_unknowns[periodic.free] for of_unknowns in turned)
+        image = periodic.number[source]
+        # each orbit {j, image of j} gives an even and an odd combination; a fixed unknown is even or odd
+        j = np.arange(free)
+        first, alone = j[j < image], j[j == image]
+        second, between, pairs = image[first], sign[first], len(first)
+        root = np.full(pairs, np.sqrt(0.5))
+        single = np.where(sign[alone] > 0, 1, 1j)
+        values = np.concatenate([root, root * between, 1j * root, -1j * root * between, single])
+        rows = np.concatenate([first, second, first, second, alone])
+        even, odd = np.arange(pairs), np.arange(pairs, 2 * pairs)
+        columns = np.concatenate([even, even, odd, odd, np.arange(2 * pairs, free)])
+        combinations = sp.csr_array((values, (rows, columns)), shape=(free, free))
+        # half the translation from an unknown to its image leads to the centre
+        offset = 0.5 * (periodic.shift[source] + away)
+        offset[second] = offset[first]
+        return periodic.shift - offset[periodic.number], combinations[periodic.number]
+
+    @property
+    def odd(self) -> Bools:
+        """(n,) True for unknowns of odd fields."""
+        return np.asarray(abs(self.spread.imag).sum(axis=0) > abs(self.spread.real).sum(axis=0))
+
+    def at(self, kappa: Array) -> tuple[Array, Array]:
+        """(n, n) real symmetric stiffness and mass at the phases (2,)."""
+        cosine, sine = self._parts(kappa)
+        K, M = (_congruent(cosine, form) + _congruent(sine, form) for form in self.forms)
+        return K, M
+
+    def projected(self, basis: Array, forms: Sequence[Array] | None = None) -> RealPencil:
+        """As for `PhasedPencil`; a constant basis conserves time reversal in any case."""
+        shifts, laurent = self._laurent(basis, forms)
+        laurent[:, 1:] *= 2  # with the opposite shifts, whose coefficients are the conjugate ones
+        return RealPencil(shifts, laurent.real, -laurent.imag)
+
+    def near_rest(self) -> Array:
+        """As for `PhasedPencil`."""
+        (K, M), (K1, _), (K2, _), (K12, _) = self._around_rest()
         crossing = self.odd[:, None] != self.odd  # there K is odd in kappa, elsewhere it is even
         first = [np.where(crossing, A, 0.0) / STEP for A in (K1, K2)]
         bent = [np.where(crossing, 0.0, A - K) / STEP**2 for A in (K1, K2, K12)]
@@ -168,78 +242,18 @@ class CentredPencil:
         return modes
 
 
-@dataclass(frozen=True)
-class PhasedPencil:
-    """Pencil of a cell without the half-turn, as Hermitian matrices; see `CentredPencil`.
-
-    A constant basis must be real to conserve time reversal, which maps kappa to -kappa.
-    """
-
-    periodic: Periodic
-    pencil: Pencil
-    translations: Array
-    middle: sp.csr_array | None
-
-    @classmethod
-    def of(cls, tiling: Tiling, forms: tuple[Array, Array] | None = None) -> PhasedPencil:
-        """Make the pencil of any cell; forms as for `bloch_pencil`."""
-        periodic = Periodic.of(tiling)
-        return cls(
-            periodic,
-            bloch_pencil(tiling, forms),
-            periodic.translations(tiling.trace_size),
-            periodic.in_middle_plane(tiling),
-        )
-
-    @property
-    def size(self) -> int:
-        return self.pencil.size
-
-    def at(self, kappa: Array) -> tuple[Complex, Complex]:
-        """(n, n) Hermitian stiffness and mass at the phases (2,)."""
-        return self.pencil.at(kappa)
-
-    def free(self, modes: Fields, kappa: Array) -> Complex:
-        """(n, k) free unknowns of the lattice: the modes."""
-        return np.asarray(modes, dtype=complex)
-
-    def restricted(self, fields: sp.csr_array) -> PhasedPencil:
-        """The pencil on combinations (n, m) of the unknowns."""
-        return replace(
-            self,
-            pencil=self.pencil.combined(fields),
-            translations=fields.T @ self.translations,
-            middle=None,
-        )
-
-    def projected(self, basis: Array) -> Pencil:
-        """The pencil on a constant real basis (n, r)."""
-        return self.pencil.projected(basis)
-
-    def near_rest(self) -> Array:
-        """(n, 12) as in `CentredPencil`; first derivatives are the imaginary part of those of the modes."""
-        (K, M), (K1, _), (K2, _), (K12, _) = (
-            self.at(STEP * np.array(kappa)) for kappa in ((0, 0), (1, 0), (0, 1), (1, 1))
-        )
-        first = [A.imag / STEP for A in (K1, K2)]
-        bent = [(A - K).real / STEP**2 for A in (K1, K2, K12)]
-        return _long_waves(K.real, M.real, self.translations, first, bent, 1.0)
-
-    def snapshots(self, modes: Complex) -> Array:
-        """Real fields that span given modes, with at most unit mass."""
-        return np.hstack([modes.real, modes.imag])
-
-
 def _long_waves(
     K: Array, M: Array, translations: Array, first: list[Array], bent: list[Array], twice: float
 ) -> Array:
-    """(n, 12) translations and their derivatives, from those of the stiffness at Gamma.
+    """(n, r) translations and their derivatives, from those of the stiffness at Gamma.
 
+    translations : (n, 3), zero for those that the pencil does not contain
     first : first derivatives for each phase; bent : half the second ones, then for both phases together
     twice : -1, or +1 if first derivatives are imaginary and given without the factor i
     """
-    momenta = M @ translations
-    momenta /= np.sqrt(np.einsum("nk,nk->k", translations, momenta))
+    contained = np.flatnonzero(translations.any(axis=0))
+    momenta = M @ translations[:, contained]
+    momenta /= np.sqrt(np.einsum("nk,nk->k", translations[:, contained], momenta))
     stiff = la.cho_factor(K + (np.trace(K) / np.trace(M)) * momenta @ momenta.T)
     rest = la.cho_solve(stiff, momenta)  # along the translations, for any added stiffness
     rest /= np.sqrt(np.einsum("nk,nk->k", rest, M @ rest))
@@ -248,7 +262,8 @@ def _long_waves(
         return np.asarray(la.cho_solve(stiff, load - momenta @ (rest.T @ load)))
 
     slopes = [response(-A @ rest) for A in first]
-    (along_1, along_2), up = (slope[:, 2:] for slope in slopes), rest[:, 2:]
+    vertical = contained == 2
+    (along_1, along_2), up = (slope[:, vertical] for slope in slopes), rest[:, vertical]
     curvatures = [
         response(2 * (twice * first[0] @ along_1 - bent[0] @ up)),
         response(2 * (twice * first[1] @ along_2 - bent[1] @ up)),
@@ -257,40 +272,35 @@ def _long_waves(
     return np.hstack([rest, *slopes, *curvatures])
 
 
-def lattice_pencil(tiling: Tiling, forms: tuple[Array, Array] | None = None) -> CentredPencil | PhasedPencil:
-    """Make the pencil of a tiling, real if half a turn leaves the cell unchanged.
-
-    forms : as for `bloch_pencil`
-    """
-    if tiling.is_centred:
-        return CentredPencil.of(tiling, forms)
-    return PhasedPencil.of(tiling, forms)
+LatticePencil = PhasedPencil | SplitPencil[PhasedPencil]
 
 
-@dataclass(frozen=True)
-class ParityPart:
-    """Motions of a pencil that are symmetric or antisymmetric about the middle plane, or all motions.
-
-    embedding : (n, m) sparse orthonormal fields of the whole pencil from unknowns of the part
-    """
-
-    pencil: CentredPencil | PhasedPencil
-    embedding: sp.csr_array
-
-
-def parts_of(full: CentredPencil | PhasedPencil) -> tuple[ParityPart, ...]:
-    """Split a pencil into symmetric and antisymmetric motions, which are not coupled.
-
-    A pencil whose middle plane is not a mirror is the only part.
-    """
-    if full.middle is None:
-        return (ParityPart(full, sp.eye_array(full.size, format="csr")),)
-    return tuple(ParityPart(full.restricted(fields), fields) for fields in _halves(full.middle))
+def lattice_pencil(tiling: Tiling) -> LatticePencil:
+    """Make the pencil of a tiling: real with a half-turn, and split with a mirror in the middle plane."""
+    pencil = (CentredPencil if tiling.is_centred else PhasedPencil).of(tiling)
+    return together(pencil.halves(tiling))
 
 
 def together(pencils: Sequence[AnyPencil]) -> AnyPencil | SplitPencil[AnyPencil]:
-    """The pencil of all parts from those of the parts."""
+    """The pencil of all motions from one, or from those of symmetric and antisymmetric motions."""
     return pencils[0] if len(pencils) == 1 else SplitPencil((pencils[0], pencils[1]))
+
+
+def _congruent(fields: sp.csr_array, form: Array) -> Array:
+    """(n, n) symmetric form (p, p) on sparse real fields (p, n)."""
+    return np.asarray(fields.T @ np.ascontiguousarray((fields.T @ form).T))
+
+
+def _norms(fields: sp.csr_array) -> Array:
+    """(n,) squared norms of the columns."""
+    return np.asarray(abs(fields).power(2).sum(axis=0))
+
+
+def _without_rounding(fields: sp.csr_array) -> sp.csr_array:
+    fields = sp.csr_array(fields)
+    fields.data[np.abs(fields.data) < ROUNDING] = 0.0
+    fields.eliminate_zeros()
+    return fields
 
 
 def _halves(middle: sp.csr_array) -> tuple[sp.csr_array, sp.csr_array]:
@@ -313,15 +323,16 @@ def _halves(middle: sp.csr_array) -> tuple[sp.csr_array, sp.csr_array]:
     return parts[0], parts[1]
 
 
-@dataclass(frozen=True)
-class _Piece:
-    """Stiffness and mass (2, rows, columns) times cos(shift . kappa), or -turned * sin if turned is not 0."""
-
-    shift: tuple[float, float]
-    turned: int
-    rows: NDArray[np.int64]
-    columns: NDArray[np.int64]
-    forms: Array
+def _on_combinations(fields: sp.csr_array, forms: Array) -> Array:
+    """(s, m, m) forms (s, n, n) on combinations (n, m), each of one or two of their unknowns."""
+    columns = sp.csc_array(fields)
+    ends = np.stack([columns.indptr[:-1], columns.indptr[1:] - 1])
+    assert ((ends[1] - ends[0] == 0) | (ends[1] - ends[0] == 1)).all(), "combinations of more unknowns"
+    (i, j), (first, second) = columns.indices[ends], columns.data[ends]
+    second = np.where(ends[0] == ends[1], 0.0, second)
+    # far faster than sparse products, which copy the forms
+    rows = first[:, None] * forms[:, i] + second[:, None] * forms[:, j]
+    return np.asarray(rows[:, :, i] * first + rows[:, :, j] * second)
 
 
 @dataclass(frozen=True)

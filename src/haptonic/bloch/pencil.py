@@ -13,7 +13,7 @@ from typing import Generic, Protocol, TypeVar
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
-from haptonic.later import linalg as la, sparse as sp
+from haptonic.later import linalg as la
 from haptonic.superelement import Joint, Tiling, definite
 
 
@@ -52,11 +52,6 @@ class Pencil:
         K, M = (_halves(blocks, factor) for blocks in (self.stiffness, self.mass))
         return (K[0] + self.stiffness[0], K[1]), (M[0] + self.mass[0], M[1])
 
-    def combined(self, fields: sp.csr_array) -> Pencil:
-        """The pencil on sparse real combinations (n, m) of its unknowns."""
-        stiffness, mass = (_on_combinations(fields, blocks) for blocks in (self.stiffness, self.mass))
-        return Pencil(self.shifts, stiffness, mass)
-
     def projected(self, basis: Array) -> Pencil:
         """Project the pencil onto a constant real basis (n, r)."""
 
@@ -64,18 +59,6 @@ class Pencil:
             return np.asarray(basis.T @ blocks @ basis)
 
         return Pencil(self.shifts, project(self.stiffness), project(self.mass))
-
-
-def _on_combinations(fields: sp.csr_array, forms: Array) -> Array:
-    """(s, m, m) forms (s, n, n) on combinations (n, m), each of one or two of their unknowns."""
-    columns = sp.csc_array(fields)
-    ends = np.stack([columns.indptr[:-1], columns.indptr[1:] - 1])
-    assert ((ends[1] - ends[0] == 0) | (ends[1] - ends[0] == 1)).all(), "combinations of more unknowns"
-    (i, j), (first, second) = columns.indices[ends], columns.data[ends]
-    second = np.where(ends[0] == ends[1], 0.0, second)
-    # far faster than sparse products, which copy the forms
-    rows = first[:, None] * forms[:, i] + second[:, None] * forms[:, j]
-    return np.asarray(rows[:, :, i] * first + rows[:, :, j] * second)
 
 
 def _halves(blocks: Array, factor: Complex) -> tuple[Array, Array]:
@@ -117,23 +100,6 @@ class Periodic:
         shift[joint.unknowns] = joint.shift[:, None]
         free, number = np.unique(source, return_inverse=True)
         return cls(free, number, shift)
-
-    def in_middle_plane(self, tiling: Tiling) -> sp.csr_array | None:
-        """(n, n) sparse action of the mirror in the plate's middle plane on free unknowns, or None."""
-        image = tiling.in_middle_plane()
-        if image is None:
-            return None
-        source, sign = (
-            of_unknowns[self.free] for of_unknowns in image
-        )  # the mirror leaves all places unchanged in the plane
-        count = len(self.free)
-        return sp.csr_array((sign, (np.arange(count), self.number[source])), shape=(count, count))
-
-    def translations(self, traces: int) -> Array:
-        """(n, 3) unit motions along x, y and z as free unknowns; the first ``traces`` are the trace."""
-        return np.asarray(
-            (self.free[:, None] < traces) & (self.free[:, None] % 3 == np.arange(3)), dtype=float
-        )
 
     def expanded(self, fields: Complex, kappa: Array) -> Complex:
         """(t + m, k) unknowns of one cell from the free ones (n, k)."""
@@ -190,6 +156,12 @@ class Evaluated(Protocol):
     def at(self, kappa: Array, /) -> tuple[Fields, Fields]: ...
 
 
+class Spread(Evaluated, Protocol):
+    """Pencil of the unknowns of a tiling."""
+
+    def fields(self, modes: Fields, kappa: Array, /) -> Complex: ...
+
+
 class Derived(Evaluated, Protocol):
     """Pencil with derivatives with respect to the phases."""
 
@@ -222,11 +194,20 @@ class SplitPencil(Generic[AnyPencil]):
         """Exact derivatives of stiffness and mass with respect to one phase."""
         return self._whole([part.slope(kappa, direction) for part in self.parts])
 
+    def fields(self: SplitPencil[Spread], modes: Fields, kappa: Array) -> Complex:
+        """(t + m, k) unknowns of the tiling from modes (n, k)."""
+        symmetric, antisymmetric = self.split(modes)
+        return self.parts[0].fields(symmetric, kappa) + self.parts[1].fields(antisymmetric, kappa)
+
+    def split(self, modes: Fields) -> tuple[Fields, Fields]:
+        """Symmetric and antisymmetric share of modes (n, k)."""
+        first = self.parts[0].size
+        return modes[:first], modes[first:]
+
     def parity(self, modes: Fields) -> Ints:
         """(k,) parity of modes (n, k): +1 symmetric, -1 antisymmetric."""
-        first = self.parts[0].size
-        symmetric = np.abs(modes[:first]).max(axis=0) > np.abs(modes[first:]).max(axis=0)
-        return np.where(symmetric, 1, -1)
+        symmetric, antisymmetric = (np.abs(share).max(axis=0) for share in self.split(modes))
+        return np.where(symmetric > antisymmetric, 1, -1)
 
     @staticmethod
     def _whole(forms: list[tuple[Fields, Fields]]) -> tuple[Fields, Fields]:

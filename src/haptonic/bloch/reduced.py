@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import cast
@@ -11,16 +11,15 @@ import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
 from haptonic.bloch.centred import (
-    CentredPencil,
+    LatticePencil,
     PhasedPencil,
     RealPencil,
     lattice_pencil,
-    parts_of,
     together,
 )
-from haptonic.bloch.pencil import Derived, Evaluated, Pencil, SplitPencil, eigenpairs
+from haptonic.bloch.pencil import Derived, Pencil, SplitPencil, eigenpairs
 from haptonic.brillouin import IrreducibleZone
-from haptonic.later import linalg as la, sparse as sp
+from haptonic.later import linalg as la
 from haptonic.superelement import Tiling, definite, missing_energy, on_each
 
 TRAINING_DIVISIONS = (2, 4, 8)  # of the zone's sides, for the wavevectors that span the small basis
@@ -37,10 +36,11 @@ TIGHTER = 0.1  # factor on that share if the basis is too coarse: little inertia
 class Losses:
     """Forms on a basis that estimate what modes lack; computed when they are first needed.
 
-    basis : (free unknowns, r) of the tiling's whole pencil
+    whole : pencil of the tiling, or of its motions of one parity; basis : (n, r) of its unknowns
     """
 
     tiling: Tiling
+    whole: PhasedPencil
     basis: Array
 
     @cached_property
@@ -48,21 +48,14 @@ class Losses:
         """The forms on the basis, two in each pencil."""
         surplus, of_kind, before = self.tiling.surplus
         first, second = (
-            lattice_pencil(self.tiling, pair).projected(self.basis)
+            self.whole.projected(self.basis, pair)
             for pair in ((surplus, of_kind), (before, self.tiling.truncation))
         )
         return first, second
 
-    def at(self, modes: Fields, kappa: Array) -> tuple[Array, Array, Array]:
-        """(k,) values for modes (r, k) of unit mass: energy that the mesh lacks (N/m), energy that orders one
-        lower would lack in addition (N/m), and the truncation form.
-
-        See `haptonic.superelement.surplus` and `Superelement.truncation`.
-        """
-        surplus, of_kind, before, truncation = (
-            on_each(form, modes) for pencil in self.pencils for form in pencil.at(kappa)
-        )
-        return missing_energy(surplus, of_kind, before), surplus + of_kind, truncation
+    def at(self, modes: Fields, kappa: Array) -> Array:
+        """(4, k) values of the forms on modes (r, k)."""
+        return np.array([on_each(form, modes) for pencil in self.pencils for form in pencil.at(kappa)])
 
 
 @dataclass(frozen=True)
@@ -95,8 +88,8 @@ class ReducedCell:
     """Condensed cell in a small basis for the whole irreducible zone, long waves included.
 
     tiling : the condensed cell; whole : its pencil
-    pencil : on the small basis; basis : (free unknowns, r)
-    errors : forms on the basis of all motions; members : numbers of this basis in that one
+    pencil : on the small basis; bases : (n, r) for each part of the whole pencil
+    errors : forms on each basis
     projection_error : relative error of frequencies due to the basis: the allowed one, or a larger one
     measured
         at wavevectors outside the training set
@@ -104,11 +97,10 @@ class ReducedCell:
     """
 
     tiling: Tiling
-    whole: CentredPencil | PhasedPencil
+    whole: LatticePencil
     pencil: RealPencil | Pencil | SplitPencil[RealPencil | Pencil]
-    basis: Array
-    errors: Losses
-    members: slice
+    bases: tuple[Array, ...]
+    errors: tuple[Losses, ...]
     projection_error: float
     rounding: float
 
@@ -116,22 +108,15 @@ class ReducedCell:
     @definite()
     def of(cls, tiling: Tiling, count: int, goal: float) -> ReducedCell:
         """Enrich a basis until its relative error of ``count`` frequencies is at most ``goal``."""
-        full = lattice_pencil(tiling)
-        parts = parts_of(full)
-        solved, ends = (
-            together([part.pencil for part in parts]),
-            np.cumsum([part.pencil.size for part in parts]),
-        )
-        masses = [part.pencil.at(np.zeros(2))[1].real for part in parts]
-        near_rest = full.near_rest()
-        rest = [
-            _orthonormal(part.embedding.T @ near_rest, mass) for part, mass in zip(parts, masses, strict=True)
-        ]
+        whole = lattice_pencil(tiling)
+        parts = whole.parts
+        masses = [part.at(np.zeros(2))[1].real for part in parts]
+        rest = [_orthonormal(part.near_rest(), mass) for part, mass in zip(parts, masses, strict=True)]
         snapshots: list[list[Array]] = [[] for _ in parts]
         error, small, lost = np.inf, None, LOST_DIRECTION
         for wavevectors in _training(tiling.cell.zone):
             values, modes = zip(
-                *(eigenpairs(solved, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
+                *(eigenpairs(whole, kappa, count + SPARE_MODES) for kappa in wavevectors), strict=True
             )
             if small is not None:
                 projected = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
@@ -141,14 +126,15 @@ class ReducedCell:
                 )
                 lost *= TIGHTER if error > goal else 1.0
             for shapes in modes:
-                for of_part, share in zip(snapshots, np.split(shapes, ends[:-1]), strict=True):
-                    of_part.append(full.snapshots(share))
+                shares = whole.split(shapes) if isinstance(whole, SplitPencil) else (shapes,)
+                for of_part, part, share in zip(snapshots, parts, shares, strict=True):
+                    of_part.append(part.snapshots(share))
             while True:
                 bases = [
                     _enriched(long_waves, np.hstack(of_part), mass, lost)
                     for long_waves, of_part, mass in zip(rest, snapshots, masses, strict=True)
                 ]
-                small = together([part.pencil.projected(of) for part, of in zip(parts, bases, strict=True)])
+                small = together([part.projected(of) for part, of in zip(parts, bases, strict=True)])
                 try:
                     at_rest = eigenpairs(small, np.zeros(2), 3)[0]
                     break
@@ -161,30 +147,38 @@ class ReducedCell:
             if error <= goal:
                 break
         assert small is not None
-        basis = np.hstack([part.embedding @ of for part, of in zip(parts, bases, strict=True)])
         # between the checked wavevectors the error may equal the allowed one
         return cls(
             tiling=tiling,
-            whole=full,
+            whole=whole,
             pencil=small,
-            basis=basis,
-            errors=Losses(tiling, basis),
-            members=slice(None),
+            bases=tuple(bases),
+            errors=tuple(Losses(tiling, part, of) for part, of in zip(parts, bases, strict=True)),
             projection_error=max(error, goal),
             rounding=float(np.abs(at_rest).max()),
         )
 
+    def _shares(self, modes: Fields) -> tuple[Fields, ...]:
+        """Modes (r, k) on each basis."""
+        return self.pencil.split(modes) if isinstance(self.pencil, SplitPencil) else (modes,)
+
     def losses(self, modes: Fields, kappa: Array) -> tuple[Array, Array, Array]:
-        """Values of `Losses.at` for modes (r, k) of this cell."""
-        whole = np.zeros((self.errors.basis.shape[1], modes.shape[1]), dtype=modes.dtype)
-        whole[self.members] = modes
-        return self.errors.at(whole, kappa)
+        """(k,) values for modes (r, k) of unit mass: energy that the mesh lacks (N/m), energy that orders one
+        lower would lack in addition (N/m), and the truncation form.
+
+        See `haptonic.superelement.surplus` and `Superelement.truncation`.
+        """
+        values = [
+            errors.at(share, kappa) for errors, share in zip(self.errors, self._shares(modes), strict=True)
+        ]
+        surplus, of_kind, before, truncation = np.sum(values, axis=0)
+        return missing_energy(surplus, of_kind, before), surplus + of_kind, truncation
 
     @property
     def stiffened(self) -> StiffenedPencil:
         """The pencil of all motions with the surplus as additional stiffness."""
-        assert self.members == slice(None), "motions of one parity"
-        return StiffenedPencil(cast("Derived", self.pencil), self.errors.pencils[0])
+        surplus, *_ = zip(*(errors.pencils for errors in self.errors), strict=True)
+        return StiffenedPencil(cast("Derived", self.pencil), together(surplus))
 
     def parity(self, modes: Fields) -> Ints:
         """(k,) parity of modes (r, k) about the plate's middle plane: +1, -1, or 0 if it is not a mirror."""
@@ -195,25 +189,19 @@ class ReducedCell:
     def of_parity(self, parity: int) -> ReducedCell:
         """Restrict the cell to motions of one parity."""
         assert isinstance(self.pencil, SplitPencil), "a cell without this mirror"
-        first = self.pencil.parts[0].size
-        part, members = (0, slice(None, first)) if parity > 0 else (1, slice(first, None))
-        return replace(self, pencil=self.pencil.parts[part], basis=self.basis[:, members], members=members)
+        part = 0 if parity > 0 else 1
+        return replace(
+            self,
+            whole=self.whole.parts[part],
+            pencil=self.pencil.parts[part],
+            bases=(self.bases[part],),
+            errors=(self.errors[part],),
+        )
 
     def expanded(self, modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the tiling from (r, k) modes of the small pencil."""
-        return self.whole.periodic.expanded(self.whole.free(self.basis @ modes, kappa), kappa)
-
-
-def unreduced(tiling: Tiling) -> tuple[Evaluated, Callable[[Fields, Array], Complex]]:
-    """Pencil of a tiling, and a function that maps its modes at phases (2,) to unknowns of the tiling."""
-    full = lattice_pencil(tiling)
-    parts = parts_of(full)
-    every = sp.hstack([part.embedding for part in parts], format="csr")
-
-    def expanded(modes: Fields, kappa: Array) -> Complex:
-        return full.periodic.expanded(full.free(every @ modes, kappa), kappa)
-
-    return together([part.pencil for part in parts]), expanded
+        shares = zip(self.bases, self._shares(modes), strict=True)
+        return self.whole.fields(np.vstack([basis @ share for basis, share in shares]), kappa)
 
 
 def _training(zone: IrreducibleZone) -> Iterator[Array]:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.mesh_levels import Lack, MeshLimits, growth_for
 from haptonic.bloch.pencil import eigenpairs, hertz
-from haptonic.bloch.reduced import unreduced
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
 from haptonic.superelement import Tiling, on_each
@@ -55,7 +55,7 @@ def largest_truncation(tiling: Tiling, count: int) -> tuple[float, float]:
 
     Also the highest frequency there, Hz, of `MODES_ABOVE` modes above the last band.
     """
-    pencil, expanded = unreduced(tiling)
+    pencil = lattice_pencil(tiling)
     corners = tiling.cell.zone.corner_phases.values()
     solved = [(kappa, *eigenpairs(pencil, kappa, count + MODES_ABOVE)) for kappa in corners]
     top = max(values[-1] for _, values, _ in solved)
@@ -64,7 +64,7 @@ def largest_truncation(tiling: Tiling, count: int) -> tuple[float, float]:
     worst = 0.0
     for kappa, values, modes in solved:
         moving, frequency = values > REST**2 * highest, hertz(values)
-        lost = interior_error(values, on_each(tiling.truncation, expanded(modes, kappa)))
+        lost = interior_error(values, on_each(tiling.truncation, pencil.fields(modes, kappa)))
         ratio = ranked(frequency, lost)[moving] / frequency[moving]
         worst = max(worst, float(ratio.max(initial=0.0)))
     return worst, float(hertz(np.array(top)))
