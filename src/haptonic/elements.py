@@ -83,18 +83,18 @@ def matrices_by_region(
     """
     if all(solid == materials[0] for solid in materials):
         return element_matrices(points, nodes, materials[0])
-    members = [np.flatnonzero(region == number) for number in range(len(materials))]
-    parts = [
-        element_matrices(points, nodes[chosen], solid)
-        for chosen, solid in zip(members, materials, strict=True)
-        if len(chosen)
-    ]
-    order = np.argsort(np.concatenate(members))
-    return ElementMatrices(
-        stiffness=np.concatenate([part.stiffness for part in parts])[order],
-        pairs=parts[0].pairs,
-        mass=np.concatenate([part.mass for part in parts])[order],
+    pairs = coupled_pairs(nodes.shape[1:])
+    whole = ElementMatrices(
+        stiffness=np.empty((len(nodes), pairs.shape[1], 3, 3)),
+        pairs=pairs,
+        mass=np.empty((len(nodes), nodes[0].size)),
     )
+    for number, solid in enumerate(materials):
+        members = np.flatnonzero(region == number)
+        if len(members):
+            part = element_matrices(points, nodes[members], solid)
+            whole.stiffness[members], whole.mass[members] = part.stiffness, part.mass
+    return whole
 
 
 # coupled nodes (a, b, c), (d, e, f) with their sums over points, for each pair of derivatives
