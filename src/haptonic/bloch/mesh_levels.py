@@ -140,8 +140,8 @@ def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits)
 def growth_for(truncation: float, goal: float) -> int:
     """Number of enlargements of the interior for a truncation goal; see `Resolution.grown`.
 
-    The first three widen the blocks, which takes 5 to 20 % more time each, where a further condensation takes all
-    of it. Around wide holes and pillars each divided the truncation error by 1.4 to 8, so a half is expected.
+    The first three widen the blocks, which takes 5 to 20 % more time each; a further condensation takes all of
+    it again. Around wide holes and pillars each divided the truncation error by 1.4 to 8, so a half is expected.
     Further ones add blocks, and a tenth is expected.
     """
     ratio = truncation / goal

@@ -156,7 +156,7 @@ class Evaluated(Protocol):
     def at(self, kappa: Array, /) -> tuple[Fields, Fields]: ...
 
 
-class Spread(Evaluated, Protocol):
+class OfTiling(Evaluated, Protocol):
     """Pencil of the unknowns of a tiling."""
 
     def fields(self, modes: Fields, kappa: Array, /) -> Complex: ...
@@ -194,7 +194,7 @@ class SplitPencil(Generic[AnyPencil]):
         """Exact derivatives of stiffness and mass with respect to one phase."""
         return self._whole([part.slope(kappa, direction) for part in self.parts])
 
-    def fields(self: SplitPencil[Spread], modes: Fields, kappa: Array) -> Complex:
+    def fields(self: SplitPencil[OfTiling], modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the tiling from modes (n, k)."""
         symmetric, antisymmetric = self.split(modes)
         return self.parts[0].fields(symmetric, kappa) + self.parts[1].fields(antisymmetric, kappa)
