@@ -34,7 +34,7 @@ class PhasedPencil:
 
     forms : stiffness and mass (p, p) of the motions
     motions : (t + m, p) sparse orthonormal combinations of the tiling's unknowns
-    place : (p, 2) of each motion, in half translations
+    place : (p, 2) of each motion, multiples of half a translation
     spread : (p, n) sparse
     translations : (n, 3) unit motions along x, y and z; zero if the pencil does not contain them
     """

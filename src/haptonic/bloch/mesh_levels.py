@@ -140,9 +140,9 @@ def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits)
 def growth_for(truncation: float, goal: float) -> int:
     """Number of enlargements of the interior for a truncation goal; see `Resolution.grown`.
 
-    The first three widen the blocks, which takes 5 to 20 % more time each; a further condensation takes all of
-    it again. Around wide holes and pillars each divided the truncation error by 1.4 to 8, so a half is expected.
-    Further ones add blocks, and a tenth is expected.
+    The first three widen the blocks, which takes 5 to 20 % more time each; a further condensation takes all
+    of it again. Around wide holes and pillars each divided the truncation error by 1.4 to 8, so a half is
+    expected. Further ones add blocks, and a tenth is expected.
     """
     ratio = truncation / goal
     return max(min(math.ceil(math.log2(ratio)), 3), math.ceil(math.log10(ratio)), 1)
