@@ -1,7 +1,8 @@
-"""Errors of cells with pillars of other sections than round, or of other materials, against a finer mesh.
+"""Errors of cells with pillars against a finer mesh: drawn round ones, and of other sections or materials.
 
     python pillars.py            # all; some minutes each
     python pillars.py hexagon    # those whose name has the word
+    python pillars.py drawn      # round pillars, drawn with the seed SEED
 
 For each cell and each of the first three resolutions: the largest and the median distance to the mesh of
 order 6 with two rings, what was stated, and the largest ratio of both over ten bands at one wavevector. The
@@ -22,6 +23,7 @@ from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
 
 MM = 1e-3
+SEED, DRAWN = 11, 10
 KAPPA, BANDS = np.array([1.9, 2.4]), 10
 FINE, TRIED = Resolution(6, 2, 3, 24), (Resolution(3, 1), Resolution(4, 1), Resolution(5, 1))
 SQUARE, TRIANGULAR = Lattice.square(7 * MM), Lattice.triangular(7 * MM)
@@ -58,6 +60,16 @@ CELLS = {
     "material, rubber, wide": (TRIANGULAR, 1.5, replace(WIDE, material=RUBBER)),
     "material, thin, tungsten": (SQUARE, 0.5, replace(SHORT, material=TUNGSTEN)),
 }
+
+
+def drawn(number: int) -> tuple[Lattice, float, Pillar]:
+    """Lattice, thickness (mm) and round pillar of a drawn cell, with sizes in the ranges of papers."""
+    draw = np.random.default_rng([SEED, number])
+    pillar = Pillar(draw.uniform(2.0, 5.6) * MM, draw.uniform(2.0, 10.0) * MM)
+    return (SQUARE, TRIANGULAR)[number % 2], draw.uniform(0.7, 2.5), pillar
+
+
+CELLS |= {f"drawn, {number}": drawn(number) for number in range(DRAWN)}
 
 
 def survey(cell: UnitCell) -> list[str]:

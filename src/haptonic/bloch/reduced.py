@@ -10,13 +10,7 @@ from typing import cast
 import numpy as np
 
 from haptonic.arrays import Array, Complex, Fields, Ints
-from haptonic.bloch.centred import (
-    LatticePencil,
-    PhasedPencil,
-    RealPencil,
-    lattice_pencil,
-    together,
-)
+from haptonic.bloch.centred import LatticePencil, PhasedPencil, RealPencil, lattice_pencil, together
 from haptonic.bloch.pencil import Derived, Pencil, SplitPencil, eigenpairs
 from haptonic.brillouin import IrreducibleZone
 from haptonic.later import linalg as la
@@ -91,8 +85,7 @@ class ReducedCell:
     pencil : on the small basis; bases : (n, r) for each part of the whole pencil
     errors : forms on each basis
     projection_error : relative error of frequencies due to the basis: the allowed one, or a larger one
-    measured
-        at wavevectors outside the training set
+        measured at wavevectors outside the training set
     rounding : rounding error of the eigenvalues of rest modes, (rad/s)^2
     """
 
@@ -126,7 +119,7 @@ class ReducedCell:
                 )
                 lost *= TIGHTER if error > goal else 1.0
             for shapes in modes:
-                shares = whole.split(shapes) if isinstance(whole, SplitPencil) else (shapes,)
+                shares = np.split(shapes, np.cumsum([part.size for part in parts])[:-1])
                 for of_part, part, share in zip(snapshots, parts, shares, strict=True):
                     of_part.append(part.snapshots(share))
             while True:
@@ -158,9 +151,9 @@ class ReducedCell:
             rounding=float(np.abs(at_rest).max()),
         )
 
-    def _shares(self, modes: Fields) -> tuple[Fields, ...]:
+    def _shares(self, modes: Fields) -> list[Fields]:
         """Modes (r, k) on each basis."""
-        return self.pencil.split(modes) if isinstance(self.pencil, SplitPencil) else (modes,)
+        return np.split(modes, np.cumsum([basis.shape[1] for basis in self.bases])[:-1])
 
     def losses(self, modes: Fields, kappa: Array) -> tuple[Array, Array, Array]:
         """(k,) values for modes (r, k) of unit mass: energy that the mesh lacks (N/m), energy that orders one
