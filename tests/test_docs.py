@@ -52,7 +52,7 @@ PRINTED = {
 
 
 @pytest.mark.parametrize("document", daily(PRINTED, *PRINTED.keys() - {"docs/scan.md"}))
-def test_printed_python_runs_and_says_what_it_should(document, tmp_path, monkeypatch, capsys):
+def test_python_in_the_pages_prints_the_shown_output(document, tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("HAPTONIC_STORE", str(tmp_path / "store"))
     monkeypatch.chdir(tmp_path)
     write_studies(document)

@@ -80,7 +80,7 @@ def test_hdf5_files_that_do_not_fit(tmp_path: Path, limit: int) -> None:
 @pytest.mark.parametrize(
     "words", daily(["keys", "materials --json", "--version", "--help"], "keys", "--version")
 )
-def test_a_full_disk_behind_standard_output_is_told(words):
+def test_a_full_disk_behind_standard_output_is_reported(words):
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(
             [sys.executable, "-m", "haptonic", *words.split()],

@@ -148,7 +148,7 @@ def test_plain_values_come_back_from_json(values):
 
 
 @given(json_values, st.sampled_from(NONE), st.integers(0, 2))
-def test_json_knows_no_nan_and_says_where_it_is(values, bad, place):
+def test_json_refuses_nan_and_names_its_place(values, bad, place):
     row = [1.0, 2.0, 3.0]
     row[place] = bad
     with pytest.raises(NumericalError) as caught:

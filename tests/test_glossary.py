@@ -32,7 +32,7 @@ def names_in_the_code() -> set[str]:
     return names
 
 
-def test_every_row_is_whole_and_every_term_stands_once():
+def test_every_row_is_complete_and_every_term_is_unique():
     assert len(ROWS) > 50
     for row in ROWS:
         assert len(row) == 4, row

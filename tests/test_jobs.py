@@ -153,7 +153,7 @@ class TestHere:
             run_all(moody, moody_tasks(tmp_path, ["fine", "fine", "buggy", "fine"]), store=store)
         assert kept(store) == 2
 
-    def test_an_unusable_store_is_told_before_the_work_and_does_not_stop_it(self, tmp_path: Path) -> None:
+    def test_an_unusable_store_is_reported_before_the_work_and_does_not_stop_it(self, tmp_path: Path) -> None:
         (tmp_path / "file").touch()
         told: list[int] = []
 

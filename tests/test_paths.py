@@ -121,13 +121,13 @@ def test_nothing_is_written_to_what_is_no_path(kind):
 
 
 @pytest.mark.parametrize("kind", NO_NAMES)
-def test_a_store_that_cannot_be_is_told(kind, monkeypatch):
+def test_an_impossible_store_is_refused(kind, monkeypatch):
     monkeypatch.setenv("HAPTONIC_STORE", NO_NAMES[kind])
     assert five_parts_of(Store.default).argument == "HAPTONIC_STORE"
 
 
 @pytest.mark.parametrize("kind", NO_NAMES)
-def test_an_output_folder_that_cannot_be_is_told_before_the_work(kind):
+def test_an_impossible_output_folder_is_refused_before_the_work(kind):
     def out():
         folder = folder_for(named("bands"), Path("study.toml"), Path(NO_NAMES[kind]), False)
         refuse_taken(folder, ["bands.nc"], overwrite=False)

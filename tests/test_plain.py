@@ -58,7 +58,7 @@ def at(told, array, place):
 
 
 @given(datasets())
-def test_every_number_is_told_once_below_its_name_and_unit(data):
+def test_every_number_is_stored_once_under_its_name_and_unit(data):
     told = json.loads(json.dumps(plain(data)))
     assert set(told) == {f"{name}{UNITS[one.attrs['units']]}" for name, one in data.items()}
     for name, array in data.items():
@@ -100,13 +100,13 @@ class Inner:
     level: Annotated[float, In("dB")]
 
 
-def test_units_of_a_dataclass_stand_in_its_names():
+def test_names_of_a_dataclass_contain_its_units():
     assert plain({"gap": Inner(1.0, 2.0), "none": None}) == {
         "gap": {"lower_hz": 1.0, "level_db": 2.0}, "none": None,
     }  # fmt: skip
 
 
-def test_attributes_that_hold_json_are_told_as_what_they_hold():
+def test_attributes_that_contain_json_are_decoded():
     data = xr.Dataset(attrs={"inputs": '{"a": [1]}', "reference": "[A1], V", "mesh": 3})
     assert attributes(data) == data.attrs | {"inputs": {"a": [1]}}
     silent = data.assign_attrs({"mode_hz": np.nan, WORD: "no mode near this frequency"})

@@ -168,6 +168,18 @@ def test_docstrings_comments_and_messages_have_no_banned_opening_or_word():
     assert {name: texts for name, texts in banned.items() if texts} == {}
 
 
+def test_names_of_tests_have_no_banned_word():
+    """The words of a name, which underscores join, are checked like those of a text."""
+    names = [
+        (str(path.relative_to(ROOT)), name)
+        for path in sorted((ROOT / "tests").glob("**/*.py"))
+        for name in re.findall(r"^ *def (test_\w+)", path.read_text("utf-8"), re.MULTILINE)
+    ]
+    assert len(names) > 1000
+    assert [(path, name) for path, name in names if dialect(name.replace("_", " "))] == []
+    assert dialect("test_an_edge_is_told".replace("_", " ")) == ["told"]
+
+
 def test_variables_are_named_after_their_content():
     vague = {name: vague_names(tree_of(path)) for name, path in SOURCES.items() if path.suffix == ".py"}
     assert {name: names for name, names in vague.items() if names} == {}

@@ -580,7 +580,7 @@ class TestWholeSets:
                 assert caught.value.given == str(root / where / self.NAMES[place])
             assert {path: path.is_file() and path.read_text() for path in root.rglob("*")} == before
 
-    def test_a_taken_name_says_the_way_out(self, tmp_path: Path) -> None:
+    def test_a_taken_file_name_is_refused(self, tmp_path: Path) -> None:
         (tmp_path / "b.csv").write_text("old")
 
         def written() -> None:

@@ -27,7 +27,7 @@ def spoken(tree: ast.AST) -> list[ast.Constant]:
     return [text for text in texts if text not in documented]
 
 
-def test_it_says_that_it_has_types():
+def test_the_package_declares_types():
     assert (SOURCE / "py.typed").is_file()
 
 

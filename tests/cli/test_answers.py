@@ -85,7 +85,7 @@ def test_more_than_three_sentences_are_for_those_who_ask(numbers):
 
 
 @pytest.mark.parametrize("name", [*(f"{one}.toml" for one in STUDIES), *(f"{one}.csv" for one in MEASURED)])
-def test_files_that_commands_name_alike_are_told_apart_by_their_folders(name):
+def test_output_folders_for_default_file_names_start_with_the_folder_name(name):
     folders = [named("export").folder_of(Path(f"results/{one}/{name}")) for one in ("a", "b")]
     assert folders == ["a-export", "b-export"]
 
@@ -109,7 +109,7 @@ def test_the_answer_is_there_before_the_pictures_are_drawn(inside, study, tmp_pa
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_folder_of_a_command_can_be_typed_as_it_stands(name):
+def test_the_folder_of_a_command_needs_no_quotes_in_a_shell(name):
     folder = named(name).folder_of(Path("mine.toml"))
     assert shlex.split(folder) == [folder]
 
@@ -128,7 +128,7 @@ def test_the_option_is_every_command_s(inside, study, tmp_path):
 
 
 @given(st.floats(1e3, 2e5))
-def test_bands_say_where_the_carrier_lies(carrier):
+def test_bands_report_where_the_carrier_lies(carrier):
     bands = reference_bands()
     said = Bands(bands.assign_attrs(carrier_hz=carrier)).summary()[1]
     lower, upper = (bands[f"gap_{edge}"].values[0] for edge in ("lower", "upper"))  # of the only complete gap
@@ -138,7 +138,7 @@ def test_bands_say_where_the_carrier_lies(carrier):
 
 
 @pytest.mark.parametrize("others", [(), ("plate",), ("feel", "plate")])
-def test_a_report_says_first_what_each_part_found(others):
+def test_a_report_lists_the_first_line_of_each_part(others):
     one = {
         name: SimpleNamespace(summary=lambda name=name: [f"{name} 1", f"{name} 2"], remarks=lambda: ["but"])
         for name in others
@@ -153,7 +153,7 @@ def test_a_report_says_first_what_each_part_found(others):
 
 
 @pytest.mark.parametrize("all_of_it", [True, False])
-def test_a_scan_says_first_what_was_read_then_how_a_model_fits_and_the_gap(all_of_it):
+def test_a_scan_summary_lists_the_data_then_the_fit_of_a_model_and_the_gap(all_of_it):
     """Reading and registration come last; parts that are not asked for are not mentioned."""
     moved = Registration(scale=1.0, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=0.0)
     edges = LatticeGap(Edge(66e3, 100.0), None, ("no upper edge",))

@@ -85,7 +85,7 @@ def both(tmp_path):
 
 
 @pytest.mark.parametrize("name", daily(ASKED, *(name for name in ASKED if name not in DEAR)))
-def test_every_command_answers_or_says_why_not(name, both, inside, tmp_path):
+def test_every_command_answers_or_gives_a_reason(name, both, inside, tmp_path):
     given = [both, both] if name == "verdict" else [both]
     how = ["--dry-run"] if name in LONG else ["--out", tmp_path / "out"]
     ran = inside(*name.split(), *given, *how)

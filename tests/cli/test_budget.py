@@ -94,7 +94,7 @@ def test_every_command_that_asks_for_bands_takes_a_budget(inside, command):
     assert "--budget" in inside(command, "--help").out
 
 
-def test_a_plan_says_what_would_be_refused(memory):
+def test_a_plan_reports_commands_over_budget(memory):
     memory(1e12)
     plan = study_of(5, 1).plan(budget="1 s")
     assert any("haptonic bands would be refused: lack of time" in remark for remark in plan.remarks())

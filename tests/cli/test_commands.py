@@ -107,7 +107,7 @@ def test_a_sweep_of_which_no_design_can_be_computed_is_refused(inside, study, tm
     assert "no sweep: " in report.err
 
 
-def test_a_row_of_which_no_design_can_be_computed_says_so(inside, study, tmp_path):
+def test_a_sweep_without_a_computable_design_is_reported(inside, study, tmp_path):
     path = study(("[[sweep]]", THIN_ONES + "\n[[sweep]]"))
     ran = inside("sweep", path, "--out", tmp_path / "swept")
     assert ran.code == 0, ran.err
@@ -115,7 +115,7 @@ def test_a_row_of_which_no_design_can_be_computed_says_so(inside, study, tmp_pat
     assert "design 2 of the sweep is left out" in ran.err
 
 
-def test_nothing_is_overwritten_without_being_told(inside, study, tmp_path):
+def test_files_are_overwritten_only_with_the_option(inside, study, tmp_path):
     out = tmp_path / "out"
     out.mkdir()
     (out / "gaps.csv").write_text("mine")

@@ -313,7 +313,7 @@ def test_what_is_no_frequency_is_left_out(tmp_path_factory, order, unit, said):
 
 
 @pytest.mark.parametrize("moved", [(300.0, -200.0), (-100.0, -400.0), (250.0, 120.0)])
-def test_both_edges_of_a_gap_are_said(moved):
+def test_both_edges_of_a_gap_are_compared(moved):
     """The gap is that above band 2 of a lattice in particular: of the second all bands are moved rigidly."""
     first = replace(of_dataset("first", ours()), ours=False)
     shift = np.array([moved[0], moved[0], moved[1], moved[1]])
@@ -322,7 +322,7 @@ def test_both_edges_of_a_gap_are_said(moved):
     assert text == f"The gap between bands 2-3 begins {words[0]} and ends {words[1]}."
 
 
-def test_a_missing_band_is_said(tmp_path):
+def test_a_missing_band_is_reported(tmp_path):
     path = tmp_path / "theirs.csv"
     rows = [
         f"{k},{','.join(map(str, f[[0, 2, 3]]))}"
@@ -539,7 +539,7 @@ class TestCommand:
             "one-two-compare",
         }
 
-    def test_what_a_table_does_not_say_is_asked_before_bands_are_computed(self, inside, tmp_path):
+    def test_an_incomplete_table_is_refused_before_bands_are_computed(self, inside, tmp_path):
         store = tmp_path / "store"
         table = tmp_path / "comsol.csv"
         table.write_text("% Model:,bands.mph\n% k,Eigenfrequency (Hz)\n0,10+0.1i\n3,20000+2i\n")
@@ -572,7 +572,7 @@ def test_a_study_is_read_once(tmp_path, monkeypatch):
     assert read == [study]
 
 
-def test_what_is_wrong_with_the_second_study_is_said_before_the_first_is_computed(tmp_path):
+def test_an_error_in_the_second_study_is_reported_before_the_first_is_computed(tmp_path):
     for name, text in (("a.toml", QUICK_CELL), ("b.toml", "[cell]\n")):
         (tmp_path / name).write_text(text)
     asked = {"first": tmp_path / "a.toml", "second": tmp_path / "b.toml"}

@@ -181,7 +181,7 @@ class TestDesign:
             here("design", path), "12 mm", "14 mm", code="conflict", argument="design.vary[1].to"
         )
 
-    def test_a_carrier_out_of_reach_says_how_close_and_what_holds_it_back(
+    def test_an_unreachable_carrier_is_refused_with_closest_gap_and_limit(
         self, here, cheap, asking, tmp_path
     ):
         """Higher frequencies want shorter pillars; nothing goes from 60 to 75 kHz by a millimetre."""
@@ -192,7 +192,7 @@ class TestDesign:
         assert 50 < lower < upper < 75
         assert not (tmp_path / "out" / "design.toml").exists()
 
-    def test_a_model_too_coarse_to_tell_says_so(self, here, cheap, asking):
+    def test_a_model_with_large_errors_is_refused(self, here, cheap, asking):
         """The closest design does hold the carrier, if only the edges' errors were smaller."""
         narrower = ('diameter = "3.5 mm"', 'diameter = "3.3 mm"')
         ran = here("design", asking(LIMITS, HEIGHT, changes=(narrower,)))
@@ -209,7 +209,7 @@ class TestDesign:
             assert_five_parts(here(command, path), "nothing", code="missing", argument="carrier")
 
     @pytest.mark.parametrize("tables", [[HEIGHT], [PITCH], []], ids=["no pitch", "only the pitch", "nothing"])
-    def test_pareto_needs_the_pitch_and_says_so_before_computing(self, inside, asking, tables, tmp_path):
+    def test_pareto_without_the_pitch_is_refused_before_computing(self, inside, asking, tables, tmp_path):
         ran = inside("design", asking(*tables), "--pareto", store=tmp_path / "store")
         assert_five_parts(ran, code="missing", argument="design.vary")
         assert not (tmp_path / "store").exists()
@@ -428,7 +428,7 @@ class TestExport:
         ],
         ids=["no gap", "no carrier"],
     )
-    def test_a_drawing_without_a_gap_to_keep_has_nominal_sizes_and_says_why(
+    def test_a_drawing_without_a_gap_has_nominal_sizes_and_states_the_reason(
         self, here, asking, tmp_path, changes, said
     ):
         ran = here("export", asking(TOLERANCE, changes=changes), "--out", tmp_path / "out", "--json")
@@ -474,7 +474,7 @@ class TestExport:
              "the study gives spreads only for material constants or sizes that are not drawn"),
         ],
     )  # fmt: skip
-    def test_a_drawing_without_tolerances_says_why(self, here, asking, tmp_path, monkeypatch, spreads, said):
+    def test_missing_tolerances_are_explained(self, here, asking, tmp_path, monkeypatch, spreads, said):
         """In the drawing, on the terminal if some were asked for, and to machines."""
         found = SimpleNamespace(loosest=0.0, plate=0.42)
         monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: found)

@@ -72,6 +72,6 @@ def test_the_size_of_a_store_is_that_of_its_files(tmp_path):
     assert store.size() == (2, sum(path.stat().st_size for path in files))
 
 
-def test_a_machine_without_a_browser_says_so(monkeypatch):
+def test_a_missing_browser_is_reported_as_none(monkeypatch):
     monkeypatch.setattr("webbrowser._tryorder", [])
     assert browser() == "none"

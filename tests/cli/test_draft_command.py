@@ -61,7 +61,7 @@ def test_a_draft_is_written_once_and_read(inside, tmp_path, monkeypatch):
     assert (folder / "trials.csv").read_text("utf-8") == before
 
 
-def test_what_the_names_do_not_say_stays_to_be_filled_in(inside, tmp_path):
+def test_columns_missing_from_file_names_are_left_empty(inside, tmp_path):
     for name in ("ann_blk1_01.csv", "ann_blk1_02.csv", "bob_blk2_01.csv"):
         (tmp_path / name).touch()
     draft = drafted(tmp_path)

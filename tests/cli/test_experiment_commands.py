@@ -79,7 +79,7 @@ class TestProtocol:
         for words in ("less friction assumed", "not for other people", "steady drift", "simulated"):
             assert words in ran.out
 
-    def test_what_it_says_to_machines(self, inside, study, tmp_path):
+    def test_json_gives_the_sample_sizes(self, inside, study, tmp_path):
         ran = inside("protocol", study(SMALL), "--json")
         answer = ran.json
         assert answer["origin"] == "simulated"

@@ -132,7 +132,7 @@ def test_a_study_without_a_plate_is_refused(inside, study):
     assert_five_parts(inside("feel", study(), "--json"), code="missing", argument="plate")
 
 
-def test_the_report_tells_what_a_finger_feels(plated, monkeypatch, store_folder):
+def test_the_report_contains_friction_reductions(plated, monkeypatch, store_folder):
     monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
     study = load(plated())
     result = study.feel()

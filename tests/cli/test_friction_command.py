@@ -113,7 +113,7 @@ def test_one_participant_gets_no_p_value_for_people(inside, tmp_path):
     assert all("one participant only" in text for text in found["conclusions"])
 
 
-def test_a_missing_condition_is_said_and_not_tested(inside, tmp_path):
+def test_a_missing_condition_is_reported_and_not_tested(inside, tmp_path):
     folder = written(tmp_path / "trials", MADE)
     edited(folder, lambda t: t[(t["waveguide"] == "WG1") | (t["actuation"] == "off")])
     ran = inside("friction", folder, "--json")
@@ -131,7 +131,7 @@ def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
     assert (found["driven"], found["driven_chosen"]) == ("WG2", "given in the study")
 
 
-def test_reference_values_stand_beside_ours_where_they_are_given(tmp_path):
+def test_the_result_contains_reference_values_if_they_are_given(tmp_path):
     folder, known = written(tmp_path / "trials", MADE), ROOT / "studies" / "references" / "touchpad.toml"
     asked = {"path": folder, "references": known}
     assert named("friction").run(None, Runner(), asked).published == {

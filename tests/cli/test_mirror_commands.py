@@ -128,7 +128,7 @@ def test_a_worker_gives_the_same_numbers(haptonic, inside, tiny, tmp_path):
     assert numbers(there.json) == pytest.approx(numbers(here.json), rel=1e-9, abs=1e-12)
 
 
-def test_the_papers_waveguide_resonates_where_a_plate_model_says(inside, fine, tmp_path):
+def test_the_papers_waveguide_resonates_as_in_a_model_of_the_plate(inside, fine, tmp_path):
     """57.0 kHz and 0.15 of the peak at its edge in an independent finite-element model of the whole plate."""
     out = tmp_path / "out"
     path = fine(PROTOTYPE)

@@ -65,7 +65,7 @@ class TestAddedAnalysis:
             "warnings": [],
         }  # fmt: skip
 
-    def test_its_forecast_is_told_by_itself_and_by_a_plan(self, study):
+    def test_dry_run_and_plan_print_cost_of_a_new_analysis(self, study):
         assert json.loads(ran("toy", study(), "--number", 4, "--dry-run", "--json"))["processor_s"] == 8.0
         assert json.loads(ran("plan", study(), "--json"))["data"]["processor_time_s"]["toy"] == 4.0
 

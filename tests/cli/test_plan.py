@@ -69,7 +69,7 @@ class TestPlan:
         if study.carrier is not None and study.cell.has_features:
             assert named("waveguide").reported(study) is not None, "whatever the lattice"
 
-    def test_a_plate_is_told_by_its_regions_and_patches(self, inside, file, tmp_path):
+    def test_a_plan_lists_regions_and_drives_of_a_plate(self, inside, file, tmp_path):
         told = inside("plan", file("glass-keypad"), "--json").json
         assert told["data"]["area_m_2"] == pytest.approx(
             dict.fromkeys(("key 1", "key 2", "key 3", "key 4"), 4e-4)
@@ -78,7 +78,7 @@ class TestPlan:
         assert "132 pillars, 4 regions of plain plate and 1 drive" in " ".join(said.split())
 
     @pytest.mark.parametrize("command", PLANNED)
-    def test_a_dry_run_says_the_cost_and_no_more(self, inside, file, tmp_path, monkeypatch, command):
+    def test_a_dry_run_only_prints_the_cost(self, inside, file, tmp_path, monkeypatch, command):
         monkeypatch.chdir(tmp_path)
         path = file(PLANNED[command])
         ran = inside(command, path, "--dry-run")
@@ -126,7 +126,7 @@ class TestOthers:
             ("simulate friction", "my-trials"),
         ],
     )
-    def test_a_dry_run_says_the_cost_and_no_more(
+    def test_a_dry_run_prints_a_cost_not_in_a_plan(
         self, inside, file, tmp_path, monkeypatch, command, template
     ):
         monkeypatch.chdir(tmp_path)
@@ -194,13 +194,13 @@ class TestWatching:
     def saved(old, new):
         return lambda path: path.write_text(TEMPLATES["touchpad"].replace(old, new), "utf-8")
 
-    def test_it_tells_anew_what_was_saved_and_ends_with_ctrl_c(self, watched):
+    def test_watching_prints_a_saved_change_and_ends_with_ctrl_c(self, watched):
         ran = watched(lambda path: None, self.saved('title = "', 'title = "Second '), lambda path: None)
         assert ran.code == 0, ran.err
         assert ran.out.count("180 pillars") == 2
         assert ran.out.count("Second Touchpad") == 1
 
-    def test_a_broken_file_is_told_and_waited_out(self, watched):
+    def test_a_broken_file_is_reported_and_watched(self, watched):
         broken, gone = lambda path: path.write_text("[cell", "utf-8"), lambda path: path.unlink()
         ran = watched(broken, gone, self.saved('title = "', 'title = "Mended '))
         assert ran.code == 0, ran.err
@@ -220,7 +220,7 @@ class TestWatching:
         )
 
 
-def test_a_long_command_says_so_before_it_starts(inside, study, monkeypatch, tmp_path):
+def test_a_long_command_first_prints_its_cost(inside, study, monkeypatch, tmp_path):
     seen = []
     monkeypatch.setattr("haptonic.cli.running.LONG", 0.0)
     monkeypatch.setattr("haptonic.cli.console.Voice.say", lambda self, text: seen.append(text))

@@ -92,7 +92,7 @@ def test_plate_refuses(inside, plated, change, at, code, argument):
     assert_five_parts(ran, code=code, argument=argument)
 
 
-def test_a_study_without_a_plate_says_so(inside, study):
+def test_a_study_without_a_plate_is_refused(inside, study):
     assert_five_parts(inside("plate", study(), "--json"), code="missing", argument="plate")
 
 

@@ -37,7 +37,7 @@ def ran(inside, tmp_path_factory):
     return told.json, folder / "out"
 
 
-def test_ribbon_writes_its_files_and_says_what_is_held(ran):
+def test_ribbon_writes_its_files_and_prints_guided_waves(ran):
     told, folder = ran
     assert {path.name for path in folder.iterdir()} == FILES | {"ribbon.html"}
     said = " ".join(told["summary"])
@@ -47,7 +47,7 @@ def test_ribbon_writes_its_files_and_says_what_is_held(ran):
     assert names <= set(told["guided"])
 
 
-def test_errors_that_may_hide_a_wave_are_told(ran):
+def test_errors_that_may_hide_a_wave_are_reported(ran):
     data = xr.load_dataset(ran[1] / "ribbon.nc", engine="h5netcdf")
     none = data.assign(guided=0 * data["guided"])
     unsure = none.assign(frequency_error=0 * none["frequency_error"] + 1e3)
@@ -79,7 +79,7 @@ change = { "cell.pillar.height" = "13.5 mm" }
 
 @pytest.mark.nightly
 @pytest.mark.usefixtures("empty_pictures")
-def test_a_defect_is_told_by_its_frequencies_its_copies_and_its_damping(inside, tmp_path):
+def test_a_summary_of_a_defect_lists_frequencies_copies_and_damping(inside, tmp_path):
     study = FINER_CELL.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss
     (tmp_path / "defect.toml").write_text(study, "utf-8")
     told = inside("ribbon", tmp_path / "defect.toml", "--tables", "--out", tmp_path / "out")

@@ -263,7 +263,7 @@ class TestTwin:
             assert 0 < deviation(result, known) < 0.5, seed
             assert_same_range(result.measured, known)
 
-    def test_a_noisy_vibrometer_hides_levels_and_what_is_told_is_right(self, study, truth, on, store):
+    def test_a_noisy_vibrometer_hides_levels_and_reported_ones_are_right(self, study, truth, on, store):
         shares = []
         for noise in (5e-5, 2e-3, 8e-3):
             loud = with_numbers(study, {"scan.noise": noise})
@@ -346,7 +346,7 @@ class TestTwin:
 
 
 class TestScan:
-    def test_it_writes_its_files_and_says_what_it_found(self, inside, tiny, recorded, tmp_path):
+    def test_scan_writes_its_files_and_prints_its_results(self, inside, tiny, recorded, tmp_path):
         out = tmp_path / "out"
         ran = inside("scan", recorded / "scan.h5", tiny, "--tables", "--out", out)
         assert ran.code == 0, ran.err
@@ -485,7 +485,7 @@ class TestScan:
             argument=argument,
         )
 
-    def test_a_scan_of_another_plate_is_told(self, inside, tiny, tmp_path, recorded):
+    def test_a_scan_of_another_plate_is_reported(self, inside, tiny, tmp_path, recorded):
         other = tmp_path / "other.toml"
         other.write_text(TINY.replace("rows = 3", "rows = 9"), "utf-8")
         ran = inside("scan", recorded / "scan.h5", other, "--json")
@@ -534,7 +534,7 @@ class TestOwnNames:
         assert found["shapes"][0]["frequency_hz"] == pytest.approx(52e3)
         assert found["warnings"] == []
 
-    def test_numbers_without_a_unit_are_doubted_with_the_options_to_give(self, inside, own):
+    def test_a_warning_about_numbers_without_a_unit_names_the_options(self, inside, own):
         found = inside("scan", own[0], *self.ASKED, "--json").json
         assert found["band_hz"] == [40.0, 75.0]
         lengths, frequencies = found["warnings"]

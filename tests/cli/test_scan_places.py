@@ -131,7 +131,7 @@ class TestOtherLattices:
         found = lattice_gap(response, plate, xr.Dataset())
         assert "not their own mirror images" in found.reasons[0]
 
-    def test_rows_that_are_offset_tell_how_waves_fade_and_no_edge(self):
+    def test_offset_rows_give_the_decay_of_waves_and_no_gap_edge(self):
         layout, data = laid(self.BESIDE, CELLS["triangular"]), xr.Dataset()
         lines = [np.arange(0, ends[-1], 1.5e-3) for ends in (layout.x, layout.y)]
         x, y = (axis.ravel() for axis in np.meshgrid(*lines))
@@ -144,7 +144,7 @@ class TestOtherLattices:
         assert (found.lower, found.upper) == (None, None)
         assert "rows are offset" in found.reasons[0]
 
-    def test_a_border_within_a_row_tells_no_guide(self):
+    def test_no_mode_is_computed_if_a_border_cuts_a_row(self):
         """A row of a kagome lattice begins with single pillars; below the guide pairs lie beside it."""
         layout = laid(self.AROUND, CELLS["kagome"])
         assert [guide.lattice for guide in guides_of(layout)] == [None]

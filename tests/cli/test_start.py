@@ -114,7 +114,7 @@ class TestTemplates:
         assert inside("new", mine, "--overwrite").code == 0
         assert load(mine).title == "My cell"
 
-    def test_names_with_blanks_stand_in_quotes(self, inside, tmp_path):
+    def test_paths_with_blanks_are_put_in_quotes(self, inside, tmp_path):
         path = tmp_path / "sub folder" / "Größe 7.toml"
         told = inside("new", "Two Carriers", path, "--json").json
         said = inside("new", "Two Carriers", path, "--overwrite").out
@@ -123,7 +123,7 @@ class TestTemplates:
         assert told["next"][0] == f'haptonic bands "{path}"'
         assert load(path).carrier == 58e3
 
-    def test_without_arguments_it_tells_them_all(self, inside):
+    def test_new_without_arguments_lists_templates(self, inside):
         said = inside("new").out
         for name, text in TEMPLATES.items():
             assert name in said
@@ -138,7 +138,7 @@ def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
 
 
 @pytest.mark.parametrize("file", ["a.toml", "a longer name.toml"])
-def test_what_commands_of_a_template_do_stands_in_one_column(file):
+def test_explanations_of_template_commands_are_aligned(file):
     for text in templates().values():
         lines = [line for line in text.adapted(Path(file)).heading if COMMAND.match(line)]
         assert len({line.rindex("   ") for line in lines}) == 1, lines
@@ -167,7 +167,7 @@ class TestKeys:
                 printed_badly.append(path)
         assert printed_badly == []
 
-    def test_allowed_words_are_told(self, inside):
+    def test_allowed_words_are_listed(self, inside):
         said = squeezed(inside("keys", "cell.lattice").out)
         assert all(word in said for word in KEYS["cell.lattice"].choices)
         for path in ("material", "plate.actuator[].bond.material"):
@@ -200,7 +200,7 @@ class TestKeys:
         assert [line for line in said if line.startswith(named)] == found
 
     @pytest.mark.parametrize("path", [path for path in KEYS if path.endswith("[].parameter")])
-    def test_numbers_that_a_text_may_name_are_told(self, path):
+    def test_keys_that_a_parameter_may_name_are_listed(self, path):
         names = keys.lines(KEYS[path])["names"].split(", ")
         assert "material.youngs_modulus" in names
         assert all(name in KEYS or pattern_of(name) in KEYS for name in names)
@@ -265,7 +265,7 @@ class TestSchema:
         assert not validator.is_valid(data)
 
     @given(st.data())
-    def test_a_misspelt_key_is_refused_wherever_it_stands(self, validator, data):
+    def test_a_misspelt_key_is_refused_in_every_table(self, validator, data):
         study = tomllib.loads(EVERY_KEY)
         tables = [(path, where) for path, where in tables_of(study)]
         path, where = data.draw(st.sampled_from(tables))

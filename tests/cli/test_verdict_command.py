@@ -211,7 +211,7 @@ def test_a_study_without_a_plate_has_no_verdict(inside, study, scan):
     assert_five_parts(inside("verdict", scan(), study()), code="missing", argument="plate")
 
 
-def test_a_study_in_the_place_of_the_response_is_told_apart(inside, tmp_path):
+def test_a_study_in_the_place_of_the_response_is_refused(inside, tmp_path):
     study, scan = tmp_path / "study.toml", tmp_path / "response.nc"
     study.write_text("material = 'steel'")
     scan.write_bytes(b"\x89HDF\r\n\0")

@@ -126,7 +126,7 @@ def test_frequencies_inside_the_zones_edge_against_a_coarser_independent_mesh(na
     ).all()  # displacement elements come from above, the coarser from higher
 
 
-def test_the_dataset_says_what_it_is():
+def test_the_dataset_has_units_and_names():
     data = dataset()
     assert data.sizes["wavevector"] == 66
     assert data.sizes["band"] == 10
@@ -143,7 +143,7 @@ def test_the_dataset_says_what_it_is():
     assert data.attrs["counts_missed"] == 0
 
 
-def test_the_small_basis_costs_no_more_than_it_says():
+def test_the_error_of_the_small_basis_is_below_its_bound():
     """Against the pencil that it was projected from, at points of the path and inside the zone."""
     fine = model().fine
     full = bloch_pencil(fine.tiling)

@@ -148,7 +148,7 @@ def test_a_complete_gap_is_one_of_both_parities():
     assert min(high_1, high_2) == pytest.approx(complete.upper, rel=1e-4)
 
 
-def test_a_dataset_tells_the_parity_of_bands_corners_and_modes():
+def test_a_dataset_contains_the_parity_of_bands_corners_and_modes():
     settings = BandSettings(count=10, points=13, mesh=MeshSettings(3, 0))
     dataset = bands_dataset(LOW, settings)
     middle = dataset["middle_parity"].values
@@ -165,7 +165,7 @@ def test_a_dataset_tells_the_parity_of_bands_corners_and_modes():
     assert {gap.direction for gap in listed} == {"all"}
 
 
-def test_a_crossing_of_both_parities_is_told_apart():
+def test_modes_at_a_crossing_keep_their_parity():
     """Where a symmetric band crosses an antisymmetric one, modes of one frequency keep their labels."""
     path = LOW.zone.path(40)
     along = diagram(model(), path)

@@ -131,7 +131,7 @@ def test_the_independent_beam_has_the_closed_form_of_a_uniform_one():
     assert slender_beam(Pillar(MM, 100 * MM)) == pytest.approx(expected, rel=1e-6)
 
 
-def test_two_uniform_pieces_meet_as_a_determinant_says():
+def test_modes_of_a_stepped_beam_are_roots_of_a_determinant():
     """Deflection, slope, moment and shear force continue at the step: eight conditions, zero determinant."""
     pillar = SLENDER["step"]
     diameters, lengths = (MM, 0.5 * MM), (40 * MM, 60 * MM)

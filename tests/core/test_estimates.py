@@ -69,8 +69,8 @@ def test_a_quarter_turn_resolves_the_neck_between_pillars_of_any_lattice(ratio):
 
 
 @pytest.mark.nightly
-def test_what_gaps_that_cross_beside_square_pillars_leave_is_told():
-    """Against order 7 with two rings, half a million unknowns: order 4 was told 0.73 of what it lost."""
+def test_the_error_at_crossing_gaps_beside_square_pillars_is_bounded():
+    """Against order 7 with two rings, half a million unknowns: order 4 estimated 0.73 of its error."""
     finer = {  # Hz by phases and band
         (0.0, np.pi): {0: 13445.4, 11: 504585.8, 13: 582631.1},
         (np.pi, 0.0): {12: 579583.3},
@@ -159,7 +159,7 @@ def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(seed, num
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("number", [0, 1015])
-def test_what_the_order_around_a_pillar_leaves_is_told(number):
+def test_the_error_of_the_order_around_a_pillar_is_bounded(number):
     """Fields of one parity within a quarter turn gain nothing from every other order."""
     cell, resolution = drawn(131, number).cell, Resolution(4, 1, 3)
     plan = resolution.plan(cell)
@@ -168,7 +168,7 @@ def test_what_the_order_around_a_pillar_leaves_is_told(number):
 
 
 @pytest.mark.nightly
-def test_what_a_plate_leaves_beside_a_fillet_in_a_narrow_neck_is_told():
+def test_the_error_of_a_plate_beside_a_fillet_in_a_narrow_neck_is_bounded():
     """One order more through the plate moved 0.9 of it: no elements lead from the arc to the thickness."""
     cell, resolution = drawn(227, 146).cell, Resolution(3, 1, 4, 22)
     upward = resolution.plan(cell).upward + 1
@@ -195,7 +195,7 @@ def test_a_band_is_the_mode_of_its_rank(modes):
 
 
 @pytest.mark.parametrize("order", daily([4, 5], 4))
-def test_a_wave_that_is_hardly_resolved_is_told(order):
+def test_errors_of_poorly_resolved_waves_are_bounded(order):
     """The tenth band of this plate is 1.7 % off at order 4, 3 % from the order below."""
     cell = drawn(57, 87).cell
     found = BlochModel.of(cell, Resolution(order, 1), 10, measured=False)

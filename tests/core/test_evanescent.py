@@ -49,7 +49,7 @@ def waves(name: str, phase: float, omega: float):
 
 
 @polarised
-def test_the_laminate_attenuates_as_its_exact_dispersion_says(polarisation):
+def test_a_laminate_has_the_attenuation_of_its_exact_dispersion(polarisation):
     expected = LAMINATE[polarisation]
     omega = 2 * np.pi * expected["mid"]
     right, left = bloch_waves(laminate(polarisation, omega), omega)
@@ -123,7 +123,7 @@ def test_waves_carry_unit_energies_independently_and_come_in_pairs(phase, kilohe
     assert size[0] == pytest.approx(size[1], rel=1e-6, abs=1e-7)
 
 
-def test_waves_with_the_same_multiplier_are_told_apart_by_their_energy():
+def test_waves_with_the_same_multiplier_are_separated_by_energy_flux():
     single = rod(2.0, 1.0, 0.7, 1.0)
     mixed = np.linalg.qr(np.random.default_rng(3).standard_normal((3, 3)))[0]
     three = FaceStiffness(*(mixed @ np.kron(np.eye(3), block) @ mixed.T for block in vars(single).values()))

@@ -146,7 +146,7 @@ def test_there_is_no_guide_where_other_waves_propagate():
         Guide.of(rows(), 50.0).width(58.0 * KILOHERTZ, 0)
 
 
-def test_there_is_no_mode_where_the_lattice_lets_waves_in_or_bending_waves_fade():
+def test_there_is_no_mode_where_the_lattice_passes_waves_or_bending_waves_decay():
     leaky = Guide.of(rows(), 14.5 * np.pi / LENGTH)
     assert not leaky.wall(49.5 * KILOHERTZ).closed
     for refused in (

@@ -264,7 +264,7 @@ def test_a_step_costs_no_more_accuracy_than_the_foot():
 
 
 @pytest.mark.nightly
-def test_errors_tell_what_no_thin_layer_sees_above_a_step():
+def test_estimates_bound_the_error_in_a_pillar_above_a_step():
     """Lower orders that are not lower along the pillar gave less than a third of the true error here."""
     pillar = Pillar(4 * MM, 10 * MM, "round", math.radians(-1.3), 0.25 * MM, Step(2.4 * MM, 7 * MM))
     cell = replace(reference_cell(), pillar=pillar)

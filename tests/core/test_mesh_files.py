@@ -400,7 +400,7 @@ class TestRefusals:
             ("a.bdf", "BEGIN BULK\nCTETRA* 1               1\n", "large field"),
         ],
     )
-    def test_what_a_file_says_in_another_way(self, tmp_path, name, content, words):
+    def test_unsupported_statements_are_refused(self, tmp_path, name, content, words):
         (tmp_path / name).write_text(content)
         assert words in self.refused(cell_of(tmp_path / name)).given
 

@@ -105,7 +105,7 @@ def accepted(cell, asked, limits):
     st.sampled_from([None, (3, 0), (5, 1), (8, 3)]),
 )
 @settings(max_examples=60, deadline=None)
-def test_a_refusal_says_of_which_kind_it_is_and_its_step_is_accepted(
+def test_a_refusal_names_time_or_memory_and_its_next_step_is_accepted(
     thickness, diameter, height, count, accuracy, seconds, memory, mesh
 ):
     cell = cell_of(thickness, diameter, height)
@@ -227,8 +227,8 @@ def test_a_plate_too_thin_is_refused_by_range_and_the_thickness_named_begins(sha
 
 
 @pytest.mark.parametrize("memory", [1e15, 1e8])
-def test_a_dry_run_and_a_run_say_the_same(memory, monkeypatch):
-    """Of a study that fits and of a study that does not, by time and by memory."""
+def test_a_dry_run_has_the_refusals_of_a_run(memory, monkeypatch):
+    """A study that fits and a study that does not, by time and by memory."""
     from haptonic.analyses import named
 
     monkeypatch.setattr(mesh_levels.MeshLimits, "of", classmethod(lambda cls, budget: cls(budget, memory)))
@@ -244,7 +244,7 @@ def test_a_dry_run_and_a_run_say_the_same(memory, monkeypatch):
             assert cost.budget == 600
 
 
-def test_what_falls_short_of_an_accuracy_is_answered_and_says_so(monkeypatch):
+def test_bands_that_miss_the_accuracy_are_returned_with_a_remark(monkeypatch):
     """A minute of work ended in a refusal; now its errors are reported."""
     for module in (model, mesh_levels):
         monkeypatch.setattr(module, "LADDER", (Resolution(3, 0),))
@@ -333,7 +333,7 @@ def test_an_interior_grows_before_a_model_is_made():
 
 
 @pytest.mark.parametrize("count", [1, 3])
-def test_few_bands_are_told_as_they_are(count):
+def test_the_error_of_few_bands_is_small(count):
     """At rest the last of three is a rigid motion: with it as a yardstick, rest passed for a wave."""
     assert BlochModel.of(cell_of(0.3, 0.5, 1.0), Resolution(3, 0), count).worst_error < 0.1
 
@@ -341,8 +341,8 @@ def test_few_bands_are_told_as_they_are(count):
 @pytest.mark.nightly
 @given(st.floats(0.06, 0.2))
 @settings(max_examples=1)
-def test_twenty_bands_of_a_plain_plate_are_told_as_they_are(thickness):
-    """The lower orders' basis has to hold them too: unchecked it told 0.7 % at every order."""
+def test_errors_of_twenty_bands_of_a_plain_plate_are_bounded(thickness):
+    """The lower orders' basis has to hold them too: without this check its error was 0.7 % at every order."""
     cell = cell_of(thickness)
     found = BlochModel.of(cell, LADDER[2], 20, measured=False)
     assert found.worst_error < 2e-3

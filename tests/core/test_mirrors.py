@@ -143,7 +143,7 @@ def test_a_wave_that_does_not_propagate_has_no_energies(monkeypatch):
     assert list(scattering_at(rows(), 57e3, Incidence(OBLIQUE, 2, 0.0))) == ["A0", "SH0"]
 
 
-def test_an_angle_that_no_wave_has_is_no_wave_that_fades():
+def test_incidence_parallel_to_the_rows_is_refused():
     with refusing(StudyError, "out-of-range", "layers.angle"):
         scattering_at(rows(), 57e3, Incidence(0.5 * np.pi, 1, 0.0))
 

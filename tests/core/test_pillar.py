@@ -207,7 +207,7 @@ class _Waisted(Pillar):
         (_Waisted(3.5e-3, 14e-3), False),
     ],
 )
-def test_a_prism_is_told_by_its_widths(pillar, is_prism):
+def test_a_prism_has_a_constant_width(pillar, is_prism):
     assert pillar.is_prism is is_prism
 
 

@@ -58,7 +58,7 @@ def misfit(k: complex, omega: float) -> float:
     return min(abs(step) for step in steps)
 
 
-def test_waves_that_fade_are_lamb_waves_or_shear_waves_too():
+def test_evanescent_waves_are_lamb_waves_or_shear_waves():
     omega = 58.8 * KILOHERTZ
     right, _ = PLATE.waves(omega, np.zeros(1), LENGTH)
     fading = right.wavenumber[right.labelled(EVANESCENT)][:6]

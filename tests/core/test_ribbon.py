@@ -71,7 +71,7 @@ def strip_waves(width: float, thickness: float, wavenumber: float, degrees=(13, 
 
 
 @pytest.mark.parametrize("kappa", [0.4, 0.9, 3.0])
-def test_a_bare_strip_has_its_guided_waves_within_the_errors_told(kappa):
+def test_a_bare_strip_has_its_guided_waves_within_their_errors(kappa):
     cell = UnitCell(Lattice.rectangular(4 * MM, 3 * MM), 1.5 * MM, ALUMINIUM)
     ribbon = Ribbon((cell,) * 2)
     found = RibbonModel.of(ribbon, Resolution(4, 0)).solve(kappa, 5e3, 650e3)
@@ -107,7 +107,7 @@ def test_group_velocity_is_the_slope_of_the_frequency():
 # --- a guide between crystals -------------------------------------------------------------------------------
 
 
-def test_a_guided_wave_fades_into_the_rows_as_the_complex_bands_say():
+def test_a_guided_wave_decays_into_the_rows_as_in_the_complex_bands():
     model = prototype()
     found = model.solve(ALONG, 54e3, 61e3)
     (crystal,) = {id(t): t for t in model.fine.tiling.tiles if t.cell is CRYSTAL}.values()
@@ -160,7 +160,7 @@ def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
     assert in_gap(replace(held, error=0 * held.error), bulk[None]).all()
 
 
-def test_above_the_last_bulk_band_that_was_computed_no_gap_is_told():
+def test_no_gap_is_reported_above_the_last_computed_bulk_band():
     bulk = np.array([[[10.0, 20.0], [25.0, 30.0]], [[9.0, 11.0], [26.0, 27.0]]])
     at = np.array([5.0, 15.0, 22.0, 24.8, 28.0, 31.0])
     modes = RibbonModes(0.3, at, np.full(6, 0.5), at, at, at, at, at, 1.0)
@@ -309,7 +309,7 @@ def test_a_pillar_a_twentieth_too_short_holds_the_same_wave_in_a_crystal_without
     assert nearest < 2e-4 * held.mean()
 
 
-def test_what_holds_waves_is_told_from_the_crystals_around():
+def test_the_kind_of_a_ribbon_is_derived_from_its_crystals():
     plain = CRYSTAL.without_pillar()
     line = (CRYSTAL,) * 3
     changed = Ribbon((CRYSTAL, LOWER, CRYSTAL))

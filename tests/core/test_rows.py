@@ -104,7 +104,7 @@ def ratio(cell: UnitCell, along: tuple[int, int], other: UnitCell, way: tuple[in
 
 
 @pytest.mark.parametrize(("cell", "along", "other", "way"), BASES)
-def test_one_structure_in_two_bases_fades_and_lets_through_alike(cell, along, other, way):
+def test_one_structure_in_two_bases_has_equal_decay_and_transmission(cell, along, other, way):
     here, there = rows(cell, along), rows(other, way)
     assert here.rows.period == pytest.approx(there.rows.period)
     times = ratio(cell, along, other, way)

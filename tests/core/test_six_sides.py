@@ -226,7 +226,7 @@ def test_a_material_with_two_mirrors_leaves_a_larger_zone():
         assert (np.abs(solution.frequency - plain_plate(plain, kappa, 8)) <= solution.error).all()
 
 
-def test_square_pillars_stand_on_six_sides():
+def test_a_hexagon_may_have_a_square_pillar():
     """The lumped mass is that of the exact volume, and the group what a square and a hexagon share."""
     cell = UnitCell(LATTICE, 1.5e-3, ALUMINIUM, Pillar(3e-3, 5e-3, section="square"))
     assert len(cell.point_group) == 4

@@ -160,7 +160,7 @@ def test_an_indefinite_matrix_is_refused_where_a_definite_one_is_expected(name, 
 
 
 @every_solver
-def test_a_negative_entry_that_stands_alone_is_refused(name):
+def test_a_negative_entry_of_a_diagonal_matrix_is_refused(name):
     pattern, data = pattern_of(np.diag([2.0, -3.0, 4.0]))
     solver = analysed(name, pattern)
     with pytest.raises(np.linalg.LinAlgError):

@@ -116,7 +116,7 @@ def test_without_lateral_contraction_a_shaft_stretches_like_a_string(section):
         assert np.abs(found / expected - 1).min() < 1e-8
 
 
-def test_a_square_shaft_twists_more_slowly_by_what_saint_venant_says():
+def test_a_square_pillar_twists_with_the_constant_of_saint_venant():
     """Torsion constant 0.140577 (2 b)^4 over polar moment (2 b)^4 / 6; the section must warp for it."""
     slender = replace(pillar_body(section="square", degree=4, order=20), length=40 * RADIUS)
     expected = np.sqrt(0.1405770 * 6) * ALUMINIUM.shear_speed / (2 * 40 * RADIUS)
@@ -275,7 +275,7 @@ def test_two_steps_lead_to_the_characters_of_one(name, order, apart):
         assert ours == pytest.approx(theirs, abs=2e-3 * sum(sizes[0].energies(here)).max())
 
 
-def test_the_omission_tells_what_two_steps_lose():
+def test_the_residual_is_the_error_of_two_steps():
     cell, kappa = CELLS["reference"]
     plan, kappa = Resolution(3, 1).plan(cell), np.array(kappa)
     rich = CentredPencil.of(Tiling.single(condense_by_parts(cell, plan, 4, block=30, measured=False)))
@@ -395,8 +395,8 @@ def test_the_pieces_of_a_stepped_pillar_are_the_whole_of_it(step, narrower, abov
         assert all(one.tile.pillar.is_prism and not one.plan.step_layers for one in pieces)
 
 
-def test_a_step_is_foreseen_to_cost_little_more_than_none():
-    """Its rings ran through the plate, and the foot's through it: four times as much were foreseen."""
+def test_the_estimated_cost_of_a_step_is_small():
+    """Its rings ran through the plate, and the foot's through it: the estimate was four times as much."""
     pillar = Pillar(3e-3, 12e-3, step=Step(2e-3, 5e-3))
     cell = UnitCell(Lattice.square(6e-3), 1e-3, BRASS, pillar)
     plain = replace(cell, pillar=replace(pillar, step=None))

@@ -39,7 +39,7 @@ def kirchhoff(cell, kappa, count):
 @pytest.mark.nightly
 @given(st.floats(0.008, 0.016), st.floats(1.6, np.pi), st.floats(0.0, 0.3))
 @settings(max_examples=2)
-def test_plain_thin_plates_bend_as_kirchhoff_says(thickness, along, across):
+def test_plain_thin_plates_bend_as_kirchhoff_plates(thickness, along, across):
     cell, kappa = thin_cell(thickness), np.array([along, across])
     model = BlochModel.of(cell, LADDER[1], 10)
     assert model.worst_error <= 2e-3
@@ -49,7 +49,7 @@ def test_plain_thin_plates_bend_as_kirchhoff_says(thickness, along, across):
 
 
 @given(st.floats(0.005, 0.3), st.floats(0.05, 0.97), st.floats(0.05, 6.0), st.sampled_from([10, 60]))
-def test_what_a_first_mesh_takes_is_foreseen(thickness, diameter, height, count):
+def test_the_cost_of_a_first_mesh_is_estimated(thickness, diameter, height, count):
     """It is started within the limit, or refused before it is."""
     cell = thin_cell(thickness, diameter, height)
     tried = LADDER[1].for_bands(cell, count)

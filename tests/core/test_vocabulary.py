@@ -64,11 +64,11 @@ def defined_twice(trees: Mapping[str, ast.Module]) -> dict[str, list[str]]:
     return {name: modules for name, modules in found.items() if len(modules) > 1}
 
 
-def test_no_class_name_stands_twice():
+def test_class_names_are_unique():
     assert defined_twice(TREES) == {}
 
 
-def test_a_class_name_that_stands_twice_would_be_found():
+def test_a_class_name_in_two_modules_is_found():
     one, other = ast.parse("class A: ..."), ast.parse("class A: ...; b = 1")
     assert defined_twice({"a": one, "b": other}) == {"A": ["a", "b"]}
 

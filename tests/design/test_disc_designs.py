@@ -134,7 +134,7 @@ class TestOrderOfDiscs:
             assert sign * brief.limits(np.array([(draft - 0.1) / 0.4]))["taper of the discs"] > 0
         brief.at(brief.feasible(np.array([0.9])))
 
-    def test_the_workshop_limits_what_stands_above(self):
+    def test_the_workshop_limits_the_sizes_of_discs(self):
         room = self.brief(tool=2 * MM, reach=5 * MM, slenderness=1.0).limits(np.array([0.0, 2 / 3]))
         assert room["reach of the tool"] == pytest.approx(1 - 4 / 5)
         assert room["slenderness"] == pytest.approx(1 - 4 / 3)

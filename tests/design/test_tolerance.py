@@ -84,7 +84,7 @@ class TestSurface:
         assert np.mean(doubts) == pytest.approx(np.mean(seen), rel=0.07)
         assert np.mean(doubts) > 1.05  # more than the noise, and than the residual of the fit
 
-    def test_what_is_no_quadratic_is_doubted(self):
+    def test_a_fit_of_a_cubic_has_a_large_error(self):
         x = np.random.default_rng(3).uniform(-1, 1, (40, 2))
         cubic = np.stack([50e3 + 500 * x[:, 0] ** 3, 60e3 + 0 * x[:, 0]], axis=1)[:, :, None]
         doubt = Surface.fitted(x, cubic).doubt

@@ -104,7 +104,7 @@ def test_several_drives_of_a_lossy_plate_start_more_vectors():
 
 
 @pytest.mark.parametrize(("pillars", "bases"), [(12, 1), (120, 2)])
-def test_a_band_above_many_modes_is_foreseen_to_be_answered_twice(pillars, bases):
+def test_a_band_above_many_modes_is_estimated_with_two_bases(pillars, bases):
     """A basis without them was seen to miss most lines; see `forecast.MISSED`."""
     plate = Plate(drawn(" ".join(["o" * 12] * (pillars // 12))), forces=(Force("F", (24e-3, 5e-3)),))
     high, whole = (Counted.of(plate, ResponseSettings(lowest=low, highest=95e3)) for low in (70e3, 100.0))
@@ -114,7 +114,7 @@ def test_a_band_above_many_modes_is_foreseen_to_be_answered_twice(pillars, bases
     assert Counted.of(plate, ResponseSettings().single(60e3)).shifts == ()
 
 
-def test_a_poor_basis_says_so():
+def test_a_poor_basis_is_reported():
     """With most vectors gone the bound has to grow along with the error."""
     full = busy_band().reduced.basis
     for kept in (20, 80):
@@ -258,7 +258,7 @@ def test_a_light_finger_takes_its_share_of_a_mode():
 # -- completeness -------------------------------------------------------------------------------------
 
 
-def test_a_basis_is_complete_where_the_dense_modes_say_so():
+def test_a_basis_has_all_dense_modes_where_it_is_complete():
     basis = busy_band().reduced.basis
     low, high = basis.complete
     assert low == 0.0

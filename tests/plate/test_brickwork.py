@@ -25,7 +25,7 @@ LONG = [
 
 
 @pytest.mark.parametrize("name", CELLS)
-def test_pillars_stand_where_the_lattice_has_them_and_bricks_fill_it(name):
+def test_pillars_are_at_lattice_points_and_bricks_fill_the_layout(name):
     """Every two pillars differ by a lattice vector and the way from site to site; none is missing inside."""
     cell = CELLS[name]
     layout = laid("pppppp pooooo pooooo pooooo pooooo pppppp", cell)

@@ -148,7 +148,7 @@ def test_a_name_that_goes_up_writes_nothing_above():
 
 
 @given(st.sampled_from(NASTY), st.sampled_from(NASTY))
-def test_the_words_for_parts_tell_them_apart(one, other):
+def test_the_names_of_parts_are_unique(one, other):
     keys = [PLATE, SUPPORTS, FINGER]
     keys += [part(name) for name in {one, other} for part in (bond, ceramic, dielectric, electric)]
     assert len({str(key) for key in keys}) == len(keys)

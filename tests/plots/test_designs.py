@@ -163,7 +163,7 @@ class TestFront:
         wanted = np.stack([data["lower"].values, data["upper"].values], axis=1)[held] / 1e3
         assert np.array(ends) == pytest.approx(wanted)
 
-    def test_widths_stand_above_the_bars(self, drawn):
+    def test_widths_are_printed_above_the_bars(self, drawn):
         data = made_up_front().isel(design=slice(2, None))
         texts = drawn["front"].axes[0].texts
         for text, upper, lower in zip(texts[::-1], data["upper"].values, data["lower"].values, strict=True):

@@ -170,7 +170,7 @@ class TestLayers:
                 place = float(point.get_xdata()[0]), float(point.get_ydata()[0])
                 assert place == pytest.approx((k + 1, level))
 
-    def test_every_curve_stands_out_from_the_paper(self, drawn):
+    def test_every_curve_has_contrast_with_the_paper(self, drawn):
         for line in drawn["layers, twelve rows"].axes[0].lines[:12]:
             rgb = np.array(mpl.colors.to_rgb(line.get_color()))
             light = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)

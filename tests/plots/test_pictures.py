@@ -230,15 +230,15 @@ class TestColours:
         return np.array([116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])])
 
     @pytest.mark.parametrize("vision", VISION)
-    def test_any_two_curves_can_be_told_apart(self, vision):
+    def test_any_two_curves_differ_for_all_readers(self, vision):
         for (one, a), (other, b) in combinations(CURVE_STYLES.items(), 2):
             difference = np.linalg.norm(self.lab(a.colour, vision) - self.lab(b.colour, vision))
             assert difference > (30 if a.dashes == b.dashes else 10), (one, other, difference)
 
-    def test_in_grey_dashes_and_markers_tell_curves_apart(self):
+    def test_curves_in_grey_differ_in_dashes_or_markers(self):
         assert len({(stroke.dashes, stroke.marker) for stroke in CURVE_STYLES.values()}) == len(CURVE_STYLES)
 
-    def test_every_curve_stands_out_from_the_paper(self):
+    def test_every_curve_has_contrast_with_the_paper(self):
         for name, stroke in CURVE_STYLES.items():
             luminance = (self.XYZ @ self.linear(stroke.colour, "usual"))[1]
             assert 1.05 / (luminance + 0.05) > 2.0, name

@@ -236,7 +236,7 @@ class TestMaps:
             (text, *_) = (t for t in artists(drawn["maps"], "region name") if t.get_text() == name)
             assert text.xy[0] == pytest.approx(0.5 * (left + right))
 
-    def test_titles_say_where_the_frequency_lies_and_how_far_it_moves(self, drawn):
+    def test_titles_locate_the_frequency_and_give_the_displacement(self, drawn):
         assert [axes.get_title() for axes in drawn["maps"].axes[:3]] == [
             "below the gap\n45.0 kHz\nup to 99 pm/V",
             "in the gap\n58.8 kHz\nup to 821 pm/V",
@@ -246,7 +246,7 @@ class TestMaps:
         assert measured[0].get_title() == "58.8 kHz\nup to 821 pm/V"
         assert measured[1].get_xlabel().startswith("measured")
 
-    def test_where_nothing_was_seen_is_told_from_zero(self):
+    def test_areas_without_data_are_not_drawn_as_zero(self):
         whole = vibration()
         half = FrequencyResponse(whole.dataset.isel(point=whole.points[:, 0] < 60e-3))
         figure = plots.maps(half, [58.8e3], prototype(), GAP)
@@ -263,7 +263,7 @@ class TestMaps:
 
 
 class TestColours:
-    def test_signs_are_told_apart_by_everybody(self):
+    def test_signs_differ_for_colour_blind_readers(self):
         """Red and blue ends differ in hue and are darker than zero, from which they fall evenly."""
         shades = plots.style.diverging()(np.linspace(0, 1, 21))[:, :3]
         light = np.where(shades <= 0.04045, shades / 12.92, ((shades + 0.055) / 1.055) ** 2.4) @ [
@@ -313,7 +313,7 @@ class TestSpectra:
         assert driven.lines[0].get_ydata().max() == pytest.approx(6.0)
         assert drawn["velocity, seven"].axes[0].get_ylabel().endswith("(m/s/N)")
 
-    def test_many_curves_are_told_apart(self, drawn):
+    def test_many_curves_differ_in_style(self, drawn):
         means = artists(drawn["velocity, seven"], "mean")
         assert len(means) == 7
         assert len({(c.get_color(), c.get_linestyle()) for c in means[:5]}) == 5
@@ -351,7 +351,7 @@ class TestSpectra:
 
 
 class TestPlan:
-    def test_pillars_stand_in_the_middle_of_their_cells(self, drawn):
+    def test_pillars_are_drawn_in_the_middle_of_their_cells(self, drawn):
         (pillars,) = artists(drawn["plan"], "pillars")
         boxes = [path.get_extents() for path in pillars.get_paths()]
         assert len(boxes) == 180
@@ -461,7 +461,7 @@ class TestAnimation:
         assert np.corrcoef(curve, cosine)[0, 1] > 0.97
         assert np.abs(tint[6][swing > 100]).max() < 60, "all pass zero together"
 
-    def test_a_travelling_wave_moves_as_exp_i_omega_t_says(self, tmp_path):
+    def test_a_travelling_wave_follows_exp_i_omega_t(self, tmp_path):
         """exp(-i k x) runs to larger x."""
         standing = vibration()
         x = standing.points[:, 0]

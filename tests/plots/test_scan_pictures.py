@@ -44,7 +44,7 @@ def test_the_contrast_and_the_gap_s_uncertainty():
     assert "computed gap 53.0 to 59.0 kHz" in texts(figure)
 
 
-def test_fading_and_the_edge_that_is_told():
+def test_a_decay_map_marks_the_gap_edge():
     fades = xr.DataArray(
         np.outer(LINES / 10e3, [1.0, 2.0, 3.0]), dims=("frequency", "phase"),
         coords={"frequency": LINES, "phase": [0.0, np.pi / 2, np.pi]},

@@ -91,7 +91,7 @@ def test_a_bound_is_met_or_not(relation, ours, agrees):
     assert row.published == f"{relation} 100"
 
 
-def test_a_value_that_nothing_is_compared_with_says_why(tmp_path):
+def test_a_reference_value_needs_a_path_or_a_remark(tmp_path):
     path = tmp_path / "references.toml"
     path.write_text('[[value]]\nquantity = "Asperities"\nvalue = "1 um"\nrole = "experiment"\n')
     with refusing(StudyError, "malformed", "value.0", "remark"):

@@ -234,12 +234,12 @@ class TestHostileInput:
 
 @pytest.mark.usefixtures("empty_pictures")
 class TestChaptersLeftOut:
-    def test_without_sweeps_their_chapter_is_left_out_and_the_head_says_so(self):
+    def test_the_head_of_a_report_without_sweeps_lists_the_omitted_chapter(self):
         reader = read(page(results(sweeps=())))
         assert "sweeps" not in [link["href"].removeprefix("#") for link in reader.of("a")]
         assert "Left out: Sweeps, because they were not computed in this run." in reader.text
 
-    def test_a_study_without_sweeps_is_told_from_one_that_was_not_run(self):
+    def test_a_study_without_sweeps_is_distinguished_from_one_not_run(self):
         text = read(page(results(study=study_with(sweep_settings=()), sweeps=()))).text
         assert "because the study describes none" in text
 
@@ -259,13 +259,13 @@ class TestChaptersLeftOut:
         assert "61.4" not in text
         assert "58.8" not in text
 
-    def test_without_a_mirror_its_chapter_is_left_out_and_the_head_says_so(self):
+    def test_the_head_of_a_report_without_a_mirror_lists_the_omitted_chapter(self):
         reader = read(page(results()))
         assert "mirror" not in [link["href"].removeprefix("#") for link in reader.of("a")]
         assert len(reader.of("img")) == 8
         assert "Left out: Mirror, because it was not computed in this run." in reader.text
 
-    def test_without_a_waveguide_nothing_is_said_of_one(self):
+    def test_the_mirror_chapter_omits_a_missing_waveguide(self):
         reader = read(page(mirrored(waveguide=None, references=None)))
         assert len(reader.of("img")) == 10
         assert "mirror" in [link["href"].removeprefix("#") for link in reader.of("a")]
@@ -277,7 +277,7 @@ class TestChaptersLeftOut:
         made = read(page(results(study=study_with(cell=cell, sweep_settings=()), sweeps=())))
         assert "pitch 7 mm; plate 1.5 mm" in made.text
 
-    def test_every_chapter_is_a_chapter_or_says_why_not(self):
+    def test_every_chapter_is_present_or_gives_a_reason(self):
         left_out = [one.title for one in (c(mirrored()) for c in IN_ORDER) if isinstance(one, Absent)]
         without = ["Plate", "Simulated scan", "Friction at a fingertip", "Friction trials"]
         assert left_out == without, "no plate was computed here"
@@ -288,7 +288,7 @@ class TestChaptersLeftOut:
 
 @pytest.mark.usefixtures("empty_pictures")
 class TestWords:
-    def test_it_says_that_all_is_simulated(self, whole):
+    def test_all_results_are_marked_as_simulated(self, whole):
         text = read(whole).text
         assert "All results on this page are simulated" in text
         for caption in re.findall(r"<figcaption>(.*?)</figcaption>", whole):
@@ -384,7 +384,7 @@ class TestComparison:
         assert off == pytest.approx(ours - 61.4, abs=0.006)
         assert "61.5 kHz" in row[4]
 
-    def test_an_edge_that_agrees_is_said_to_agree(self):
+    def test_an_edge_within_our_error_agrees(self):
         bands = reference_bands()
         bands["gap_upper"][0] = 61.42e3
         assert self.rows(bands=bands)["Complete gap, upper edge"][4].startswith("Agrees within our error")
@@ -407,7 +407,7 @@ class TestComparison:
         bands["gap_complete"][:] = 0
         assert self.rows(bands=bands)["Complete gap, lower edge"][2:4] == ("not computed in this run", "-")
 
-    def test_variants_stand_beside_the_first_of_their_table(self):
+    def test_variants_are_compared_with_the_first_of_their_table(self):
         first, second, third = REFERENCES.variant[:3]
         varied = replace(results(), variants=((first, 50e3), (second, 51e3), (third, None)))
         _, lower, upper = comparison.chapter(varied).tables
@@ -520,7 +520,7 @@ class TestMirror:
         few = replace(layers, dataset=layers.dataset.isel(rows=slice(2)))
         assert "Within the gap" not in " ".join(mirror.chapter(mirrored(layers=few)).findings)
 
-    def test_without_flexural_waves_nothing_is_said_of_them(self):
+    def test_the_mirror_chapter_omits_missing_flexural_waves(self):
         layers = reference_layers()
         for name in ("transmitted", "reflected"):
             layers.dataset[f"carrier_{name}"].loc[{"incident": "A0"}] = np.nan
@@ -547,7 +547,7 @@ class TestMirror:
         slow = mirror.chapter(self.mirror(0.5)).tables[1]
         assert slow.rows[0] == ("A0", 40, "more than 60", "more than 60")
 
-    def test_words_for_the_picture_say_what_passes(self):
+    def test_alternative_text_gives_insertion_loss(self):
         picture = mirror.chapter(self.mirror(7.0)).pictures[0]
         assert "Insertion loss of 4 rows at 60 kHz: A0 28 dB" in picture.alternative
 
@@ -652,7 +652,7 @@ class TestFirstScreen:
         assert note in screen.numbers[0].note
         assert [colour for colour, _, _ in screen.requirements] == ([light] if light else [])
 
-    def test_without_a_gap_it_says_so(self):
+    def test_a_missing_gap_is_reported(self):
         bands = reference_bands()
         bands["gap_complete"][:] = 0
         assert "<strong>none</strong> complete band gap" in page(results(bands=bands, sweeps=()))

@@ -25,7 +25,7 @@ KNOWN = References(friction={"driven": 0.55, "idle": 0.11, "stopped": 0.8})
 
 
 @pytest.mark.parametrize("known", [KNOWN, None])
-def test_measured_numbers_stand_beside_ours_where_there_are_some(result, known):
+def test_known_measured_numbers_are_printed_next_to_ours(result, known):
     made = chapter(Results(SimpleNamespace(), {"friction": result}, references=known))
     assert isinstance(made, Chapter)
     words = " ".join(made.findings)
@@ -38,7 +38,7 @@ def test_measured_numbers_stand_beside_ours_where_there_are_some(result, known):
     assert averages() in made.paragraphs
 
 
-def test_what_is_simulated_says_so(result):
+def test_simulated_results_are_marked(result):
     measured = chapter(Results(SimpleNamespace(), {"friction": result}))
     result.trials.attrs["origin"] = "simulated"
     simulated = chapter(Results(SimpleNamespace(), {"friction": result}))

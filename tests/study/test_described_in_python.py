@@ -70,7 +70,7 @@ def test_there_are_many():
 
 
 @given(st.data())
-def test_a_misspelt_key_is_told_with_the_nearest(data):
+def test_a_misspelt_key_is_refused_with_the_nearest(data):
     kind = data.draw(st.sampled_from([one for one in CLASSES if any(len(s.key) > 3 for s in slots(one))]))
     known = [slot.key for slot in slots(kind)]
     name = data.draw(misspelt(known).filter(lambda one: one not in known))
@@ -95,7 +95,7 @@ def test_a_number_that_is_none_is_reported_with_its_name(given):
 
 
 @pytest.mark.parametrize(("name", "option", "unit"), UNITS)
-def test_an_option_with_a_wrong_unit_is_told_by_its_name(name, option, unit):
+def test_the_error_names_an_option_with_a_wrong_unit(name, option, unit):
     needed = {
         one.name: "x"
         for one in fields(named(name).options)
@@ -107,7 +107,7 @@ def test_an_option_with_a_wrong_unit_is_told_by_its_name(name, option, unit):
 
 
 @given(st.data())
-def test_a_misspelt_option_is_told_with_the_nearest(data):
+def test_a_misspelt_option_is_refused_with_the_nearest(data):
     name = data.draw(st.sampled_from([one for one in NAMES if fields(named(one).options)]))
     known = [one.name for one in fields(named(name).options)]
     if not any(len(one) > 3 for one in known):

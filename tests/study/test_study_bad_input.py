@@ -204,7 +204,7 @@ def test_a_key_in_any_place_but_its_own_is_refused_there(every_key_text):
 
 
 @pytest.mark.parametrize("beside", ["", 'material = "steel"'])
-def test_a_material_in_the_cell_is_told_where_it_belongs(beside):
+def test_a_material_in_the_cell_table_is_refused(beside):
     error = refused(f'{beside}\n[cell]\npitch = "7 mm"\nthickness = "1 mm"\nmaterial = "brass"')
     assert (error.code, error.argument) == ("unknown", "touchpad.toml: cell.material")
 

@@ -21,7 +21,7 @@ class TestUnreadableFiles:
         error = self.refused(tmp_path / "touchpd.toml", "not-found")
         assert str(tmp_path / "touchpad.toml") in error.next_step
 
-    def test_a_link_to_nothing_is_not_told_its_own_name(self, tmp_path):
+    def test_a_broken_link_is_not_suggested_as_a_file(self, tmp_path):
         (tmp_path / "linked.toml").symlink_to(tmp_path / "gone.toml")
         assert "linked.toml" not in self.refused(tmp_path / "linked.toml", "not-found").next_step
 

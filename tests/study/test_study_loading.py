@@ -140,7 +140,7 @@ def test_inputs_ignore_how_a_value_was_written(edited, reference_path):
         assert loads(edited(change)).inputs() != reference.inputs()
 
 
-def test_inputs_of_a_design_do_not_tell_which_sweep_led_to_it(edited):
+def test_inputs_of_a_design_do_not_contain_its_sweep(edited):
     study = loads(edited(("to = 0.8", "to = 0.5"), ("from = 1.0", "from = 2.1")))
     by_width, by_height = (
         study.designs(study.sweep_settings[0])[-1],

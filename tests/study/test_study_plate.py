@@ -267,7 +267,7 @@ class TestRefusals:
     def test_the_study_that_they_change_is_in_order(self):
         assert isinstance(loads(TEXT).mounted_plate(), Plate)
 
-    def test_a_study_without_a_plate_says_how_to_add_one(self):
+    def test_the_error_for_a_missing_plate_names_the_table(self):
         with pytest.raises(StudyError) as caught:
             loads(CELL).mounted_plate()
         assert caught.value.argument == "plate"
@@ -442,7 +442,7 @@ class TestLayout:
 
     @settings(deadline=None, max_examples=60)
     @given(plates())
-    def test_columns_are_as_wide_as_the_study_says(self, drawing):
+    def test_columns_have_the_widths_of_the_study(self, drawing):
         study, lines = drawing
         layout, widths = study.mounted_plate().layout, study.finite_plate.widths
         for j in range(layout.columns):

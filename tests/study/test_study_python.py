@@ -35,7 +35,7 @@ SAME = {
 }
 
 
-def test_values_texts_and_files_say_the_same():
+def test_values_texts_and_files_give_one_study():
     made = {way: Study(**given, carrier="60 kHz", bands={"count": 8}) for way, given in SAME.items()}
     assert len(set(made.values())) == 1
     study = made["values"]

@@ -173,7 +173,7 @@ def test_what_is_no_ribbon_is_refused_in_five_parts(text, code, argument, words)
     assert_told(caught.value, words, code=code, argument=argument)
 
 
-def test_a_study_without_a_ribbon_says_how_to_write_one():
+def test_the_error_for_a_missing_ribbon_names_the_table():
     with pytest.raises(HaptonicError) as caught:
         ribbon.check(loads(STUDY), NoOptions())
     assert_told(caught.value, "[ribbon.tiles]", code="missing", argument="ribbon")

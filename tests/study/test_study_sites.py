@@ -83,7 +83,7 @@ def test_a_study_with_sites_reads_back_from_what_it_writes(text):
     assert loads(study.to_toml()) == study
 
 
-def test_sites_are_where_the_lattice_or_the_table_says():
+def test_sites_come_from_the_lattice_or_from_the_table():
     cell = loads(STUDY + UNEQUAL).cell
     assert cell.shares == pytest.approx(np.array([[1, 1], [2, 2]]) / 3)
     assert [pillar.diameter for pillar in cell.pillars] == [1.5 * MM, 2 * MM]

@@ -128,12 +128,12 @@ def test_the_report_asks_each_analysis_as_well():
     assert asked == []
 
 
-def test_no_analysis_says_nothing():
+def test_an_analysis_requires_supports():
     with pytest.raises(TypeError, match="supports"):
         type(ANALYSES["bands"])(name="mute", result=object, compute=print)
 
 
-def test_a_plan_foresees_what_an_analysis_refuses_of_a_cell():
+def test_a_plan_lists_analyses_that_refuse_the_cell():
     losses = Pillar(3 * MM, 6 * MM, material=material("epoxy"))
     study = Study(cell=cell(losses), carrier=60e3)
     costs = ANALYSES["plan"].compute(study, None, None).costs

@@ -272,7 +272,7 @@ class TestNoise:
 
     @given(st.floats(0.01, 1000.0))
     @settings(max_examples=5)
-    def test_fading_that_noise_hides_is_declared_to_the_gate(self, noise):
+    def test_decay_hidden_by_noise_is_declared_undetermined(self, noise):
         loud = field(lambda phase: (52e3, 62e3), noise=noise, averages=8)
         passed(xr.Dataset({"fading": decay_along(loud, [STRIP])}))
 

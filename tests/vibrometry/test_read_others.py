@@ -95,7 +95,7 @@ class TestMatlab:
         assert scan.frequency == pytest.approx(LINES)
         assert pytest.approx(np.array([X, Y])) == scan.points.T
 
-    def test_numbers_that_are_no_scan_are_doubted(self, tmp_path, save):
+    def test_numbers_in_unlikely_units_cause_warnings(self, tmp_path, save):
         save(tmp_path / "a.mat", h=VALUES, f=0.1 * LINES, x=1e4 * X, y=1e4 * Y)
         with pytest.warns(HaptonicWarning) as said:
             read_scan(tmp_path / "a.mat")

@@ -87,7 +87,7 @@ def test_without_a_model_there_is_one_map(alone):
     assert [name for name in alone.files if name == "scan.html"]
 
 
-def test_a_large_scan_has_fewer_frequencies_and_says_so(alone):
+def test_a_view_reports_omitted_frequencies_of_a_large_scan(alone):
     view = scan_view(alone, most_numbers=2 * 9 * 10)
     lines = view.dataset["frequency"].values
     assert len(lines) in (10, 11)

@@ -259,7 +259,7 @@ def test_hostile_words_are_only_words(browser, bands, tmp_path: Path):
         assert page.evaluate("window.broken") is None
 
 
-def test_a_damaged_page_says_so(browser, address, tmp_path: Path, bands):
+def test_a_damaged_page_is_reported(browser, address, tmp_path: Path, bands):
     text = sent_page(bands.view())
     start = text.index('id="data">') + 2000
     place = tmp_path / "damaged.html"
