@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
-from haptonic.bloch.centred import CentredPencil
-from haptonic.bloch.pencil import Periodic, bloch_pencil, eigenpairs
-from haptonic.cell import MeshPlan, Pillar, UnitCell
+from haptonic.bloch import Resolution
+from haptonic.bloch.centred import CentredPencil, PhasedPencil, lattice_pencil
+from haptonic.bloch.pencil import Periodic, SplitPencil, bloch_pencil, eigenpairs
+from haptonic.cell import Disc, MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.superelement import Tiling, condense
 
@@ -17,11 +18,19 @@ phases = st.tuples(st.floats(-4, 4), st.floats(-4, 4)).map(np.array)
 RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
 CELLS = {"square": (reference_cell(), MeshPlan(2, 1, 2)), "rectangular": (RECTANGULAR, MeshPlan(3, 0, 2))}
 both = pytest.mark.parametrize("name", CELLS)
+SQUARE = Lattice.square(7e-3)
+HOLES = {
+    "round hole": UnitCell(SQUARE, 1e-3, ALUMINIUM, disc=(Disc(4e-3, empty=True),)),
+    "triangular hole": UnitCell(
+        SQUARE, 1e-3, ALUMINIUM, disc=(Disc(2e-3, empty=True, section="polygon", sides=3),)
+    ),
+}
 
 
 @cache
 def tiling(name):
-    return Tiling.single(condense(*CELLS[name], measured=False))
+    cell, plan = CELLS[name] if name in CELLS else (HOLES[name], Resolution(3, 0).plan(HOLES[name]))
+    return Tiling.single(condense(cell, plan, measured=False))
 
 
 @cache
@@ -94,3 +103,31 @@ def test_long_waves_need_no_more_than_the_derivatives_of_translations(name, towa
     kappa = 0.1 * np.array(towards)
     excess = eigenpairs(without, kappa, 1)[0] / eigenpairs(laurent, kappa, 1)[0] - 1
     assert excess > 10 * lost[1][0]
+
+
+@pytest.mark.parametrize("name", HOLES)
+@settings(max_examples=5, deadline=None)
+@given(kappa=phases)
+def test_symmetric_and_antisymmetric_modes_together_are_those_of_the_laurent_pencil(name, kappa):
+    laurent, split = bloch_pencil(tiling(name)), lattice_pencil(tiling(name))
+    assert isinstance(split, SplitPencil)
+    assert {type(part) for part in split.parts} == {CentredPencil if name == "round hole" else PhasedPencil}
+    assert split.size == laurent.size
+    values, modes = eigenpairs(split, kappa, 8)
+    assert values == pytest.approx(eigenpairs(laurent, kappa, 8)[0], rel=1e-8, abs=1e-9 * values[-1])
+    K, M = laurent.at(kappa)
+    fields = split.fields(modes, kappa)[Periodic.of(tiling(name)).free]
+    assert np.abs(K @ fields - M @ fields * values).max() < 1e-8 * np.abs(K @ fields).max()
+    assert fields.conj().T @ M @ fields == pytest.approx(np.eye(8), abs=1e-8)
+
+
+@pytest.mark.parametrize("name", HOLES)
+@settings(max_examples=5, deadline=None)
+@given(kappa=phases)
+def test_other_forms_of_the_tiling_are_projected_like_its_mass(name, kappa):
+    own = tiling(name)
+    for part in lattice_pencil(own).parts:
+        basis = np.random.default_rng(part.size).standard_normal((part.size, 5))
+        expected = basis.T @ part.at(kappa)[1] @ basis
+        for projected in (part.projected(basis), part.projected(basis, (own.stiffness, own.mass))):
+            assert np.abs(projected.at(kappa)[1] - expected).max() < 1e-11 * np.abs(expected).max()
