@@ -143,6 +143,18 @@ def test_the_polynomials_are_orthonormal_over_the_section(section, degree):
         assert turned == pytest.approx((-1) ** parity[0] * values)
 
 
+def test_the_polynomials_of_a_turned_triangle_are_orthonormal():
+    """A corner near the side of the cell needs many blocks, which could represent polynomials of degree 25."""
+    pillar = Pillar(3e-3, 4e-3, "polygon", sides=3, turn=0.12)
+    cell = UnitCell(Lattice.triangular(7e-3), 1.5e-3, ALUMINIUM, pillar)
+    (tile,) = (placed.tile for placed in cell.tiles)
+    body = substructured.pillar_body_of(tile, mesh_cell(tile, Resolution(2, 0).plan(tile)))
+    assert body.kinds == 4
+    points, weights = body.outline.cubature(4 * body.degree + 6)
+    values = body.over_section(PARITIES, *(body.half_width * points.T))
+    assert (values.T * weights) @ values == pytest.approx(np.eye(body.shapes), abs=1e-6)
+
+
 def test_momenta_are_those_of_the_displacement():
     """Of random motions, by Gauss points over the section of one level."""
     body, rng = pillar_body(order=4), np.random.default_rng(3)
