@@ -144,7 +144,7 @@ def test_the_polynomials_are_orthonormal_over_the_section(section, degree):
 
 
 def test_the_polynomials_of_a_turned_triangle_are_orthonormal():
-    """A corner near the side of the cell needs many blocks, which could represent polynomials of degree 25."""
+    """A corner near a side of the cell needs many blocks; their nodes allow polynomials of degree 25."""
     pillar = Pillar(3e-3, 4e-3, "polygon", sides=3, turn=0.12)
     cell = UnitCell(Lattice.triangular(7e-3), 1.5e-3, ALUMINIUM, pillar)
     (tile,) = (placed.tile for placed in cell.tiles)

@@ -33,7 +33,7 @@ from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
 LEAST_DEGREE = (
     2  # over the section: relative error of a frequency up to 1e-3 with 1, about 1e-5 with 2 (round body)
 )
-# Products of monomials of all kinds over a triangle are orthonormal to 4e-7 with 8, to 4e-4 with 10, where the
+# Polynomials of all kinds over a triangle are orthonormal to 4e-7 with 8, and to 4e-4 with 10, where the
 # stiffness of a body was not positive.
 MOST_DEGREE = 8
 LEAST_ORDER, PER_LAYER = (
