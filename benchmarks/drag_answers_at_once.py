@@ -21,7 +21,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from record import RESULTS, ROOT, machine, write
+from diagram_in_a_second import frequencies_and_errors
+from record import RESULTS, ROOT, machine, timed, write
 
 from haptonic.parallel import THREAD_LIMITS, cores
 from haptonic.study import Study, templates
@@ -150,8 +151,9 @@ def dragged(page: Any, path: str) -> dict[str, float]:
 
 
 def drags() -> dict[str, Any]:
-    """Drags on numbers of the touchpad and on a named parameter."""
-    figures: dict[str, Any] = {}
+    """Drags on numbers of the touchpad and on a named parameter, and time of the reference cell's diagram."""
+    frequencies_and_errors()  # what its topology needs once
+    figures: dict[str, Any] = {"reference_s": timed(frequencies_and_errors, repeats=3)[0]}
     numbers = ("cell.pillar.diameter", "cell.pillar.height", "cell.thickness")
     with tempfile.TemporaryDirectory() as folder, chromium() as browser:
         for name, paths in (("touchpad", numbers), ("scaled-cell", ("parameters.a",))):

@@ -644,14 +644,15 @@ def turned_numbers(record: dict[str, Any]) -> str:
             f"{drag['prepared_s']:g} s",
         ]
         for path, drag in record["drags"].items()
-        if path != "commit"
+        if isinstance(drag, dict)
     ]
     bounds = record["bounds"]
     shares = [[cell, f"{share:.2f}"] for cell, share in bounds["largest_share_of_the_bound"].items()]
     return f"""## Numbers that are turned
 
 Sliders of the studio in headless Chromium with software rendering: time from a move to the frame that shows its preview, median and 95th
-percentile; time from the last move to the certified curves; time to prepare the preview.
+percentile; time from the last move to the certified curves; time to prepare the preview. The diagram of the reference cell took
+{record["drags"]["reference_s"]:.1f} s on the machine at that time.
 
 {table(["number", "preview", "certified", "prepared in"], rows)}
 
