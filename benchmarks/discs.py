@@ -176,7 +176,8 @@ def solved(cell: UnitCell, mesh: Resolution) -> tuple[Array, Array]:
         frequencies, errors = [], []
         for kappa in np.pi * SHARES:
             values, modes = eigenpairs(pencil, kappa, MODES)
-            energies = (on_each(form, pencil.fields(modes, kappa)) for form in tiling.surplus)
+            fields = pencil.fields(modes, kappa)
+            energies = (on_each(form, fields) for form in tiling.surplus)
             frequencies.append(hertz(values))
             moving = np.maximum(frequencies[-1], MOVING * frequencies[-1].max())
             errors.append(missing_energy(*energies) / (8 * np.pi**2 * moving))

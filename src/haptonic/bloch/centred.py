@@ -110,10 +110,10 @@ class PhasedPencil:
 
         A pencil whose middle plane is not a mirror is the only one.
         """
-        image = tiling.in_middle_plane()
-        if image is None:
+        reflection = tiling.in_middle_plane()
+        if reflection is None:
             return (self,)
-        source, sign = image
+        source, sign = reflection
         count = len(source)
         mirror = sp.csr_array((sign, (np.arange(count), source)), shape=(count, count))
         on_waves = sp.csr_array((self.spread.conj().T @ mirror @ self.spread).multiply(
@@ -146,13 +146,13 @@ class PhasedPencil:
 
         Only one of two opposite shifts is given; (0, 0) comes first.
         """
-        own = self.forms if forms is None else _on_combinations(self.motions, np.stack(forms))
+        of_motions = _on_combinations(self.motions, np.stack(forms)) if forms else self.forms
         size, spread = basis.shape[1], self.spread @ basis
         parts = np.hstack([spread.real, spread.imag])
         kinds, member = np.unique(np.rint(2 * self.place).astype(np.int64), axis=0, return_inverse=True)
         groups = [np.flatnonzero(member.ravel() == kind) for kind in range(len(kinds))]
         sums = {(0, 0): np.zeros((2, size, size), dtype=complex)}
-        for number, form in enumerate(own):
+        for number, form in enumerate(of_motions):
             for kind, columns in zip(kinds, groups, strict=True):
                 loads = form[columns].T @ parts[columns]
                 for other, rows in zip(kinds, groups, strict=True):

@@ -133,13 +133,10 @@ class Periodic:
         return blocks
 
 
-def bloch_pencil(tiling: Tiling, forms: tuple[Array, Array] | None = None) -> Pencil:
-    """Make the pencil of an infinitely repeated tiling.
-
-    forms : (n, n) forms of the tiling in place of its stiffness and mass
-    """
+def bloch_pencil(tiling: Tiling) -> Pencil:
+    """Make the pencil of an infinitely repeated tiling."""
     periodic = Periodic.of(tiling)
-    stiffness, mass = (periodic.pencil_blocks(f) for f in forms or (tiling.stiffness, tiling.mass))
+    stiffness, mass = (periodic.pencil_blocks(form) for form in (tiling.stiffness, tiling.mass))
     return Pencil(
         shifts=np.array(list(stiffness)),
         stiffness=np.stack(list(stiffness.values())),

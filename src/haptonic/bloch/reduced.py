@@ -103,6 +103,7 @@ class ReducedCell:
         """Enrich a basis until its relative error of ``count`` frequencies is at most ``goal``."""
         whole = lattice_pencil(tiling)
         parts = whole.parts
+        ends = np.cumsum([part.size for part in parts])[:-1]
         masses = [part.at(np.zeros(2))[1].real for part in parts]
         rest = [_orthonormal(part.near_rest(), mass) for part, mass in zip(parts, masses, strict=True)]
         snapshots: list[list[Array]] = [[] for _ in parts]
@@ -119,8 +120,7 @@ class ReducedCell:
                 )
                 lost *= TIGHTER if error > goal else 1.0
             for shapes in modes:
-                shares = np.split(shapes, np.cumsum([part.size for part in parts])[:-1])
-                for of_part, part, share in zip(snapshots, parts, shares, strict=True):
+                for of_part, part, share in zip(snapshots, parts, np.split(shapes, ends), strict=True):
                     of_part.append(part.snapshots(share))
             while True:
                 bases = [
