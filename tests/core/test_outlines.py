@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from five_parts import refusing
-from haptonic.cell import Pillar, Step
+from haptonic.cell import Disc, Pillar, Step
 from haptonic.cell.outlines import CIRCLE, NUMBERS, SECTIONS, Scaled, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import GeometryError
@@ -23,8 +23,8 @@ def rotation(angle):
 
 @st.composite
 def sections(draw):
-    """A pillar with any section, its numbers drawn from those that the section takes."""
-    name = draw(st.sampled_from(sorted(SECTIONS)))
+    """A pillar with any convex section, its numbers drawn from those that the section takes."""
+    name = draw(st.sampled_from(sorted(set(SECTIONS) - {"cross", "snowflake"})))
     takes, given = taken_by(SECTIONS[name]), {}
     diameter = draw(st.floats(1.0, 4.0)) * MM
     if "length" in takes:
@@ -44,6 +44,30 @@ def sections(draw):
     return pillar
 
 
+@st.composite
+def stars(draw):
+    """A disc whose section bends inwards, sharp or with rounded corners."""
+    name, diameter = draw(st.sampled_from(["cross", "snowflake", "points"])), draw(st.floats(1.0, 4.0)) * MM
+    given = {"turn": draw(TURNS)}
+    if name == "points":
+        count = draw(st.integers(3, 5))
+        angles = (
+            math.pi * (np.arange(2 * count) + [draw(st.floats(-0.2, 0.2)) for _ in range(2 * count)]) / count
+        )
+        reach = np.where(np.arange(2 * count) % 2, draw(st.floats(0.3, 0.45)), 1.0)
+        given["point"] = tuple(
+            Corner(x=r * math.cos(angle), y=r * math.sin(angle))
+            for r, angle in zip(reach, angles, strict=True)
+        )
+    else:
+        given["arm_width"] = diameter * draw(st.floats(0.1, 0.5))
+    disc = Disc(diameter, section=name, **given)
+    if draw(st.booleans()):
+        most = 0.5 * diameter * disc.form.sharp.most_rounding
+        disc = replace(disc, corner_radius=draw(st.floats(0.05, 0.95)) * most)
+    return disc
+
+
 def fine(outline):
     return outline.polygon(3000, 200)
 
@@ -53,8 +77,8 @@ def shoelace(points):
     return 0.5 * float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
 
 
-@given(sections())
-@settings(max_examples=20)
+@given(st.one_of(sections(), stars()))
+@settings(max_examples=40)
 def test_area_and_moments_are_those_of_a_fine_polygon(pillar):
     outline = pillar.outline
     loop = fine(outline)
@@ -65,27 +89,30 @@ def test_area_and_moments_are_those_of_a_fine_polygon(pillar):
     # integral of x^2 over a polygon
     exact = (cross * (loop[:, 0] ** 2 + loop[:, 0] * following[:, 0] + following[:, 0] ** 2)).sum() / 12
     assert weights @ points[:, 0] ** 2 == pytest.approx(exact, rel=1e-4)
-    assert pillar.volume == pytest.approx(outline.area * pillar.radius**2 * pillar.height, rel=1e-12)
+    if isinstance(pillar, Pillar):
+        assert pillar.volume == pytest.approx(outline.area * pillar.radius**2 * pillar.height, rel=1e-12)
 
 
-@given(sections(), st.floats(-3.1, 3.1))
-@settings(max_examples=20)
+@given(st.one_of(sections(), stars()), st.floats(-3.1, 3.1))
+@settings(max_examples=40)
 def test_the_support_is_the_farthest_point(pillar, angle):
     outline, direction = pillar.outline, np.array([[math.cos(angle), math.sin(angle)]])
     assert float(outline.support(direction)[0]) == pytest.approx(
         (fine(outline) @ direction[0]).max(), rel=1e-5
     )
     assert outline.inradius == pytest.approx(1.0, rel=1e-12)
+    assert np.linalg.norm(fine(outline), axis=1).min() == pytest.approx(1.0, rel=1e-5)
+    assert outline.reach == pytest.approx(np.linalg.norm(fine(outline), axis=1).max(), rel=1e-5)
 
 
-@given(sections(), st.floats(-3.1, 3.1))
-@settings(max_examples=20)
-def test_a_turned_pillar_has_the_turned_outline(pillar, angle):
+@given(st.one_of(sections(), stars()), st.floats(-3.1, 3.1))
+@settings(max_examples=40)
+def test_a_turned_section_has_the_turned_outline(pillar, angle):
     turned = pillar.turned(angle)
     space = np.eye(3)
     space[:2, :2] = rotation(angle)
     assert pillar.is_image(turned, space)
-    assert turned.volume == pytest.approx(pillar.volume, rel=1e-12)
+    assert turned.outline.area == pytest.approx(pillar.outline.area, rel=1e-12)
     assert pillar.is_image(pillar, np.diag([1.0, -1.0, 1.0])) == pillar.has_symmetry(
         np.diag([1.0, -1.0, 1.0])
     )
@@ -103,6 +130,28 @@ def test_gaps_are_those_between_fine_polygons(pillar, other, angle, away):
     if found > 0:
         assert found == pytest.approx(nearest, abs=0.02 * MM)
         assert found <= nearest * (1 + 1e-9)
+
+
+@given(stars(), stars(), st.floats(0, 6.3), st.floats(6, 12))
+@settings(max_examples=20)
+def test_gaps_of_sections_that_bend_inwards_are_lower_bounds(disc, other, angle, away):
+    from scipy.spatial import cKDTree
+
+    place = away * MM * np.array([math.cos(angle), math.sin(angle)])
+    gap = float(Scaled(disc.outline, disc.radius).gap_to(Scaled(other.outline, other.radius), place[None])[0])
+    here, there = disc.radius * fine(disc.outline), place + other.radius * fine(other.outline)
+    assert gap <= float(cKDTree(here).query(there)[0].min()) * (1 + 1e-9)
+
+
+def test_the_area_of_arms_by_hand():
+    """A cross is two bars without a square; six arms of width w leave a hexagon of width w in the middle."""
+    span, width = 4 * MM, 1 * MM
+    cross = Disc(span, section="cross", arm_width=width)
+    assert cross.outline.area * cross.radius**2 == pytest.approx(2 * span * width - width**2, rel=1e-12)
+    flake = Disc(span, section="snowflake", arm_width=width)
+    hexagon, arm = 1.5 * math.sqrt(3) * width**2, width * (0.5 * span - math.sqrt(3) / 2 * width)
+    assert flake.outline.area * flake.radius**2 == pytest.approx(hexagon + 6 * arm, rel=1e-12)
+    assert flake.radius == pytest.approx(width, rel=1e-12)
 
 
 def test_gaps_by_hand():
@@ -156,13 +205,13 @@ def test_sections_that_are_one(one, other):
     assert one.volume == pytest.approx(other.volume, rel=1e-12)
 
 
-GROUPS = {"square": 8, "hexagon": 12, "rectangle": 4, "ellipse": 4}
+GROUPS = {"square": 8, "hexagon": 12, "rectangle": 4, "ellipse": 4, "cross": 8, "snowflake": 12}
 
 
 @pytest.mark.parametrize(("name", "order"), GROUPS.items())
 def test_symmetry_is_that_of_the_section(name, order):
-    more = {"length": 2 * MM} if "length" in taken_by(SECTIONS[name]) else {}
-    outline = Pillar(3 * MM, 6 * MM, name, turn=0.3, **more).outline
+    more = {number: MM for number in ("length", "arm_width") if number in taken_by(SECTIONS[name])}
+    outline = Disc(3 * MM, section=name, turn=0.3, **more).outline
     turns = [rotation(2 * math.pi * k / 24) for k in range(24)]
     mirrors = [rotation(2 * (0.3 + math.pi * k / 24)) @ np.diag([1.0, -1.0]) for k in range(24)]
     assert sum(outline.has_symmetry(turn) for turn in turns) == order // 2
@@ -184,11 +233,30 @@ REFUSED = {
     "points that bend inwards": (
         {
             "section": "points",
-            "point": tuple(Corner(x=x, y=y) for x, y in ((1, 0), (0.1, 0.1), (0, 1), (-1, -1))),
+            "point": tuple(Corner(x=x, y=y) for x, y in ((1, 0), (0.3, 0.3), (0, 1), (-1, -1))),
+        },
+        "section",
+        "unsupported",
+    ),
+    "points that hide a corner": (
+        {
+            "section": "points",
+            "point": tuple(
+                Corner(x=x, y=y) for x, y in ((1, -1), (1, 0.6), (0.4, 0.2), (0.5, 1), (-1, 1), (-1, -1))
+            ),
         },
         "point",
         "out-of-range",
     ),
+    "a notch like a sliver": (
+        {
+            "section": "points",
+            "point": tuple(Corner(x=x, y=y) for x, y in ((1, 0.1), (0.4, 0.15), (1, 0.2), (-1, 1), (-1, -1))),
+        },
+        "point",
+        "out-of-range",
+    ),
+    "a pillar with arms": ({"section": "cross"}, "section", "unsupported"),
     "points beside the axis": (
         {"section": "points", "point": tuple(Corner(x=x, y=y) for x, y in ((1, 1), (2, 1), (2, 2)))},
         "point",
@@ -218,5 +286,12 @@ def test_above_a_step_the_section_is_a_scaled_copy():
     assert pillar.volume == pytest.approx(below + math.pi * 0.75 * MM * 0.5 * MM * 2 * MM, rel=1e-12)
 
 
-def test_every_number_of_a_section_is_a_field_of_the_pillar():
-    assert set(NUMBERS) <= set(Pillar.__dataclass_fields__)
+def test_every_number_of_a_section_is_a_field_of_a_disc():
+    assert set(NUMBERS) <= set(Disc.__dataclass_fields__)
+    assert set(NUMBERS) - {"arm_width"} <= set(Pillar.__dataclass_fields__)
+
+
+@pytest.mark.parametrize("width", [0.1 * MM, 2.9 * MM])
+def test_arms_like_slivers_and_arms_without_notches_are_refused(width):
+    with refusing(GeometryError, "out-of-range", "cell.disc.arm_width"):
+        Disc(3 * MM, section="cross", arm_width=width)

@@ -4,6 +4,8 @@ The solid of each material is cut out with OpenCascade, and all are glued, so th
 interfaces. Elements along all edges within the cell are small, and split once towards them.
 """
 
+import functools
+import operator
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -23,14 +25,15 @@ Solid = tuple[float, float, float] | tuple[float, float, float, float]
 class PeerDisc:
     """A prism about the middle of the cell between two heights above the plate's lower face, m.
 
-    solid : None where the disc is empty; square : whether its section is a square along x and y
+    solid : None where the disc is empty
+    bars : widths (x, y) of rectangles about the axis that together are its section, m; none for a round one
     """
 
     diameter: float
     low: float
     high: float
     solid: Solid | None
-    square: bool = False
+    bars: tuple[tuple[float, float], ...] = ()
 
 
 def frequencies(
@@ -116,6 +119,8 @@ def _constants(solid: Solid) -> tuple[float, float, float, float]:
 
 def _solid(disc: PeerDisc, pitch: float) -> Any:
     radius, low, high = 0.5 * disc.diameter / pitch, disc.low / pitch, disc.high / pitch
-    if disc.square:
-        return Box((-radius, -radius, low), (radius, radius, high))
+    if disc.bars:
+        halves = 0.5 * np.array(disc.bars) / pitch
+        boxes = [Box((-x, -y, low), (x, y, high)) for x, y in halves.tolist()]
+        return functools.reduce(operator.add, boxes)
     return Cylinder((0.0, 0.0, low), Z, r=radius, h=high - low)

@@ -10,7 +10,7 @@ import pytest
 from five_parts import assert_told, refusing
 from haptonic.analyses import NAMES
 from haptonic.analyses.export import ExportOptions
-from haptonic.cell import Pillar, Site, Solid, UnitCell
+from haptonic.cell import Disc, Pillar, Site, Solid, UnitCell
 from haptonic.cell.outlines import SECTIONS, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import StudyError
@@ -22,6 +22,7 @@ from stacks import DRAFTED, STACKS
 MM = 1e-3
 NUMBERS = {
     "length": 2 * MM,
+    "arm_width": 1 * MM,
     "sides": 5,
     "corner_radius": 0.2 * MM,
     "turn": 0.3,
@@ -34,6 +35,13 @@ def cell(pillar, lattice=SQUARE, **more):
     return UnitCell(lattice, 1.5 * MM, material("aluminium-2017a"), pillar, **more)
 
 
+def with_section(lattice, **numbers):
+    """A cell with a pillar, or with a disc of the same height if its section bends inwards."""
+    if "arm_width" not in numbers:
+        return cell(Pillar(3 * MM, 6 * MM, **numbers), lattice)
+    return cell(None, lattice, disc=(Disc(3 * MM, high=6 * MM, **numbers),))
+
+
 def features():
     """Cells by the feature that each of them has."""
     yield "plain plate", cell(None)
@@ -41,9 +49,9 @@ def features():
         needed = {number: NUMBERS[number] for number, must in taken_by(kind).items() if must}
         every = {number: NUMBERS[number] for number in taken_by(kind)}
         for lattice in (SQUARE, TRIANGULAR):
-            yield f"{name} on {lattice.name}", cell(Pillar(3 * MM, 6 * MM, name, **needed), lattice)
+            yield f"{name} on {lattice.name}", with_section(lattice, section=name, **needed)
             if every != needed:
-                with_all = cell(Pillar(3 * MM, 6 * MM, name, **every), lattice)
+                with_all = with_section(lattice, section=name, **every)
                 yield f"{name} with every number on {lattice.name}", with_all
     yield "pillars on both faces", cell(Pillar(3 * MM, 6 * MM), faces="both")
 
@@ -55,7 +63,7 @@ ANALYSES = {name: import_module(f"haptonic.analyses.{name.replace(' ', '_')}").A
 
 
 @pytest.mark.parametrize("feature", FEATURES)
-def test_each_analysis_supports_every_feature_of_pillars(feature):
+def test_each_analysis_supports_every_section(feature):
     for name, analysis in ANALYSES.items():
         options = ExportOptions() if name == "export" else None
         assert analysis.supports(FEATURES[feature], options) is None, name

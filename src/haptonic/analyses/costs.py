@@ -10,7 +10,6 @@ from pathlib import Path
 
 from haptonic import solvers
 from haptonic.analyses.needs import meshes_of
-from haptonic.bloch.mesh_levels import is_out_of_reach
 from haptonic.errors import HaptonicError
 from haptonic.results.cost import Cost
 from haptonic.study.schema import Description
@@ -30,8 +29,6 @@ def meshes(study: Description, second: float = SECOND) -> Cost:
         resolutions = meshes_of(study)
     except HaptonicError as error:
         return Cost(0.0, refusal=error)
-    if study.bands_settings.resolution is None and is_out_of_reach(cell, study.bands_settings.accuracy):
-        second = FIRST  # all of them are needed
     seconds = FIRST * resolutions[0].seconds(cell) + second * sum(
         mesh.seconds(cell) for mesh in resolutions[1:]
     )

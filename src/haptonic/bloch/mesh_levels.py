@@ -24,9 +24,6 @@ LEAST_THICKNESS = 0.004  # of the longer pitch
 EXPECTED = (5e-3, 2e-3, 8e-4, 4e-4, 2e-4, 1e-4, 3e-5, 1e-5, 2e-6)
 MOST_MEMORY = 0.9  # share of the free memory
 LARGEST_BUDGET = 30 * 86400.0  # s
-# Error of cells with upright edges of discs, towards which no mesh is graded: 1.9e-2 at order 4 and 2.9e-2
-# at order 6 for a square hole in a round inclusion on a triangular lattice. Finer meshes hardly reduce it.
-UPRIGHT = 2e-2
 LOWER = ((3, 0), (2, 1), (2, 0))  # orders and rings below the mesh levels, which [mesh] can set
 
 
@@ -180,28 +177,10 @@ def finer_level(
 
 
 def started(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[Resolution]:
-    """Meshes computed first: the first level, and the next if it fits; errors as in `first_level`.
-
-    If the accuracy is out of reach of all meshes, they are all meshes up to the limits.
-    """
+    """Meshes computed first: the first level, and the next if it fits; errors as in `first_level`."""
     level = first_level(cell, count, accuracy, limits)
     first, *after = (rung.for_bands(cell, count) for rung in LADDER[level : level + 2])
-    if not is_out_of_reach(cell, accuracy):
-        return [first, *(mesh for mesh in after if limits.lack(cell, mesh, first.seconds(cell)) is None)]
-    meshes, spent = [first], first.seconds(cell)
-    while True:
-        finer = finer_level(cell, meshes[-1], level, UPRIGHT / accuracy, limits, spent)
-        if isinstance(finer, Lack):
-            return meshes
-        level, mesh = finer
-        meshes.append(mesh)
-        spent += mesh.seconds(cell)
-
-
-def is_out_of_reach(cell: UnitCell, accuracy: float) -> bool:
-    """True if upright edges of discs are expected to prevent an accuracy on every mesh."""
-    stacks = (placed.tile.stack for placed in cell.tiles)
-    return accuracy < UPRIGHT and any(stack is not None and stack.has_corners for stack in stacks)
+    return [first, *(mesh for mesh in after if limits.lack(cell, mesh, first.seconds(cell)) is None)]
 
 
 def most_bands(cell: UnitCell, fewer_than: int, limits: MeshLimits) -> int:

@@ -42,12 +42,14 @@ class StackBlocks:
     grid : (storeys, annuli) of the stack itself, see `haptonic.cell.stack`
     in_plate : number of its lowest storeys, which form the plate
     storeys, annuli : division of each; the first annulus is around the core, the last reaches the sides
+    around : thin blocks on either side of every corner of an outline with singular stress
     """
 
     grid: Grid
     in_plate: int
     storeys: tuple[Division, ...]
     annuli: tuple[Division, ...]
+    around: int = 0
 
     @property
     def thin(self) -> int:

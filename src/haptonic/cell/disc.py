@@ -13,12 +13,14 @@ from haptonic.cell.outlines import SectionName
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.pillar_parts import Corner
 from haptonic.cell.sectioned import (
+    ARM_WIDTH,
     CORNER_RADIUS,
     CORNERS,
     LENGTH,
     SECTION,
     SIDES,
     TURN,
+    ArmWidth,
     CornerRadius,
     Sectioned,
     SectionLength,
@@ -104,6 +106,7 @@ class Disc(Sectioned):
     )
     section: SectionName = SECTION
     length: SectionLength = LENGTH
+    arm_width: ArmWidth = ARM_WIDTH
     sides: SectionSides = SIDES
     corner_radius: CornerRadius = CORNER_RADIUS
     turn: SectionTurn = TURN

@@ -17,8 +17,8 @@ from haptonic.arrays import Array, Bools
 from haptonic.cell.blocks import Division, StackBlocks
 from haptonic.cell.edges import BRIDGED, CORE_RADIUS, EDGE_GRADING, EDGE_WIDTH, MOST_APART
 from haptonic.cell.orders import ROUNDING
-from haptonic.cell.stack import Stack
-from haptonic.cell.tile import TileShape
+from haptonic.cell.stack import TURNS, Stack
+from haptonic.cell.tile import TileShape, sides_of
 
 RING_GROWTH = 2.0  # ratio of outer to inner half-width of a ring
 # length of an element in the plate, and above it, in diameters of the narrowest disc, as for a pillar
@@ -89,15 +89,18 @@ def annuli_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
     elements have the same shares of its width. Thin rings are thin enough for the edges on every level.
     """
     ends, rooms = _ends(tile, stack, stack.widths), _rooms(tile, stack)
+    singular = stack.singular | np.array([any(corners) for corners in stack.singular_corners])[:, None]
     annuli = []
     for number, (low, high) in enumerate(pairwise(ends)):
         level, width = int((high / low).argmax()), high - low
         near_low, near_high = (
-            width[level] * _reach(rooms[border] / width, stack.singular[border], rings)
+            width[level] * _reach(rooms[border] / width, singular[border], rings)
             if 0 <= border < len(rooms) else np.empty(0)
             for border in (number - 1, number)
         )  # fmt: skip
         growth = RING_GROWTH if number else 0.0
+        if number == len(rooms) and not stack.outline.is_convex:
+            growth **= math.log(high[level] / low[level]) / math.log(_farthest(tile, stack))
         annuli.append(Interval(float(low[level]), float(high[level]), near_low, near_high, growth=growth))
     return annuli
 
@@ -132,12 +135,15 @@ def storeys_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
 
 
 def blocks_of(tile: TileShape, stack: Stack, rings: int) -> StackBlocks:
-    """Blocks of a stack with ``rings`` thin elements at every singular edge."""
+    """Blocks of a stack with ``rings`` thin elements at every singular edge, one more with upright edges."""
+    has_upright = any(map(any, stack.singular_corners))
+    rings += has_upright
     return StackBlocks(
         grid=stack.grid,
         in_plate=stack.in_plate,
         storeys=tuple(storey.division for storey in storeys_of(tile, stack, rings)),
         annuli=tuple(annulus.division for annulus in annuli_of(tile, stack, rings)),
+        around=rings if has_upright else 0,
     )
 
 
@@ -157,6 +163,13 @@ def _ends(tile: TileShape, stack: Stack, widths: Array) -> Array:
     """(annuli + 1, ...) half-widths from the core to the tile's side, for those of the borders, m."""
     side = np.full_like(widths[:1], stack.widest + tile.clearance)
     return np.concatenate([CORE_RADIUS * widths[:1], widths, side])
+
+
+def _farthest(tile: TileShape, stack: Stack) -> float:
+    """Largest ratio of the distances of the tile's sides and of the last border from the axis."""
+    border = stack.widest * stack.outline.polygon(TURNS, 8)
+    normal, away = sides_of(tile.corners)
+    return float((1 / (border @ normal.T / away).max(axis=1)).max())
 
 
 def _rooms(tile: TileShape, stack: Stack) -> Array:

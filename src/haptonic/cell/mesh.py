@@ -119,6 +119,7 @@ class _Outlines:
     rings : each border about the axis, for a half-width of 1
     stack : discs whose borders these are, if any
     rim : around the cell, or around the pillar for a piece of a pillar, m
+    side : half-width of the rim where the last border is next to it, m
     shares : positions of the nodes along a side of a patch of the core
     """
 
@@ -126,24 +127,31 @@ class _Outlines:
     rings: tuple[Array, ...]
     stack: Stack | None
     rim: Array
+    side: float
     shares: Array
 
     @classmethod
     def of(cls, cell: TileShape, plan: MeshPlan) -> _Outlines:
         along = 0.5 * (1 + lobatto(plan.order)[0])
         share = side_shares(plan)
-        corners, borders = cell.corners, sectors(cell, plan.blocks)
+        corners, borders = cell.corners, sectors(cell, plan.blocks, plan.thin_around)
         rings = tuple(around.points(along[:-1]) for around in borders)
         core = borders[0].core(along[:-1])
         whole = np.append(share, 1.0)
         shares = whole if len(corners) == 4 else 2 * whole[: plan.side // 2 + 1]
         rim = along_sides(corners, share) if cell.free_width is None else cell.free_width * rings[0]
-        return cls(core=core, rings=rings, stack=cell.meshed_stack, rim=rim, shares=shares)
+        return cls(core=core, rings=rings, stack=cell.meshed_stack, rim=rim, side=cell.room, shares=shares)
 
     def ring(self, width: float, height: float) -> Array:
-        """Curve for a half-width at a height, m: between two borders, beyond them like the nearest one."""
+        """Curve for a half-width at a height, m: between two borders, beyond them like the nearest one.
+
+        If the last border bends inwards, curves beyond it are between it and the rim.
+        """
         borders = self.stack.widths_at(height) if self.stack else np.empty(0)
         number = int(np.searchsorted(borders, width))
+        if number and number == len(borders) and self.stack and not self.stack.outline.is_convex:
+            share = (width - borders[-1]) / (self.side - borders[-1])
+            return np.asarray((1 - share) * borders[-1] * self.rings[-1] + share * self.rim)
         if number in (0, len(borders)):
             return width * self.rings[min(number, len(self.rings) - 1)]
         low, high = borders[number - 1 : number + 1]

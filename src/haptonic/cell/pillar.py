@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
-from haptonic.cell.outlines import Scaled, SectionName
+from haptonic.cell.outlines import SECTIONS, Scaled, SectionName, taken_by
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.pillar_parts import Corner, Fillet, Step
 from haptonic.cell.quadrature import lobatto
@@ -126,7 +126,18 @@ class Pillar(Sectioned):
     )
 
     def __post_init__(self) -> None:
-        self.check_section()
+        has_arms = "arm_width" in taken_by(SECTIONS[self.section])
+        if not has_arms:
+            self.check_section()
+        if has_arms or not self.outline.is_convex:
+            raise problem(
+                "unsupported",
+                f"a pillar whose section is {self.section} and bends inwards",
+                "a convex section; discs may have others",
+                "the mesh of a pillar is not refined towards upright edges",
+                "give it as a [[cell.disc]] with the same numbers, and its height as high",
+                at="section",
+            )
         self.check_sides("draft", "fillet")
         if self.material is not None and self.fillet:
             # No mesh is graded towards the fillet's rim, where the materials meet: errors of steel on

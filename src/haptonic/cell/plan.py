@@ -44,6 +44,9 @@ PLATE_LAYER, MOST_BELOW_BRIDGES = 1.0, 2
 # 4e-5 to 6e-4 at order 4, and at most 1e-3 for four inclusions in plates of 0.02 pitches.
 BENT_NECK = 0.9
 LEAST_DIVIDED = 3  # order of elements divided at an outline's corners
+# The same around discs. With 4 the two polynomials of a kind that the estimate compares are of degree 4 and
+# 2, and it was 50 times the error around a square hole.
+LEAST_COMPARED = 5
 
 
 @dataclass(frozen=True)
@@ -109,7 +112,8 @@ class MeshPlan:
         if sides != 4:
             share = plan.side * 4 / sides / 2
             plan = replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
-        return plan.divided(least_blocks(cell, plan.blocks) or plan.blocks, LEAST_DIVIDED)
+        blocks = least_blocks(cell, plan.blocks, plan.thin_around) or plan.blocks
+        return plan.divided(blocks, max(plan.outward, LEAST_COMPARED) if plan.stack else LEAST_DIVIDED)
 
     @property
     def foot(self) -> MeshPlan:
@@ -249,6 +253,11 @@ class MeshPlan:
             return MeshPlan.suited(cell, self.upward - 1, self.foot_rings)
         orders = {name: getattr(self, name) for name in ("order", "outward", "upward", "along", "thin")}
         return replace(self, **{name: max(order - 1, 1) for name, order in orders.items()})
+
+    @property
+    def thin_around(self) -> int:
+        """Thin blocks on either side of a corner of an outline with singular stress."""
+        return self.stack.around if self.stack else 0
 
     @property
     def side(self) -> int:

@@ -22,6 +22,8 @@ LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
 SECTION = setting("round", "Seen from above; before it is turned, sides of a square lie along x and y.")
 SectionLength = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
 LENGTH = setting(None, "Width of a rectangle or an ellipse along y.", title="Length of the section")
+ArmWidth = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
+ARM_WIDTH = setting(None, "Width of each arm of a cross or a snowflake.", title="Width of the arms")
 SectionSides = Annotated[int, Field(ge=3, le=MOST_CORNERS)] | None
 SIDES = setting(None, "Number of sides of a regular polygon.", title="Number of sides")
 CornerRadius = Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST)] | None
@@ -30,10 +32,13 @@ SectionTurn = Annotated[float, Quantity("rad", at_least=-math.pi, at_most=math.p
 TURN = setting(None, "By which the section is turned, anticlockwise.", title="Turn of the section")
 CORNERS = setting(
     (),
-    "Corners of a convex section, in order; it is that of the name points.",
+    "Corners of a section, in order, all of them seen from the axis; it is that of the name points.",
     title="Corners of the section",
     max_length=MOST_CORNERS,
 )
+
+
+LENGTHS = ("length", "arm_width", "corner_radius")  # numbers of a section beside its diameter, in m
 
 
 class Sectioned:
@@ -45,6 +50,7 @@ class Sectioned:
     diameter: float
     section: SectionName
     length: float | None
+    arm_width: float | None = None  # discs declare it; sections of pillars bend inwards nowhere
     sides: int | None
     corner_radius: float | None
     turn: float | None
@@ -88,11 +94,11 @@ class Sectioned:
     @cached_property
     def form(self) -> Section:
         """The section with its numbers: lengths per diameter, radii per half diameter."""
-        per_half = {"length": 1 / self.diameter, "corner_radius": 2 / self.diameter}
+        per_half = {"length": 1.0, "arm_width": 1.0, "corner_radius": 2.0}
         numbers: dict[str, Any] = {}
         for name in taken_by(SECTIONS[self.section]):
             if (given := getattr(self, name)) is not None:
-                numbers[name] = given * per_half[name] if name in per_half else given
+                numbers[name] = per_half[name] * given / self.diameter if name in per_half else given
         return SECTIONS[self.section](**numbers)
 
     @cached_property
@@ -145,5 +151,5 @@ class Sectioned:
 
     def scaled_numbers(self, factor: float) -> dict[str, Any]:
         """Lengths of the section beside the diameter, multiplied by a factor."""
-        return {name: given and given * factor for name, given in
-                (("length", self.length), ("corner_radius", self.corner_radius))}  # fmt: skip
+        return {name: given and given * factor for name in LENGTHS
+                if (given := getattr(self, name)) is not None}  # fmt: skip

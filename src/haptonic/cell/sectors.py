@@ -15,17 +15,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from haptonic.arrays import Array, Ints
+from haptonic.arrays import Array
+from haptonic.cell.block_ends import SAME, ends_at_joints, parameters_of_ends
 from haptonic.cell.outlines import CIRCLE, Outline, Scaled
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape, room_in
 
-MOST_BLOCKS = 8  # for each side
-SAME = 1e-6  # of a radius: closer places coincide
-FARTHEST = 1.2  # largest shift of a block's end from its even position to a joint, in even spacings
+MOST_BLOCKS = 12  # for each side
 RINGS = 0.4  # of the clearance, largest share of the rings about a pillar
 CORE_BULGE = 0.45  # edges of the core: 0 for chords, 1 for arcs
-TIE, SAME_COST = 1e-6, 1e-12  # relative to the square of a shift
 SHARES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])  # of a block, positions of the check of elements
 # rotations and mirrors by which meshes are folded, see `superelement.symmetry`
 OPERATIONS = tuple(
@@ -94,18 +92,23 @@ class Sectors:
         return CORE_BULGE * curve + (1 - CORE_BULGE) * along_sides(curve[:: len(along)], along)
 
 
-def sectors(tile: TileShape, blocks: int) -> tuple[Sectors, ...]:
+def sectors(tile: TileShape, blocks: int, thin: int) -> tuple[Sectors, ...]:
     """Sectors of each border of a tile with ``blocks`` blocks for each side, see `least_blocks`."""
-    suited = [_sectors(seen, blocks) for seen in _Seen.of(tile.above)]
-    return tuple(around for around in suited if around is not None)
+    borders = tuple(_Seen.of(tile.above))
+    for fewer in range(thin, -1, -1):
+        if (around := _suited(borders, _widths(tile), blocks, fewer)) is not None:
+            return around
+    return ()
 
 
-def least_blocks(tile: TileShape, blocks: int) -> int | None:
-    """Smallest multiple of a number of blocks for each side that suits all borders; None if there is none."""
-    borders, most = _Seen.of(tile.above), max(MOST_BLOCKS, blocks)
-    widths = _widths(tile)
-    suited = (n for n in range(blocks, most + 1, blocks) if _suit(tuple(borders), widths, n))
-    return next(suited, None)
+def least_blocks(tile: TileShape, blocks: int, thin: int) -> int | None:
+    """Smallest multiple of a number of blocks for each side that suits all borders; None if there is none.
+
+    thin : number of thin blocks on either side of a corner with singular stress; fewer if they do not fit
+    """
+    borders, most = tuple(_Seen.of(tile.above)), max(MOST_BLOCKS, blocks)
+    choices = ((fewer, n) for fewer in range(thin, -1, -1) for n in range(blocks, most + 1, blocks))
+    return next((n for fewer, n in choices if _suited(borders, _widths(tile), n, fewer) is not None), None)
 
 
 def _widths(tile: TileShape) -> tuple[tuple[float, ...], ...]:
@@ -117,22 +120,26 @@ def _widths(tile: TileShape) -> tuple[tuple[float, ...], ...]:
 
 
 @lru_cache(maxsize=256)
-def _suit(borders: tuple[_Seen, ...], widths: tuple[tuple[float, ...], ...], blocks: int) -> bool:
-    """True if a number of blocks suits all borders, and the rings between them are sound on every level."""
-    around = [_sectors(seen, blocks) for seen in borders]
-    if None in around:
-        return False
-    curves = [part.points(SHARES).reshape(-1, len(SHARES), 2) for part in around if part is not None]
-    return all(
+def _suited(
+    borders: tuple[_Seen, ...], widths: tuple[tuple[float, ...], ...], blocks: int, thin: int
+) -> tuple[Sectors, ...] | None:
+    """Sectors of all borders with sound rings between them on every level; None if the blocks do not suit."""
+    suited = [_sectors(seen, blocks, thin) for seen in borders]
+    around = tuple(part for part in suited if part is not None)
+    if len(around) < len(suited):
+        return None
+    curves = [part.points(SHARES).reshape(-1, len(SHARES), 2) for part in around]
+    sound = all(
         _is_ring_sound(low * inner, high * outer)
         for level in widths
         for (low, high), (inner, outer) in zip(pairwise(level), pairwise(curves), strict=True)
     )
+    return around if sound else None
 
 
 def unmeshed(tile: TileShape) -> dict[str, str] | None:
     """Parts of the error for a feature that no blocks suit; None if it can be meshed."""
-    if tile.feature is None or least_blocks(tile, 1 if len(tile.corners) == 4 else 2) is not None:
+    if tile.feature is None or least_blocks(tile, 1 if len(tile.corners) == 4 else 2, 0) is not None:
         return None
     return {
         "given": f"a section that is {tile.feature.section}",
@@ -147,8 +154,9 @@ class _Seen:
     """Input for the choice of blocks: the outline, the polygon around it in half-widths, and the symmetry.
 
     angles : of `corner_angles`
-    beyond : half-width of the last ring, which is a scaled copy of the outline
+    beyond : half-width of the last ring that is a scaled copy of the outline
     operations : indices in `OPERATIONS` of those that leave the tile unchanged
+    singular : True for the joints of the outline along which stress is singular
     """
 
     outline: Outline
@@ -156,6 +164,7 @@ class _Seen:
     angles: tuple[float, ...]
     beyond: float
     operations: tuple[int, ...]
+    singular: tuple[bool, ...]
 
     @classmethod
     def of(cls, tile: TileShape) -> list[_Seen]:
@@ -169,7 +178,9 @@ class _Seen:
                 if tile.has_symmetry(space):
                     operations.append(number)
         seen = []
-        for border in borders:
+        smooth = [(False,) * border.outline.joints for border in borders]
+        singular = tile.stack.singular_corners if tile.stack else smooth
+        for border, corners_of_border in zip(borders, singular, strict=True):
             width = border.half_width
             corners = np.round(tile.corners / width, 12)
             clearance = room_in(tile.corners, border.outline) - width
@@ -178,26 +189,27 @@ class _Seen:
                     outline=border.outline,
                     corners=tuple((float(x), float(y)) for x, y in corners),
                     angles=tuple(float(angle) for angle in corner_angles(tile)),
-                    beyond=round(1 + RINGS * max(clearance, 0.0) / width, 12),
+                    beyond=round(1 + RINGS * border.outline.is_convex * max(clearance, 0.0) / width, 12),
                     operations=tuple(operations) if border.outline.joints else (),
+                    singular=corners_of_border,
                 )
             )
         return seen
 
 
 @lru_cache(maxsize=256)
-def _sectors(seen: _Seen, blocks: int) -> Sectors | None:
+def _sectors(seen: _Seen, blocks: int, thin: int) -> Sectors | None:
     """Sectors of ``blocks`` blocks, computed directly or by subdivision of fewer blocks that suit."""
-    around = _of_blocks(seen, blocks)
+    around = _of_blocks(seen, blocks, thin)
     for fewer in range(blocks // 2, 0, -1):
-        if around is None and not blocks % fewer and (coarse := _of_blocks(seen, fewer)) is not None:
+        if around is None and not blocks % fewer and (coarse := _of_blocks(seen, fewer, thin)) is not None:
             number = np.arange(len(seen.corners) * blocks + 1) / (blocks // fewer)
             place = np.interp(number, np.arange(len(coarse.place)), coarse.place)
             around = Sectors(seen.outline, place, blocks)
     return around
 
 
-def _of_blocks(seen: _Seen, blocks: int) -> Sectors | None:
+def _of_blocks(seen: _Seen, blocks: int, thin: int) -> Sectors | None:
     outline, corner = seen.outline, np.array(seen.angles)
     share = np.arange(blocks) / blocks
     even = np.append((corner[:-1, None] + share * np.diff(corner)[:, None]).ravel(), corner[-1])
@@ -205,10 +217,11 @@ def _of_blocks(seen: _Seen, blocks: int) -> Sectors | None:
         return Sectors(outline, even, blocks)
     rim = _along(np.array(seen.corners), blocks)[..., 0, :].reshape(-1, 2)
     operations = _group(seen.operations)
-    ends = _ends(outline, even, blocks, rim, operations)
+    thin_at = thin * np.array(seen.singular, dtype=int)
+    ends = ends_at_joints(outline, seen.beyond, even, rim, blocks, operations, thin_at)
     if ends is None:
         return None
-    around = Sectors(outline, _filled(outline.joints, ends, len(even) - 1), blocks)
+    around = Sectors(outline, parameters_of_ends(outline, ends, len(even) - 1, thin_at), blocks)
     sound = _keeps(around, rim, operations) and _is_sound(around, seen)
     return around if sound else None
 
@@ -223,77 +236,6 @@ def _group(numbers: tuple[int, ...]) -> list[Array]:
             if not any(np.abs(product - other).max() < SAME for other in group):
                 group.append(product)
     return group
-
-
-def _ends(outline: Outline, even: Array, blocks: int, rim: Array, operations: list[Array]) -> Ints | None:
-    """(joints,) number of the block's end for each joint, counted on over a whole turn; None without any.
-
-    They keep the order and have the least squares of shifts. A joint on the axis of a mirror has an end on
-    it, and no other joint has one.
-    """
-    count, joints = len(even) - 1, outline.joints
-    if joints > count:
-        return None
-    place = outline.at(np.arange(joints, dtype=float))
-    angle = np.unwrap(np.arctan2(place[:, 1], place[:, 0]))
-    if np.ptp(angle) >= 2 * np.pi:
-        return None
-    gap = 2 * np.pi / count
-    mirrors = [turn for turn in operations if np.linalg.det(turn) < 0]
-    on_joint = np.array([_on_axis(place, turn) for turn in mirrors]).reshape(-1, joints)
-    on_end = np.array([_on_axis(rim, turn) for turn in mirrors]).reshape(-1, count)
-    best: tuple[float, list[int]] | None = None
-    first = int(np.argmin(np.abs(np.angle(np.exp(1j * (even[:-1] - angle[0]))))))
-    turns = round(float(angle[0] - even[first]) / (2 * np.pi))
-    for start in range(first - 2, first + 3):
-        number = np.arange(start, start + count)
-        direction = even[number % count] + 2 * np.pi * (number // count + turns)
-        shift = (direction - angle[:, None]) / gap
-        # of two equally near ends, the one nearer to a corner of the tile, so that all images agree
-        cost = shift**2 + TIE * np.minimum(number % blocks, -number % blocks)
-        cost[np.abs(shift) > FARTHEST] = np.inf
-        cost[(on_joint[:, :, None] != on_end[:, None, number % count]).any(axis=0)] = np.inf
-        cost[0, 1:] = np.inf
-        cheapest = _cheapest(cost)
-        if cheapest is not None and (best is None or cheapest[0] < best[0] - SAME_COST):
-            best = cheapest[0], [int(number[k]) for k in cheapest[1]]
-    return None if best is None else np.array(best[1])
-
-
-def _on_axis(points: Array, turn: Array) -> Array:
-    return np.asarray(np.linalg.norm(points @ turn.T - points, axis=1) < SAME)
-
-
-def _cheapest(cost: Array) -> tuple[float, list[int]] | None:
-    """Increasing columns, one for each row, with the least sum of costs; None if all are infinite."""
-    rows, columns = cost.shape
-    total = np.full((rows, columns), np.inf)
-    total[0] = cost[0]
-    came = np.zeros((rows, columns), dtype=int)
-    for row in range(1, rows):
-        before = np.concatenate([[np.inf], total[row - 1, :-1]])
-        least = np.minimum.accumulate(before)
-        reached = np.where(before == least, np.arange(columns) - 1, 0)
-        came[row] = np.maximum.accumulate(np.where(before <= least, reached, 0))
-        total[row] = cost[row] + least
-    last = int(np.argmin(total[-1]))
-    if not np.isfinite(total[-1, last]):
-        return None
-    path = [last]
-    for row in range(rows - 1, 0, -1):
-        path.append(int(came[row, path[-1]]))
-    return float(total[-1, last]), path[::-1]
-
-
-def _filled(joints: int, ends: Ints, count: int) -> Array:
-    """(count + 1,) parameters of all ends from those (joints,) at joints: even between two of them."""
-    fixed, place = np.append(ends, ends[0] + count), np.arange(joints + 1, dtype=float)
-    number = np.arange(count + 1)
-    below = number < fixed[0]
-    place_of = np.interp(number + count * below, fixed, place) - joints * below
-    beyond = number > fixed[-1]
-    place_of[beyond] = np.interp(number[beyond] - count, fixed, place) + joints
-    return np.asarray(place_of)
 
 
 def _keeps(around: Sectors, rim: Array, operations: list[Array]) -> bool:

@@ -167,6 +167,22 @@ class Stack:
         juts_out = solid.sum(axis=0) == 1
         return np.asarray(~(smooth | level | juts_out).T)
 
+    @cached_property
+    def singular_corners(self) -> tuple[tuple[bool, ...], ...]:
+        """For each border, True for the joints of its outline along which stress is singular.
+
+        There the solid on one side of the border fills more than half a turn, or two materials meet.
+        """
+        grid = np.array(self.grid)
+        corners = []
+        for border, inner, outer in zip(self.borders, grid.T[:-1], grid.T[1:], strict=True):
+            meet = (inner != outer) & (inner != VOID) & (outer != VOID)
+            convex = ((inner == VOID) & (outer != VOID)).any() or meet.any()
+            concave = ((inner != VOID) & (outer == VOID)).any() or meet.any()
+            bend = border.outline.bends
+            corners.append(tuple(((bend > SAME) & convex | (bend < -SAME) & concave).tolist()))
+        return tuple(corners)
+
     def layers(self, like: Stack) -> Array:
         """(storeys,) thicknesses of the storeys of a stack with as many discs, for the ends in this one, m.
 

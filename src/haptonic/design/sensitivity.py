@@ -183,7 +183,7 @@ def _velocities(
         assert len(tile.corners) == plan.sides, "a tile keeps its sides"
         mesh = mesh_cell(tile, plan)
         meshes.append((mesh.points, through_levels(tile, mesh, shared.levels)))
-        ends.append(np.concatenate([around.place for around in sectors(tile, plan.blocks)]))
+        ends.append(np.concatenate([around.place for around in sectors(tile, plan.blocks, plan.thin_around)]))
     (here, map_ahead), (there, map_behind) = meshes
     if np.abs(ends[0] - ends[1]).max() > SAME_BLOCKS:
         raise GeometryError.unsupported(

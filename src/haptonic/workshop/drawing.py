@@ -20,6 +20,7 @@ from scipy.spatial import cKDTree
 from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.cell import Disc, Pillar
 from haptonic.cell.outlines import Scaled
+from haptonic.cell.sectioned import LENGTHS
 from haptonic.cell.stack import Stack
 from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.workshop.dimensions import checked_tolerances, degrees, number, text_of
@@ -144,7 +145,7 @@ def _disc(disc: Disc, part: Part) -> str:
     solid = "empty" if disc.empty else (disc.material or part.cell.material).name
     widths = " to ".join(map(number, disc.diameters(part.cell.thickness / MM)))
     texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{widths}"]
-    texts += [f"{name.replace('_', ' ')} {number(value)}" for name in ("length", "corner_radius")
+    texts += [f"{name.replace('_', ' ')} {number(value)}" for name in LENGTHS
               if (value := getattr(disc, name))]  # fmt: skip
     if disc.draft:
         texts.append(f"draft {degrees(disc.draft)}")

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import MISSING, fields
 from typing import Any, Literal
 
+from haptonic.cell.outlines.arms import Cross, Snowflake
 from haptonic.cell.outlines.ellipse import Ellipse
 from haptonic.cell.outlines.outline import Outline, Scaled
 from haptonic.cell.outlines.oval import CIRCLE
@@ -17,7 +18,9 @@ from haptonic.cell.outlines.section import Section
 
 __all__ = ["CIRCLE", "NUMBERS", "SECTIONS", "Outline", "Scaled", "Section", "SectionName", "taken_by"]
 
-SectionName = Literal["round", "square", "rectangle", "hexagon", "polygon", "ellipse", "points"]
+SectionName = Literal[
+    "round", "square", "rectangle", "hexagon", "polygon", "ellipse", "points", "cross", "snowflake"
+]
 SECTIONS: Mapping[SectionName, type[Section]] = {
     "round": Round,
     "square": Square,
@@ -26,6 +29,8 @@ SECTIONS: Mapping[SectionName, type[Section]] = {
     "polygon": RegularPolygon,
     "ellipse": Ellipse,
     "points": Corners,
+    "cross": Cross,
+    "snowflake": Snowflake,
 }
 
 

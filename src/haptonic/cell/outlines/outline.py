@@ -1,4 +1,4 @@
-"""The outline of a section: a closed convex curve about the origin.
+"""The outline of a section: a closed curve about the origin, from which every point of it is seen.
 
 All users of a shape use its outline: the mesh (`Outline.at`), the body of a prism (`Outline.cubature`),
 clearances (`Outline.support`), symmetry, files and pictures (`Outline.polygon`). The parameter of a place
@@ -27,11 +27,13 @@ class Outline:
     flats : (n, 2) outward normals of straight sides
     is_tangential : True if every side touches the circle of radius 1: parallel curves are scaled copies
     warps : True if torsion bends the section out of its plane
+    is_convex : True if the curve bends inwards nowhere
     """
 
     joints: int
     is_tangential: bool
     warps: bool
+    is_convex: bool = True
 
     @property
     def corners(self) -> Array:
@@ -111,6 +113,11 @@ class Outline:
         return np.array([np.tan(0.25 * self._turning(piece)) for piece in range(self.joints)])
 
     @property
+    def bends(self) -> Array:
+        """(joints,) jump of the slope's angle at each joint, rad; positive where the inside is convex."""
+        return np.zeros(self.joints)
+
+    @property
     def half_axes(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Larger and smaller half-axis of a smooth outline, and the direction of the larger one."""
         raise NotImplementedError
@@ -129,7 +136,7 @@ class Outline:
             return self.at(2 * np.pi * np.arange(count) / count)
         points = []
         for piece in range(self.joints):
-            bent = self._turning(piece) / (2 * np.pi)
+            bent = abs(self._turning(piece)) / (2 * np.pi)
             parts = max(int(np.ceil(count * bent - SAME)), 1) if bent > SAME else pieces
             points.append(self.at(piece + np.arange(parts) / parts))
         return np.concatenate(points)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from haptonic.cell.outlines.convex import Convex
+import numpy as np
+
+from haptonic.cell.outlines.polygon import Polygon
 from haptonic.cell.outlines.section import Polygonal
 from haptonic.fields import problem
 
@@ -22,30 +24,31 @@ class Place(Protocol):
 
 @dataclass(frozen=True)
 class Corners(Polygonal):
-    """A convex polygon with the pillar's axis inside; the corners may be in either order."""
+    """A polygon with every corner in sight of the axis; the corners may be in either order."""
 
     point: tuple[Place, ...]
 
     @property
-    def sharp(self) -> Convex:
+    def sharp(self) -> Polygon:
         places = tuple((place.x, place.y) for place in self.point)
         following = places[1:] + places[:1]
         twice = sum(a * d - b * c for (a, b), (c, d) in zip(places, following, strict=True))
-        return Convex(places if twice > 0 else places[::-1])
+        return Polygon(places if twice > 0 else places[::-1])
 
     def check(self) -> None:
-        if len(self.point) < 3 or not self.sharp.is_convex:
+        if len(self.point) < 3 or not self.sharp.is_star:
             raise problem(
                 "out-of-range",
                 f"{len(self.point)} corners",
-                "three or more, in order, of a convex polygon with the pillar's axis (0, 0) inside",
-                "the sides cross, bend inwards or pass the axis on one side",
-                "order the points anticlockwise, and count them from the pillar's axis",
+                "three or more, in order, all seen from the axis (0, 0) inside, and none on a straight side",
+                "the sides cross, hide others from the axis or pass it on one side",
+                "order the points anticlockwise, and count them from the axis",
                 at="point",
             )
         sharp = self.sharp
         reach = max(abs(complex(*vertex)) for vertex in sharp.vertices)
-        if sharp.interior_angles.min() < SHARPEST or sharp.inradius < LEAST_WITHIN * reach:
+        angles = sharp.interior_angles
+        if min(angles.min(), 2 * np.pi - angles.max()) < SHARPEST or sharp.inradius < LEAST_WITHIN * reach:
             raise problem(
                 "out-of-range",
                 "a sharp corner, or a side close to the axis",

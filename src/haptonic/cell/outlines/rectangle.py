@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from haptonic.cell.outlines.convex import Convex
+from haptonic.cell.outlines.polygon import Polygon
 from haptonic.cell.outlines.section import Polygonal
 
 
@@ -15,9 +15,9 @@ class Rectangular(Polygonal):
     length: float
 
     @property
-    def sharp(self) -> Convex:
+    def sharp(self) -> Polygon:
         y = self.length
-        return Convex(((1.0, -y), (1.0, y), (-1.0, y), (-1.0, -y)))
+        return Polygon(((1.0, -y), (1.0, y), (-1.0, y), (-1.0, -y)))
 
     def shear_coefficient(self, poisson_ratio: float) -> float | None:
         return None if self.corner_radius else 10 * (1 + poisson_ratio) / (12 + 11 * poisson_ratio)
@@ -30,7 +30,7 @@ class Square(Polygonal):
     sign = "□"
 
     @property
-    def sharp(self) -> Convex:
+    def sharp(self) -> Polygon:
         return Rectangular(1.0).sharp
 
     def shear_coefficient(self, poisson_ratio: float) -> float | None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from haptonic.cell.outlines.convex import Convex
+from haptonic.cell.outlines.polygon import Polygon
 from haptonic.cell.outlines.section import Polygonal
 
 
@@ -17,10 +17,10 @@ class RegularPolygon(Polygonal):
     sides: int
 
     @property
-    def sharp(self) -> Convex:
+    def sharp(self) -> Polygon:
         angle = np.pi * (2 * np.arange(self.sides) - 1) / self.sides
         corner = np.stack([np.cos(angle), np.sin(angle)], axis=1) / np.cos(np.pi / self.sides)
-        return Convex(tuple((float(x), float(y)) for x, y in corner))
+        return Polygon(tuple((float(x), float(y)) for x, y in corner))
 
 
 @dataclass(frozen=True)
@@ -30,5 +30,5 @@ class Hexagon(Polygonal):
     sign, width = "AF ", "width across flats"
 
     @property
-    def sharp(self) -> Convex:
+    def sharp(self) -> Polygon:
         return RegularPolygon(6).sharp

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from haptonic.cell.outlines.convex import Convex
 from haptonic.cell.outlines.outline import SAME, Outline
+from haptonic.cell.outlines.polygon import Polygon
 from haptonic.fields import problem
 
 
@@ -47,7 +47,7 @@ class Polygonal(Section):
     turn: float = 0.0
 
     @property
-    def sharp(self) -> Convex:
+    def sharp(self) -> Polygon:
         """The polygon with sharp corners, not turned."""
         raise NotImplementedError
 
