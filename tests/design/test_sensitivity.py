@@ -62,6 +62,7 @@ CELLS = {
     "countersunk hole": cell(None, disc=DRAFTED["countersunk hole"]),
     "drafted coated inclusion": cell(None, disc=DRAFTED["drafted coated inclusion"]),
     "discs of all numbers": cell(None, disc=RECTANGLE_IN_ELLIPSE),
+    "cross-shaped hole": cell(None, disc=(Disc(5 * MM, section="cross", arm_width=2 * MM, empty=True),)),
     "rounded": cell(Pillar(3 * MM, 5 * MM, "rectangle", length=2 * MM, corner_radius=0.4 * MM)),
 }
 MATERIALS = {  # number of them, where it is not one
@@ -89,6 +90,7 @@ CASES = [
     ("countersunk hole", GENERIC, 4, 1),
     ("drafted coated inclusion", GENERIC, 4, 1),
     ("discs of all numbers", GENERIC, 4, 1),
+    ("cross-shaped hole", GENERIC, 4, 1),
 ]
 DAILY = [case for case in CASES if case[0] in ("all at once", "ellipse", "blind holes on both faces")]
 cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), daily(CASES, *DAILY))

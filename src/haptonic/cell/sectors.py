@@ -155,7 +155,7 @@ class _Seen:
 
     angles : of `corner_angles`
     beyond : half-width of the last ring that is a scaled copy of the outline
-    operations : indices in `OPERATIONS` of those that leave the tile unchanged
+    operations : indices in `OPERATIONS` of those that leave sides and borders unchanged
     singular : True for the joints of the outline along which stress is singular
     """
 
@@ -175,7 +175,8 @@ class _Seen:
             for number, turn in enumerate(OPERATIONS):
                 space = np.eye(3)
                 space[:2, :2] = turn
-                if tile.has_symmetry(space):
+                keeps_borders = all(border.outline.has_symmetry(turn) for border in borders)
+                if keeps_borders and tile.moved_sides(space) is not None:
                     operations.append(number)
         seen = []
         smooth = [(False,) * border.outline.joints for border in borders]
