@@ -17,6 +17,7 @@ from haptonic.cell.checks import check_cell
 from haptonic.cell.disc import Disc
 from haptonic.cell.pillar import Faces, Pillar
 from haptonic.cell.sites import (
+    EMPTY,
     MOST_DISCS,
     MOST_SITES,
     SITES,
@@ -261,7 +262,7 @@ class UnitCell(TileShape):
             return (self.feature,)
         named = len(SITES.get(self.lattice.name, ()))
         given = [site.pillar or self._stack(site.disc) for site in self.site] or [self.feature] * named
-        return (*given, *[None] * (len(self.shares) - len(given)))
+        return (*given, *[None] * len(EMPTY.get(self.lattice.name, ())))
 
     @property
     def parts(self) -> str:
