@@ -100,6 +100,7 @@ def annuli_of(tile: TileShape, stack: Stack, rings: int) -> list[Interval]:
         )  # fmt: skip
         growth = RING_GROWTH if number else 0.0
         if number == len(rooms) and not stack.outline.is_convex:
+            # as many elements as from the notches of the border to the corners of the tile
             growth **= math.log(high[level] / low[level]) / math.log(_farthest(tile, stack))
         annuli.append(Interval(float(low[level]), float(high[level]), near_low, near_high, growth=growth))
     return annuli

@@ -168,9 +168,7 @@ class UnitCell(TileShape):
     @cached_property
     def shares(self) -> Array:
         """(n, 2) positions of the sites in shares of the translations, including empty sites."""
-        if self.is_simple:
-            return np.zeros((1, 2))
-        return shares_of(self.site, self.lattice)
+        return np.zeros((1, 2)) if self.is_simple else shares_of(self.site, self.lattice)
 
     @cached_property
     def pillars(self) -> tuple[Pillar | None, ...]:
@@ -260,9 +258,9 @@ class UnitCell(TileShape):
         """The pillar or the stack of discs of each site, None for an empty one."""
         if self.is_simple:
             return (self.feature,)
-        named = len(SITES.get(self.lattice.name, ()))
+        named, empty = (len(sites.get(self.lattice.name, ())) for sites in (SITES, EMPTY))
         given = [site.pillar or self._stack(site.disc) for site in self.site] or [self.feature] * named
-        return (*given, *[None] * len(EMPTY.get(self.lattice.name, ())))
+        return (*given, *[None] * empty)
 
     @property
     def parts(self) -> str:

@@ -21,7 +21,7 @@ from haptonic.cell.outlines import CIRCLE, Outline, Scaled
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape, room_in
 
-MOST_BLOCKS = 12  # for each side
+MOST_BLOCKS, MOST_WITH_THIN = 8, 12  # for each side; with thin ones among them
 RINGS = 0.4  # of the clearance, largest share of the rings about a pillar
 CORE_BULGE = 0.45  # edges of the core: 0 for chords, 1 for arcs
 SHARES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])  # of a block, positions of the check of elements
@@ -106,8 +106,12 @@ def least_blocks(tile: TileShape, blocks: int, thin: int) -> int | None:
 
     thin : number of thin blocks on either side of a corner with singular stress; fewer if they do not fit
     """
-    borders, most = tuple(_Seen.of(tile.above)), max(MOST_BLOCKS, blocks)
-    choices = ((fewer, n) for fewer in range(thin, -1, -1) for n in range(blocks, most + 1, blocks))
+    borders = tuple(_Seen.of(tile.above))
+    choices = (
+        (fewer, n)
+        for fewer in range(thin, -1, -1)
+        for n in range(blocks, max(MOST_WITH_THIN if fewer else MOST_BLOCKS, blocks) + 1, blocks)
+    )
     return next((n for fewer, n in choices if _suited(borders, _widths(tile), n, fewer) is not None), None)
 
 
