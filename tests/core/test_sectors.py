@@ -215,16 +215,18 @@ def test_a_honeycomb_of_opposite_triangles_has_the_half_turn():
         check_mesh(placed.tile, MeshPlan.suited(placed.tile, 3, 1))
 
 
-def test_waves_around_a_square_hole_are_those_of_ngsolve():
+@pytest.mark.parametrize("corner_radius", [None, 0.01 * MM])
+def test_waves_around_a_square_hole_are_those_of_ngsolve(corner_radius):
     """NGSolve's frequencies of order 3 are upper bounds, 0.1 to 0.3 % too high by their change from order 2.
 
-    Without thin blocks beside the corners, frequencies of this mesh were up to 3 % too high.
+    Without thin blocks beside the corners, frequencies of this mesh were up to 3 % too high. Arcs of 10
+    micrometres raise them by up to 2e-4.
     """
     peer = np.array([40725.27, 99787.11, 147444.19, 175002.47, 218013.27, 219934.97, 279121.49, 289965.91])
-    hole = Disc(3 * MM, section="square", empty=True)
+    hole = Disc(3 * MM, section="square", corner_radius=corner_radius, empty=True)
     tile = UnitCell(LATTICES["square"], 1.5 * MM, ALUMINIUM, disc=(hole,))
     model = BlochModel.of(tile, Resolution(3, 1), len(peer), measured=False)
     solution = model.solve(np.array([1.1, 2.3]))
-    assert (solution.frequency < peer).all()
+    assert (solution.frequency < (1 + 2e-4 * (corner_radius is not None)) * peer).all()
     assert solution.frequency == pytest.approx(peer, rel=3e-3)
     assert (solution.error < 4e-3 * solution.frequency).all()

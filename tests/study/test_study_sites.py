@@ -141,7 +141,9 @@ REFUSED = {
         "conflict",
     ),
     "no place": (SQUARE + UNEQUAL, "cell.site[1].at", "missing"),
-    "a place of one site alone": (SQUARE + FREE.replace('at = ["1/3", 0.4]', ""), "cell.site[2].at", "missing"),
+    "a place of one site alone": (
+        SQUARE + FREE.replace('at = ["1/3", 0.4]', ""), "cell.site[2].at", "missing"
+    ),
     "two places": (SQUARE + FREE.replace("0.4]", '0.4]\nposition = ["1 mm", "1 mm"]'), "at", "conflict"),
     "outside": (SQUARE + FREE.replace("0.4", "1.4"), "cell.site[2].at[2]", "out-of-range"),
     "overlapping": (

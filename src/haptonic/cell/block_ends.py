@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from haptonic.arrays import Array, Bools, Ints
-from haptonic.cell.edges import EDGE_GRADING, EDGE_WIDTH
 from haptonic.cell.outlines import Outline
 
 SAME = 1e-6  # of a radius: closer places coincide
@@ -37,7 +36,8 @@ def ends_at_joints(
     thin_at : (joints,) number of thin blocks on either side of each joint
     """
     count, joints = len(even) - 1, outline.joints
-    least = 1 + thin_at + np.roll(thin_at, -1)
+    low, high = thin_on_pieces(outline, thin_at)
+    least = 1 + low + high
     if least.sum() > count:
         return None
     place = outline.at(np.arange(joints, dtype=float))
@@ -125,6 +125,11 @@ def _cheapest(cost: Array, least: Ints, steps: Ints) -> tuple[float, list[int]] 
     return float(total[-1, last]), path[::-1]
 
 
+def thin_on_pieces(outline: Outline, thin_at: Ints) -> tuple[Ints, Ints]:
+    """(joints,) number of thin blocks at the first and at the last end of each piece; an arc has none."""
+    return thin_at * outline.is_side, np.roll(thin_at, -1) * outline.is_side
+
+
 def parameters_of_ends(outline: Outline, ends: Ints, count: int, thin_at: Ints) -> Array:
     """(count + 1,) parameters of all ends from those (joints,) at joints: even between two of them.
 
@@ -133,14 +138,12 @@ def parameters_of_ends(outline: Outline, ends: Ints, count: int, thin_at: Ints) 
     joints, fixed = outline.joints, np.append(ends, ends[0] + count)
     whole = outline.at(np.arange(joints + 1, dtype=float))
     length = np.linalg.norm(np.diff(whole, axis=0), axis=1)
+    reach = outline.beside_corners(int(thin_at.max(initial=0)))
     place = []
     for piece, (blocks, low, high) in enumerate(
-        zip(np.diff(fixed), thin_at, np.roll(thin_at, -1), strict=True)
+        zip(np.diff(fixed), *thin_on_pieces(outline, thin_at), strict=True)
     ):
-        near, other = (
-            EDGE_WIDTH * length.min() / length[piece] * EDGE_GRADING ** np.arange(thin)
-            for thin in (low, high)
-        )
+        near, other = (reach[:thin] / length[piece] for thin in (low, high))
         start, stop = near.max(initial=0.0), 1 - other.max(initial=0.0)
         between = np.linspace(start, stop, blocks - low - high + 1)
         borders = np.concatenate([[0.0] * bool(low), near[:0:-1], between, 1 - other[1:]])

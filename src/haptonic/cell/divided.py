@@ -15,8 +15,9 @@ import numpy as np
 
 from haptonic.arrays import Array, Bools
 from haptonic.cell.blocks import Division, StackBlocks
-from haptonic.cell.edges import BRIDGED, CORE_RADIUS, EDGE_GRADING, EDGE_WIDTH, MOST_APART
+from haptonic.cell.edges import BRIDGED, CORE_RADIUS, MOST_APART
 from haptonic.cell.orders import ROUNDING
+from haptonic.cell.outlines.outline import EDGE_GRADING, EDGE_WIDTH
 from haptonic.cell.stack import TURNS, Stack
 from haptonic.cell.tile import TileShape, sides_of
 

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.cell.outlines.outline import EDGE_GRADING, EDGE_WIDTH
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.tile import TileShape
 
@@ -15,8 +16,6 @@ FOOT_LAYER = 0.3  # height of the pillar's lowest layer, in diameters: stresses 
 # its least height, in diameters, near a step: errors with polynomials over sections 0.17 from either edge
 # were 8e-5, 0.11 from it 2e-3
 LEAST_LAYER = 0.15
-EDGE_WIDTH = 0.15  # outermost thin ring, as a share of the smallest length at the edge
-EDGE_GRADING = 0.2  # ratio of each further ring's reach to that of the ring before
 MOST_APART = 16.0  # largest ratio of the far to the near border of an element beside the thin ones
 BRIDGED = 6.0  # approximate ratio with further elements
 

@@ -222,7 +222,7 @@ def _of_blocks(seen: _Seen, blocks: int, thin: int) -> Sectors | None:
         return Sectors(outline, even, blocks)
     rim = _along(np.array(seen.corners), blocks)[..., 0, :].reshape(-1, 2)
     operations = _group(seen.operations)
-    thin_at = thin * np.array(seen.singular, dtype=int)
+    thin_at = len(outline.beside_corners(thin)) * np.array(seen.singular, dtype=int)
     ends = ends_at_joints(outline, seen.beyond, even, rim, blocks, operations, thin_at)
     if ends is None:
         return None

@@ -169,9 +169,10 @@ class Stack:
 
     @cached_property
     def singular_corners(self) -> tuple[tuple[bool, ...], ...]:
-        """For each border, True for the joints of its outline along which stress is singular.
+        """For each border, True for the joints of its outline at corners along which stress is singular.
 
-        There the solid on one side of the border fills more than half a turn, or two materials meet.
+        There the solid on one side of the border fills more than half a turn, or two materials meet. Both
+        ends of an arc count if it is so small that the sides beside it need thin elements.
         """
         grid = np.array(self.grid)
         corners = []
@@ -179,7 +180,7 @@ class Stack:
             meet = (inner != outer) & (inner != VOID) & (outer != VOID)
             convex = ((inner == VOID) & (outer != VOID)).any() or meet.any()
             concave = ((inner != VOID) & (outer == VOID)).any() or meet.any()
-            bend = border.outline.bends
+            bend = border.outline.bends * bool(len(border.outline.beside_corners(1)))
             corners.append(tuple(((bend > SAME) & convex | (bend < -SAME) & concave).tolist()))
         return tuple(corners)
 
@@ -217,8 +218,8 @@ class Stack:
 
     @property
     def has_corners(self) -> bool:
-        """True if a section has corners, along which stress is singular and no mesh is graded."""
-        return any(len(border.outline.corners) for border in self.borders)
+        """True if a section has corners, sharp or nearly so."""
+        return any(len(border.outline.beside_corners(1)) for border in self.borders)
 
     @property
     def outline(self) -> Outline:

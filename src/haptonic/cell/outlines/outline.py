@@ -12,10 +12,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 
 SAME = 1e-9  # of a half-width: closer places coincide
 DIRECTIONS, HALVINGS = 72, 40  # for the search of the direction in which two outlines are farthest apart
+EDGE_WIDTH = 0.15  # outermost thin element, as a share of the smallest length at an edge
+EDGE_GRADING = 0.2  # ratio of each further thin element's reach to that of the one before
 GOLDEN = 0.5 * (np.sqrt(5) - 1)
 
 
@@ -28,12 +30,14 @@ class Outline:
     is_tangential : True if every side touches the circle of radius 1: parallel curves are scaled copies
     warps : True if torsion bends the section out of its plane
     is_convex : True if the curve bends inwards nowhere
+    rounding : radius of the arcs in place of corners; 0 for sharp corners, and for a curve without any
     """
 
     joints: int
     is_tangential: bool
     warps: bool
     is_convex: bool = True
+    rounding: float = 0.0
 
     @property
     def corners(self) -> Array:
@@ -114,8 +118,27 @@ class Outline:
 
     @property
     def bends(self) -> Array:
-        """(joints,) jump of the slope's angle at each joint, rad; positive where the inside is convex."""
+        """(joints,) angle of the corner at each joint, or of its arc, rad; positive where it is convex."""
         return np.zeros(self.joints)
+
+    def beside_corners(self, count: int) -> Array:
+        """(n,) reach of thin elements on the sides beside corners, farthest first, at most ``count``.
+
+        An arc in place of a corner needs those that reach farther than half its radius: around a square hole
+        of 4 mm with arcs of 0.05 and 0.2 mm, errors without them were three to ten times the estimate.
+        """
+        if not self.bends.any():
+            return np.empty(0)
+        joint = np.arange(self.joints + 1, dtype=float)
+        sides = np.linalg.norm(np.diff(self.at(joint), axis=0), axis=1)[self.is_side]
+        shortest = sides.min() if len(sides) else 0.0
+        reach = EDGE_WIDTH * shortest * EDGE_GRADING ** np.arange(count)
+        return np.asarray(reach[reach > 0.5 * self.rounding])
+
+    @property
+    def is_side(self) -> Bools:
+        """(joints,) True for straight pieces."""
+        return np.array([abs(self._turning(piece)) < SAME for piece in range(self.joints)], dtype=bool)
 
     @property
     def half_axes(self) -> tuple[tuple[float, float], tuple[float, float]]:

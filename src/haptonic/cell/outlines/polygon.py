@@ -101,7 +101,10 @@ class Polygon(Outline):
 
     @property
     def bends(self) -> Array:
-        return np.zeros(self.joints) if self.rounding else self._bend
+        if not self.rounding:
+            return self._bend
+        # an arc has its angle at both ends
+        return self._angles + np.roll(self._angles, 1)
 
     @property
     def flats(self) -> Array:
