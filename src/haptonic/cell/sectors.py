@@ -21,7 +21,7 @@ from haptonic.cell.outlines import CIRCLE, Outline, Scaled
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape, room_in
 
-MOST_BLOCKS, MOST_WITH_THIN = 8, 12  # for each side; with thin ones among them
+MOST_BLOCKS, MOST_AROUND_DISCS = 8, 12  # for each side
 RINGS = 0.4  # of the clearance, largest share of the rings about a pillar
 CORE_BULGE = 0.45  # edges of the core: 0 for chords, 1 for arcs
 SHARES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])  # of a block, positions of the check of elements
@@ -106,13 +106,13 @@ def least_blocks(tile: TileShape, blocks: int, thin: int) -> int | None:
 
     thin : number of thin blocks on either side of a corner with singular stress; fewer if they do not fit
     """
-    borders = tuple(_Seen.of(tile.above))
-    choices = (
-        (fewer, n)
-        for fewer in range(thin, -1, -1)
-        for n in range(blocks, max(MOST_WITH_THIN if fewer else MOST_BLOCKS, blocks) + 1, blocks)
-    )
+    borders, most = tuple(_Seen.of(tile.above)), max(_most_blocks(tile), blocks)
+    choices = ((fewer, n) for fewer in range(thin, -1, -1) for n in range(blocks, most + 1, blocks))
     return next((n for fewer, n in choices if _suited(borders, _widths(tile), n, fewer) is not None), None)
+
+
+def _most_blocks(tile: TileShape) -> int:
+    return MOST_AROUND_DISCS if tile.stack else MOST_BLOCKS
 
 
 def _widths(tile: TileShape) -> tuple[tuple[float, ...], ...]:
@@ -145,9 +145,10 @@ def unmeshed(tile: TileShape) -> dict[str, str] | None:
     """Parts of the error for a feature that no blocks suit; None if it can be meshed."""
     if tile.feature is None or least_blocks(tile, 1 if len(tile.corners) == 4 else 2, 0) is not None:
         return None
+    most = _most_blocks(tile)
     return {
         "given": f"a section that is {tile.feature.section}",
-        "allowed": f"a section whose corners the ends of {MOST_BLOCKS} blocks to each side of the tile reach",
+        "allowed": f"a section whose corners the ends of {most} blocks to each side of the tile reach",
         "cause": "the section is long and turned, or has many corners, and its tile leaves little room",
         "next_step": "make it smaller or rounder, turn it along the lattice, or enlarge the pitch",
     }
