@@ -263,7 +263,7 @@ def candidate_models(
         # the interior grows if the cell needs more than is usual for the accuracy
         usual = LADDER[min(level, starting_rung(accuracy))]
         mesh = replace(LADDER[level], steps=usual.steps, block=usual.block).for_bands(cell, count)
-        if any(placed.tile.stack is not None for placed in cell.tiles):
+        if cell.discs:
             # Most cells with discs need wider blocks, which take 5 to 20 % more time; a second condensation
             # takes all of it again.
             mesh = mesh.grown()

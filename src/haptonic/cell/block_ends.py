@@ -48,7 +48,7 @@ def ends_at_joints(
     mirrors = [turn for turn in operations if np.linalg.det(turn) < 0]
     on_joint = np.array([_on_axis(place, turn) for turn in mirrors]).reshape(-1, joints)
     on_end = np.array([_on_axis(rim, turn) for turn in mirrors]).reshape(-1, count)
-    leaving = _leaving(outline, beyond, rim)
+    leaving = _leaving(outline, beyond * place, rim)
     mirrored, is_even = _mirrored(place, rim, mirrors)
     least = least + mirrored * ((least + ~is_even) % 2)
     best: tuple[float, list[int]] | None = None
@@ -74,10 +74,10 @@ def _on_axis(points: Array, turn: Array) -> Array:
     return np.asarray(np.linalg.norm(points @ turn.T - points, axis=1) < SAME)
 
 
-def _leaving(outline: Outline, beyond: float, rim: Array) -> Bools:
+def _leaving(outline: Outline, place: Array, rim: Array) -> Bools:
     """(joints, ends) True if the line from a joint to an end at the tile's side lies outside the outline."""
     joint = np.arange(outline.joints, dtype=float)
-    away = rim - beyond * outline.at(joint)[:, None]
+    away = rim - place[:, None]
     slopes = outline.slope(joint), outline.slope((joint - SHORT) % outline.period)
     turns = [away[..., 0] * slope[:, None, 1] - away[..., 1] * slope[:, None, 0] for slope in slopes]
     return np.asarray((turns[0] > 0) & (turns[1] > 0))

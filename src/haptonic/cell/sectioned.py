@@ -151,5 +151,5 @@ class Sectioned:
 
     def scaled_numbers(self, factor: float) -> dict[str, Any]:
         """Lengths of the section beside the diameter, multiplied by a factor."""
-        return {name: given and given * factor for name in LENGTHS
+        return {name: given * factor for name in LENGTHS
                 if (given := getattr(self, name)) is not None}  # fmt: skip

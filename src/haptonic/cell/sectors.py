@@ -102,7 +102,7 @@ def sectors(tile: TileShape, blocks: int, thin: int) -> tuple[Sectors, ...]:
 
 
 def least_blocks(tile: TileShape, blocks: int, thin: int) -> int | None:
-    """Smallest multiple of a number of blocks for each side that suits all borders; None if there is none.
+    """Smallest multiple of a number of blocks for each side that suits all borders; None without any.
 
     thin : number of thin blocks on either side of a corner with singular stress; fewer if they do not fit
     """

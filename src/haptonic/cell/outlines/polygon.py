@@ -190,10 +190,8 @@ class Polygon(Outline):
     @property
     def most_rounding(self) -> float:
         """Radius of the arcs at which the first straight side vanishes, in half-widths."""
-        before = np.roll(self._normal, 1, axis=0)
-        cosine = np.einsum("nc,nc->n", before, self._normal)
         # an arc of radius 1 takes tan(turn / 2) off either side at a vertex
-        taken = np.sqrt(np.maximum(1 - cosine, 0.0) / (1 + cosine))
+        taken = np.tan(0.5 * np.abs(self._bend))
         sides = np.linalg.norm(np.roll(self._corner, -1, axis=0) - self._corner, axis=1)
         return float((sides / (taken + np.roll(taken, -1))).min())
 
