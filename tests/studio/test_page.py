@@ -101,10 +101,22 @@ def test_tables_are_added_and_removed(browser, studio):
         page.locator("summary", has_text="Sweeps").click()
         page.get_by_role("button", name="Add to sweeps").click()
         wait_for_text(page, "\n[[sweep]]\n")
-        page.locator("summary", has_text="Sweeps").click()
         page.locator(".problems").get_by_text("sweep[1].vary").wait_for()
         page.get_by_role("button", name="Remove sweeps 1").click()
         expect(page.locator(TEXT)).not_to_have_value(re.compile(r"^\[\[sweep\]\]$", re.MULTILINE))
+
+
+def test_the_first_key_of_a_table_leaves_the_focus_where_it_is(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_text("Further tables").click()
+        page.locator("summary", has_text=re.compile("^Trials")).click()
+        page.locator("[id='key-trials.threshold']").fill("50 mN")
+        page.keyboard.press("Tab")
+        following = page.evaluate("document.activeElement.id")
+        wait_for_text(page, "[trials]")
+        page.locator("[id='key-trials.threshold'][aria-invalid=false]").wait_for()
+        assert following.startswith("key-trials.")
+        assert page.evaluate("document.activeElement.id") == following
 
 
 def test_a_problem_is_shown_at_its_key_and_at_its_line(browser, studio):

@@ -162,6 +162,19 @@ def test_settings_of_the_study_are_opened_in_the_form(browser: Browser, studio):
         page.get_by_label("Threshold", exact=False).first.wait_for()
 
 
+def test_a_refused_channel_leads_to_its_table_in_the_form(browser: Browser, studio):
+    shutil.copytree(CASES / "friction-without-names", studio.studio.workspace.folder / "unnamed")
+    with opened(browser, studio) as page:
+        page.get_by_label("Analysis").select_option("friction")
+        page.get_by_label("path").select_option("unnamed")
+        page.get_by_role("button", name="Open the table trials.sensor in the form").click()
+        for label, column in (("Time", "1"), ("Normal", "4"), ("Tangential", "3")):
+            name = page.get_by_label(label, exact=False).first
+            name.fill(column)
+            name.press("Tab")
+        expect(row(page, "normal channel")).to_have_text('"4", 1 unit = 1 N')
+
+
 def test_the_wizard_is_accessible_and_fits(browser: Browser, studio):
     with opened(browser, studio) as page:
         page.get_by_label("Analysis").select_option("scan")

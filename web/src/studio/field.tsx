@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 import { allowedWords, parsed, typedText, type Branch } from "./declared";
 import type { Step, Value } from "./server";
-import { change, pathOf, problems, remarks } from "./study";
+import { change, isWithin, pathOf, problems, remarks } from "./study";
 
 interface Props {
   branch: Branch;
@@ -13,8 +13,8 @@ interface Props {
 
 export function Field({ branch: { key }, steps, value }: Props) {
   const path = pathOf(steps);
-  const mine = problems.value.filter((each) => each.path === path || each.path.startsWith(`${path}[`));
-  const doubts = remarks.value.filter((each) => each.path === path || each.path.startsWith(`${path}[`));
+  const mine = problems.value.filter((each) => isWithin(each.path, path));
+  const doubts = remarks.value.filter((each) => isWithin(each.path, path));
   const id = `key-${path}`;
   const shared = {
     id,

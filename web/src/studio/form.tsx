@@ -1,11 +1,11 @@
 /** The form: a section for each table of the study, from the declarations. */
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { ComponentChildren } from "preact";
 import { isTable, parsed, typedText, type Branch } from "./declared";
 import { Field } from "./field";
 import type { Step, Tables, Value } from "./server";
-import { broken, change, opened, pathOf, problems, values } from "./study";
+import { broken, change, file, isWithin, opened, pathOf, problems, values } from "./study";
 
 export function Form({ tree }: { tree: Branch[] }) {
   return (
@@ -32,11 +32,20 @@ interface ContentsProps {
 /** Plain keys of a table, then the tables in it. */
 function Contents({ branches, steps, given }: ContentsProps) {
   const plain = branches.filter((branch) => !isTable(branch));
+  // a table that the study does not have stays below these words when it gets its first key, or it would jump and close
+  const begun = useMemo(() => new Set<string>(), [file.value]);
   // at the top of the file there are so many that they hide the tables of the study
-  const isFurther = ({ name, key }: Branch) => steps.length === 0 && !key.required && given[name] === undefined;
+  const isFurther = ({ name, key }: Branch) =>
+    steps.length === 0 && !key.required && (given[name] === undefined || begun.has(name));
   const further = branches.filter((branch) => isTable(branch) && isFurther(branch));
   const section = (branch: Branch) => (
-    <Section key={branch.key.path} branch={branch} steps={[...steps, branch.name]} value={given[branch.name]} />
+    <Section
+      key={branch.key.path}
+      branch={branch}
+      steps={[...steps, branch.name]}
+      value={given[branch.name]}
+      onOpen={() => isFurther(branch) && begun.add(branch.name)}
+    />
   );
   return (
     <>
@@ -49,7 +58,7 @@ function Contents({ branches, steps, given }: ContentsProps) {
       )}
       {branches.filter((branch) => isTable(branch) && !isFurther(branch)).map(section)}
       {further.length > 0 && (
-        <details class="further" open={further.some(({ key }) => key.path === opened.value?.path)}>
+        <details class="further" open={further.some(({ key }) => isOpened(key.path))}>
           <summary>
             Further tables <span class="quiet">that the study does not have</span>
           </summary>
@@ -60,28 +69,35 @@ function Contents({ branches, steps, given }: ContentsProps) {
   );
 }
 
-interface SectionProps {
+/** True if a table is to be opened, or a table in it. */
+const isOpened = (path: string) => opened.value !== null && isWithin(opened.value.path, path);
+
+interface TableProps {
   branch: Branch;
   steps: Step[];
   value: Value | undefined;
 }
 
 /** A table; its contents are drawn when it is open. */
-function Section({ branch, steps, value }: SectionProps) {
+function Section({ branch, steps, value, onOpen }: TableProps & { onOpen: () => void }) {
   const { key } = branch;
   const path = pathOf(steps);
-  const wrong = problems.value.filter(
-    (each) => each.path === path || each.path.startsWith(`${path}.`) || each.path.startsWith(`${path}[`),
-  );
+  const wrong = problems.value.filter((each) => isWithin(each.path, path));
   const here = wrong.filter((each) => each.path === path);
   const [chosen, setChosen] = useState<boolean | null>(null);
+  const choose = (isOpen: boolean) => {
+    setChosen(isOpen);
+    if (isOpen) onOpen();
+  };
   const place = useRef<HTMLDetailsElement>(null);
-  const asked = opened.value?.path === path ? opened.value : null;
+  const asked = isOpened(path) ? opened.value : null;
   useEffect(() => {
-    if (asked === null) return;
-    setChosen(true);
+    if (asked === null || asked.isReached) return;
+    choose(true);
+    if (asked.path !== path) return; // the table in this one
     place.current?.scrollIntoView();
     place.current?.querySelector("summary")?.focus();
+    asked.isReached = true;
   }, [asked]);
   const open = chosen ?? (key.required || (steps.length > 1 && value !== undefined));
   return (
@@ -90,7 +106,7 @@ function Section({ branch, steps, value }: SectionProps) {
       class="section"
       open={open}
       onToggle={({ currentTarget }) => {
-        if (currentTarget.open !== open) setChosen(currentTarget.open);
+        if (currentTarget.open !== open) choose(currentTarget.open);
       }}
     >
       <summary>
@@ -127,7 +143,7 @@ function Section({ branch, steps, value }: SectionProps) {
 }
 
 /** A table of declared keys, or the name that stands for one. */
-function Table({ branch, steps, value }: SectionProps) {
+function Table({ branch, steps, value }: TableProps) {
   const { key } = branch;
   const id = `key-${pathOf(steps)}`;
   const named = key.names.length > 0;

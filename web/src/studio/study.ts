@@ -22,7 +22,8 @@ export const remarks = signal<Remark[]>([]);
 export const file = signal<string | null>(null);
 export const files = signal<string[]>([]);
 export const notice = signal<Problem | string | null>(null); // why the last action was refused
-export const opened = signal<{ path: string } | null>(null); // table that another part of the page has opened in the form
+// table that another part of the page has opened in the form, and whether the form has moved to it
+export const opened = signal<{ path: string; isReached: boolean } | null>(null);
 const saved = signal<string | null>(null); // text of the file, as far as this page knows
 const past = signal<Version[]>([]);
 const future = signal<Version[]>([]);
@@ -181,6 +182,11 @@ export const save = (name: string) =>
     saved.value = written;
     files.value = answer.files;
   });
+
+/** True for the path of a table, or of a key or table in it. */
+export function isWithin(path: string, table: string): boolean {
+  return path === table || path.startsWith(`${table}.`) || path.startsWith(`${table}[`);
+}
 
 /** Text of a path, with the tables of lists counted from 1, as errors name it. */
 export function pathOf(steps: Step[]): string {

@@ -4,6 +4,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { Dataset } from "../dataset";
 import { analysis, isWrong, missing, usesStudy, wanted } from "./chosen";
 import { Refusal, server, type Answer, type Problem, type Wanted } from "./server";
+import { isWithin } from "./study";
 
 const PAUSE = 400; // ms after the last change
 
@@ -24,6 +25,13 @@ export const questionOf = computed(() => {
   if (problem === null) return "";
   const about = problem.argument.split(/[.[]/)[0] ?? "";
   return names.find((name) => name === about) ?? names.find((name) => problem.next_step.includes(`${name}=`)) ?? "";
+});
+
+/** Table of the study in which a refusal asks for a key, such as "trials.sensor"; empty if there is none. */
+export const tableOf = computed(() => {
+  const path = /\[([\w.]+)\]/.exec(refused.value?.next_step ?? "")?.[1] ?? "";
+  const tables = analysis.value?.tables ?? [];
+  return tables.some((table) => isWithin(path, table)) ? path : "";
 });
 
 let timer = 0;

@@ -9,7 +9,7 @@ import { Question } from "./question";
 import type { Analysis, Option } from "./server";
 import { opened } from "./study";
 import { TableOf } from "./table";
-import { isReading, lostServer, questionOf, refused, understood } from "./understood";
+import { isReading, lostServer, questionOf, refused, tableOf, understood } from "./understood";
 
 export function Questions({ chosen }: { chosen: Analysis }) {
   const needed = chosen.options.filter(({ required }) => required);
@@ -64,12 +64,23 @@ function StudyUse({ chosen }: { chosen: Analysis }) {
       </label>
       {usesStudy.value &&
         chosen.tables.map((table) => (
-          <button type="button" onClick={() => (opened.value = { path: table })}>
-            Open the table {table} in the form
-          </button>
+          <OpenTable path={table} />
         ))}
       {usesStudy.value && isWrong.value && <span class="quiet">The study has problems, or is empty.</span>}
     </div>
+  );
+}
+
+/** Opens a table in the form, whose keys are then used for the files. */
+function OpenTable({ path }: { path: string }) {
+  const open = () => {
+    useStudy(true);
+    opened.value = { path, isReached: false };
+  };
+  return (
+    <button type="button" onClick={open}>
+      Open the table {path} in the form
+    </button>
   );
 }
 
@@ -96,6 +107,11 @@ function Understood({ chosen }: { chosen: Analysis }) {
           <a href={`#option-${questionOf.value}`} onClick={toQuestion}>
             Go to the question: {questionOf.value.replaceAll("_", " ")}
           </a>
+        </p>
+      )}
+      {tableOf.value !== "" && (
+        <p>
+          <OpenTable path={tableOf.value} />
         </p>
       )}
       {refused.value !== null && <Instead chosen={chosen} />}
