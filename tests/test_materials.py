@@ -270,6 +270,12 @@ def test_unknown_name_suggests_the_nearest():
     assert "titanium-ti6al4v" in caught.value.allowed
 
 
+def test_empty_space_as_a_material_leads_to_a_hole():
+    for name in ("void", "Air"):
+        with pytest.raises(StudyError, match="empty = true"):
+            material(name)
+
+
 def test_library_and_uncertainty_cannot_be_changed():
     with pytest.raises(TypeError):
         library()["wood"] = material("steel")

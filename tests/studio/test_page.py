@@ -78,6 +78,7 @@ def test_the_text_follows_the_form_and_keeps_its_comments(browser, studio):
         wait_for_text(page, 'pitch = "8 mm"')
         page.get_by_label("Lattice").select_option("triangular")
         wait_for_text(page, 'lattice = "triangular"')
+        page.locator("summary", has_text="draft angle").click()
         write(page, "Draft angle with unit", "3 deg")
         wait_for_text(page, 'draft = "3 deg"')
         write(page, "Draft angle with unit", "")

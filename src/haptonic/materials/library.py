@@ -22,6 +22,7 @@ KINDS: Mapping[str, Callable[..., Material]] = {
     "cubic": OrthotropicMaterial.cubic,
     "piezoelectric": PiezoelectricMaterial,
 }
+NOTHING = {"void", "air", "vacuum", "empty", "nothing", "none", "hole"}  # what people call empty space
 
 
 @cache
@@ -47,10 +48,12 @@ def material(name: str) -> Material:
     """
     if name in library():
         return library()[name]
+    cause, next_step = "the library does not have this material", "give its constants in a [material] table"
+    if name.strip().lower() in NOTHING:
+        cause, next_step = "empty space is no material", "for a hole, write empty = true for a disc"
     raise StudyError.unknown(
-        "material", name, library(), "the library does not have this material",
+        "material", name, library(), cause, next_step=next_step,
         allowed=f"one of {', '.join(library())}, or a [material] table",
-        next_step="give its constants in a [material] table",
     )  # fmt: skip
 
 

@@ -7,6 +7,8 @@ import { Field } from "./field";
 import type { Step, Tables, Value } from "./server";
 import { broken, change, file, isWithin, opened, pathOf, problems, values } from "./study";
 
+const FEWEST = 3; // keys that are worth folding away
+
 export function Form({ tree }: { tree: Branch[] }) {
   return (
     <div class="form">
@@ -29,43 +31,81 @@ interface ContentsProps {
   given: Tables;
 }
 
-/** Plain keys of a table, then the tables in it. */
+/** Plain keys of a table, then the tables in it; what the study does not have is folded away where it is much. */
 function Contents({ branches, steps, given }: ContentsProps) {
-  const plain = branches.filter((branch) => !isTable(branch));
-  // a table that the study does not have stays below these words when it gets its first key, or it would jump and close
-  const begun = useMemo(() => new Set<string>(), [file.value]);
-  // at the top of the file there are so many that they hide the tables of the study
+  // what has been shown, or used where it is folded, stays there until another file is opened: nothing jumps
+  const [shown, used] = useMemo(() => [new Set<string>(), new Set<string>()], [file.value]);
   const isFurther = ({ name, key }: Branch) =>
-    steps.length === 0 && !key.required && (given[name] === undefined || begun.has(name));
-  const further = branches.filter((branch) => isTable(branch) && isFurther(branch));
-  const section = (branch: Branch) => (
+    !key.required && !shown.has(name) && (given[name] === undefined || used.has(name));
+  const [keys, tables] = [branches.filter((branch) => !isTable(branch)), branches.filter(isTable)];
+  const foldable = steps.length > 0 ? keys.filter((branch) => isFurther(branch) && branch.key.kind !== "choice") : [];
+  const furtherKeys = foldable.length >= FEWEST && foldable.length < keys.length ? foldable : [];
+  const furtherTables = steps.length === 0 ? tables.filter(isFurther) : [];
+  const plain = keys.filter((branch) => !furtherKeys.includes(branch));
+  const sections = tables.filter((branch) => !furtherTables.includes(branch));
+  for (const { name } of [...plain, ...sections]) shown.add(name);
+  const fields = (group: Branch[]) => (
+    <div class="fields">
+      {group.map((branch) => (
+        <Field key={branch.key.path} branch={branch} steps={[...steps, branch.name]} value={given[branch.name]} />
+      ))}
+    </div>
+  );
+  const sectionOf = (branch: Branch) => (
     <Section
       key={branch.key.path}
       branch={branch}
       steps={[...steps, branch.name]}
       value={given[branch.name]}
-      onOpen={() => isFurther(branch) && begun.add(branch.name)}
+      onOpen={() => used.add(branch.name)}
     />
   );
   return (
     <>
-      {plain.length > 0 && (
-        <div class="fields">
-          {plain.map((branch) => (
-            <Field key={branch.key.path} branch={branch} steps={[...steps, branch.name]} value={given[branch.name]} />
-          ))}
-        </div>
+      {plain.length > 0 && fields(plain)}
+      {furtherKeys.length > 0 && (
+        <Further
+          title="Further keys"
+          about={furtherKeys.map(({ key }) => key.title.toLowerCase()).join(", ")}
+          steps={steps}
+          branches={furtherKeys}
+        >
+          <div onFocusIn={() => furtherKeys.forEach(({ name }) => used.add(name))}>{fields(furtherKeys)}</div>
+        </Further>
       )}
-      {branches.filter((branch) => isTable(branch) && !isFurther(branch)).map(section)}
-      {further.length > 0 && (
-        <details class="further" open={further.some(({ key }) => isOpened(key.path))}>
-          <summary>
-            Further tables <span class="quiet">that the study does not have</span>
-          </summary>
-          {further.map(section)}
-        </details>
+      {sections.map(sectionOf)}
+      {furtherTables.length > 0 && (
+        <Further title="Further tables" about="that the study does not have" steps={steps} branches={furtherTables}>
+          {furtherTables.map(sectionOf)}
+        </Further>
       )}
     </>
+  );
+}
+
+interface FurtherProps {
+  title: string;
+  about: string;
+  steps: Step[];
+  branches: Branch[];
+  children: ComponentChildren;
+}
+
+/** What the study does not have; it opens by itself for a problem in it, and for a table that is asked for. */
+function Further({ title, about, steps, branches, children }: FurtherProps) {
+  const [open, setOpen] = useState(false);
+  const paths = branches.map(({ name }) => pathOf([...steps, name]));
+  const isNeeded = paths.some((path) => isOpened(path) || problems.value.some((each) => isWithin(each.path, path)));
+  useEffect(() => {
+    if (isNeeded) setOpen(true);
+  }, [isNeeded]);
+  return (
+    <details class="further" open={open} onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+      <summary>
+        {title} <span class="quiet">{about}</span>
+      </summary>
+      {children}
+    </details>
   );
 }
 
