@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from browser import STILL, advances, faults_of_layout, page_at, pixels
+from haptonic.bloch.bands import bands_dataset
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import ZoneModes, ZoneSurface
@@ -114,6 +115,19 @@ def test_group_velocities_on_a_finer_mesh_are_within_both_errors(lattice):
     assert (apart < own.velocity_error + finer.velocity_error)[moving].all()
     assert (apart > 0.1 * own.velocity_error)[moving].any()
     np.testing.assert_array_equal(np.isnan(own.velocity_error), np.isnan(own.velocity[..., 0]))
+
+
+@pytest.mark.parametrize("lattice", ["square", "hexagonal"])
+def test_group_velocities_of_the_path_on_a_finer_mesh_are_within_both_errors(lattice):
+    studies = [loads(on_mesh(order, lattice)) for order in (3, 4)]
+    own, finer = (bands_dataset(study.cell, study.bands_settings, moving=True) for study in studies)
+    velocity, error = own["group_velocity"].values, own["group_velocity_error"].values
+    apart = np.linalg.norm(velocity - finer["group_velocity"].values, axis=-1)
+    moving = np.linalg.norm(velocity, axis=-1) > 0.1
+    assert moving.sum() > 60
+    assert (apart < error + finer["group_velocity_error"].values)[moving].all()
+    assert (apart > 0.03 * error)[moving].any()
+    np.testing.assert_array_equal(np.isnan(error), np.isnan(velocity[..., 0]))
 
 
 def test_a_picked_wavevector_moves_in_the_mode_of_the_model(browser, study, bands, tmp_path):

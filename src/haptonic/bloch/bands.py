@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from typing import Any
@@ -15,20 +15,27 @@ from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES
 from haptonic.bloch.gaps import Gap, complete_gaps, listed_gaps
 from haptonic.bloch.mesh_levels import Lack
-from haptonic.bloch.model import BlochModel, best_model, candidate_models
+from haptonic.bloch.model import BlochModel, Solution, best_model, candidate_models
 from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.shapes import mode_shapes
 from haptonic.bloch.symmetry import MIDDLE, WAVES
-from haptonic.bloch.tracking import Diagram, diagram, solved
+from haptonic.bloch.tracking import (
+    STILL,
+    VELOCITY_ERROR,
+    Diagram,
+    diagram,
+    group_velocity_error,
+    solved,
+)
 from haptonic.bloch.truncation import REST
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import ZoneModes, zone_surface
 from haptonic.brillouin import Path
 from haptonic.cell import UnitCell
 from haptonic.cell.scales import scales
-from haptonic.gate import declared, describe
+from haptonic.gate import declared, describe, titled
 from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread
@@ -97,7 +104,7 @@ def bands_dataset(
             if moving:
                 of_zone = ZoneModes.of(model, over.kappa)
                 parts.append(of_zone.dataset())
-        parts += [path_modes(model, along, of_zone)] if moving else []
+        parts += [path_modes(model, along, of_zone), _velocity_errors(model, solutions)] if moving else []
         return xr.merge(parts)
 
     # the counts use a separate mesh, and take about as long as the rest
@@ -336,7 +343,14 @@ def _diagram_dataset(along: Diagram) -> xr.Dataset:
         "pillar_kinetic": ("1", "share of kinetic energy in the pillar"),
         "character": ("1", "character, a position in character_names"),
     })  # fmt: skip
-    return declared(dataset, group_velocity="not defined for a rigid-body motion")
+    return declared(dataset, group_velocity=STILL)
+
+
+def _velocity_errors(model: BlochModel, solutions: Sequence[Solution]) -> xr.Dataset:
+    """Errors of the group velocities of a diagram, for views that show single modes."""
+    errors = [group_velocity_error(model, solution)[: model.count] for solution in solutions]
+    variable = (("wavevector", "band"), np.array(errors), "m/s", VELOCITY_ERROR)
+    return declared(titled({"group_velocity_error": variable}), group_velocity_error=STILL)
 
 
 def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:

@@ -28,6 +28,8 @@ from haptonic.brillouin import Path
 from haptonic.later import csgraph, sparse as sp
 from haptonic.superelement import JointImage
 
+STILL = "not defined for a rigid-body motion"  # the group velocity
+VELOCITY_ERROR = "estimate of the length of the error of the group velocity"
 ALIKE = 0.2  # squared overlap above which two modes at neighbouring wavevectors may be on one branch
 
 

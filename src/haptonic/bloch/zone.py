@@ -14,7 +14,13 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.reduced import SPARE_MODES
 from haptonic.bloch.representative import images, signed_operations
 from haptonic.bloch.symmetry import MIDDLE, mirrors_at
-from haptonic.bloch.tracking import group_velocity, group_velocity_error, split_by_parity
+from haptonic.bloch.tracking import (
+    STILL,
+    VELOCITY_ERROR,
+    group_velocity,
+    group_velocity_error,
+    split_by_parity,
+)
 from haptonic.brillouin import IrreducibleZone
 from haptonic.gate import declared, titled
 from haptonic.later import xarray as xr
@@ -172,10 +178,7 @@ class ZoneModes:
                 (*of_modes, "axis"), self.velocity, "m/s",
                 "group velocity along x and y; NaN for rigid-body motions",
             ),
-            "zone_velocity_error": (
-                of_modes, self.velocity_error, "m/s",
-                "estimate of the length of the error of the group velocity",
-            ),
+            "zone_velocity_error": (of_modes, self.velocity_error, "m/s", VELOCITY_ERROR),
             "zone_parity": (of_modes, self.parity, "1", "+1 even, -1 odd under the mirror, 0 without one"),
             "zone_mirror": (
                 of_modes[:1], np.array(self.mirror).astype("U"), "1", "mirror that keeps the wavevector",
@@ -184,8 +187,7 @@ class ZoneModes:
             "zone_character": (of_modes, self.character, "1", "character, a position in character_names"),
         }  # fmt: skip
         dataset = titled(variables)
-        still = "not defined for a rigid-body motion"
-        return declared(dataset, zone_velocity=still, zone_velocity_error=still)
+        return declared(dataset, zone_velocity=STILL, zone_velocity_error=STILL)
 
 
 def zone_surface(model: BlochModel, divisions: int) -> ZoneSurface:

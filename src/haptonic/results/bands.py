@@ -58,9 +58,10 @@ def _edges_of(gap: Gap) -> tuple[Uncertain, Uncertain, Uncertain]:
 
 # variables of the interactive view; those of the second list are stored with 16 bits
 SEEN = [
-    "kappa", "distance", "frequency", "frequency_error", "group_velocity", "parity", "middle_parity",
-    "branch", "character", "gap_below", "gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error",
-    "gap_complete", "gap_direction", "gap_waves", "skin_position", "skin_face", "skin_edge",
+    "kappa", "distance", "frequency", "frequency_error", "group_velocity", "group_velocity_error",
+    "parity", "middle_parity", "branch", "character", "gap_below", "gap_lower", "gap_upper",
+    "gap_lower_error", "gap_upper_error", "gap_complete", "gap_direction", "gap_waves",
+    "skin_position", "skin_face", "skin_edge",
 ]  # fmt: skip
 SEEN_SHORT = ["path_shape", "path_mode_real", "path_mode_imag"]
 

@@ -96,6 +96,11 @@ export class BandDiagram {
     return Number.isFinite(x) && Number.isFinite(y) ? [x, y] : undefined;
   }
 
+  /** Length of the error of the group velocity, m/s; undefined in runs of earlier versions. */
+  velocityError({ row, band }: Point): number | undefined {
+    return this.data.has("group_velocity_error") ? this.data.values("group_velocity_error")[row * this.bands + band] : undefined;
+  }
+
   /** Phases k . a1 and k . a2 of a wavevector, rad. */
   phases(row: number): [number, number] {
     const kappa = this.data.values("kappa");

@@ -10,6 +10,7 @@ import type { Host } from "../parts/host";
 import { Listing } from "../parts/listing";
 import { uncertain } from "../parts/numbers";
 import { withUnit } from "../parts/units";
+import { velocityText } from "../parts/velocity";
 import { Walk } from "../parts/walk";
 import { Curves } from "./curves";
 import { BandDiagram } from "./diagram_data";
@@ -133,7 +134,7 @@ function PointFacts({ diagram, choice, isOld }: { diagram: BandDiagram; choice: 
   const facts: [string, string][] = [
     ["motion", diagram.nature(point)],
     ["symmetry", diagram.parity(point)],
-    ["group velocity", velocity ? `${Math.hypot(...velocity).toPrecision(3)} m/s` : "not defined"],
+    ["group velocity", velocity ? velocityText(velocity, diagram.velocityError(point)) : "not defined"],
   ];
   const place = diagram.place(point.row);
   return (

@@ -7,6 +7,7 @@ import { PlayButton } from "../parts/controls";
 import { FactList } from "../parts/facts";
 import { keyPressed, type Key } from "../parts/keys";
 import { uncertain } from "../parts/numbers";
+import { velocityText } from "../parts/velocity";
 import { rounded, titled, withUnit, type Unit } from "../parts/units";
 import { Walk } from "../parts/walk";
 import type { BandDiagram } from "./diagram_data";
@@ -312,10 +313,4 @@ function modeFacts(diagram: BandDiagram, zone: ZoneSurface, image: number, band:
     ["symmetry", symmetry],
     ["group velocity", velocity ? velocityText(velocity, zone.velocityError(image, band)) : "not defined"],
   ];
-}
-
-function velocityText([x, y]: [number, number], error: number): string {
-  const speed = Math.hypot(x, y);
-  const direction = speed > error ? ` at ${((Math.atan2(y, x) * 180) / Math.PI).toFixed(0)}° from x` : "";
-  return `${uncertain(speed, error)} m/s${direction}`;
 }
