@@ -40,6 +40,10 @@ from haptonic.superelement import Tiling, on_each
 
 ABOVE = 2  # modes above the last band that may change places with it; with none, a tenth band was 1.3 % off
 HALVES_DIVISIONS = 6  # of the zone's sides, for the wavevectors at which bands of each parity are counted
+# Share of the goal from which the interior is wider on the next mesh. With steel cores in rings of epoxy the
+# truncation error was 0.7 of the goal on one mesh and above it on the next; one condensation less saves a
+# quarter of 22 s there.
+NEARLY = 0.5
 ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which errors of a model are estimated
 
 
@@ -293,7 +297,9 @@ def candidate_models(
             yield model
             excess = model.mesh_error / accuracy
         if lack is None:
-            finer = finer_level(cell, mesh, level, excess, limits, spent)
+            # a finer mesh needs a somewhat wider interior, and a second condensation takes all its time again
+            wider = mesh.grown() if reached.truncation > NEARLY * goal else mesh
+            finer = finer_level(cell, wider, level, excess, limits, spent)
             if not isinstance(finer, Lack):
                 level, mesh = finer
                 continue

@@ -56,11 +56,13 @@ class Assembler:
 
     def paired(self, elements: tuple[ElementMatrices, ...]) -> Array:
         """(pairs, 9) stiffness between pairs of nodes, images included."""
-        picked = [
-            e.stiffness.reshape(-1, 9)[contributions]
-            for e, contributions in zip(elements, self.kept, strict=True)
-        ]
-        return np.asarray(np.concatenate(picked) * self.weight[:, None])
+        ends = np.cumsum([0, *(len(contributions) for contributions in self.kept)])
+        paired = np.empty((ends[-1], 9))  # filled in place: copies of it take longer than the sums
+        for of_family, contributions, start, stop in zip(elements, self.kept, ends, ends[1:], strict=False):
+            between = of_family.stiffness.reshape(-1, 9)
+            np.take(between, contributions, axis=0, out=paired[start:stop], mode="clip")
+        paired *= self.weight[:, None]
+        return paired
 
     def assembled(self, paired: Array, symmetry_class: int) -> FoldedStiffness:
         """Stiffness of one symmetry class from the stiffness between pairs of nodes."""
