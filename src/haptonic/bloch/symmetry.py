@@ -52,10 +52,12 @@ def sorted_by_parity(trace: Complex, image: Complex, groups: Sequence[Ints]) -> 
     turn : (k, k) unitary, block diagonal in the groups; new modes = old modes @ turn
     parity : (k,) expectation of the reflection, +1 or -1 but for numerical error
     """
-    count = trace.shape[1]
-    turn = np.zeros((count, count), dtype=complex)
-    parity = np.empty(count)
+    turn = np.eye(trace.shape[1], dtype=complex)
+    # of each mode alone; most groups contain one
+    parity = np.einsum("tk,tk->k", trace.conj(), image).real / np.einsum("tk,tk->k", trace.conj(), trace).real
     for group in groups:
+        if len(group) == 1:
+            continue
         of_group = trace[:, group]
         overlap, norm = of_group.conj().T @ image[:, group], of_group.conj().T @ of_group
         values, vectors = la.eigh(0.5 * (overlap + overlap.conj().T), norm)
