@@ -15,6 +15,7 @@ from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, 
 from haptonic.cell.pillar_parts import Corner
 from haptonic.fields import LARGEST, Quantity, problem, setting, size
 from haptonic.materials import Material, is_symmetry
+from haptonic.units import format_quantity
 
 MOST_CORNERS = 24  # of a section
 LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
@@ -70,7 +71,9 @@ class Sectioned:
             if given and name not in takes:
                 raise problem(
                     "conflict",
-                    "one" if name == "point" else f"{given:.6g}",
+                    f"{len(given)} corners"
+                    if name == "point"
+                    else format_quantity(given, "m" if name in LENGTHS else ""),
                     f"{allowed}, and for no other",
                     f"a section that is {self.section} is given without it",
                     f'remove {name}, or write section = "{having[0]}"',
