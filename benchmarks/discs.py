@@ -3,9 +3,9 @@
     python discs.py    # cells of seed 1 for ten minutes, the cheapest of each feature first
     python discs.py --seed 7 --cells 80 --minutes 30 --meshes 3-1 4-1 5-1 --features undercut hole
 
-Each cell is computed on some meshes, and on a finer one of order six with two rings. For each mesh: the
-estimate over the distance to the finer mesh, for those of ten bands at four wavevectors whose distance
-exceeds its uncertainty. The last table has the same by classes of edges.
+Each cell is computed on some meshes, and on a finer one with two rings, of order six or as given. For each
+mesh: the estimate over the distance to the finer mesh, for those of ten bands at four wavevectors whose
+distance exceeds its uncertainty. The last table has the same by classes of edges.
 """
 
 from __future__ import annotations
@@ -33,8 +33,7 @@ from haptonic.superelement import Tiling, missing_energy, on_each
 
 INTERIOR = (4, 36)  # of all meshes
 TRUNCATED = 1e-4  # relative: its largest truncation error of ten bands in a thick plate
-REFERENCE = 6  # order of the finer mesh, with two rings; the order below shows its uncertainty
-UNSURE = 0.6  # uncertainty of the finer mesh as a share of that distance
+UNSURE = 0.6  # uncertainty of the finer mesh as a share of its distance to the order below
 MODES = 12  # bands, of which ten are judged
 JUDGED = 10
 MOVING = 1e-4  # share of the highest frequency; only rigid motions are below
@@ -184,10 +183,10 @@ def solved(cell: UnitCell, mesh: Resolution) -> tuple[Array, Array]:
     return np.array(frequencies), np.array(errors)
 
 
-def survey(seed: int, number: int, meshes: Sequence[str]) -> list[Row]:
-    """Compare the estimates of a cell on each mesh with the finer mesh."""
+def survey(seed: int, number: int, meshes: Sequence[str], finer: int) -> list[Row]:
+    """Compare the estimates of a cell on each mesh with the mesh of order ``finer``."""
     feature, cell = drawn(seed, number)
-    fine, lower = (solved(cell, Resolution(order, 2))[0] for order in (REFERENCE, REFERENCE - 1))
+    fine, lower = (solved(cell, Resolution(order, 2))[0] for order in (finer, finer - 1))
     unsure = UNSURE * np.abs(fine - lower) + TRUNCATED * fine
     rows = []
     for mesh in meshes:
@@ -223,10 +222,10 @@ def summary(rows: Sequence[Row]) -> dict[str, Any]:
     }
 
 
-def in_order(count: int, seed: int, features: Sequence[str]) -> list[int]:
+def in_order(count: int, seed: int, features: Sequence[str], finer: int) -> list[int]:
     """Numbers of cells: the cheapest of each feature, then the next of each."""
     numbers = [number for number in range(count) if FEATURES[number % len(FEATURES)] in features]
-    cost = {number: Resolution(REFERENCE, 2).seconds(drawn(seed, number)[1]) for number in numbers}
+    cost = {number: Resolution(finer, 2).seconds(drawn(seed, number)[1]) for number in numbers}
     rounds: dict[int, tuple[int, float]] = {}
     for feature in FEATURES:
         alike = [number for number in numbers if FEATURES[number % len(FEATURES)] == feature]
@@ -235,17 +234,19 @@ def in_order(count: int, seed: int, features: Sequence[str]) -> list[int]:
     return sorted(numbers, key=lambda number: rounds[number])
 
 
-def main(count: int, seed: int, minutes: float, meshes: Sequence[str], features: Sequence[str]) -> None:
+def main(
+    count: int, seed: int, minutes: float, meshes: Sequence[str], features: Sequence[str], finer: int
+) -> None:
     """Survey cells, and store what all of them together show."""
     rows: list[Row] = []
     refused = run = 0
     start = time.monotonic()
-    for number in in_order(count, seed, features):
+    for number in in_order(count, seed, features, finer):
         if time.monotonic() - start > 60 * minutes:
             break
         run += 1
         try:
-            found = survey(seed, number, meshes)
+            found = survey(seed, number, meshes, finer)
         except HaptonicError as error:
             refused += 1
             print(f"{number}: refused, {error.cause}", flush=True)
@@ -266,7 +267,7 @@ def main(count: int, seed: int, minutes: float, meshes: Sequence[str], features:
     write(
         "discs",
         {
-            "seed": seed, "drawn": count, "run": run, "refused": refused, "all": by_mesh,
+            "seed": seed, "finer": finer, "drawn": count, "run": run, "refused": refused, "all": by_mesh,
             "classes": [{"mesh": mesh, "edges": edges} | of for (mesh, edges), of in sorted(groups.items())],
             "rows": [asdict(row) for row in rows],
         },
@@ -280,7 +281,8 @@ if __name__ == "__main__":
     parser.add_argument("--cells", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--minutes", type=float, default=10.0)
+    parser.add_argument("--finer", type=int, default=6, help="order of the finer mesh")
     parser.add_argument("--meshes", nargs="+", default=["3-1", "4-1"])
     parser.add_argument("--features", nargs="+", default=FEATURES, choices=FEATURES)
     given = parser.parse_args()
-    main(given.cells, given.seed, given.minutes, given.meshes, given.features)
+    main(given.cells, given.seed, given.minutes, given.meshes, given.features, given.finer)
