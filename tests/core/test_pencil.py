@@ -51,19 +51,6 @@ def test_random_pencils_are_hermitian_and_periodic(seed, kappa):
     assert np.abs(whole + pencil.stiffness[0] - K).max() < 1e-12 * np.abs(K).max()
 
 
-@given(seeds, phases, st.integers(1, 7))
-def test_projection_commutes_with_evaluation(seed, kappa, size):
-    pencil = random_pencil(seed)
-    basis = np.random.default_rng(seed + 1).standard_normal((7, size))
-    projected = pencil.projected(basis)
-    assert projected.size == size
-    pairs = [(projected.at(kappa), pencil.at(kappa))]
-    pairs += [(projected.slope(kappa, d), pencil.slope(kappa, d)) for d in (0, 1)]
-    for after, before in pairs:
-        for small, large in zip(after, before, strict=True):
-            assert small == pytest.approx(basis.T @ large @ basis, abs=1e-10)
-
-
 @given(seeds, phases, st.integers(0, 1))
 def test_slope_against_differences(seed, kappa, direction):
     pencil = random_pencil(seed)

@@ -52,14 +52,6 @@ class Pencil:
         K, M = (_halves(blocks, factor) for blocks in (self.stiffness, self.mass))
         return (K[0] + self.stiffness[0], K[1]), (M[0] + self.mass[0], M[1])
 
-    def projected(self, basis: Array) -> Pencil:
-        """Project the pencil onto a constant real basis (n, r)."""
-
-        def project(blocks: Array) -> Array:
-            return np.asarray(basis.T @ blocks @ basis)
-
-        return Pencil(self.shifts, project(self.stiffness), project(self.mass))
-
 
 def _halves(blocks: Array, factor: Complex) -> tuple[Array, Array]:
     """(n, n) real and imaginary parts of ``sum_s factor_s A_s`` plus its adjoint, without A_0.
