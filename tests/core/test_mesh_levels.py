@@ -6,7 +6,9 @@ import re
 import subprocess
 import sys
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,7 +21,7 @@ from haptonic.bloch.mesh_levels import MeshLimits, first_level, first_rung, star
 from haptonic.bloch.model import BlochModel, best_model, bloch_model, candidate_models
 from haptonic.bloch.resolution import LADDER, Resolution
 from haptonic.bloch.settings import BandSettings, MeshSettings
-from haptonic.bloch.truncation import TRUSTED_TRUNCATION, largest_truncation, reach_truncation
+from haptonic.bloch.truncation import TRUSTED_TRUNCATION, Interior, largest_truncation, reach_truncation
 from haptonic.cell import Disc, Pillar, UnitCell
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.lattice import Lattice
@@ -414,3 +416,22 @@ def test_discs_through_thin_plates_reach_the_accuracy_on_the_first_mesh(disc):
     level = first_rung(cell, 2e-3)
     assert level == 1
     assert BlochModel.of(cell, LADDER[level], 10, measured=False).mesh_error < 2e-3
+
+
+def test_an_interior_that_nearly_fails_is_wider_on_the_next_mesh(monkeypatch):
+    """The first mesh has the same interior, the second a wider one if the first nearly missed its goal."""
+    monkeypatch.setattr(BlochModel, "of", lambda *given, **named: SimpleNamespace(mesh_error=8e-3))
+    cell = UnitCell(Lattice.square(7e-3), 1e-3, ALUMINIUM, disc=(Disc(5e-3, material=material("steel")),))
+    blocks = {}
+    for share in (0.3, 0.7):
+        blocks[share] = []
+
+        def reached(cell, mesh, count, *, goal, of_share=blocks[share], share=share, **named):
+            of_share.append(mesh.block)
+            return Interior(mesh, None, share * goal, 1e5), None
+
+        monkeypatch.setattr(model, "reach_truncation", reached)
+        list(islice(candidate_models(cell, BandSettings(accuracy=5e-3)), 2))
+    first, *_ = blocks[0.3]
+    assert blocks[0.3] == [first, first]
+    assert blocks[0.7][0] == first < blocks[0.7][1]
