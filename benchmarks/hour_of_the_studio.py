@@ -3,8 +3,9 @@ bands and a plate are computed, the map is painted, a finger moves, views and ol
 closed. The memory of server, worker, process of files and page after each round has no slope beyond its
 noise. Needs Chromium and the test extra.
 
-The program that drives the browser lets the page keep what it received, about 200 MB. It is filled before the
-first round, and the page's memory is given without it.
+The program that drives the browser lets the page keep what it received, about 200 MB, and some kilobytes of
+every request. The first is filled before the first round, the second is measured with small requests; the
+page's memory is given without both.
 
     python benchmarks/hour_of_the_studio.py [ROUNDS]
 """
@@ -32,6 +33,7 @@ WARM = 17  # rounds before the slope: caches fill, and the list has as many runs
 LEAST = 8  # further rounds
 ALLOWED = 0.1  # MB per round beyond twice the standard error of the slope; 3 MB in an hour
 ANSWERS = 300  # of 0.8 MB, more than the driver of the browser lets the page keep
+REQUESTS = 2000  # small ones, which show what the driver keeps of each
 PATIENCE = 300_000  # ms
 STUDY = FINER_CELL.replace("60 kHz", "10 kHz") + QUICK_PLATE
 TEXT = "textarea[aria-label^='Text of the study']"
@@ -42,6 +44,9 @@ ENTERED = """([area, text]) => {
 }"""
 RECEIVED = """async (times) => {
   for (let k = 0; k < times; k++) await (await fetch("/studio.js", { cache: "no-store" })).arrayBuffer();
+}"""
+ASKED = """async (times) => {
+  for (let k = 0; k < times; k++) await (await fetch("/", { cache: "no-store" })).text();
 }"""
 DRAWN = "[...document.querySelectorAll('.pictures img')].every((image) => image.naturalWidth > 0)"
 MOVED = """async (shares) => {
@@ -129,11 +134,11 @@ def use(page: Any, random: np.random.Generator) -> None:
 
 
 def measured(
-    page: Any, server: psutil.Process, roles: dict[int, str], received: float = 0.0
+    page: Any, server: psutil.Process, roles: dict[int, str], driver: float = 0.0
 ) -> dict[str, float]:
     """Memory of the processes and of the objects of the page, MB, and thousands of elements of the page.
 
-    received : memory of the page that its driver uses, MB
+    driver : memory of the page that its driver uses, MB
     """
     session = page.context.new_cdp_session(page)
     session.send("HeapProfiler.collectGarbage")
@@ -149,7 +154,7 @@ def measured(
             memory[name] = child.memory_info().rss / 1e6
     browser = psutil.Process().children(recursive=True)
     renderers = [each for each in browser if "--type=renderer" in each.cmdline()]
-    memory["page"] = max(each.memory_info().rss for each in renderers) / 1e6 - received
+    memory["page"] = max(each.memory_info().rss for each in renderers) / 1e6 - driver
     memory["objects of the page"] = metrics["JSHeapUsedSize"] / 1e6
     memory["elements of the page"] = metrics["Nodes"] / 1e3
     return memory
@@ -184,13 +189,18 @@ def hour(rounds: int) -> dict[str, Any]:
                 with page_at(browser, link, 1440, **STILL) as page:
                     page.locator(".form").first.wait_for()
                     server = psutil.Process(process.pid)
-                    empty = measured(page, server, {})["page"]
-                    page.evaluate(RECEIVED, ANSWERS)
-                    received = measured(page, server, {})["page"] - empty
+                    requests: list[str] = []
+                    page.on("request", lambda request: requests.append(request.url))
+                    before = [measured(page, server, {})["page"]]
+                    for program, times in ((RECEIVED, ANSWERS), (ASKED, REQUESTS)):
+                        page.evaluate(program, times)
+                        before.append(measured(page, server, {})["page"])
+                    received, each = before[1] - before[0], (before[2] - before[1]) / REQUESTS
                     start = time.perf_counter()
                     for number in range(rounds):
                         use(page, random)
-                        measures.append(measured(page, server, roles, received))
+                        driver = received + each * (len(requests) - ANSWERS)
+                        measures.append(measured(page, server, roles, driver))
                         print(
                             number + 1,
                             {name: round(value, 1) for name, value in measures[-1].items()},
@@ -209,7 +219,7 @@ def hour(rounds: int) -> dict[str, Any]:
         }  # fmt: skip
     return {
         "rounds": rounds, "warm_rounds": WARM, "seconds": round(seconds), "received": round(received),
-        "memory": memory,
+        "requests": len(requests), "kilobytes_of_a_request": round(1e3 * each, 2), "memory": memory,
     }  # fmt: skip
 
 

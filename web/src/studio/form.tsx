@@ -5,7 +5,7 @@ import type { ComponentChildren } from "preact";
 import { isTable, parsed, typedText, type Branch } from "./declared";
 import { Field } from "./field";
 import type { Step, Tables, Value } from "./server";
-import { broken, change, file, isWithin, opened, pathOf, problems, values } from "./study";
+import { broken, change, isWithin, loaded, opened, pathOf, problems, values } from "./study";
 
 const FEWEST = 3; // keys that are worth folding away
 
@@ -33,13 +33,14 @@ interface ContentsProps {
 
 /** Plain keys of a table, then the tables in it; what the study does not have is folded away where it is much. */
 function Contents({ branches, steps, given }: ContentsProps) {
-  // what has been shown, or used where it is folded, stays there until another file is opened: nothing jumps
-  const [shown, used] = useMemo(() => [new Set<string>(), new Set<string>()], [file.value]);
+  // what has been shown, or used where it is folded, stays there until another study is opened: nothing jumps
+  const [shown, used] = useMemo(() => [new Set<string>(), new Set<string>()], [loaded.value]);
   const isFurther = ({ name, key }: Branch) =>
     !key.required && !shown.has(name) && (given[name] === undefined || used.has(name));
   const [keys, tables] = [branches.filter((branch) => !isTable(branch)), branches.filter(isTable)];
-  const foldable = steps.length > 0 ? keys.filter((branch) => isFurther(branch) && branch.key.kind !== "choice") : [];
-  const furtherKeys = foldable.length >= FEWEST && foldable.length < keys.length ? foldable : [];
+  // a table of which the study has nothing is shown whole
+  const foldable = steps.length > 0 && !keys.every(isFurther) ? keys.filter((branch) => isFurther(branch) && branch.key.kind !== "choice") : [];
+  const furtherKeys = foldable.length >= FEWEST ? foldable : [];
   const furtherTables = steps.length === 0 ? tables.filter(isFurther) : [];
   const plain = keys.filter((branch) => !furtherKeys.includes(branch));
   const sections = tables.filter((branch) => !furtherTables.includes(branch));

@@ -21,6 +21,7 @@ export const problems = signal<Problem[]>([]);
 export const remarks = signal<Remark[]>([]);
 export const file = signal<string | null>(null);
 export const files = signal<string[]>([]);
+export const loaded = signal(0); // number of studies that the page has shown, apart from designs of one study
 export const notice = signal<Problem | string | null>(null); // why the last action was refused
 // table that another part of the page has opened in the form, and whether the form has moved to it
 export const opened = signal<{ path: string; isReached: boolean } | null>(null);
@@ -37,10 +38,13 @@ let examined = ""; // the text that values and problems belong to
 let timer = 0;
 let typed = -Infinity; // time of the last letter, ms since the page was loaded
 let queue: Promise<void> = Promise.resolve();
+let isOther = true; // the next state is that of another study
 
 /** Take the state of a text. */
 function take(state: Checked & { text: string }): void {
   number += 1;
+  if (isOther) loaded.value += 1;
+  isOther = false;
   examined = state.text;
   broken.value = state.values === null && text.peek().trim() !== "";
   if (!broken.value) values.value = state.values ?? {};
@@ -145,6 +149,7 @@ export const redo = () => swap(future, past);
 export const openFile = (name: string) =>
   attempt(async () => {
     const state = await server.open(name);
+    isOther = true;
     replace(state.text);
     file.value = state.name;
     saved.value = state.text;
@@ -154,6 +159,7 @@ export const openFile = (name: string) =>
 export const openTemplate = (name: string) =>
   attempt(async () => {
     const state = await server.template(name);
+    isOther = true;
     replace(state.text);
     file.value = null;
     saved.value = null;
@@ -162,6 +168,7 @@ export const openTemplate = (name: string) =>
 
 /** Another study without a file, as one step of the history. */
 export function openText(next: string): void {
+  isOther = true;
   setText(next);
   file.value = saved.value = null;
 }
