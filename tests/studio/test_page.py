@@ -161,6 +161,15 @@ def test_a_study_is_made_from_a_template_saved_and_opened(browser, studio):
         wait_for_text(page, CELL[:60])
 
 
+def test_the_form_of_another_study_shows_only_its_own_tables(browser, studio):
+    with opened(browser, studio) as page:
+        page.on("dialog", lambda dialog: dialog.accept())  # it asks before it replaces an unsaved study
+        plate = page.locator("summary", has_text=re.compile("^Plate"))
+        for name in ("touchpad", "bare-cell"):
+            page.get_by_label("New, from a template").select_option(name)
+            expect(plate).to_be_visible() if name == "touchpad" else expect(plate).to_be_hidden()
+
+
 def test_a_refused_name_is_explained(browser, studio):
     # the browser reports the refusal on its console, which `page_at` would take for a fault
     context = browser.new_context(storage_state=admitted(studio))
