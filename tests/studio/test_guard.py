@@ -1,17 +1,19 @@
 """Who may talk to the studio, with real sockets: each line is a rule of its own."""
 
+import gc
 import json
 import re
 import socket
 from pathlib import Path
 
 import pytest
+import uvicorn
 from served import served
 from starlette.routing import Route
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from haptonic.studio.guard import LARGEST_BODY
-from haptonic.studio.serving import LARGEST_MESSAGE
+from haptonic.studio.serving import LARGEST_MESSAGE, serve
 
 TEXT = json.dumps({"text": 'title = "x"'}).encode()
 
@@ -161,3 +163,20 @@ def test_the_server_listens_on_this_machine_only(studio):
 @pytest.mark.parametrize("body", [b"[]", b"{", b"[" * 100_000, b"\xff", b'{"text": 1}', b'{"text": null}'])
 def test_a_request_that_is_not_the_pages_is_refused(studio, body):
     assert studio.ask("POST", "/api/check", body).status in (400, 422)
+
+
+def test_a_server_collects_garbage_as_often_as_python_by_itself(monkeypatch, tmp_path):
+    usual, during = gc.get_threshold(), []
+
+    def run(server: uvicorn.Server, sockets: list[socket.socket]) -> None:
+        during.append(gc.get_threshold())
+        sockets[0].close()
+
+    monkeypatch.setattr(uvicorn.Server, "run", run)
+    monkeypatch.chdir(tmp_path)
+    gc.set_threshold(200_000)
+    try:
+        serve(None, 0, lambda link: None)
+    finally:
+        gc.set_threshold(*usual)
+    assert during == [usual]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import secrets
 import socket
@@ -21,6 +22,9 @@ from haptonic.studio.workspace import Workspace
 from haptonic.study.text_file import text_of
 
 ADDRESS = "127.0.0.1"
+# Python's own; commands that end soon collect less often, see `haptonic.cli.app`, but a server would keep the
+# garbage of cycles for hours, half a megabyte in two minutes of use
+COLLECTED_AFTER = 700, 10, 10
 LARGEST_MESSAGE = 4096  # bytes of a message of the websocket; the page sends none
 
 
@@ -53,6 +57,7 @@ def serve(study: Path | None, port: int, ready: Callable[[str], object]) -> None
         guard = Guard(studio.app(), port, token)
         # the page asks for the list of analyses, whose modules take further time
         threading.Thread(target=import_module("haptonic.studio.offers").offers, daemon=True).start()
+        gc.set_threshold(*COLLECTED_AFTER)
         uvicorn.Server(settings(guard)).run(sockets=[listening])
 
 
