@@ -60,6 +60,7 @@ class Assembler:
         paired = np.empty((ends[-1], 9))  # filled in place: copies of it take longer than the sums
         for of_family, contributions, start, stop in zip(elements, self.kept, ends, ends[1:], strict=False):
             between = of_family.stiffness.reshape(-1, 9)
+            # NumPy would copy the result once more to raise errors for numbers out of range
             np.take(between, contributions, axis=0, out=paired[start:stop], mode="clip")
         paired *= self.weight[:, None]
         return paired
