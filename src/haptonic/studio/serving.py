@@ -23,7 +23,7 @@ from haptonic.study.text_file import text_of
 
 ADDRESS = "127.0.0.1"
 # Python's own; commands that end soon collect less often, see `haptonic.cli.app`, but a server would keep the
-# garbage of cycles for hours, half a megabyte in two minutes of use
+# garbage of cycles for long
 COLLECTED_AFTER = 700, 10, 10
 LARGEST_MESSAGE = 4096  # bytes of a message of the websocket; the page sends none
 
