@@ -6,6 +6,7 @@ second to load; lists, plans and refusals do not need them.
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from importlib import import_module
@@ -63,6 +64,8 @@ else:
     sparse, sparse_linalg = _Later("scipy.sparse"), _Later("scipy.sparse.linalg")
     csgraph = _Later("scipy.sparse.csgraph")
 
+# of the garbage collector, before a command that ends soon raises them; they depend on the version of Python
+USUAL_THRESHOLDS = gc.get_threshold()
 ASKED_FOR = ("dask", "pint")  # xarray imports them if installed, to support their arrays; not used here
 
 

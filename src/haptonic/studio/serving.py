@@ -16,15 +16,13 @@ from pathlib import Path
 import uvicorn
 
 from haptonic.errors import ResourceError, StudyError
+from haptonic.later import USUAL_THRESHOLDS
 from haptonic.paths import source
 from haptonic.studio.guard import Guard
 from haptonic.studio.workspace import Workspace
 from haptonic.study.text_file import text_of
 
 ADDRESS = "127.0.0.1"
-# Python's own; commands that end soon collect less often, see `haptonic.cli.app`, but a server would keep the
-# garbage of cycles for long
-COLLECTED_AFTER = 700, 10, 10
 LARGEST_MESSAGE = 4096  # bytes of a message of the websocket; the page sends none
 
 
@@ -57,7 +55,8 @@ def serve(study: Path | None, port: int, ready: Callable[[str], object]) -> None
         guard = Guard(studio.app(), port, token)
         # the page asks for the list of analyses, whose modules take further time
         threading.Thread(target=import_module("haptonic.studio.offers").offers, daemon=True).start()
-        gc.set_threshold(*COLLECTED_AFTER)
+        # commands collect less often, see `haptonic.cli.app`; a server would keep garbage of cycles for long
+        gc.set_threshold(*USUAL_THRESHOLDS)
         uvicorn.Server(settings(guard)).run(sockets=[listening])
 
 

@@ -39,8 +39,9 @@ function Contents({ branches, steps, given }: ContentsProps) {
     !key.required && !shown.has(name) && (given[name] === undefined || used.has(name));
   const [keys, tables] = [branches.filter((branch) => !isTable(branch)), branches.filter(isTable)];
   // a table of which the study has nothing is shown whole
-  const foldable = steps.length > 0 && !keys.every(isFurther) ? keys.filter((branch) => isFurther(branch) && branch.key.kind !== "choice") : [];
-  const furtherKeys = foldable.length >= FEWEST ? foldable : [];
+  const isFolded = steps.length > 0 && !keys.every(isFurther);
+  const foldable = keys.filter((branch) => isFurther(branch) && branch.key.kind !== "choice");
+  const furtherKeys = isFolded && foldable.length >= FEWEST ? foldable : [];
   const furtherTables = steps.length === 0 ? tables.filter(isFurther) : [];
   const plain = keys.filter((branch) => !furtherKeys.includes(branch));
   const sections = tables.filter((branch) => !furtherTables.includes(branch));

@@ -27,7 +27,7 @@ export const questionOf = computed(() => {
   return names.find((name) => name === about) ?? names.find((name) => problem.next_step.includes(`${name}=`)) ?? "";
 });
 
-/** Table of the study in which a refusal asks for a key, such as "trials.sensor"; empty if there is none. */
+/** Table of the study that the next step of a refusal names, such as "trials.sensor"; empty without one. */
 export const tableOf = computed(() => {
   const path = /\[([\w.]+)\]/.exec(refused.value?.next_step ?? "")?.[1] ?? "";
   const tables = analysis.value?.tables ?? [];
