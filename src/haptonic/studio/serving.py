@@ -19,6 +19,7 @@ from haptonic.errors import ResourceError, StudyError
 from haptonic.later import USUAL_THRESHOLDS
 from haptonic.paths import source
 from haptonic.studio.guard import Guard
+from haptonic.studio.memory import share_one_arena
 from haptonic.studio.workspace import Workspace
 from haptonic.study.text_file import text_of
 
@@ -39,6 +40,7 @@ def serve(study: Path | None, port: int, ready: Callable[[str], object]) -> None
     ------
     HaptonicError : the study cannot be read, or the port is taken
     """
+    share_one_arena()
     folder, opened = Path.cwd(), None
     if study is not None:
         path = source(study, "study", StudyError)

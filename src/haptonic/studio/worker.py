@@ -35,6 +35,7 @@ from haptonic.results.result import Result
 from haptonic.studio.answers import answer_of, packed_part
 from haptonic.studio.editing import steps_of
 from haptonic.studio.files import file_of
+from haptonic.studio.memory import give_back, share_one_arena
 from haptonic.studio.offers import offered, with_paths
 from haptonic.studio.order import Order, Wish
 from haptonic.studio.workspace import Workspace
@@ -113,11 +114,14 @@ class WorkerChannel:
 
 def serve(connection: Connection) -> None:
     """Compute orders until the other end closes, or its process ends."""
+    share_one_arena()
     channel, turnings, wishes = WorkerChannel(connection), dict[str, Any](), Wishes()
     leave_out()
     threading.Thread(target=_end_with_parent, daemon=True).start()
     after: Aftermath | None = None
     while True:
+        if after is None:
+            give_back()
         try:
             message = channel.next(wait=after is None)
         except EOFError:

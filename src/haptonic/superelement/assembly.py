@@ -131,8 +131,8 @@ class FoldedStiffness:
         return sp.csr_array((self.blocks[chosen].ravel(), tuple(places)), shape=(3 * rows, 3 * boundary))
 
 
-# pairs of nodes in all stored assemblers, about 100 bytes each: 23 usual cells with two orders each
-KEPT_PAIRS = 1e7
+# pairs of nodes in all stored assemblers, about 100 bytes each, so 0.4 GB: 9 usual cells with two orders each
+KEPT_PAIRS = 4e6
 _assemblers = Kept[Assembler](KEPT_PAIRS, lambda assembler: len(assembler.weight))
 
 

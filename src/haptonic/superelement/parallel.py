@@ -14,8 +14,9 @@ Result = TypeVar("Result")
 # Number of analysed solvers stored for the next cell of the same topology. The six parts of a hexagon at two
 # orders need twelve, squares in between may need four.
 KEPT_SOLVERS = 16
-# Largest number of entries of one stored pattern, and of all; the factors of more need too much memory.
-KEPT_ENTRIES, KEPT_IN_ALL = 5_000_000, 15_000_000
+# Largest number of entries of one stored pattern, and of all. With its factors an entry needs 70 bytes, so
+# all need 0.4 GB at most; a square cell has 0.5 million at the usual order, a triangular one 1.2.
+KEPT_ENTRIES, KEPT_IN_ALL = 5_000_000, 6_000_000
 
 _idle: deque[tuple[Pattern, Solver]] = deque(maxlen=KEPT_SOLVERS)
 

@@ -41,7 +41,8 @@ LEAST_ORDER, PER_LAYER = (
     2,
 )  # order of the polynomials along the body, and its increase per layer of the mesh
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space in addition to those of a whole cell
-KEPT_FEET = 5e6  # entries of stiffness of all feet stored for further designs: 16 usual feet
+# entries of stiffness of all feet stored for further designs, about 80 bytes each, so 0.4 GB: 10 usual feet
+KEPT_FEET = 5e6
 
 
 @definite()
