@@ -1,5 +1,6 @@
 """Who may talk to the studio, with real sockets: each line is a rule of its own."""
 
+import asyncio
 import gc
 import json
 import re
@@ -13,7 +14,7 @@ from starlette.routing import Route
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from haptonic.studio.guard import LARGEST_BODY
-from haptonic.studio.serving import LARGEST_MESSAGE, serve
+from haptonic.studio.serving import LARGEST_MESSAGE, listen, serve
 
 TEXT = json.dumps({"text": 'title = "x"'}).encode()
 
@@ -180,3 +181,20 @@ def test_a_server_collects_garbage_as_often_as_python_by_itself(monkeypatch, tmp
     finally:
         gc.set_threshold(*usual)
     assert during == [usual]
+
+
+def test_answers_are_sent_without_delay():
+    # otherwise the second part of each answer waits until the browser confirms the first, which takes 40 ms
+    async def is_at_once() -> bool:
+        accepted = asyncio.get_running_loop().create_future()
+        server = await asyncio.start_server(lambda _, writer: accepted.set_result(writer), sock=listen(0))
+        async with server:
+            _, page = await asyncio.open_connection(*server.sockets[0].getsockname())
+            answering = await accepted
+            connection = answering.get_extra_info("socket")
+            at_once = connection.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY)
+            page.close()
+            answering.close()
+        return bool(at_once)
+
+    assert asyncio.run(is_at_once())

@@ -86,7 +86,8 @@ def listen(port: int) -> socket.socket:
     ------
     ResourceError : the port is taken, or not allowed
     """
-    listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    # the event loop sends answers without delay, which costs 40 ms each, only if the protocol is named
+    listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     if os.name == "posix":  # on Windows this option would let another program take the port as well
         listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
