@@ -33,7 +33,7 @@ WARM = 17  # rounds before the slope: caches fill, and the list has as many runs
 LEAST = 8  # further rounds
 ALLOWED = 0.1  # MB per round beyond twice the standard error of the slope; 3 MB in an hour
 ANSWERS = 300  # of 0.8 MB, more than the driver of the browser lets the page keep
-REQUESTS = 2000  # small ones, which show what the driver keeps of each
+REQUESTS = 20_000  # small ones, which show what the driver keeps of each: 3 kB, within 2 MB of noise of all
 PATIENCE = 300_000  # ms
 STUDY = FINER_CELL.replace("60 kHz", "10 kHz") + QUICK_PLATE
 TEXT = "textarea[aria-label^='Text of the study']"
