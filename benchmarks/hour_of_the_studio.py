@@ -3,158 +3,114 @@ bands and a plate are computed, the map is painted, a finger moves, views and ol
 closed. The memory of server, worker, process of files and page after each round has no slope beyond its
 noise. Needs Chromium and the test extra.
 
-The program that drives the browser lets the page keep what it received, about 200 MB, and some kilobytes of
-every request. The first is filled before the first round, the second is measured with small requests; the
-page's memory is given without both.
+The page uses itself, by the program in hour_of_the_studio.js. A library that drives browsers would let the
+page keep what it received, and kilobytes of each request.
 
     python benchmarks/hour_of_the_studio.py [ROUNDS]
 """
 
 from __future__ import annotations
 
+import itertools
+import json
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+import urllib.request
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import psutil
 from record import ROOT, write
+from websockets.sync.client import ClientConnection, connect
 
 sys.path += [str(ROOT / "tests")]
-from browser import STILL, chromium, page_at
+from browser import CHROMIUM, FLAGS
 from quick import FINER_CELL, QUICK_PLATE
 
-ROUNDS = 40  # with 4 turned numbers, 3 results, 2 strokes and 2 older runs each: more than an hour of use
-WARM = 17  # rounds before the slope: caches fill, and the list has as many runs as the server keeps
+ROUNDS = 60  # with 4 turned numbers, 3 results, 2 strokes and 2 older runs each: two hours of use
+# rounds before the slope: caches fill, the list has as many runs as the server keeps (after 17), and the
+# history as many steps as can be undone (after 33)
+WARM = 34
 LEAST = 8  # further rounds
 ALLOWED = 0.1  # MB per round beyond twice the standard error of the slope; 3 MB in an hour
-ANSWERS = 300  # of 0.8 MB, more than the driver of the browser lets the page keep
-REQUESTS = 20_000  # small ones, which show what the driver keeps of each: 3 kB, within 2 MB of noise of all
-PATIENCE = 300_000  # ms
+PATIENCE = 300  # s
 STUDY = FINER_CELL.replace("60 kHz", "10 kHz") + QUICK_PLATE
-TEXT = "textarea[aria-label^='Text of the study']"
-ENTERED = """([area, text]) => {
-  const field = document.querySelector(area);
-  field.value = text;
-  field.dispatchEvent(new InputEvent("input", { bubbles: true }));
-}"""
-RECEIVED = """async (times) => {
-  for (let k = 0; k < times; k++) await (await fetch("/studio.js", { cache: "no-store" })).arrayBuffer();
-}"""
-ASKED = """async (times) => {
-  for (let k = 0; k < times; k++) await (await fetch("/", { cache: "no-store" })).text();
-}"""
-DRAWN = "[...document.querySelectorAll('.pictures img')].every((image) => image.naturalWidth > 0)"
-MOVED = """async (shares) => {
-  const slider = document.querySelector(".turning input");
-  const [low, high] = [Number(slider.min), Number(slider.max)];
-  for (const share of shares) {
-    slider.value = String(low + share * (high - low));
-    slider.dispatchEvent(new InputEvent("input", { bubbles: true }));
-    await new Promise((done) => setTimeout(done, 20));
-  }
-  slider.dispatchEvent(new Event("change", { bubbles: true }));
-}"""
+ROUND = Path(__file__).with_suffix(".js").read_text("utf-8")
+SHARES = (0.15, 0.85)  # of a slider
+MOVES = (4, 12)  # numbers, moves of each
 
 
-def until(page: Any, is_so: Callable[[], Any]) -> None:
-    """Wait for a condition; the page allows no functions of the driver that are evaluated in it."""
-    end = time.monotonic() + PATIENCE / 1000
-    while not is_so():
-        assert time.monotonic() < end, "the page does not answer"
-        page.wait_for_timeout(50)
+class OwnPage:
+    """A page of the browser, through the browser's own protocol."""
+
+    def __init__(self, connection: ClientConnection) -> None:
+        self._connection, self._numbers = connection, itertools.count()
+
+    def call(self, method: str, **parameters: Any) -> dict[str, Any]:
+        """Call a method of the protocol."""
+        number = next(self._numbers)
+        self._connection.send(json.dumps({"id": number, "method": method, "params": parameters}))
+        answer: dict[str, Any] = {}
+        while answer.get("id") != number:
+            answer = json.loads(self._connection.recv(PATIENCE))
+        assert "error" not in answer, answer
+        result: dict[str, Any] = answer["result"]
+        return result
+
+    def run(self, program: str) -> Any:
+        """Value of a program in the page, when it has ended."""
+        result = self.call("Runtime.evaluate", expression=program, awaitPromise=True, returnByValue=True)
+        assert "exceptionDetails" not in result, result
+        return result["result"].get("value")
 
 
-def compute(page: Any, analysis: str) -> None:
-    """Compute an analysis and wait until its result is shown."""
-    page.get_by_label("Analysis").select_option(analysis)
-    page.get_by_role("button", name=f"Compute {analysis}").click()
-    page.locator(f"#result[aria-label='Result of {analysis}']").wait_for(timeout=PATIENCE)
-    page.locator(".compute .running").wait_for(state="detached", timeout=PATIENCE)
-
-
-def turn(page: Any, path: str, random: np.random.Generator) -> None:
-    """Drag a number, and wait for its certified curves."""
-    page.select_option(".turning select", path)
-    page.locator(".turning[data-prepared=true]").wait_for(timeout=PATIENCE)
-    page.evaluate(MOVED, random.uniform(0.15, 0.85, 12).tolist())
-    page.locator(".kind.certified").wait_for(timeout=PATIENCE)
-    page.locator(".turning select:enabled").wait_for(timeout=PATIENCE)
-
-
-def walk(page: Any, keys: str) -> None:
-    """Press keys in the view."""
-    for key in keys.split():
-        page.locator(".walk").press(key)
-
-
-def paint(page: Any) -> None:
-    """Paint a tile of the map with the third letter, and take it back."""
-    page.locator("summary", has_text="Map of the plate").click()
-    canvas, before = page.locator(".paint canvas"), page.input_value(TEXT)
-    for key in ("3", "ArrowRight", "Space"):
-        canvas.press(key)
-    until(page, lambda: page.input_value(TEXT) != before)
-    for key in ("Control+z", "ArrowLeft"):
-        canvas.press(key)
-    until(page, lambda: page.input_value(TEXT) == before)
-    page.locator("summary", has_text="Map of the plate").click()
-
-
-def use(page: Any, random: np.random.Generator) -> None:
-    """One round: two minutes of use, from the same study each time, so that designs do not drift.
-
-    Locators wait here, because the handle of an element would keep its whole view in memory.
-    """
-    page.evaluate(ENTERED, [TEXT, STUDY])  # typed text would stay in the browser's own history
-    compute(page, "bands")
-    page.locator(".turning select:enabled").wait_for(timeout=PATIENCE)
-    for path in ("cell.pillar.diameter", "cell.pillar.height", "cell.thickness", "cell.pitch"):
-        turn(page, path, random)
-    walk(page, "ArrowRight ArrowRight ArrowUp ArrowLeft h h t t")
-    page.locator("summary", has_text="Pictures").click()
-    page.locator(".pictures").scroll_into_view_if_needed()
-    page.locator(".pictures img").first.wait_for(state="attached")
-    until(page, lambda: page.evaluate(DRAWN))
-    page.locator("summary", has_text="Pictures").click()
-    paint(page)
-    for analysis in ("plate", "feel"):
-        compute(page, analysis)
-        page.locator("canvas[data-shown]").first.wait_for(timeout=PATIENCE)
-        walk(page, "ArrowRight ArrowRight ArrowUp ArrowDown")
-    page.locator("summary", has_text="Runs").click()
-    for old in page.locator("[aria-label=Runs] tbody tr").all()[1:3]:
-        old.get_by_role("button").first.click()
-        page.wait_for_timeout(500)
-    page.locator("summary", has_text="Runs").click()
+@contextmanager
+def own_page(link: str) -> Iterator[tuple[OwnPage, psutil.Process]]:
+    """Open a link in a browser without motion: the page, and the process of the browser."""
+    with tempfile.TemporaryDirectory() as profile:
+        command = [
+            str(CHROMIUM), "--headless=new", f"--user-data-dir={profile}", "--remote-debugging-port=0",
+            "--window-size=1440,900", "--force-prefers-reduced-motion", *FLAGS, "about:blank",
+        ]  # fmt: skip
+        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as browser:
+            try:
+                ready = Path(profile) / "DevToolsActivePort"
+                while not (ready.exists() and ready.read_text()):
+                    time.sleep(0.1)
+                port = ready.read_text().split()[0]
+                with urllib.request.urlopen(f"http://127.0.0.1:{port}/json") as listed:
+                    pages = [target for target in json.load(listed) if target["type"] == "page"]
+                with connect(pages[0]["webSocketDebuggerUrl"], max_size=None) as connection:
+                    page = OwnPage(connection)
+                    page.call("Page.navigate", url=link)
+                    while not page.run("document.querySelector('.form') !== null"):
+                        time.sleep(0.1)
+                    yield page, psutil.Process(browser.pid)
+            finally:
+                browser.kill()
 
 
 def measured(
-    page: Any, server: psutil.Process, roles: dict[int, str], driver: float = 0.0
+    page: OwnPage, browser: psutil.Process, server: psutil.Process, roles: dict[int, str]
 ) -> dict[str, float]:
-    """Memory of the processes and of the objects of the page, MB, and thousands of elements of the page.
-
-    driver : memory of the page that its driver uses, MB
-    """
-    session = page.context.new_cdp_session(page)
-    session.send("HeapProfiler.collectGarbage")
-    session.send("Performance.enable")
-    metrics = {
-        metric["name"]: metric["value"] for metric in session.send("Performance.getMetrics")["metrics"]
-    }
-    session.detach()
+    """Memory of the processes and of the objects of the page, MB, and thousands of elements of the page."""
+    page.call("HeapProfiler.collectGarbage")
+    page.call("Performance.enable")
+    metrics = {metric["name"]: metric["value"] for metric in page.call("Performance.getMetrics")["metrics"]}
+    page.call("Performance.disable")
     memory = {"server": server.memory_info().rss / 1e6}
     for child in server.children():
         if "spawn_main" in " ".join(child.cmdline()):
             name = roles.setdefault(child.pid, ("worker", "files")[len(roles) % 2])
             memory[name] = child.memory_info().rss / 1e6
-    browser = psutil.Process().children(recursive=True)
-    renderers = [each for each in browser if "--type=renderer" in each.cmdline()]
-    memory["page"] = max(each.memory_info().rss for each in renderers) / 1e6 - driver
+    living = [child for child in browser.children(recursive=True) if child.status() != psutil.STATUS_ZOMBIE]
+    renderers = [child for child in living if "--type=renderer" in child.cmdline()]
+    memory["page"] = max(renderer.memory_info().rss for renderer in renderers) / 1e6
     memory["objects of the page"] = metrics["JSHeapUsedSize"] / 1e6
     memory["elements of the page"] = metrics["Nodes"] / 1e3
     return memory
@@ -171,41 +127,23 @@ def slope(values: list[float]) -> tuple[float, float]:
 def hour(rounds: int) -> dict[str, Any]:
     """Memory after each round, and its slopes."""
     random, roles, measures = np.random.default_rng(41), dict[int, str](), list[dict[str, float]]()
-    with tempfile.TemporaryDirectory() as folder, chromium() as browser:
-        (Path(folder) / "study.toml").write_text(STUDY, "utf-8")
-        command = [
-            sys.executable,
-            "-m",
-            "haptonic",
-            "studio",
-            str(Path(folder) / "study.toml"),
-            "--no-browser",
-        ]
+    with tempfile.TemporaryDirectory() as folder:
+        study = Path(folder) / "study.toml"
+        study.write_text(STUDY, "utf-8")
+        command = [sys.executable, "-m", "haptonic", "studio", str(study), "--no-browser"]
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
             assert process.stdout is not None
             process.stdout.readline()
             link = process.stdout.readline().strip()
             try:
-                with page_at(browser, link, 1440, **STILL) as page:
-                    page.locator(".form").first.wait_for()
-                    server = psutil.Process(process.pid)
-                    requests: list[str] = []
-                    page.on("request", lambda request: requests.append(request.url))
-                    before = [measured(page, server, {})["page"]]
-                    for program, times in ((RECEIVED, ANSWERS), (ASKED, REQUESTS)):
-                        page.evaluate(program, times)
-                        before.append(measured(page, server, {})["page"])
-                    received, each = before[1] - before[0], (before[2] - before[1]) / REQUESTS
+                with own_page(link) as (page, browser):
                     start = time.perf_counter()
                     for number in range(rounds):
-                        use(page, random)
-                        driver = received + each * (len(requests) - ANSWERS)
-                        measures.append(measured(page, server, roles, driver))
-                        print(
-                            number + 1,
-                            {name: round(value, 1) for name, value in measures[-1].items()},
-                            flush=True,
-                        )
+                        shares = random.uniform(*SHARES, MOVES).tolist()
+                        page.run(f"({ROUND})({json.dumps(STUDY)}, {json.dumps(shares)})")
+                        measures.append(measured(page, browser, psutil.Process(process.pid), roles))
+                        shown = {name: round(value, 1) for name, value in measures[-1].items()}
+                        print(number + 1, shown, flush=True)
                     seconds = time.perf_counter() - start
             finally:
                 process.terminate()
@@ -217,10 +155,7 @@ def hour(rounds: int) -> dict[str, Any]:
             "last": round(values[-1], 1), "largest": round(max(values), 1),
             "per_round": round(rise, 3), "standard_error": round(noise, 3),
         }  # fmt: skip
-    return {
-        "rounds": rounds, "warm_rounds": WARM, "seconds": round(seconds), "received": round(received),
-        "requests": len(requests), "kilobytes_of_a_request": round(1e3 * each, 2), "memory": memory,
-    }  # fmt: skip
+    return {"rounds": rounds, "warm_rounds": WARM, "seconds": round(seconds), "memory": memory}
 
 
 def main() -> None:

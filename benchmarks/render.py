@@ -685,8 +685,6 @@ painted, a plate and a finger are computed and moved, and older runs are opened.
 
 Memory after a round, MB, and thousands of elements; the slope per
 round and twice its standard error begin after {record["warm_rounds"]} rounds, when the caches are full. All rounds took {record["seconds"] / 60:.0f} min.
-The {record["received"]} MB of answers that the driver of the browser lets the page keep, and {record["kilobytes_of_a_request"]} kB of each of
-{record["requests"]} requests, are left out.
 Slopes of more than {ALLOWED} beyond twice their standard error: {growing or "none"}.
 
 {table(["memory of", "at the end", "largest", "per round"], rows)}
