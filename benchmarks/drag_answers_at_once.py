@@ -70,6 +70,7 @@ DRAGGED = """async ([moves, low, high]) => {
     if (document.querySelector(".kind").textContent !== "preview") throw new Error("no preview");
     times.push(performance.now() - start);
   }
+  slider.dispatchEvent(new PointerEvent("pointerup", { bubbles: true }));
   slider.dispatchEvent(new Event("change", { bubbles: true }));
   return times;
 }"""

@@ -104,6 +104,25 @@ def test_a_number_is_turned_with_a_preview_and_certified_curves(browser, studio)
         page.get_by_text("The study has changed: compute it first.").wait_for()
 
 
+PAUSES_NEVER_END = """() => {
+  const usual = window.setTimeout;
+  window.setTimeout = (action, milliseconds) => (milliseconds === 50 ? 0 : usual(action, milliseconds));
+}"""
+
+
+def test_curves_are_certified_without_a_pause_when_the_pointer_is_released(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_role("button", name="Compute bands").click()
+        expect(page.locator(SLIDER)).to_be_enabled(timeout=PATIENCE)
+        page.wait_for_selector(".turning[data-prepared=true]", timeout=PATIENCE)
+        page.evaluate(PAUSES_NEVER_END)
+        drag(page, [0.5, 0.6])
+        expect(page.locator(".kind")).to_have_text("preview")
+        page.mouse.up()
+        expect(page.locator(".kind")).to_have_text("certified", timeout=PATIENCE)
+        expect(page.locator(".turning select")).to_be_enabled(timeout=PATIENCE)
+
+
 NAMED = TURNED_CELL.replace('pitch = "7 mm"', 'pitch = "a"') + '\n[parameters]\na = "7 mm"\n'
 END = "() => document.querySelector('.curves').plot.scales.x.max"
 

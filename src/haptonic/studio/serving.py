@@ -86,7 +86,7 @@ def listen(port: int) -> socket.socket:
     ------
     ResourceError : the port is taken, or not allowed
     """
-    # the event loop sends answers without delay, which costs 40 ms each, only if the protocol is named
+    # the event loop sends small answers at once only if the protocol is named; else each waits for 40 ms
     listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     if os.name == "posix":  # on Windows this option would let another program take the port as well
         listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

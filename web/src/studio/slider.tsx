@@ -2,7 +2,7 @@
 
 import type { Host } from "../parts/host";
 import { shownJob } from "./jobs";
-import { canTurn, isPrepared, knob, knobs, move, release, select, turned, turnedTo, written } from "./turn";
+import { canTurn, isPrepared, knob, knobs, move, release, select, settle, turned, turnedTo, written } from "./turn";
 
 export const host: Host = {
   turned,
@@ -42,6 +42,7 @@ function Turn() {
         value={value}
         disabled={!canTurn.value}
         onInput={(event) => move(of, Number(event.currentTarget.value))}
+        onPointerUp={settle}
         onChange={(event) => release(of, Number(event.currentTarget.value))}
       />
       <output>{written(of, value)}</output>

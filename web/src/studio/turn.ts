@@ -31,8 +31,14 @@ export const turned = computed((): Turned | null => {
 export const written = ({ unit }: Knob, value: number): string => `${Number(value.toPrecision(9))} ${unit}`.trim();
 const asValue = (of: Knob, value: number) => (of.unit ? written(of, value) : Number(value.toPrecision(9)));
 
+interface Move {
+  of: Knob;
+  value: number;
+}
+
 let timer = 0;
-let next: { of: Knob; value: number } | null = null; // to certify when the server has answered the one before
+let moved: Move | null = null; // the last one, until it is certified
+let next: Move | null = null; // to certify when the server has answered the one before
 let isSending = false;
 let latest = { job: 0, path: "", at: 0 }; // the last value that was sent
 
@@ -44,11 +50,18 @@ export function select(path: string): void {
 /** The slider moves. */
 export function move(of: Knob, value: number): void {
   turnedTo.value = value;
+  moved = { of, value };
   clearTimeout(timer);
-  timer = window.setTimeout(() => {
-    next = { of, value };
-    void attempt(certify);
-  }, PAUSE);
+  timer = window.setTimeout(settle, PAUSE);
+}
+
+/** Certify the last value to which the slider moved: after a pause, or when the pointer leaves the slider. */
+export function settle(): void {
+  clearTimeout(timer);
+  if (moved === null) return;
+  next = moved;
+  moved = null;
+  void attempt(certify);
 }
 
 /** The slider is released, or moved by a key: the text follows, keys in a row as one step of its history. */
