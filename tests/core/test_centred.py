@@ -81,7 +81,7 @@ def test_slopes_of_the_projected_pencil_against_differences(name, direction):
     small = centred.projected(np.random.default_rng(1).standard_normal((centred.size, 5)))
     kappa, step = np.array([0.7, -1.1]), 1e-5 * np.eye(2)[direction]
     for exact, ahead, behind in zip(
-        small.slope(kappa, direction), small.at(kappa + step), small.at(kappa - step), strict=True
+        small.slopes(kappa)[direction], small.at(kappa + step), small.at(kappa - step), strict=True
     ):
         assert np.abs(exact - (ahead - behind) / 2e-5).max() < 1e-8 * np.abs(ahead).max()
 

@@ -56,7 +56,7 @@ def test_slope_against_differences(seed, kappa, direction):
     pencil = random_pencil(seed)
     step = 1e-5 * np.eye(2)[direction]
     for exact, ahead, behind in zip(
-        pencil.slope(kappa, direction), pencil.at(kappa + step), pencil.at(kappa - step), strict=True
+        pencil.slopes(kappa)[direction], pencil.at(kappa + step), pencil.at(kappa - step), strict=True
     ):
         assert exact == pytest.approx((ahead - behind) / 2e-5, abs=1e-8)
         assert np.array_equal(exact, exact.conj().T)

@@ -360,13 +360,15 @@ class RealPencil:
     def at(self, kappa: Array) -> tuple[Array, Array]:
         """(r, r) real symmetric stiffness and mass at the phases (2,)."""
         turns = self.shifts @ kappa
-        return self._summed(np.cos(turns), np.sin(turns))
+        (pair,) = self._summed(np.concatenate([np.cos(turns), np.sin(turns)])[None])
+        return pair
 
-    def slope(self, kappa: Array, direction: int) -> tuple[Array, Array]:
-        """Exact derivatives of stiffness and mass with respect to one phase."""
-        turns, step = self.shifts @ kappa, self.shifts[:, direction]
-        return self._summed(-step * np.sin(turns), step * np.cos(turns))
+    def slopes(self, kappa: Array) -> list[tuple[Array, Array]]:
+        """Exact derivatives of stiffness and mass with respect to each phase."""
+        turns, steps = self.shifts @ kappa, self.shifts.T
+        return self._summed(np.hstack([-steps * np.sin(turns), steps * np.cos(turns)]))
 
-    def _summed(self, of_cosine: Array, of_sine: Array) -> tuple[Array, Array]:
-        K, M = (np.concatenate([of_cosine, of_sine]) @ self._stack).reshape(2, self.size, self.size)
-        return K, M
+    def _summed(self, factors: Array) -> list[tuple[Array, Array]]:
+        """Stiffness and mass for each row of factors (n, 2 s) of the coefficients."""
+        forms = (factors @ self._stack).reshape(-1, 2, self.size, self.size)
+        return [(K, M) for K, M in forms]

@@ -94,7 +94,7 @@ class ZoneSampling:
         values, modes = eigenpairs(self.model.fine.pencil, kappa, self.model.count)
         self.kappa.append(kappa)
         self.frequency.append(hertz(values))
-        self.slope.append(np.nan_to_num(self.model.gradient(kappa, modes)))
+        self.slope.append(np.nan_to_num(self.model.gradient(kappa, values, modes)))
         return len(self.kappa) - 1
 
     def edge(self, band: int, sign: int, relative: float | None = None) -> tuple[float, Array, float]:

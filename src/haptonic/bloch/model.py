@@ -220,21 +220,19 @@ class BlochModel:
         corners = self.cell.zone.corner_phases.values()
         return max(float(self.frequencies(kappa)[-1]) for kappa in corners)
 
-    def gradient(self, kappa: Array, modes: Fields) -> Array:
+    def gradient(self, kappa: Array, values: Array, modes: Fields) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.
 
-        ``modes`` are those of `solve` at ``kappa``, of unit mass; degenerate modes must be combined so that
-        the derivative is diagonal among them. At zero frequency it is not defined: NaN.
+        ``values`` are eigenvalues (rad/s)^2 and ``modes`` those of `solve` at ``kappa``, of unit mass;
+        degenerate modes must be combined so that the derivative is diagonal among them. At zero frequency it
+        is not defined: NaN.
         """
         source = self.representative(kappa)
-        kappa = source.kappa
-        K, _ = self.fine.pencil.at(kappa)
-        values = on_each(K, modes)
         frequency = hertz(values)
-        slopes = np.empty((len(values), 2))
-        for direction in range(2):
-            dK, dM = self.fine.pencil.slope(kappa, direction)
-            slopes[:, direction] = on_each(dK, modes) - values * on_each(dM, modes)
+        slopes = np.stack([
+            on_each(dK, modes) - values * on_each(dM, modes)
+            for dK, dM in self.fine.pencil.slopes(source.kappa)
+        ], axis=1)  # fmt: skip
         moving = frequency > REST * self.highest
         slopes[~moving] = np.nan
         slopes[moving] /= 8 * np.pi**2 * frequency[moving, None]

@@ -40,11 +40,14 @@ class Pencil:
         K, M = (real + 1j * imaginary for real, imaginary in self.components(kappa))
         return K, M
 
-    def slope(self, kappa: Array, direction: int) -> tuple[Complex, Complex]:
-        """Exact derivatives of stiffness and mass with respect to one phase."""
-        factor = 1j * self.shifts[1:, direction] * np.exp(1j * (self.shifts[1:] @ kappa))
-        K, M = (_halves(blocks, factor) for blocks in (self.stiffness, self.mass))
-        return K[0] + 1j * K[1], M[0] + 1j * M[1]
+    def slopes(self, kappa: Array) -> list[tuple[Complex, Complex]]:
+        """Exact derivatives of stiffness and mass with respect to each phase."""
+        slopes = []
+        for step in self.shifts[1:].T:
+            factor = 1j * step * np.exp(1j * (self.shifts[1:] @ kappa))
+            K, M = (_halves(blocks, factor) for blocks in (self.stiffness, self.mass))
+            slopes.append((K[0] + 1j * K[1], M[0] + 1j * M[1]))
+        return slopes
 
     def components(self, kappa: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         """(n, n) real and imaginary parts of stiffness and of mass at the phases (2,)."""
@@ -154,7 +157,7 @@ class OfTiling(Evaluated, Protocol):
 class Derived(Evaluated, Protocol):
     """Pencil with derivatives with respect to the phases."""
 
-    def slope(self, kappa: Array, direction: int, /) -> tuple[Fields, Fields]: ...
+    def slopes(self, kappa: Array, /) -> list[tuple[Fields, Fields]]: ...
 
 
 AnyPencil = TypeVar("AnyPencil", bound=Evaluated, covariant=True)
@@ -179,9 +182,10 @@ class SplitPencil(Generic[AnyPencil]):
         """(n, n) stiffness and mass at the phases (2,)."""
         return self._whole([part.at(kappa) for part in self.parts])
 
-    def slope(self: SplitPencil[Derived], kappa: Array, direction: int) -> tuple[Fields, Fields]:
-        """Exact derivatives of stiffness and mass with respect to one phase."""
-        return self._whole([part.slope(kappa, direction) for part in self.parts])
+    def slopes(self: SplitPencil[Derived], kappa: Array) -> list[tuple[Fields, Fields]]:
+        """Exact derivatives of stiffness and mass with respect to each phase."""
+        of_parts = [part.slopes(kappa) for part in self.parts]
+        return [self._whole(list(of_phase)) for of_phase in zip(*of_parts, strict=True)]
 
     def fields(self: SplitPencil[OfTiling], modes: Fields, kappa: Array) -> Complex:
         """(t + m, k) unknowns of the tiling from modes (n, k)."""

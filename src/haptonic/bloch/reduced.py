@@ -71,10 +71,10 @@ class StiffenedPencil:
         stiffness, mass = self.whole.at(kappa)
         return stiffness + sum(self.surplus.at(kappa)), mass
 
-    def slope(self, kappa: Array, direction: int) -> tuple[Fields, Fields]:
-        """Exact derivatives of stiffness and mass with respect to one phase."""
-        stiffness, mass = self.whole.slope(kappa, direction)
-        return stiffness + sum(self.surplus.slope(kappa, direction)), mass
+    def slopes(self, kappa: Array) -> list[tuple[Fields, Fields]]:
+        """Exact derivatives of stiffness and mass with respect to each phase."""
+        both = zip(self.whole.slopes(kappa), self.surplus.slopes(kappa), strict=True)
+        return [(stiffness + sum(added), mass) for (stiffness, mass), added in both]
 
 
 @dataclass(frozen=True)

@@ -130,7 +130,7 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
     ``d omega / d kappa_j = u* (dK/d kappa_j - omega^2 dM/d kappa_j) u / (2 omega)`` for a mode u of unit mass
     (Hellmann and Feynman); with kappa_j = k . a_j the gradient in k is the sum of a_j times these slopes.
     """
-    slopes = model.gradient(solution.kappa, solution.modes)
+    slopes = model.gradient(solution.kappa, (2 * np.pi * solution.frequency) ** 2, solution.modes)
     return np.asarray(2 * np.pi * slopes @ model.cell.lattice.vectors)
 
 
@@ -174,7 +174,7 @@ def _velocities(
 ) -> Array:
     """(k, 2) group velocities along x and y, m/s, the extreme ones of all combinations of a group."""
     velocity = np.empty((len(values), 2))
-    slopes = [pencil.slope(kappa, direction) for direction in range(2)]
+    slopes = pencil.slopes(kappa)
     for group in groups:
         of_group, omega = modes[:, group], 2 * np.pi * hertz(values[group]).mean()
         forms = np.stack([
