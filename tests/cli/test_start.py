@@ -383,3 +383,11 @@ def test_the_commands_of_the_page_on_a_first_gap_run_in_their_order(inside, tmp_
         if words[0] == "new" and len(words) > 1:
             coarsen(Path(words[-1]))
     assert all(f"`{name}`" in page for name in TEMPLATES)
+
+
+def test_text_for_another_program_is_there_at_once(monkeypatch):
+    # in a pipe, standard output otherwise waits for thousands of letters: the link of the studio never came
+    pipe = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(pipe, "utf-8"))
+    Voice(False).print("link\n")
+    assert pipe.getvalue() == b"link\n"

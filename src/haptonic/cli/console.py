@@ -63,9 +63,10 @@ class Voice:
             self.out.print(content)
 
     def print(self, text: str) -> None:
-        """Print text for another program without changing it; silent with ``--json``."""
+        """Print text for another program at once and without changing it; silent with ``--json``."""
         if not self.machine:
             sys.stdout.write(text)
+            sys.stdout.flush()
 
     def say(self, text: str) -> None:
         """Print a remark on progress on standard error; silent with ``--json``."""
