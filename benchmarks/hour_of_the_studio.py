@@ -33,9 +33,7 @@ from browser import CHROMIUM, FLAGS
 from quick import FINER_CELL, QUICK_PLATE
 
 ROUNDS = 60  # with 4 turned numbers, 3 results, 2 strokes and 2 older runs each: two hours of use
-# rounds before the slope: caches fill, the list has as many runs as the server keeps (after 17), and the
-# history of the page has all of its steps (after 20)
-WARM = 30
+WARM = 30  # rounds before the slope: caches fill, and the list has as many runs as the server keeps
 LEAST = 8  # further rounds
 ALLOWED = 0.1  # MB per round beyond twice the standard error of the slope; 3 MB in an hour
 PATIENCE = 300  # s
