@@ -29,7 +29,7 @@ from record import ROOT, write
 from websockets.sync.client import ClientConnection, connect
 
 sys.path += [str(ROOT / "tests")]
-from browser import CHROMIUM, FLAGS
+from browser import CHROMIUM, FLAGS, need_browser
 from quick import FINER_CELL, QUICK_PLATE
 
 ROUNDS = 60  # with 4 turned numbers, 3 results, 2 strokes and 2 older runs each: two hours of use
@@ -70,6 +70,7 @@ class OwnPage:
 @contextmanager
 def own_page(link: str) -> Iterator[tuple[OwnPage, psutil.Process]]:
     """Open a link in a browser without motion: the page, and the process of the browser."""
+    need_browser()
     with tempfile.TemporaryDirectory() as profile:
         command = [
             str(CHROMIUM), "--headless=new", f"--user-data-dir={profile}", "--remote-debugging-port=0",

@@ -120,10 +120,11 @@ def serve(connection: Connection) -> None:
     threading.Thread(target=_end_with_parent, daemon=True).start()
     after: Aftermath | None = None
     while True:
-        if after is None:
+        is_idle = after is None
+        if is_idle:
             give_back()
         try:
-            message = channel.next(wait=after is None)
+            message = channel.next(wait=is_idle)
         except EOFError:
             return
         if isinstance(message, Wish):

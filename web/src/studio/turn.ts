@@ -37,7 +37,7 @@ interface Move {
 }
 
 let timer = 0;
-let moved: Move | null = null; // the last one, until it is certified
+let moved: Move | null = null; // the last one, until it is to be certified
 let next: Move | null = null; // to certify when the server has answered the one before
 let isSending = false;
 let latest = { job: 0, path: "", at: 0 }; // the last value that was sent
@@ -55,7 +55,7 @@ export function move(of: Knob, value: number): void {
   timer = window.setTimeout(settle, PAUSE);
 }
 
-/** Certify the last value to which the slider moved: after a pause, or when the pointer leaves the slider. */
+/** Certify the last value to which the slider moved: after a pause, or when the pointer is released. */
 export function settle(): void {
   clearTimeout(timer);
   if (moved === null) return;
