@@ -34,7 +34,7 @@ def frequencies_and_errors(lattice: Lattice | None = None) -> BlochModel:
     model = bloch_model(cell, asked)
     for kappa in cell.zone.path(asked.points).kappa:
         solution = model.solve(kappa)
-        model.gradient(kappa, (2 * np.pi * solution.frequency) ** 2, solution.modes)
+        model.gradient(kappa, solution.values, solution.modes)
     return model
 
 

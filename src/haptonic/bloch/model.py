@@ -69,6 +69,11 @@ class Solution:
         """(2,) phases of the wavevector, rad."""
         return self.source.image
 
+    @property
+    def values(self) -> Array:
+        """(k,) eigenvalues omega^2, (rad/s)^2, not negative."""
+        return (2 * np.pi * self.frequency) ** 2
+
     def turned(self, turn: Fields) -> Solution:
         """Combine degenerate modes: new modes = old modes @ turn, (k, k) unitary."""
         return replace(self, fields=self.fields @ turn, modes=self.modes @ turn)
@@ -195,7 +200,7 @@ class BlochModel:
         for kappa in wavevectors:
             solution = self.solve(kappa)
             *_, left_out = self.fine.losses(solution.modes, solution.source.kappa)
-            lost = interior_error((2 * np.pi * solution.frequency) ** 2, left_out)
+            lost = interior_error(solution.values, left_out)
             moving = solution.frequency > REST * self.highest
             errors = np.stack([solution.error, solution.error - lost])[:, moving] / solution.frequency[moving]
             worst = np.maximum(worst, errors.max(axis=1, initial=0.0))

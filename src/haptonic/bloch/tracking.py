@@ -130,7 +130,7 @@ def group_velocity(model: BlochModel, solution: Solution) -> Array:
     ``d omega / d kappa_j = u* (dK/d kappa_j - omega^2 dM/d kappa_j) u / (2 omega)`` for a mode u of unit mass
     (Hellmann and Feynman); with kappa_j = k . a_j the gradient in k is the sum of a_j times these slopes.
     """
-    slopes = model.gradient(solution.kappa, (2 * np.pi * solution.frequency) ** 2, solution.modes)
+    slopes = model.gradient(solution.kappa, solution.values, solution.modes)
     return np.asarray(2 * np.pi * slopes @ model.cell.lattice.vectors)
 
 
@@ -150,9 +150,7 @@ def group_velocity_error(model: BlochModel, solution: Solution) -> Array:
     vectors, pencils = model.cell.lattice.vectors, (model.fine.pencil, stiffened)
     fine, lower = (
         _velocities(pencil, kappa, *pairs, groups, vectors)
-        for pencil, pairs in zip(
-            pencils, (((2 * np.pi * frequency) ** 2, solution.modes), (values, modes)), strict=True
-        )
+        for pencil, pairs in zip(pencils, ((solution.values, solution.modes), (values, modes)), strict=True)
     )
     moving = frequency > REST * model.highest
     away, mixed = np.abs(lower - fine), np.zeros_like(fine)
@@ -163,7 +161,7 @@ def group_velocity_error(model: BlochModel, solution: Solution) -> Array:
         return np.asarray(of_modes + np.sqrt((of_modes[moving] ** 2).mean(axis=0)))
 
     missing, _, _ = model.fine.losses(solution.modes, kappa)
-    remaining = missing[moving].sum() / (values - (2 * np.pi * frequency) ** 2)[moving].sum()
+    remaining = missing[moving].sum() / (values - solution.values)[moving].sum()
     errors = remaining * with_others(away) + mixed
     errors += (error / np.maximum(frequency, REST * model.highest))[:, None] * with_others(np.abs(fine))
     return np.where(moving, np.linalg.norm(errors, axis=1), np.nan)
