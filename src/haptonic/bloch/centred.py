@@ -121,7 +121,7 @@ class PhasedPencil:
         ))  # fmt: skip
         pencils = []
         for motions, waves in zip(_halves(mirror), _halves(_without_rounding(on_waves).real), strict=True):
-            stiffness, mass = _on_combinations(motions, np.stack(self.forms))
+            stiffness, mass = (_congruent(motions, form) for form in self.forms)
             pencils.append(
                 type(self)(
                     forms=(stiffness, mass),
@@ -146,7 +146,7 @@ class PhasedPencil:
 
         Only one of two opposite shifts is given; (0, 0) comes first.
         """
-        of_motions = _on_combinations(self.motions, np.stack(forms)) if forms else self.forms
+        of_motions = [_congruent(self.motions, form) for form in forms] if forms else self.forms
         size, spread = basis.shape[1], self.spread @ basis
         parts = np.hstack([spread.real, spread.imag])
         kinds, member = np.unique(np.rint(2 * self.place).astype(np.int64), axis=0, return_inverse=True)
@@ -321,18 +321,6 @@ def _halves(middle: sp.csr_array) -> tuple[sp.csr_array, sp.csr_array]:
         places = (rows, np.concatenate([columns, columns, np.arange(len(root), size)]))
         parts.append(sp.csr_array((values, places), shape=(middle.shape[0], size)))
     return parts[0], parts[1]
-
-
-def _on_combinations(fields: sp.csr_array, forms: Array) -> Array:
-    """(s, m, m) forms (s, n, n) on combinations (n, m), each of one or two of their unknowns."""
-    columns = sp.csc_array(fields)
-    ends = np.stack([columns.indptr[:-1], columns.indptr[1:] - 1])
-    assert ((ends[1] - ends[0] == 0) | (ends[1] - ends[0] == 1)).all(), "combinations of more unknowns"
-    (i, j), (first, second) = columns.indices[ends], columns.data[ends]
-    second = np.where(ends[0] == ends[1], 0.0, second)
-    # far faster than sparse products, which copy the forms
-    rows = first[:, None] * forms[:, i] + second[:, None] * forms[:, j]
-    return np.asarray(rows[:, :, i] * first + rows[:, :, j] * second)
 
 
 @dataclass(frozen=True)
