@@ -13,10 +13,15 @@ from daily import daily
 from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
-from haptonic.cell import Pillar, UnitCell
+from haptonic.cell import Disc, Pillar, UnitCell
 from haptonic.cell.pillar_parts import Step
 from haptonic.lattice import Lattice
-from haptonic.superelement import FoldedMesh, Tiling, condense, parts
+from haptonic.superelement import FoldedMesh, Tiling, class_parts, condense, parts
+
+
+def arms(section):
+    return Disc(5e-3, section=section, arm_width=1e-3, corner_radius=0.4e-3, empty=True)
+
 
 HEXAGON = UnitCell(Lattice.triangular(7e-3), 2e-3, ALUMINIUM, Pillar(3.5e-3, 9e-3))
 SQUARE = replace(HEXAGON, lattice=Lattice.square(7e-3))
@@ -29,12 +34,14 @@ CELLS = {
     "step": replace(HEXAGON, pillar=Pillar(3.5e-3, 9e-3, step=Step(2.5e-3, 5e-3))),
     "square": SQUARE,
     "square, both faces": replace(SQUARE, faces="both"),
+    "snowflake": replace(HEXAGON, pillar=None, disc=(arms("snowflake"),)),
+    "cross": replace(SQUARE, pillar=None, disc=(arms("cross"),)),
 }
 
 
 @pytest.mark.parametrize(
     "name",
-    daily(CELLS, "plain", "square"),
+    daily(CELLS, "plain", "square", "snowflake", "cross"),
 )
 def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
     cell, plans = CELLS[name], Resolution(1, 0).plans(CELLS[name])
@@ -48,7 +55,7 @@ def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
         used.append(parts_of_mesh(mesh))
         return used[-1]
 
-    for way in (further, lambda mesh: parts.whole_classes(mesh.assembler)):
+    for way in (further, lambda mesh: class_parts.whole_classes(mesh.assembler, mesh.rim)):
         monkeypatch.setattr(parts, "parts_of_mesh", way)
         substructured._feet.clear()
         found.append(Tiling.condensed(cell, plans, 2, 10))

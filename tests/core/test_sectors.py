@@ -225,7 +225,7 @@ def test_waves_around_a_square_hole_are_those_of_ngsolve(corner_radius):
     peer = np.array([40725.27, 99787.11, 147444.19, 175002.47, 218013.27, 219934.97, 279121.49, 289965.91])
     hole = Disc(3 * MM, section="square", corner_radius=corner_radius, empty=True)
     tile = UnitCell(LATTICES["square"], 1.5 * MM, ALUMINIUM, disc=(hole,))
-    model = BlochModel.of(tile, Resolution(3, 1), len(peer), measured=False)
+    model = BlochModel.of(tile, Resolution(3, 1, block=15), len(peer), measured=False)
     solution = model.solve(np.array([1.1, 2.3]))
     assert (solution.frequency < (1 + 2e-4 * (corner_radius is not None)) * peer).all()
     assert solution.frequency == pytest.approx(peer, rel=3e-3)

@@ -172,7 +172,8 @@ class BlochModel:
         fields = self.fine.expanded(modes, kappa)
         frequency = hertz(values)
         missing, _, left_out = self.fine.losses(modes, kappa)
-        error = interior_error(values, left_out) + frequency * self.fine.projection_error
+        relative = self.fine.projection_error + self.fine.tiling.rim_error
+        error = interior_error(values, left_out) + frequency * relative
         error += self._in_hertz(missing + self.fine.rounding, frequency)
         error = ranked(frequency, error)
         return Solution(source=source, frequency=frequency, error=error, fields=fields, modes=modes).lowest(

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from haptonic.cell import MeshPlan, Period, TileShape, UnitCell
-from haptonic.cell.orders import USUAL_BANDS
+from haptonic.cell.orders import USUAL_BANDS, order_on
 from haptonic.cell.pieces import Meshed, pieces_of
 from haptonic.parallel import threads
 from haptonic.superelement.symmetry import THIRD, folds_of
@@ -130,14 +130,12 @@ class Resolution:
     def _mesh_fields(self, cell: UnitCell) -> float:
         """Number of unknowns of the elements of a mesh from a file, times those of the trace."""
         plan = self.plan(cell)
-        return self._solid_unknowns(cell) * 3 * plan.sides * plan.side * trace_levels(plan)
+        return self._solid_unknowns(cell) * 3 * plan.rim_nodes * trace_levels(plan)
 
     def _pencil(self, cell: Period) -> int:
         """Size of the condensed pencil of all tiles."""
         directions = 4 * self.steps * self.block
-        return sum(
-            plan.sides * 3 * plan.side * trace_levels(plan) // 2 + directions for plan in self.plans(cell)
-        )
+        return sum(3 * plan.rim_nodes * trace_levels(plan) // 2 + directions for plan in self.plans(cell))
 
     def seconds(self, cell: Period) -> float:
         """Estimate of the processor time of a model, s.
@@ -177,6 +175,8 @@ def meeting(tiles: Sequence[TileShape], plans: Sequence[MeshPlan]) -> tuple[Mesh
         )
     blocks = math.lcm(*(plan.blocks for plan in plans))
     order = max(plan.divided(blocks, 0).order for plan in plans)
+    pieces = math.lcm(*(plan.on_sides[0] for plan in plans))
+    on_pieces = max(order_on(pieces, *plan.on_sides) for plan in plans)
     levels = max(trace_levels(replace(plan, levels=0)) for plan in plans)
     return tuple(
         replace(
@@ -184,6 +184,7 @@ def meeting(tiles: Sequence[TileShape], plans: Sequence[MeshPlan]) -> tuple[Mesh
             blocks=blocks,
             order=order,
             levels=levels,
+            rim=(pieces, on_pieces),
             upward=plan.upward if plan.plate_levels >= levels else levels - 1,
         )
         for plan in plans
@@ -193,7 +194,9 @@ def meeting(tiles: Sequence[TileShape], plans: Sequence[MeshPlan]) -> tuple[Mesh
 def fitted(plain: MeshPlan, other: MeshPlan) -> MeshPlan:
     """Adapt the plan of a plain tile to the nodes of another plan on common sides."""
     levels = trace_levels(other)
-    return replace(plain, blocks=other.blocks, order=other.order, levels=levels, upward=levels - 1)
+    return replace(
+        plain, blocks=other.blocks, order=other.order, rim=other.rim, levels=levels, upward=levels - 1
+    )
 
 
 # Mesh levels: each costs about twice the one before, with higher orders and more rings at the foot.

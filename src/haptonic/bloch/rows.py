@@ -188,7 +188,7 @@ def rows_need(rows: Rows, resolution: Resolution) -> tuple[int, float]:
     ResourceError : slabs need more memory than `MOST_MEMORY`
     """
     plan = resolution.plans(rows.cell)[0]
-    size = 3 * trace_levels(plan) * plan.side * len(rows.sides)
+    size = 3 * trace_levels(plan) * plan.rim_nodes // plan.sides * len(rows.sides)
     memory = PER_PAIR * rows.reach * size**2
     if memory > MOST_MEMORY:
         raise ResourceError.too_large(

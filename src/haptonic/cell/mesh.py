@@ -6,13 +6,14 @@ A sweep changes sizes, not topology.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell.plan import MeshPlan
 from haptonic.cell.profile import Profile
-from haptonic.cell.quadrature import lobatto
+from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.cell.sectors import along_sides, sectors, transfinite
 from haptonic.cell.stack import Stack
 from haptonic.cell.tile import TileShape
@@ -32,8 +33,9 @@ class HexMesh:
 
     @property
     def rim_points(self) -> Array:
-        """(around, 3) lowest nodes of the lateral faces, anticlockwise from the first corner, m."""
-        return np.asarray(self.points[self.topology.rim[0]])
+        """(places, 3) lowest places of the trace, anticlockwise from the first corner, m."""
+        plan = self.topology.plan
+        return along_sides(self.points[self.topology.rim[0, :: plan.side]], trace_shares(plan))
 
     @property
     def unknowns(self) -> int:
@@ -64,7 +66,7 @@ class SurfaceMesh:
     points : (nodes, 3) m
     cells : (m, 4) quadrilaterals, anticlockwise as seen from outside
     lower : (k, n, n) nodes on Gauss-Lobatto-Legendre points of the quadrilaterals at z = 0
-    rim_points : (around, 3) see `HexMesh`
+    rim_points : (places, 3) see `HexMesh`
     unknowns : number of displacement components of the elements inside
     topology : topology of a plate in blocks with the same lateral faces
     """
@@ -87,8 +89,33 @@ class SurfaceMesh:
 
 def side_shares(plan: MeshPlan) -> Array:
     """(side,) positions of the nodes along a side of a tile, from 0, without the last corner."""
-    along = 0.5 * (1 + lobatto(plan.order)[0])
-    return np.asarray((np.arange(plan.blocks)[:, None] + along[:-1]).ravel() / plan.blocks)
+    return _shares(plan.blocks, plan.order)
+
+
+def trace_shares(plan: MeshPlan) -> Array:
+    """(places on a side,) positions of the places of the trace along a side, see `side_shares`."""
+    return _shares(*plan.on_sides)
+
+
+def _shares(pieces: int, order: int) -> Array:
+    """(pieces * order,) nodes of polynomials on equal pieces of a side, from 0, without the last one."""
+    along = 0.5 * (1 + lobatto(order)[0])
+    return np.asarray((np.arange(pieces)[:, None] + along[:-1]).ravel() / pieces)
+
+
+@lru_cache(maxsize=64)
+def along_rim(plan: MeshPlan) -> Array:
+    """(around, places) interpolation from the places of the trace to the nodes of a mesh on the rim."""
+    if not plan.rim[0]:
+        return np.eye(plan.around)
+    pieces, order = plan.rim
+    piece, place = np.divmod(pieces * side_shares(plan), 1.0)
+    on_piece = interpolation(0.5 * (1 + lobatto(order)[0]), place)
+    whole = np.zeros((plan.sides, plan.side, plan.rim_nodes))
+    for side in range(plan.sides):
+        columns = order * (side * pieces + piece.astype(int))[:, None] + np.arange(order + 1)
+        np.put_along_axis(whole[side], columns % plan.rim_nodes, on_piece, axis=1)
+    return whole.reshape(plan.around, plan.rim_nodes)
 
 
 def mesh_cell(cell: TileShape, plan: MeshPlan) -> HexMesh:

@@ -22,6 +22,64 @@ NEAR_RIM = {0.2: 2, 0.45: 1}
 # Bands whose waves determined the orders of an accuracy, and the highest order of a single element around a
 # quarter turn: two elements of half the order plus one cost a third.
 USUAL_BANDS, MOST_AROUND = 10, 10
+# Largest number of equal pieces of a side, more orders than any side needs, and orders in addition to those
+# of a mesh: eight bands beside a square hole had errors of up to 2e-4 with as many, and of 3e-6 with two more
+MOST_PIECES, MOST_ON_SIDE, FOR_WAVES = 4, 200, 2
+# Relative error of a frequency as a multiple of rho^(-2 n), see `pieces_of_sides`: 1.3 for a snowflake
+OVER_DECAY = 3.0
+
+
+def pieces_of_sides(cell: TileShape, order: int, least: int) -> tuple[int, int]:
+    """Number of equal pieces of each side and order of the trace on them, for outlines with corners.
+
+    The field beside a side is singular at the corners of the outlines. On a piece from -1 to 1, with a corner
+    at the complex place z whose imaginary part is its distance, a polynomial of order n has an error of
+    rho^-n, ``rho = |z + sqrt(z^2 - 1)|`` (Trefethen 2019, doi 10.1137/1.9781611975949, theorem 8.2), and a
+    frequency one of its square. A circle of radius r at a distance d acts like a point at a distance of
+    ``sqrt(d^2 + 2 r d)``.
+
+    order : of the mesh, see `trace_error`; least : orders of a mesh around a smooth outline
+    """
+    normal, away = sides_of(cell.corners)
+    length = np.linalg.norm(np.roll(cell.corners, -1, axis=0) - cell.corners, axis=1)[:, None]
+    ahead = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
+    from_corner = np.einsum("nc,nc->n", ahead, cell.corners)[:, None]
+    poles = []
+    assert cell.feature is not None, "a plate without features needs no further blocks"
+    for border in cell.feature.borders:
+        outline, width = border.outline, border.half_width
+        if outline.joints:
+            points = width * outline.at(np.arange(outline.joints, dtype=float))
+            along, distance = ahead @ points.T - from_corner, away[:, None] - normal @ points.T
+            radius = np.full_like(distance, width * outline.rounding)
+        else:
+            along, distance = -from_corner, (away - width * outline.support(normal))[:, None]
+            radius = width * outline.bend(normal)[:, None]
+        poles.append((along + 1j * np.sqrt(distance**2 + 2 * radius * distance)) / length)
+    near, best = np.hstack(poles), (1, MOST_ON_SIDE)
+    for pieces in range(1, MOST_PIECES + 1):
+        at = 2 * (pieces * near - np.arange(pieces)[:, None, None]) - 1
+        decay = np.log(np.abs(at + np.sqrt(at - 1) * np.sqrt(at + 1))).min()
+        needed = max(
+            math.ceil(math.log(OVER_DECAY / trace_error(order)) / (2 * decay)),
+            order_on(pieces, 1, least + FOR_WAVES),
+        )
+        best = min(best, (pieces, needed), key=math.prod)
+    return best
+
+
+def trace_error(order: int) -> float:
+    """Relative error of frequencies that a trace on fewer places may have, a fifth of that of such a mesh."""
+    return float(10 ** -(2 + 0.5 * order))
+
+
+def order_on(pieces: int, blocks: int, order: int) -> int:
+    """Order on each of some pieces of a side that resolve as much as blocks of an order.
+
+    As for cells without four sides, a polynomial of their share of the order plus one has the same error
+    along shorter elements.
+    """
+    return order if pieces == blocks else math.ceil(order * blocks / pieces) + 1
 
 
 def layers_along(pillar: Pillar) -> list[int]:

@@ -76,7 +76,7 @@ class Meshed:
 
     def boundary(self, levels: int) -> int:
         """Unknowns of a trace of some levels; either end of a pillar's piece counts as about one level."""
-        return 3 * self.plan.around * (levels if self.tile.free_width is None else 2)
+        return 3 * (self.plan.rim_nodes * levels if self.tile.free_width is None else 2 * self.plan.around)
 
 
 def pieces_of(tile: TileShape, plan: MeshPlan) -> tuple[Meshed, ...]:

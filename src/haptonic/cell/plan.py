@@ -16,7 +16,10 @@ from haptonic.cell.orders import (
     layers_along,
     levels_near_rim,
     neck_of,
+    order_on,
     orders_for_bands,
+    pieces_of_sides,
+    trace_error,
 )
 from haptonic.cell.pillar import Pillar
 from haptonic.cell.sectors import least_blocks
@@ -66,6 +69,7 @@ class MeshPlan:
     sides : number of sides of the polygon
     stack : blocks of a stack of discs, instead of a pillar's
     levels : nodes of the trace through the thickness, if tiles of other plans have to match; 0 for its own
+    rim : number of equal pieces of each side and order of the trace on them; (0, 0) for those of the mesh
     outward : polynomial order across the rings; 0 for ``order``
     upward : along z through the plate; 0 for ``order``
     along : along z in the pillar; 0 for ``upward``
@@ -87,12 +91,15 @@ class MeshPlan:
     near_rim: int = 0
     sides: int = 4
     levels: int = 0
+    rim: tuple[int, int] = (0, 0)
     stack: StackBlocks | None = None
 
     def __post_init__(self) -> None:
         for name in ("outward", "upward", "thin"):
             object.__setattr__(self, name, getattr(self, name) or self.order)
         object.__setattr__(self, "along", self.along or self.upward)
+        if math.prod(self.rim) >= self.side:
+            object.__setattr__(self, "rim", (0, 0))
 
     @classmethod
     def suited(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None = None) -> MeshPlan:
@@ -113,7 +120,10 @@ class MeshPlan:
             share = plan.side * 4 / sides / 2
             plan = replace(plan, sides=sides, blocks=2, order=math.ceil(share) + 1)
         blocks = least_blocks(cell, plan.blocks, plan.thin_around) or plan.blocks
-        return plan.divided(blocks, max(plan.outward, LEAST_COMPARED) if plan.stack else LEAST_DIVIDED)
+        least = max(plan.outward, LEAST_COMPARED) if plan.stack else LEAST_DIVIDED
+        if blocks == plan.blocks:
+            return plan
+        return replace(plan.divided(blocks, least), rim=pieces_of_sides(cell, order, plan.side))
 
     @property
     def foot(self) -> MeshPlan:
@@ -121,15 +131,13 @@ class MeshPlan:
         return replace(self, pillar_layers=1)
 
     def divided(self, pieces: int, least: int) -> MeshPlan:
-        """A copy with elements that end at equal pieces of each side, with at least some order.
-
-        As for cells without four sides, a polynomial of their share of the order plus one has the same error
-        along shorter elements.
-        """
+        """A copy with elements that end at equal pieces of each side, with at least some order."""
         blocks = math.lcm(self.blocks, pieces)
         if blocks == self.blocks:
             return self
-        return replace(self, blocks=blocks, order=max(math.ceil(self.side / blocks) + 1, least))
+        return replace(
+            self, blocks=blocks, order=max(order_on(blocks, self.blocks, self.order), least), rim=(0, 0)
+        )
 
     @classmethod
     def _of_quarters(cls, cell: TileShape, order: int, foot_rings: int, bands: float | None) -> MeshPlan:
@@ -265,6 +273,21 @@ class MeshPlan:
         return self.order * self.blocks
 
     @property
+    def rim_nodes(self) -> int:
+        """Number of places of the trace around the rim."""
+        return self.sides * math.prod(self.on_sides)
+
+    @property
+    def on_sides(self) -> tuple[int, int]:
+        """Number of equal pieces of each side and order of the trace on them."""
+        return self.rim if self.rim[0] else (self.blocks, self.order)
+
+    @property
+    def rim_error(self) -> float:
+        """Relative error of frequencies due to fewer places on the rim than the mesh has nodes there."""
+        return trace_error(self.thin) if self.rim[0] else 0.0
+
+    @property
     def per_quarter(self) -> int:
         """Order around a quarter turn of the single element there that resolves as much as its blocks.
 
@@ -275,7 +298,7 @@ class MeshPlan:
 
     @property
     def around(self) -> int:
-        """Nodes on every ring, and on the rim."""
+        """Nodes on every ring, and of the mesh on the rim."""
         return self.side * self.sides
 
     @property

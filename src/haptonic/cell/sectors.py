@@ -323,7 +323,7 @@ def transfinite(square: Array, share: Array) -> Array:
 def along_sides(corners: Array, share: Array) -> Array:
     """Points on the sides of a polygon, each side from its first corner."""
     sides = np.roll(corners, -1, axis=0) - corners
-    return np.asarray((corners[:, None] + share[:, None] * sides[:, None]).reshape(-1, 2))
+    return np.asarray((corners[:, None] + share[:, None] * sides[:, None]).reshape(-1, corners.shape[1]))
 
 
 def _along(corners: Array, blocks: int) -> Array:

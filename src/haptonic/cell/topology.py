@@ -11,6 +11,7 @@ the plate, and its sides are free.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -128,11 +129,8 @@ class Topology:
     def permutation(self, moved: Sides) -> Ints:
         """(nodes,) image of each node by a rotation or mirror, given by the images of the first two sides."""
         inner, around = self.plan.core_size, self.plan.around
-        points = np.concatenate([_core_points(self.plan)[:inner], _rim_points(self.plan)])
-        sides = _middles(self.plan.sides)
-        turn = sides[list(moved)].T @ np.linalg.inv(sides[:2].T)  # of the regular polygon
-        distance, level = scipy.spatial.cKDTree(points).query(points @ turn.T)
-        assert distance.max() < SAME, "the operation does not leave the mesh as it is"
+        rim = _rim_points(self.plan.sides, self.plan.side)
+        level = _moved(np.concatenate([_core_points(self.plan)[:inner], rim]), self.plan.sides, moved)
         for start in range(inner + around, inner + around * (self.plan.curves.shape[1] - 1), around):
             level = np.append(level, start + level[inner : inner + around] - inner)
         pieces = [
@@ -143,12 +141,22 @@ class Topology:
         lower = upper[self.level_start[1] :]
         return np.concatenate([upper, self.image[lower]]) if self.mirrored else upper
 
+    @property
+    def rim_nodes(self) -> int:
+        """Number of places of the trace around the rim."""
+        return 0 if self.free else self.plan.rim_nodes
+
+    def moved_rim(self, moved: Sides) -> Ints:
+        """(places,) image of each place of the trace, as in `permutation`."""
+        points = _rim_points(self.plan.sides, math.prod(self.plan.on_sides))
+        return _moved(points[: self.rim_nodes], self.plan.sides, moved)
+
 
 @lru_cache(maxsize=64)
 def topology_of(plan: MeshPlan, *, mirrored: bool = False, free: bool = False) -> Topology:
     """Topology of a plan, which for a mirrored mesh is that of the upper half; one object for each plan."""
     p, inner, around = plan.order, plan.core_size, plan.around
-    tree = scipy.spatial.cKDTree(np.concatenate([_core_points(plan), _rim_points(plan)]))
+    tree = scipy.spatial.cKDTree(np.concatenate([_core_points(plan), _rim_points(plan.sides, plan.side)]))
     core = np.stack([_numbers(tree, patch) for patch in _patches(plan)])
     # quadrilaterals seen from above: (n1, n2) node numbers of each, and its ring
     step, blocks = np.arange(p + 1), range((core.shape[1] - 1) // p)
@@ -216,14 +224,23 @@ def _middles(sides: int) -> Array:
     return np.asarray(0.5 * (corners + np.roll(corners, -1, axis=0)))
 
 
-def _rim_points(plan: MeshPlan) -> Array:
-    """(around, 2) positions of the rim on a regular polygon that replaces the cell, evenly spaced."""
-    corners = _corners(plan.sides)
-    along = np.arange(plan.side)[:, None] / plan.side
+def _rim_points(sides: int, steps: int) -> Array:
+    """(sides * steps, 2) places of a rim on a regular polygon that replaces the cell, evenly spaced."""
+    corners = _corners(sides)
+    along = np.arange(steps)[:, None] / steps
     following = np.roll(corners, -1, axis=0)
     return np.concatenate([
         first + along * (second - first) for first, second in zip(corners, following, strict=True)
     ])  # fmt: skip
+
+
+def _moved(points: Array, sides: int, moved: Sides) -> Ints:
+    """(n,) image of each of the points (n, 2) in a regular polygon."""
+    middles = _middles(sides)
+    turn = middles[list(moved)].T @ np.linalg.inv(middles[:2].T)
+    distance, image = scipy.spatial.cKDTree(points).query(points @ turn.T)
+    assert distance.max(initial=0.0) < SAME, "the operation does not leave the mesh as it is"
+    return np.asarray(image, dtype=np.int64)
 
 
 def _patches(plan: MeshPlan) -> list[Array]:
@@ -244,7 +261,7 @@ def _patches(plan: MeshPlan) -> list[Array]:
 def _core_points(plan: MeshPlan) -> Array:
     """(core, 2) positions of the core's nodes within its outline, in the order of their numbers."""
     points = np.concatenate([patch.reshape(-1, 2) for patch in _patches(plan)])
-    away, _ = scipy.spatial.cKDTree(_rim_points(plan)).query(points)
+    away, _ = scipy.spatial.cKDTree(_rim_points(plan.sides, plan.side)).query(points)
     points = points[away > SAME]
     _, first = np.unique(np.round(points / SAME), axis=0, return_index=True)
     return np.asarray(points[np.sort(first)])

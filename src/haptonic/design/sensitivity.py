@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array, Fields
 from haptonic.bloch.exact import ExactModes
 from haptonic.cell import HexMesh, PlacedTile, TileShape, UnitCell, mesh_cell
+from haptonic.cell.mesh import along_rim
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.sectors import sectors
 from haptonic.cell.stack import Stack
@@ -198,9 +199,11 @@ def _velocities(
 
 def _on_rim(shared: FoldedMesh, of_trace: Array, trace: Fields) -> Fields:
     """(nodes, 3, k) displacement from a change of the map from the trace to the rim."""
-    rim = shared.mesh.topology.rim
-    moved = np.zeros((shared.mesh.topology.nodes, 3, trace.shape[1]), dtype=complex)
-    moved[rim] = np.tensordot(of_trace, trace.reshape(shared.levels, rim.shape[1], 3, -1), axes=1)
+    topology = shared.mesh.topology
+    moved = np.zeros((topology.nodes, 3, trace.shape[1]), dtype=complex)
+    on_levels = np.tensordot(of_trace, trace.reshape(shared.levels, topology.plan.rim_nodes, 3, -1), axes=1)
+    on_nodes = np.tensordot(along_rim(topology.plan), on_levels, axes=(1, 1))
+    moved[topology.rim] = on_nodes.swapaxes(0, 1)
     return moved
 
 

@@ -21,10 +21,12 @@ from functools import reduce
 import numpy as np
 
 from haptonic.arrays import Array, Fields
+from haptonic.cell.mesh import along_rim
 from haptonic.solvers import Solver
+from haptonic.superelement.class_parts import ClassPart
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.lifting import ClassLifting, lifted
-from haptonic.superelement.parts import ClassPart, PartForms, for_each_part
+from haptonic.superelement.parts import PartForms, for_each_part
 
 
 @dataclass(frozen=True)
@@ -101,6 +103,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
     pieces = for_each_part(shared, shares_of_part)
     every = [share for piece in pieces for share in piece.values()]
     on_rim = np.tensordot(shared.through.T, loads[topology.rim], axes=1)
+    on_trace = np.tensordot(along_rim(topology.plan).T, on_rim, axes=(1, 1)).swapaxes(0, 1)
     return DynamicStiffness(
         omega=omega,
         below=sum(share.below for share in every),
@@ -117,7 +120,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
             for q in range(shared.folding.classes)
         ),
         held=np.sum([share.held for share in every], axis=0),
-        force=on_rim.reshape(3 * shared.levels * topology.rim.shape[1], loads.shape[2])
+        force=on_trace.reshape(3 * shared.levels * topology.plan.rim_nodes, loads.shape[2])
         + np.sum([share.force for share in every], axis=0),
     )
 

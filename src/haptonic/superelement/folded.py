@@ -15,7 +15,7 @@ from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement.assembly import Assembler, assembler_of
 from haptonic.superelement.interior import Bounded
 from haptonic.superelement.surplus import NodeRows, highest_rows
-from haptonic.superelement.symmetry import Folding, fold, folds_of
+from haptonic.superelement.symmetry import Folding, fold, fold_rim, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels
 
 
@@ -83,11 +83,25 @@ class FoldedMesh:
     def folding(self) -> Folding:
         return self.assembler.folding
 
+    @property
+    def rim(self) -> Folding:
+        """Folded places of the trace."""
+        return fold_rim(self.mesh.topology, folds_of(self.cell))
+
     @cached_property
     def traces(self) -> tuple[FoldedTrace, ...]:
         """Share of each class in the trace."""
         classes = range(self.folding.classes)
-        return tuple(FoldedTrace(self.mesh.topology, self.folding, q, self.levels) for q in classes)
+        return tuple(
+            FoldedTrace(
+                topology=self.mesh.topology,
+                folding=self.folding,
+                rim=self.rim,
+                symmetry_class=q,
+                levels=self.levels,
+            )
+            for q in classes
+        )
 
     def rim_motion(self, q: int) -> Array:
         """(3 rim, b) motion of the representatives on the rim for the class's unknowns of the trace."""

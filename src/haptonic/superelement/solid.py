@@ -15,7 +15,7 @@ import numpy as np
 
 from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import MeshPlan, SurfaceMesh, TileShape, UnitCell
-from haptonic.cell.mesh import side_shares
+from haptonic.cell.mesh import trace_shares
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.sectors import along_sides
 from haptonic.cell.topology import topology_of
@@ -26,7 +26,7 @@ from haptonic.superelement.dynamic import DynamicStiffness
 from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, reduced
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.surplus import FORMS, beyond_at_edge
-from haptonic.superelement.symmetry import fold
+from haptonic.superelement.symmetry import fold, fold_rim
 from haptonic.superelement.trace import FoldedTrace
 
 CLASSES = 4  # of most tiles meshed in blocks; a tile without classes gets as many directions in all
@@ -115,7 +115,7 @@ class SolidBody:
             (shown["values"], (shown["rows"], shown["columns"])), shape=(len(assembly["points"]), count)
         )
         topology = topology_of(plan)
-        rim = along_sides(tile.corners, side_shares(plan))
+        rim = along_sides(tile.corners, trace_shares(plan))
         mesh = SurfaceMesh(
             points=assembly["points"],
             cells=assembly["cells"],
@@ -141,7 +141,14 @@ class SolidBody:
     @cached_property
     def trace(self) -> FoldedTrace:
         """Trace of a tile without symmetry."""
-        return FoldedTrace(self.mesh.topology, fold(self.mesh.topology, ()), 0, self.plan.levels)
+        topology = self.mesh.topology
+        return FoldedTrace(
+            topology=topology,
+            folding=fold(topology, ()),
+            rim=fold_rim(topology, ()),
+            symmetry_class=0,
+            levels=self.plan.levels,
+        )
 
     @cached_property
     def _inside(self) -> tuple[Pattern, Array, Array]:

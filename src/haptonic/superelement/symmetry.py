@@ -7,6 +7,7 @@ plate is a mirror as well, and an eighth is enough.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
@@ -80,18 +81,11 @@ def fold(topology: Topology, folds: Folds, *, open_top: bool = False) -> Folding
     With an open top the boundary consists of the lateral faces and the highest level of nodes.
     """
     nodes = np.arange(topology.nodes)
-    # images of every node under all products of the operations; the smallest number represents them
     moves = [topology.permutation(op) for op, _ in folds] + [topology.image] * topology.mirrored
-    masks = list(product((0, 1), repeat=len(moves)))
-    images = []
-    for mask in masks:
-        image = nodes
-        for used, move in zip(mask, moves, strict=True):
-            image = move[image] if used else image
-        images.append(image)
-    table = np.stack(images)
+    signs_of_folds = _signs_of_components(folds)
+    component = np.concatenate([signs_of_folds, THROUGH[None]]) if topology.mirrored else signs_of_folds
+    table, sign, parity = _orbits(nodes, moves, component)
     representative = table.min(axis=0)
-    via = table.argmin(axis=0)  # number of the product that maps the representative to the node
 
     outer = np.zeros(len(nodes), dtype=bool)
     outer[topology.rim] = True
@@ -101,20 +95,6 @@ def fold(topology: Topology, folds: Folds, *, open_top: bool = False) -> Folding
     order = np.concatenate([unique[~outer[unique]], unique[outer[unique]]])
     number = np.empty(len(nodes), dtype=np.int64)
     number[order] = np.arange(len(order))
-
-    parities = list(product((1, -1), repeat=len(moves)))
-    parity = np.array(parities, dtype=np.int8).reshape(len(parities), len(moves))
-    signs_of_folds = np.array([signs for _, signs in folds], dtype=np.int8).reshape(len(folds), 3)
-    component = np.concatenate([signs_of_folds, THROUGH[None]]) if topology.mirrored else signs_of_folds
-    # factor[q, m]: sign that product m gives to each component in class q
-    factor = np.ones((len(parity), len(masks), 3), dtype=np.int8)
-    for m, mask in enumerate(masks):
-        for k in np.flatnonzero(mask):
-            factor[:, m] *= parity[:, k, None] * component[k]
-    sign = factor[:, via]
-    for m in range(len(masks)):
-        fixed = table[m] == nodes  # on a mirror a component equals its image or is zero
-        sign[:, fixed] *= (factor[:, m] == 1)[:, None, :]
 
     picked = [_representative_elements(family.nodes, table) for family in topology.families]
     return Folding(
@@ -128,6 +108,66 @@ def fold(topology: Topology, folds: Folds, *, open_top: bool = False) -> Folding
         component=signs_of_folds,
         middle=parity[:, -1] if topology.mirrored else np.zeros(len(parity), dtype=np.int8),
     )
+
+
+@lru_cache(maxsize=64)
+def fold_rim(topology: Topology, folds: Folds) -> Folding:
+    """Fold the places of the trace on the rim, with classes as for the mesh; there is no interior."""
+    component = _signs_of_components(folds)
+    moves = [topology.moved_rim(op) for op, _ in folds]
+    table, sign, parity = _orbits(np.arange(topology.rim_nodes), moves, component)
+    origin, node = np.unique(table.min(axis=0), return_inverse=True)
+    faces = 2 if topology.mirrored else 1
+    return Folding(
+        node=node,
+        origin=origin,
+        interior=0,
+        chosen=(),
+        weight=(),
+        sign=np.repeat(sign, faces, axis=0),
+        parity=np.repeat(parity, faces, axis=0),
+        component=component,
+        middle=np.tile(np.array([1, -1] if topology.mirrored else [0], dtype=np.int8), len(parity)),
+    )
+
+
+def _signs_of_components(folds: Folds) -> NDArray[np.int8]:
+    """(operations, 3) signs that each operation gives to the components of displacement."""
+    return np.array([signs for _, signs in folds], dtype=np.int8).reshape(len(folds), 3)
+
+
+def _orbits(
+    nodes: Ints, moves: Sequence[Ints], component: NDArray[np.int8]
+) -> tuple[Ints, NDArray[np.int8], NDArray[np.int8]]:
+    """Find the images of nodes under all products of operations; the smallest number represents them.
+
+    moves : image of each node by each operation; component : (operations, 3) signs of displacements
+
+    Returns
+    -------
+    (products, nodes) images; (classes, nodes, 3) signs and (classes, operations) parities, see `Folding`
+    """
+    masks = list(product((0, 1), repeat=len(moves)))
+    images = []
+    for mask in masks:
+        image = nodes
+        for used, move in zip(mask, moves, strict=True):
+            image = move[image] if used else image
+        images.append(image)
+    table = np.stack(images)
+    via = table.argmin(axis=0)  # number of the product that maps the representative to the node
+    parities = list(product((1, -1), repeat=len(moves)))
+    parity = np.array(parities, dtype=np.int8).reshape(len(parities), len(moves))
+    # factor[q, m]: sign that product m gives to each component in class q
+    factor = np.ones((len(parity), len(masks), 3), dtype=np.int8)
+    for m, mask in enumerate(masks):
+        for k in np.flatnonzero(mask):
+            factor[:, m] *= parity[:, k, None] * component[k]
+    sign = factor[:, via]
+    for m in range(len(masks)):
+        fixed = table[m] == nodes  # on a mirror a component equals its image or is zero
+        sign[:, fixed] *= (factor[:, m] == 1)[:, None, :]
+    return table, sign, parity
 
 
 def _representative_elements(nodes: Ints, table: Ints) -> tuple[Ints, Ints]:

@@ -98,6 +98,11 @@ class Tiling:
         """Meshes of all tiles, one after the other."""
         return tuple(mesh for tile in self.tiles for mesh in tile.meshes)
 
+    @property
+    def rim_error(self) -> float:
+        """Relative error of frequencies due to the trace, see `MeshPlan.rim_error`."""
+        return max(tile.mesh.topology.plan.rim_error for tile in self.tiles)
+
     @cached_property
     def _modes(self) -> list[int]:
         """Number of modes of each tile."""

@@ -1,7 +1,8 @@
 """Trace of a field on the lateral faces: the only unknowns that couple cells.
 
 At each place of the rim the trace is a polynomial through the thickness, given by its values on
-Gauss-Lobatto-Legendre levels. It does not depend on the layers of the mesh inside.
+Gauss-Lobatto-Legendre levels. It does not depend on the layers of the mesh inside. Along each side it is the
+polynomial of the mesh's element or elements, or a single one of a lower order if elements are short.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array, Ints
 from haptonic.cell import MeshPlan, TileShape, Topology
+from haptonic.cell.mesh import along_rim
 from haptonic.later import sparse as sp
 from haptonic.superelement.symmetry import THROUGH, Folding
 
@@ -40,27 +42,42 @@ class FoldedTrace:
     The whole trace is ordered (level, place on the rim, component). The class has unknowns at the
     representative places, without the components that are zero in the class; if the middle plane is a
     mirror, on the levels from there up.
+
+    topology, folding : of the mesh; rim : folded places of the trace
     """
 
     topology: Topology
     folding: Folding
+    rim: Folding
     symmetry_class: int
     levels: int
-
-    @cached_property
-    def _place(self) -> Ints:
-        """(sites,) representative of each place on the rim."""
-        return np.asarray(self.folding.node[self.topology.upper_rim[0]] - self.folding.interior)
 
     @property
     def sites(self) -> int:
         """Number of representative places."""
-        return int(self._place.max(initial=-1)) + 1
+        return len(self.rim.origin)
 
     @property
     def rim_size(self) -> int:
         """Number of representatives on the rim of the mesh."""
-        return len(self.topology.upper_rim) * self.sites
+        return len(self.topology.upper_rim) * len(self._nodes)
+
+    @cached_property
+    def _nodes(self) -> Ints:
+        """(nodes,) numbers around the rim of the representatives of the mesh on its highest level."""
+        highest = self.topology.rim[-1]
+        representatives = np.unique(self.folding.node[highest])
+        return np.asarray(np.searchsorted(highest, self.folding.origin[representatives]))
+
+    @cached_property
+    def _along(self) -> Array:
+        """(3, nodes, sites) components at these nodes from those at the representative places."""
+        on_nodes = along_rim(self.topology.plan)[self._nodes, : self.topology.rim_nodes]
+        along = np.zeros((3, self.sites, len(self._nodes)))
+        signs = self.rim.sign[self.symmetry_class]
+        for component in range(3):
+            np.add.at(along[component], self.rim.node, (on_nodes * signs[:, component]).T)
+        return along.transpose(0, 2, 1)
 
     @cached_property
     def _behind(self) -> tuple[Ints, Array]:
@@ -88,9 +105,7 @@ class FoldedTrace:
     @cached_property
     def kept(self) -> Ints:
         """(b,) numbers of the class's unknowns among (level, representative place, component)."""
-        highest = self.folding.interior + self.rim_size - self.sites
-        on_rim = self.folding.origin[highest : highest + self.sites]
-        alive = self.folding.sign[self.symmetry_class][on_rim] != 0
+        alive = self.rim.sign[self.symmetry_class][self.rim.origin] != 0
         return np.flatnonzero(alive & (self._behind[1][-self.own_levels :, None] != 0))
 
     @cached_property
@@ -99,13 +114,13 @@ class FoldedTrace:
         numbers = np.zeros(self.own_levels * self.sites * 3, dtype=np.int64)
         numbers[self.kept] = np.arange(len(self.kept))
         return np.asarray(
-            numbers.reshape(self.own_levels, self.sites, 3)[self._behind[0]][:, self._place].ravel()
+            numbers.reshape(self.own_levels, self.sites, 3)[self._behind[0]][:, self.rim.node].ravel()
         )
 
     @cached_property
     def sign(self) -> Array:
         """(t,) sign of each unknown of the whole trace relative to that of the class."""
-        sign = self.folding.sign[self.symmetry_class][self.topology.rim[-1]].astype(float)
+        sign = self.rim.sign[self.symmetry_class].astype(float)
         return np.asarray((self._behind[1][:, None] * sign).ravel())
 
     @cached_property
@@ -141,8 +156,9 @@ class FoldedTrace:
         behind, sign = self._behind
         count = own.shape[1]
         trace = trace.reshape(self.own_levels, self.sites, 3, count)[behind] * sign[:, None, :, None]
+        around = np.moveaxis(self._along @ trace.transpose(0, 2, 1, 3), 1, 2)
         upper = through[-len(self.topology.upper_rim) :]
-        rim = np.tensordot(upper, trace.reshape(self.levels, 3 * self.sites * count), axes=1)
+        rim = np.tensordot(upper, around.reshape(self.levels, 3 * len(self._nodes) * count), axes=1)
         return rim.reshape(self.rim_size, 3, count)
 
 
@@ -163,10 +179,7 @@ class TraceOperation:
         """Make it from an operation (3, 3) on space that is its own inverse and leaves the tile unchanged."""
         sides = tile.moved_sides(turn)
         assert sides is not None, "the operation is not a symmetry of this tile"
-        first = topology.rim[0]
-        position = {int(node): place for place, node in enumerate(first)}
-        moved = np.array([position[int(n)] for n in topology.permutation(sides)[first]])
-        return cls(np.argsort(moved), turn, levels)
+        return cls(np.argsort(topology.moved_rim(sides)), turn, levels)
 
     def applied(self, trace: NDArray[Any]) -> NDArray[Any]:
         """Image of (t, k) traces, or of the rows (t, k) of linear forms on them."""

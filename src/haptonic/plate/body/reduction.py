@@ -10,6 +10,7 @@ import numpy as np
 from haptonic.arrays import Array, Ints
 from haptonic.cell import HexMesh, MeshPlan, TileShape
 from haptonic.cell.brickwork import Steps
+from haptonic.cell.mesh import trace_shares
 from haptonic.cell.quadrature import lobatto
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.plate.body.bonds import Bonded
@@ -62,9 +63,8 @@ def cell_tile(
 
 def _onto_rim(plan: MeshPlan, steps: Steps, levels: int, orders: TraceOrders) -> Array:
     """Matrix from the trace of a tile to that of a condensed cell (level, place, component)."""
-    share = 0.5 * (1 + lobatto(plan.order)[0][:-1])
-    side = ((np.arange(plan.blocks)[:, None] + share) / plan.blocks).ravel()
-    # positions in edges: where sides of the mesh, anticlockwise from the lower left, lie between the lines
+    side = trace_shares(plan)
+    # positions in edges: where sides of the tile, anticlockwise from the lower left, lie between the lines
     ends = [np.concatenate([[0.0], np.cumsum(sizes) / sum(sizes)]) for sizes in steps]
     ends = [*ends, *(1 - end[::-1] for end in ends)]
     first = np.cumsum([0, *(len(end) - 1 for end in ends)])

@@ -1,0 +1,96 @@
+"""Traces on few pieces of each side, against those on all nodes of the mesh."""
+
+import sys
+
+import numpy as np
+import pytest
+from strategies import ALUMINIUM
+
+from daily import daily
+from haptonic.bloch import Resolution
+from haptonic.bloch.centred import lattice_pencil
+from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.cell import Disc, MeshPlan, Pillar, Site, UnitCell
+from haptonic.cell.mesh import along_rim, side_shares, trace_shares
+from haptonic.cell.orders import trace_error
+from haptonic.lattice import Lattice
+from haptonic.materials import material
+from haptonic.superelement import Tiling
+
+MM = 1e-3
+SQUARE, TRIANGULAR = Lattice.square(7 * MM), Lattice.triangular(7 * MM)
+KAPPA = np.pi * np.array([(0.35, 0.73), (1.0, 0.0), (0.13, -0.83)])
+
+
+def hole(section, wide, radius, arm_width=None, **further):
+    return Disc(
+        wide * MM, section=section, corner_radius=radius and radius * MM,
+        arm_width=arm_width and arm_width * MM, empty=True, **further,
+    )  # fmt: skip
+
+
+def cell(lattice, *discs, thickness=1.5):
+    return UnitCell(lattice, thickness * MM, ALUMINIUM, disc=discs)
+
+
+CELLS = {
+    "square": cell(SQUARE, hole("square", 4.5, None)),
+    "cross": cell(SQUARE, hole("cross", 6.0, 0.3, 1.0)),
+    "cross near its neighbours": cell(SQUARE, hole("cross", 6.5, 0.2, 1.5)),
+    "turned cross": cell(SQUARE, hole("cross", 6.0, 0.3, 1.0, turn=0.3)),
+    "snowflake": cell(TRIANGULAR, hole("snowflake", 5.8, 0.25, 1.0)),
+    "snowflake near its neighbours": cell(TRIANGULAR, hole("snowflake", 6.5, 0.15, 0.9)),
+    "hexagon in a square": cell(SQUARE, hole("hexagon", 5.0, 0.3), thickness=0.5),
+    "coated square": cell(
+        SQUARE,
+        Disc(5 * MM, section="square", corner_radius=0.5 * MM, material=material("epoxy")),
+        Disc(3 * MM, material=material("steel")),
+    ),
+    "two sites": UnitCell(
+        Lattice(lattice="honeycomb", pitch=12 * MM),
+        1.5 * MM,
+        ALUMINIUM,
+        site=(Site(disc=(hole("square", 4.0, 0.4),)), Site(pillar=Pillar(3 * MM, 4 * MM))),
+    ),
+}
+
+
+def frequencies(cell, plans):
+    tiling = Tiling.condensed(cell, plans, 3, 24, measured=False)
+    pencil = lattice_pencil(tiling)
+    return np.array([hertz(eigenpairs(pencil, kappa, 10)[0]) for kappa in KAPPA])
+
+
+@pytest.mark.parametrize("name", daily(CELLS, "square", "cross"))
+def test_fewer_places_on_the_rim_change_frequencies_by_no_more_than_is_stated(monkeypatch, name):
+    cell, order = CELLS[name], 3
+    plans = Resolution(order, 1).plans(cell)
+    assert all(plan.rim[0] for plan in plans)
+    few = frequencies(cell, plans)
+    monkeypatch.setattr(sys.modules["haptonic.cell.plan"], "pieces_of_sides", lambda *_: (0, 0))
+    plans = Resolution(order, 1).plans(cell)
+    assert not any(plan.rim[0] for plan in plans)
+    change = few / frequencies(cell, plans) - 1
+    assert np.abs(change).max() < trace_error(order)
+
+
+@pytest.mark.parametrize("rim", [(1, 9), (2, 6), (3, 4)])
+def test_the_nodes_of_a_mesh_move_with_the_polynomials_of_the_trace(rim):
+    plan = MeshPlan(5, 0, 0, blocks=4, sides=6, rim=rim)
+    along = np.arange(6)[:, None] + trace_shares(plan)
+    nodes = np.arange(6)[:, None] + side_shares(plan)
+    powers = np.arange(rim[1] + 1)[:, None]
+
+    def motion(place):
+        # on each side a polynomial that vanishes at its ends, so that sides meet
+        return ((place % 1) * (1 - place % 1) * (place % 1) ** powers[: rim[1] - 1]).T
+
+    found = along_rim(plan) @ motion(along.ravel())
+    assert found == pytest.approx(motion(nodes.ravel()), abs=1e-12)
+
+
+def test_a_mesh_with_few_nodes_on_its_rim_keeps_them():
+    plan = MeshPlan(5, 0, 0, blocks=2, rim=(2, 5))
+    assert plan.rim == (0, 0)
+    assert plan.rim_nodes == plan.around == 40
+    assert np.array_equal(along_rim(plan), np.eye(40))
