@@ -272,9 +272,10 @@ def candidate_models(
         usual = LADDER[min(level, starting_rung(accuracy))]
         mesh = replace(LADDER[level], steps=usual.steps, block=usual.block).for_bands(cell, count)
         if cell.discs:
-            # Most cells with discs need wider blocks, which take 5 to 20 % more time; a second condensation
-            # takes all of it again.
-            mesh = mesh.grown()
+            # Most cells with discs need wider blocks, which take 5 to 20 % more time, and those with discs of
+            # other materials one block more; a second condensation takes all of the time again.
+            is_compound = any(disc.material is not None for disc in cell.discs.values())
+            mesh = replace(mesh.grown(2), steps=mesh.steps + 1) if is_compound else mesh.grown()
     else:
         check_thickness(cell)
         mesh, level, limits = chosen.for_bands(cell, count), len(LADDER), replace(limits, seconds=math.inf)
