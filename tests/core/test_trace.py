@@ -1,13 +1,14 @@
-"""Traces on few pieces of each side, against those on all nodes of the mesh."""
+"""Traces on few pieces of each side and few levels, against those on all nodes or more levels."""
 
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from strategies import ALUMINIUM
 
 from daily import daily
-from haptonic.bloch import Resolution
+from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.cell import Disc, MeshPlan, Pillar, Site, UnitCell
@@ -94,3 +95,33 @@ def test_a_mesh_with_few_nodes_on_its_rim_keeps_them():
     assert plan.rim == (0, 0)
     assert plan.rim_nodes == plan.around == 40
     assert np.array_equal(along_rim(plan), np.eye(40))
+
+
+THICK = {
+    "pillar": UnitCell(SQUARE, 4.5 * MM, ALUMINIUM, Pillar(2.8 * MM, 4.2 * MM)),
+    "pillar near the rim": UnitCell(SQUARE, 4.5 * MM, ALUMINIUM, Pillar(6.4 * MM, 4.2 * MM)),
+    "blind hole": cell(SQUARE, Disc(3.5 * MM, low=-2 * MM, empty=True), thickness=4.0),
+    "countersunk hole": cell(
+        TRIANGULAR,
+        Disc(3.5 * MM, high=-2 * MM, empty=True),
+        Disc(3.5 * MM, low=-2 * MM, draft=-0.44, empty=True),
+        thickness=5.5,
+    ),
+    "pillar on glue": cell(
+        SQUARE,
+        Disc(3 * MM, low=0.0, high=0.5 * MM, material=material("epoxy")),
+        Disc(3 * MM, low=0.5 * MM, high=3 * MM),
+        thickness=4.0,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", daily(THICK, "pillar", "countersunk hole"))
+def test_more_levels_on_the_rim_of_a_thick_plate_change_less_than_the_estimate(name):
+    cell, resolution = THICK[name], Resolution(3, 1, 3, 24)
+    (plan,) = resolution.plans(cell)
+    assert len(plan.plate_layer_orders) > 1
+    change = frequencies(cell, [plan]) - frequencies(cell, [replace(plan, near_rim=plan.near_rim + 2)])
+    model = BlochModel.of(cell, resolution, 10, measured=False)
+    errors = [model.solve(kappa).error for kappa in KAPPA]
+    assert (np.abs(change) < 0.4 * np.array(errors)).all()

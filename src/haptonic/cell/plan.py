@@ -13,6 +13,7 @@ from haptonic.cell.orders import (
     ROUNDING,
     around_quarter,
     divided_order,
+    is_thick,
     layers_along,
     levels_near_rim,
     neck_of,
@@ -251,7 +252,8 @@ class MeshPlan:
             near_rim=max(
                 levels_near_rim(cell) if stack.singular.any() else 0,
                 0 if cell.is_thin else smooth - upward,
-            ),
+            )
+            + is_thick(cell),
             stack=blocks_of(cell, stack, foot_rings),
         )
 
