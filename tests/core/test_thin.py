@@ -42,9 +42,8 @@ def kirchhoff(cell, kappa, count):
 def test_plain_thin_plates_bend_as_kirchhoff_plates(thickness, along, across):
     cell, kappa = thin_cell(thickness), np.array([along, across])
     model = BlochModel.of(cell, LADDER[1], 10)
-    assert model.worst_error <= 2e-3
     above = model.frequencies(kappa) / kirchhoff(cell, kappa, 10) - 1
-    assert above.max() < 2e-3
+    assert above.max() < min(2e-3, model.worst_error)
     assert above.min() > -120 * thickness**2 - 1e-3  # shear and rotation, which that theory leaves out
 
 
