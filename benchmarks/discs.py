@@ -1,7 +1,7 @@
 """Errors of cells with discs against a finer mesh: drawn over features, outlines, materials and lattices.
 
     python discs.py    # cells of seed 1 for ten minutes, the cheapest of each feature first
-    python discs.py --seed 7 --cells 80 --minutes 30 --meshes 3-1 4-1 5-1 --features undercut hole
+    python discs.py --seed 7 --cells 80 --minutes 30 --meshes 3-1 4-1 5-1 --features undercut hole --workers 2
 
 Each cell is computed on some meshes, and on a finer one with two rings, of order six or as given. For each
 mesh: the estimate over the distance to the finer mesh, for those of ten bands at four wavevectors whose
@@ -12,8 +12,10 @@ from __future__ import annotations
 
 import argparse
 import math
+import multiprocessing
 import time
 from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -234,31 +236,46 @@ def in_order(count: int, seed: int, features: Sequence[str], finer: int) -> list
     return sorted(numbers, key=lambda number: rounds[number])
 
 
+def begun(
+    deadline: float, seed: int, number: int, meshes: Sequence[str], finer: int
+) -> list[Row] | str | None:
+    """Survey of a cell, the reason of a refusal, or None after the deadline."""
+    if time.monotonic() > deadline:
+        return None
+    try:
+        rows = survey(seed, number, meshes, finer)
+    except HaptonicError as error:
+        print(f"{number}: refused, {error.cause}", flush=True)
+        return error.cause
+    for row in rows:
+        print(
+            f"{row.number} {row.feature}, {row.lattice}, {row.edges}, {row.mesh}: off {row.off:.1e}, "
+            f"stated {row.stated:.1e}, {row.below} below, ratio {row.least:.2f}, {row.median:.1f}, "
+            f"{row.seconds:.0f} s",
+            flush=True,
+        )
+    return rows
+
+
 def main(
-    count: int, seed: int, minutes: float, meshes: Sequence[str], features: Sequence[str], finer: int
+    *,
+    count: int,
+    seed: int,
+    minutes: float,
+    meshes: Sequence[str],
+    features: Sequence[str],
+    finer: int,
+    workers: int,
 ) -> None:
     """Survey cells, and store what all of them together show."""
-    rows: list[Row] = []
-    refused = run = 0
-    start = time.monotonic()
-    for number in in_order(count, seed, features, finer):
-        if time.monotonic() - start > 60 * minutes:
-            break
-        run += 1
-        try:
-            found = survey(seed, number, meshes, finer)
-        except HaptonicError as error:
-            refused += 1
-            print(f"{number}: refused, {error.cause}", flush=True)
-            continue
-        rows += found
-        for row in found:
-            print(
-                f"{row.number} {row.feature}, {row.lattice}, {row.edges}, {row.mesh}: off {row.off:.1e}, "
-                f"stated {row.stated:.1e}, {row.below} below, ratio {row.least:.2f}, {row.median:.1f}, "
-                f"{row.seconds:.0f} s",
-                flush=True,
-            )
+    deadline = time.monotonic() + 60 * minutes  # one clock for all processes
+    with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
+        numbers = in_order(count, seed, features, finer)
+        answers = [pool.submit(begun, deadline, seed, number, meshes, finer) for number in numbers]
+        found = [answer for future in answers if (answer := future.result()) is not None]
+    surveys = [answer for answer in found if isinstance(answer, list)]
+    rows = [row for of_cell in surveys for row in of_cell]
+    run, refused = len(found), len(found) - len(surveys)
     groups = {(row.mesh, row.edges): summary([r for r in rows if (r.mesh, r.edges) == (row.mesh, row.edges)])
               for row in rows}  # fmt: skip
     by_mesh = {mesh: summary([row for row in rows if row.mesh == mesh]) for mesh in meshes}
@@ -283,6 +300,15 @@ if __name__ == "__main__":
     parser.add_argument("--minutes", type=float, default=10.0)
     parser.add_argument("--finer", type=int, default=6, help="order of the finer mesh")
     parser.add_argument("--meshes", nargs="+", default=["3-1", "4-1"])
+    parser.add_argument("--workers", type=int, default=1, help="cells at a time")
     parser.add_argument("--features", nargs="+", default=FEATURES, choices=FEATURES)
     given = parser.parse_args()
-    main(given.cells, given.seed, given.minutes, given.meshes, given.features, given.finer)
+    main(
+        count=given.cells,
+        seed=given.seed,
+        minutes=given.minutes,
+        meshes=given.meshes,
+        features=given.features,
+        finer=given.finer,
+        workers=given.workers,
+    )

@@ -47,6 +47,7 @@ MESH = {
     "sides": "Sides of the tile",
     "levels": "Nodes through the thickness where tiles meet, 0 if its own",
     "near_rim": "Nodes through the thickness at the rim beyond those elsewhere",
+    "rim": "Pieces of a side where tiles meet and order on each, 0 for those of the elements",
     "stack": "Layers and rings of the discs",
 }  # of the fields of a `haptonic.cell.MeshPlan`
 LIBRARIES = ("haptonic", "numpy", "scipy", "xarray", "matplotlib", "meshio")
@@ -175,12 +176,14 @@ def _mesh(results: Results) -> Table:
     plans = json.loads(results.bands.attrs["mesh"])
     plans = [plans] if isinstance(plans, dict) else plans  # a cell of a single tile has one plan
     heads = [f"Tile {number}" for number in range(1, len(plans) + 1)] if len(plans) > 1 else ["Value"]
-    rows = tuple((words, *(_mesh_text(plan[key]) for plan in plans)) for key, words in MESH.items())
+    rows = tuple((words, *(_mesh_text(plan.get(key)) for plan in plans)) for key, words in MESH.items())
     return Table("Mesh, chosen by the accuracy asked for.", ("What", *heads), rows)
 
 
 def _mesh_text(value: Any) -> str:
     """A number of a mesh, or how many layers and rings its discs have."""
+    if isinstance(value, list):
+        return ", ".join(map(str, value))
     if not isinstance(value, dict):
         return "-" if value is None else str(value)
     counts = [sum(sum(part.values()) for part in value[name]) for name in ("storeys", "annuli")]
