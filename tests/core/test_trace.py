@@ -10,7 +10,10 @@ from strategies import ALUMINIUM
 from daily import daily
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import lattice_pencil
+from haptonic.bloch.layers import Interface
 from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.plate_waves import FAMILIES
+from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import Disc, MeshPlan, Pillar, Site, UnitCell
 from haptonic.cell.mesh import along_rim, side_shares, trace_shares
 from haptonic.cell.orders import trace_error
@@ -73,6 +76,24 @@ def test_fewer_places_on_the_rim_change_frequencies_by_no_more_than_is_stated(mo
     assert not any(plan.rim[0] for plan in plans)
     change = few / frequencies(cell, plans) - 1
     assert np.abs(change).max() < trace_error(order)
+
+
+@pytest.mark.parametrize(
+    ("name", "along"),
+    daily([("square", (0, 1)), ("cross", (0, 1)), ("snowflake", (1, 1))], ("square", (0, 1))),
+)
+def test_fewer_places_on_the_rim_transmit_the_same_through_rows(monkeypatch, name, along):
+    """Between plain plate, and at faces that zigzag beside fillers of plain plate."""
+
+    def shares():
+        rows = CondensedRows.of(CELLS[name], Resolution(3, 1), along)
+        return Interface.of(rows, 30.0).scattering(2e5 * np.pi, 2, FAMILIES)
+
+    few = shares()
+    monkeypatch.setattr(sys.modules["haptonic.cell.plan"], "pieces_of_sides", lambda *_: (0, 0))
+    every = shares()
+    assert few.transmitted == pytest.approx(every.transmitted, abs=2e-3)
+    assert few.reflected == pytest.approx(every.reflected, abs=2e-3)
 
 
 @pytest.mark.parametrize("rim", [(1, 9), (2, 6), (3, 4)])
