@@ -118,6 +118,15 @@ def test_a_mesh_with_few_nodes_on_its_rim_keeps_them():
     assert np.array_equal(along_rim(plan), np.eye(40))
 
 
+def test_a_trace_ends_at_the_pieces_of_a_divided_side():
+    """As where neighbouring tiles of a plate meet in the middle of a side."""
+    plan = MeshPlan(5, 0, 0, blocks=8, rim=(1, 14))
+    assert plan.divided(1, 3) is plan
+    assert plan.divided(2, 3).rim == (0, 0)
+    assert replace(plan, rim=(2, 9)).divided(2, 3).rim == (2, 9)
+    assert plan.divided(3, 3).rim == (0, 0)
+
+
 THICK = {
     "pillar": UnitCell(SQUARE, 4.5 * MM, ALUMINIUM, Pillar(2.8 * MM, 4.2 * MM)),
     "pillar near the rim": UnitCell(SQUARE, 4.5 * MM, ALUMINIUM, Pillar(6.4 * MM, 4.2 * MM)),

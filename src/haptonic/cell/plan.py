@@ -132,10 +132,11 @@ class MeshPlan:
         return replace(self, pillar_layers=1)
 
     def divided(self, pieces: int, least: int) -> MeshPlan:
-        """A copy with elements that end at equal pieces of each side, with at least some order."""
+        """A copy with elements and a trace that end at equal pieces of each side, of at least some order."""
         blocks = math.lcm(self.blocks, pieces)
         if blocks == self.blocks:
-            return self
+            bends_there = self.on_sides[0] % pieces == 0
+            return self if bends_there else replace(self, rim=(0, 0))
         return replace(
             self, blocks=blocks, order=max(order_on(blocks, self.blocks, self.order), least), rim=(0, 0)
         )
