@@ -236,7 +236,7 @@ def in_order(count: int, seed: int, features: Sequence[str], finer: int) -> list
     return sorted(numbers, key=lambda number: rounds[number])
 
 
-def begun(
+def survey_in_time(
     deadline: float, seed: int, number: int, meshes: Sequence[str], finer: int
 ) -> list[Row] | str | None:
     """Survey of a cell, the reason of a refusal, or None after the deadline."""
@@ -271,11 +271,11 @@ def main(
     deadline = time.monotonic() + 60 * minutes  # one clock for all processes
     with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
         numbers = in_order(count, seed, features, finer)
-        answers = [pool.submit(begun, deadline, seed, number, meshes, finer) for number in numbers]
-        found = [answer for future in answers if (answer := future.result()) is not None]
-    surveys = [answer for answer in found if isinstance(answer, list)]
+        futures = [pool.submit(survey_in_time, deadline, seed, number, meshes, finer) for number in numbers]
+        answers = [answer for future in futures if (answer := future.result()) is not None]
+    surveys = [answer for answer in answers if isinstance(answer, list)]
     rows = [row for of_cell in surveys for row in of_cell]
-    run, refused = len(found), len(found) - len(surveys)
+    run, refused = len(answers), len(answers) - len(surveys)
     groups = {(row.mesh, row.edges): summary([r for r in rows if (r.mesh, r.edges) == (row.mesh, row.edges)])
               for row in rows}  # fmt: skip
     by_mesh = {mesh: summary([row for row in rows if row.mesh == mesh]) for mesh in meshes}

@@ -174,7 +174,7 @@ def meeting(tiles: Sequence[TileShape], plans: Sequence[MeshPlan]) -> tuple[Mesh
             for tile, plan in zip(tiles, plans, strict=True)
         )
     blocks = math.lcm(*(plan.blocks for plan in plans))
-    order = max(plan.divided(blocks, 0).order for plan in plans)
+    order = max(order_on(blocks, plan.blocks, plan.order) for plan in plans)
     pieces = math.lcm(*(plan.on_sides[0] for plan in plans))
     on_pieces = max(order_on(pieces, *plan.on_sides) for plan in plans)
     levels = max(trace_levels(replace(plan, levels=0)) for plan in plans)

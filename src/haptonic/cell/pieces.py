@@ -76,7 +76,9 @@ class Meshed:
 
     def boundary(self, levels: int) -> int:
         """Unknowns of a trace of some levels; either end of a pillar's piece counts as about one level."""
-        return 3 * (self.plan.rim_nodes * levels if self.tile.free_width is None else 2 * self.plan.around)
+        if self.tile.free_width is not None:
+            return 3 * 2 * self.plan.around
+        return 3 * levels * self.plan.rim_nodes
 
 
 def pieces_of(tile: TileShape, plan: MeshPlan) -> tuple[Meshed, ...]:

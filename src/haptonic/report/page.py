@@ -181,7 +181,7 @@ def _mesh(results: Results) -> Table:
 
 
 def _mesh_text(value: Any) -> str:
-    """A number of a mesh, or how many layers and rings its discs have."""
+    """Text of a number of a mesh, of several, or of the layers and rings of its discs."""
     if isinstance(value, list):
         return ", ".join(map(str, value))
     if not isinstance(value, dict):

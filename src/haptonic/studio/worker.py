@@ -120,11 +120,11 @@ def serve(connection: Connection) -> None:
     threading.Thread(target=_end_with_parent, daemon=True).start()
     after: Aftermath | None = None
     while True:
-        is_idle = after is None
-        if is_idle:
+        has_work = after is not None
+        if not has_work:
             give_back()
         try:
-            message = channel.next(wait=is_idle)
+            message = channel.next(wait=not has_work)
         except EOFError:
             return
         if isinstance(message, Wish):
