@@ -25,7 +25,7 @@ from record import write
 from haptonic.arrays import Array
 from haptonic.bloch import Resolution
 from haptonic.bloch.centred import lattice_pencil
-from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.pencil import change_in_hertz, eigenpairs, hertz
 from haptonic.cell import Disc, Site, UnitCell
 from haptonic.errors import GeometryError, HaptonicError
 from haptonic.lattice import Lattice
@@ -181,7 +181,7 @@ def solved(cell: UnitCell, mesh: Resolution) -> tuple[Array, Array]:
             energies = (on_each(form, fields) for form in tiling.surplus)
             frequencies.append(hertz(values))
             moving = np.maximum(frequencies[-1], MOVING * frequencies[-1].max())
-            errors.append(missing_energy(*energies) / (8 * np.pi**2 * moving))
+            errors.append(change_in_hertz(missing_energy(*energies), moving))
     return np.array(frequencies), np.array(errors)
 
 
@@ -278,7 +278,8 @@ def main(
     run, refused = len(answers), len(answers) - len(surveys)
     groups = {(row.mesh, row.edges): summary([r for r in rows if (r.mesh, r.edges) == (row.mesh, row.edges)])
               for row in rows}  # fmt: skip
-    by_mesh = {mesh: summary([row for row in rows if row.mesh == mesh]) for mesh in meshes}
+    judged = [mesh for mesh in meshes if any(row.mesh == mesh for row in rows)]
+    by_mesh = {mesh: summary([row for row in rows if row.mesh == mesh]) for mesh in judged}
     for (mesh, edges), figures in sorted(groups.items()):
         print(mesh, edges, figures)
     write(

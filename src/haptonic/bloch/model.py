@@ -21,7 +21,7 @@ from haptonic.bloch.mesh_levels import (
     refusal,
     starting_rung,
 )
-from haptonic.bloch.pencil import SplitPencil, eigenpairs, hertz
+from haptonic.bloch.pencil import SplitPencil, change_in_hertz, eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LADDER, Resolution
@@ -187,7 +187,7 @@ class BlochModel:
 
     def _in_hertz(self, change: Array, frequency: Array) -> Array:
         """Changes of frequencies, Hz, from those of eigenvalues, (rad/s)^2."""
-        return np.asarray(change / (8 * np.pi**2 * np.maximum(frequency, REST * self.highest)))
+        return change_in_hertz(change, np.maximum(frequency, REST * self.highest))
 
     def displacement(self, solution: Solution) -> Complex:
         """(nodes, 3, k) motion of the meshes of all tiles, one after the other, at `Solution.kappa`."""
@@ -241,7 +241,7 @@ class BlochModel:
         ], axis=1)  # fmt: skip
         moving = frequency > REST * self.highest
         slopes[~moving] = np.nan
-        slopes[moving] /= 8 * np.pi**2 * frequency[moving, None]
+        slopes[moving] = change_in_hertz(slopes[moving], frequency[moving, None])
         return source.gradient(slopes)
 
 

@@ -220,6 +220,11 @@ def hertz(values: Array) -> Array:
     return np.sqrt(np.maximum(values, 0.0)) / (2 * np.pi)
 
 
+def change_in_hertz(change: Array, frequency: Array) -> Array:
+    """Changes of frequencies, Hz, from those of eigenvalues, (rad/s)^2, to first order."""
+    return np.asarray(change / (8 * np.pi**2 * frequency))
+
+
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
     """Compute the ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
 

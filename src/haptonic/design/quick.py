@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from haptonic.arrays import Array
 from haptonic.bloch.gaps import ZoneSampling
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.pencil import change_in_hertz, eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.resolution import Resolution
 from haptonic.cell import UnitCell
@@ -106,7 +106,7 @@ class QuickDesign:
         forms = eigenvalue_derivatives(self.shared, tiling.lifted(unknowns), trace, values, paths, directions)
         frequency = np.sqrt(values) / (2 * np.pi)
         slopes = np.stack([np.diagonal(forms[path]).real for path in paths], axis=1)
-        slopes /= 8 * np.pi**2 * frequency[:, None]
+        slopes = change_in_hertz(slopes, frequency[:, None])
         return Side(frequency[:CRITICAL], slopes[:CRITICAL]), Side(frequency[CRITICAL:], slopes[CRITICAL:])
 
     def _critical(self, band: int, sign: int) -> list[tuple[Array, int]]:
