@@ -31,46 +31,48 @@ tables = st.lists(st.integers(0, 40), max_size=6).map(
 )
 
 
-def printed(found: list[Table], width: int, *, every: bool, machine: bool = False) -> list[str]:
+def printed(result_tables: list[Table], width: int, *, every: bool, machine: bool = False) -> list[str]:
     voice = Voice(machine)
     voice.out.file, voice.out.width = io.StringIO(), width
     result = SimpleNamespace(
-        summary=lambda: ["The answer.", "A second sentence."], tables=lambda: found, remarks=list
+        summary=lambda: ["The answer.", "A second sentence."], tables=lambda: result_tables, remarks=list
     )
     show(result, voice, every=every)
     return voice.out.file.getvalue().splitlines()
 
 
 @given(tables, st.sampled_from([40, 80, 200]))
-def test_sentences_stay_in_sight_and_nothing_is_lost(found, width):
-    lines = printed(found, width, every=False)
+def test_sentences_stay_in_sight_and_nothing_is_lost(result_tables, width):
+    lines = printed(result_tables, width, every=False)
     assert lines[:2] == ["The answer.", "A second sentence."]
     drawn = [line for line in lines[2:] if line.startswith(("\u2502", "\u2503"))]
     assert len(drawn) <= SCREEN
     text = "\n".join(lines)
     joined = " ".join(text.split())
-    for number, table in enumerate(found):
+    for number, table in enumerate(result_tables):
         rows = [f"row-{number}-{n} " in text for n in range(len(table.rows))]
         assert all(rows) or not any(rows)  # a table is whole or left for later
         assert f"table {number}" in joined
 
 
 @given(tables, st.sampled_from([40, 80]))
-def test_all_tables_on_request(found, width):
-    text = "\n".join(printed(found, width, every=True))
-    assert all(f"row-{k}-{n} " in text for k, table in enumerate(found) for n in range(len(table.rows)))
+def test_all_tables_on_request(result_tables, width):
+    text = "\n".join(printed(result_tables, width, every=True))
+    assert all(
+        f"row-{k}-{n} " in text for k, table in enumerate(result_tables) for n in range(len(table.rows))
+    )
     assert "--tables" not in text
 
 
 @given(tables)
-def test_machines_get_none_of_it(found):
-    assert printed(found, 80, every=True, machine=True) == []
+def test_machines_get_none_of_it(result_tables):
+    assert printed(result_tables, 80, every=True, machine=True) == []
 
 
 @given(st.lists(st.integers(), max_size=8))
 def test_more_than_three_sentences_are_for_those_who_ask(numbers):
-    said = [f"Sentence {n} of {k}." for k, n in enumerate(numbers)]
-    result = SimpleNamespace(summary=lambda: said, tables=list, remarks=list)
+    sentences = [f"Sentence {n} of {k}." for k, n in enumerate(numbers)]
+    result = SimpleNamespace(summary=lambda: sentences, tables=list, remarks=list)
 
     def told(*, every: bool) -> list[str]:
         voice = Voice(machine=False)
@@ -78,15 +80,17 @@ def test_more_than_three_sentences_are_for_those_who_ask(numbers):
         show(result, voice, every=every)
         return voice.out.file.getvalue().splitlines()
 
-    beyond = max(len(said) - SENTENCES, 0)
-    assert told(every=True) == said
+    beyond = max(len(sentences) - SENTENCES, 0)
+    assert told(every=True) == sentences
     more = f"more with --tables: {beyond} sentence{'' if beyond == 1 else 's'}"
-    assert told(every=False) == said[:SENTENCES] + [more] * (beyond > 0)
+    assert told(every=False) == sentences[:SENTENCES] + [more] * (beyond > 0)
 
 
-@pytest.mark.parametrize("name", [*(f"{one}.toml" for one in STUDIES), *(f"{one}.csv" for one in MEASURED)])
+@pytest.mark.parametrize(
+    "name", [*(f"{stem}.toml" for stem in STUDIES), *(f"{stem}.csv" for stem in MEASURED)]
+)
 def test_output_folders_for_default_file_names_start_with_the_folder_name(name):
-    folders = [named("export").folder_of(Path(f"results/{one}/{name}")) for one in ("a", "b")]
+    folders = [named("export").folder_of(Path(f"results/{folder}/{name}")) for folder in ("a", "b")]
     assert folders == ["a-export", "b-export"]
 
 
@@ -130,26 +134,26 @@ def test_the_option_is_every_command_s(inside, study, tmp_path):
 @given(st.floats(1e3, 2e5))
 def test_bands_report_where_the_carrier_lies(carrier):
     bands = reference_bands()
-    said = Bands(bands.assign_attrs(carrier_hz=carrier)).summary()[1]
+    sentence = Bands(bands.assign_attrs(carrier_hz=carrier)).summary()[1]
     lower, upper = (bands[f"gap_{edge}"].values[0] for edge in ("lower", "upper"))  # of the only complete gap
     room = min(carrier - lower, upper - carrier)
-    assert ("lies inside the gap" if room > 0 else "lies in no complete gap") in said
-    assert f"{abs(room) / 1e3:.2g} kHz" in said
+    assert ("lies inside the gap" if room > 0 else "lies in no complete gap") in sentence
+    assert f"{abs(room) / 1e3:.2g} kHz" in sentence
 
 
 @pytest.mark.parametrize("others", [(), ("plate",), ("feel", "plate")])
 def test_a_report_lists_the_first_line_of_each_part(others):
-    one = {
+    parts = {
         name: SimpleNamespace(summary=lambda name=name: [f"{name} 1", f"{name} 2"], remarks=lambda: ["but"])
         for name in others
     }
     bands = Bands(reference_bands())
-    made = Reproduction({"bands": bands, **one}, None)
+    report = Reproduction({"bands": bands, **parts}, None)
     first = bands.summary()
-    assert made.summary() == (
-        [first[0], *(f"{name} 1" for name in ("plate", "feel") if name in one)] if one else first
+    assert report.summary() == (
+        [first[0], *(f"{name} 1" for name in ("plate", "feel") if name in parts)] if parts else first
     )
-    assert [text for text in made.remarks() if "but" in text] == [f"{name}: but" for name in others]
+    assert [text for text in report.remarks() if "but" in text] == [f"{name}: but" for name in others]
 
 
 @pytest.mark.parametrize("all_of_it", [True, False])
@@ -167,10 +171,10 @@ def test_a_scan_summary_lists_the_data_then_the_fit_of_a_model_and_the_gap(all_o
     if not all_of_it:
         scan.verdict = scan.lattice = scan.measured = scan.registration = None
         scan.report.complete = True
-    said = ScanResult.summary(scan)
+    summary = ScanResult.summary(scan)
     begun = ["3 points (2 low), 2 frequencies", "The model fits.", "Gap in the scan: lower edge",
              "  no upper edge", "High contrast of the driven region", "namespace(",
              "Registered: scale"]  # fmt: skip
-    assert len(said) == (len(begun) if all_of_it else 1)
-    assert all(text.startswith(start) for text, start in zip(said, begun, strict=False)), said
-    assert all_of_it == any("another range" in text for text in said)
+    assert len(summary) == (len(begun) if all_of_it else 1)
+    assert all(text.startswith(start) for text, start in zip(summary, begun, strict=False)), summary
+    assert all_of_it == any("another range" in text for text in summary)

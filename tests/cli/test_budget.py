@@ -55,9 +55,9 @@ def test_a_dry_run_ends_as_the_run_does(inside, tmp_path, stopped, memory, numbe
         assert dry.json["error"] == run.json["error"]
         error = run.json["error"]
         assert re.match("lack of (time|memory): ", error["cause"])
-        if found := re.search(r'--budget "(.*?)"', error["next_step"]):
-            assert inside("bands", path, "--dry-run", "--budget", found[1]).code == 0
-            assert inside("bands", path, "--json", "--budget", found[1]).json["error"]["argument"] == "begun"
+        if match := re.search(r'--budget "(.*?)"', error["next_step"]):
+            assert inside("bands", path, "--dry-run", "--budget", match[1]).code == 0
+            assert inside("bands", path, "--json", "--budget", match[1]).json["error"]["argument"] == "begun"
 
 
 def test_the_budget_is_the_same_in_python_in_the_file_and_on_the_command_line(stopped, memory):

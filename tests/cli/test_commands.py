@@ -235,9 +235,9 @@ def test_ctrl_c_keeps_what_was_done(study, tmp_path):
 
 
 def test_keys_come_from_the_schema(inside):
-    found = {key["path"]: key for key in inside("keys", "--json").json["keys"]}
-    assert found["cell.pillar.diameter"]["unit"] == "m"
-    assert found["bands.accuracy"]["default"] == "0.002"
+    keys = {key["path"]: key for key in inside("keys", "--json").json["keys"]}
+    assert keys["cell.pillar.diameter"]["unit"] == "m"
+    assert keys["bands.accuracy"]["default"] == "0.002"
 
 
 def test_help_has_every_command_in_one_panel(inside):
@@ -274,15 +274,15 @@ def test_reproduce_ends_with_a_report(inside, study, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("checked", "missed", "said"),
+    ("checked", "missed", "sentence"),
     [
         (3, 0, "3 comparisons: no bands missing"),
         (1, 1, "1 comparison: 1 band missing"),
         (0, 0, "not checked"),
     ],
 )
-def test_counts_in_words(checked, missed, said):
-    assert said in counted(checked, missed)
+def test_counts_in_words(checked, missed, sentence):
+    assert sentence in counted(checked, missed)
 
 
 def test_tables_as_latex_are_all_that_is_printed(inside, study, tmp_path):

@@ -135,8 +135,8 @@ def test_whatever_parts_the_columns_the_bands_come_out(tmp_path_factory, export,
     text, wavevector, unit, heads, position = export
     path = tmp_path_factory.mktemp("export") / "theirs.txt"
     path.write_text(text, encoding=data.draw(st.sampled_from(["utf-8", "utf-8-sig", "utf-16"])), newline="")
-    said = (None, None) if heads else (wavevector, unit)
-    side = laid(path, *said)
+    options = (None, None) if heads else (wavevector, unit)
+    side = laid(path, *options)
     assert side.position == pytest.approx(position, abs=1e-6)
     assert side.frequency == pytest.approx(dispersion(position), rel=1e-7)
     if not heads:
@@ -203,7 +203,7 @@ def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
     )
 
 
-@pytest.mark.parametrize("said", [None, "kHz", "Hz", "us"])
+@pytest.mark.parametrize("unit", [None, "kHz", "Hz", "us"])
 @pytest.mark.parametrize(
     ("head", "why"),
     [
@@ -214,12 +214,12 @@ def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
         ("Period", ""), ("Wellenlänge", ""),
     ],
 )  # fmt: skip
-def test_what_is_measured_in_something_else_is_no_frequency(tmp_path, head, why, said):
+def test_what_is_measured_in_something_else_is_no_frequency(tmp_path, head, why, unit):
     """The next step had been --frequency-unit=kHz, by which periods were compared as frequencies."""
     path = tmp_path / "theirs.csv"
     path.write_text(f"k,{head}\n0,5\n1,2\n2,3\n3,5\n")
     error = refused(
-        lambda: laid(path, "segments", said), why, code="malformed", argument="theirs.csv", kind=ChannelError
+        lambda: laid(path, "segments", unit), why, code="malformed", argument="theirs.csv", kind=ChannelError
     )
     assert "--frequency-unit" not in error.next_step
     assert not why or head.split()[0] in error.given
@@ -296,19 +296,19 @@ BESIDE = {
 @given(
     st.permutations(["Eigenfrequency", *BESIDE]), st.sampled_from([("Hz", 1.0), ("kHz", 1e3)]), st.booleans()
 )
-def test_what_is_no_frequency_is_left_out(tmp_path_factory, order, unit, said):
+def test_what_is_no_frequency_is_left_out(tmp_path_factory, order, unit, unit_given):
     """Damping ratios and others, which an evaluation of eigenfrequencies brings along."""
     path, position = tmp_path_factory.mktemp("export") / "theirs.csv", np.linspace(0, 3, 5)
-    heads = [f"{one} ({BESIDE.get(one, unit)[0]})" for one in order]
+    heads = [f"{column} ({BESIDE.get(column, unit)[0]})" for column in order]
     rows = [
-        [position[k], *(BESIDE[one][1] if one in BESIDE else f / unit[1] for one in order)]
+        [position[k], *(BESIDE[column][1] if column in BESIDE else f / unit[1] for column in order)]
         for k, line in enumerate(dispersion(position))
         for f in line
     ]
     path.write_text("\n".join([f"% k,{','.join(heads)}", *(",".join(map(str, row)) for row in rows)]))
-    side = laid(path, "segments", unit[0] if said else None)
+    side = laid(path, "segments", unit[0] if unit_given else None)
     assert side.frequency == pytest.approx(dispersion(position))
-    assert side.left == tuple(one for one in order if one in BESIDE)
+    assert side.left == tuple(column for column in order if column in BESIDE)
     assert "Damping ratio" in Comparison(of_dataset("ours", ours()), side).remarks()[0]
 
 
@@ -337,7 +337,7 @@ def test_numbers_keep_their_names_and_units(tmp_path):
     path = tmp_path / "table.txt"
     path.write_text("% a comment\n% k          freq (kHz)\n0   1.5+2.1E-4i\n1   NaN\n")
     table = read_table(path)
-    assert [(one.name, one.unit) for one in table.columns] == [("k", ""), ("freq", "kHz")]
+    assert [(column.name, column.unit) for column in table.columns] == [("k", ""), ("freq", "kHz")]
     assert table.columns[1].values[0] == 1.5 + 2.1e-4j
     assert np.isnan(table.columns[1].values[1])
 
@@ -392,10 +392,10 @@ class TestCommand:
         cls.folder = folder
 
     def test_a_study_does_not_differ_from_itself(self, inside, tmp_path):
-        one = self.folder / "one.toml"
-        told = inside("compare", one, one, "--json").json
-        assert np.abs(told["data"]["difference_hz"]).max() == 0
-        assert told["changed"] == []
+        study = self.folder / "one.toml"
+        answer = inside("compare", study, study, "--json").json
+        assert np.abs(answer["data"]["difference_hz"]).max() == 0
+        assert answer["changed"] == []
 
     def test_two_studies(self, inside, tmp_path):
         out = tmp_path / "out"
@@ -407,12 +407,12 @@ class TestCommand:
         assert "higher" in ran.out  # shorter pillars put the gap higher
 
     def test_a_result_is_its_study(self, inside, tmp_path):
-        one, out = self.folder / "one.toml", tmp_path / "bands"
-        assert inside("bands", one, "--out", out).code == 0
+        study, out = self.folder / "one.toml", tmp_path / "bands"
+        assert inside("bands", study, "--out", out).code == 0
         for result in (out, out / "bands.nc"):
-            told = inside("compare", one, result, "--json").json
-            assert np.abs(told["data"]["difference_hz"]).max() < 2e-3 * 60e3  # straight between wavevectors
-            assert told["changed"] == []
+            answer = inside("compare", study, result, "--json").json
+            assert np.abs(answer["data"]["difference_hz"]).max() < 2e-3 * 60e3  # straight between wavevectors
+            assert answer["changed"] == []
 
     @pytest.fixture(scope="class")
     @classmethod
@@ -479,8 +479,8 @@ class TestCommand:
         # the highest band alone may be missing
         wavevectors = len(position) - (row < 4)
         assert len(relative) == wavevectors
-        said = "its band is unknown" if row < 4 else "fewer than 5 frequencies"
-        assert said in ran.err
+        remark = "its band is unknown" if row < 4 else "fewer than 5 frequencies"
+        assert remark in ran.err
 
     def test_more_than_a_tenth_apart_is_an_error_unless_asked_for(self, inside, tmp_path, bands):
         table = tmp_path / "theirs.csv"
@@ -502,31 +502,31 @@ class TestCommand:
         assert_five_parts(inside(*asked), "band 3 at Γ", code="mismatch", argument="theirs")
 
     def test_what_cannot_be_compared(self, inside, tmp_path):
-        one, table = self.folder / "one.toml", tmp_path / "theirs.csv"
+        study, table = self.folder / "one.toml", tmp_path / "theirs.csv"
         table.write_text("0,1\n3,2\n")
         assert_five_parts(
-            inside("compare", table, one), f"compare {one} {table}", code="conflict", argument="FIRST"
+            inside("compare", table, study), f"compare {study} {table}", code="conflict", argument="FIRST"
         )
         assert_five_parts(
-            inside("compare", one, self.folder / "other.toml"), "path", code="mismatch", argument="SECOND"
+            inside("compare", study, self.folder / "other.toml"), "path", code="mismatch", argument="SECOND"
         )
         assert_five_parts(
-            inside("compare", one, table), "--wavevector=segments", code="missing", argument="--wavevector"
+            inside("compare", study, table), "--wavevector=segments", code="missing", argument="--wavevector"
         )
         assert_five_parts(
-            inside("compare", one, table, "--wavevector", "segments"),
+            inside("compare", study, table, "--wavevector", "segments"),
             code="missing",
             argument="--frequency-unit",
         )
         assert_five_parts(
-            inside("compare", one, tmp_path), code="not-found", argument="bands of an earlier run"
+            inside("compare", study, tmp_path), code="not-found", argument="bands of an earlier run"
         )
         (tmp_path / "bands.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(200))
         assert_five_parts(
-            inside("compare", one, tmp_path), code="unreadable", argument="bands of an earlier run"
+            inside("compare", study, tmp_path), code="unreadable", argument="bands of an earlier run"
         )
-        assert_five_parts(inside("compare", one, tmp_path / "none.csv"))
-        assert_five_parts(inside("compare", one, tmp_path / "none.toml"))
+        assert_five_parts(inside("compare", study, tmp_path / "none.csv"))
+        assert_five_parts(inside("compare", study, tmp_path / "none.toml"))
 
     def test_each_pair_has_its_folder(self, inside, tmp_path, monkeypatch):
         monkeypatch.chdir(tmp_path)

@@ -102,22 +102,22 @@ class TestDesign:
             "design.toml", "search.nc", "search.svg", "search.png", "front.nc", "front.svg", "front.png",
         }  # fmt: skip
 
-        found = package.load(out / "design.toml")
+        design = package.load(out / "design.toml")
         assert answer["study"] == (out / "design.toml").read_text("utf-8")
         own = package.load(question)
-        assert found == own.with_parameters(answer["values"])
-        assert found.design_settings == own.design_settings
-        bounds = {one.parameter: (one.low, one.high) for one in own.design_settings.vary}
+        assert design == own.with_parameters(answer["values"])
+        assert design.design_settings == own.design_settings
+        bounds = {item.parameter: (item.low, item.high) for item in own.design_settings.vary}
         assert answer["values"].keys() == bounds.keys()
         for path, (low, high) in bounds.items():
             assert low <= answer["values"][path] <= high
-            assert found.parameters()[path] == answer["values"][path]
-        assert found.cell.lattice.pitch != own.cell.lattice.pitch
+            assert design.parameters()[path] == answer["values"][path]
+        assert design.cell.lattice.pitch != own.cell.lattice.pitch
 
         # the edges that the command promises are those of the written study
         gap = next(
             g
-            for g in gaps_of(found.bands(store=Store(store_folder)).dataset)
+            for g in gaps_of(design.bands(store=Store(store_folder)).dataset)
             if g.complete and g.lower < 60e3 < g.upper
         )
         promised = answer["gap"]
@@ -358,12 +358,12 @@ class TestExport:
         out = tmp_path / "out"
         ran = inside("export", study(), "--out", out, *machine)
         assert ran.code == 0, ran.err
-        there = {one.name for one in out.iterdir()}
+        there = {path.name for path in out.iterdir()}
         assert there == {"quick.dxf", "quick.stl", "quick.pdf", "quick-drawing.dxf"}
         missing = "quick.step is not written: the extra for CAD files is not installed; run: pip install"
         if machine:
             answer = ran.json
-            assert {Path(one).name for one in answer["files"]} == there
+            assert {Path(file).name for file in answer["files"]} == there
             assert [missing in text for text in answer["warnings"]] == [True]
         else:
             assert "step" not in ran.out
@@ -381,21 +381,21 @@ class TestExport:
 
     def test_the_whole_plate_of_a_study_or_a_piece_of_its_lattice(self, here, plated, tmp_path):
         """Without numbers of cells, the plate; its tiles, pillars and patch are those of the map."""
-        made = {}
+        answers = {}
         for name, more in {"plate": [], "piece": ["--columns", 2]}.items():
             out = tmp_path / name
             ran = here("export", plated(), "--dxf", "--stl", "--out", out, "--json", *more)
             assert ran.code == 0, ran.err
-            made[name] = json.loads(ran.out)
+            answers[name] = json.loads(ran.out)
             space = ezdxf.readfile(out / "quick.dxf").modelspace()
-            assert len(space.query('CIRCLE[layer=="PILLAR"]')) == made[name]["pillars"]
+            assert len(space.query('CIRCLE[layer=="PILLAR"]')) == answers[name]["pillars"]
             assert len(space.query('*[layer=="PATCH"]')) == (name == "plate")
-        assert made["plate"]["whole_plate"]
-        assert made["plate"]["pillars"] == 4
-        assert made["plate"]["size_m"] == pytest.approx([28e-3, 14e-3])
-        assert not made["piece"]["whole_plate"]
-        assert made["piece"]["pillars"] == 2
-        assert made["piece"]["size_m"] == pytest.approx([14e-3, 7e-3])
+        assert answers["plate"]["whole_plate"]
+        assert answers["plate"]["pillars"] == 4
+        assert answers["plate"]["size_m"] == pytest.approx([28e-3, 14e-3])
+        assert not answers["piece"]["whole_plate"]
+        assert answers["piece"]["pillars"] == 2
+        assert answers["piece"]["size_m"] == pytest.approx([14e-3, 7e-3])
 
     def test_a_plate_with_too_many_pillars(self, here, plated, tmp_path):
         ran = here("export", plated(("rows = 2\nloss", "rows = 1000\nloss")), "--out", tmp_path / "out")
@@ -421,7 +421,7 @@ class TestExport:
         assert not (tmp_path / "store").exists()
 
     @pytest.mark.parametrize(
-        ("changes", "said"),
+        ("changes", "reason"),
         [
             ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell contains it"),
             ((('carrier = "60 kHz"', ""),), "see carrier: the study does not give the frequency"),
@@ -429,19 +429,19 @@ class TestExport:
         ids=["no gap", "no carrier"],
     )
     def test_a_drawing_without_a_gap_has_nominal_sizes_and_states_the_reason(
-        self, here, asking, tmp_path, changes, said
+        self, here, asking, tmp_path, changes, reason
     ):
         ran = here("export", asking(TOLERANCE, changes=changes), "--out", tmp_path / "out", "--json")
         assert ran.code == 0, ran.err
-        told = json.loads(ran.out)
-        assert said in told["why_no_tolerances"]
-        assert said in " ".join(ran.err.split())
-        assert told["tolerances"] == {}
+        answer = json.loads(ran.out)
+        assert reason in answer["why_no_tolerances"]
+        assert reason in " ".join(ran.err.split())
+        assert answer["tolerances"] == {}
         (file,) = (tmp_path / "out").glob("*-drawing.dxf")
         drawn = ezdxf.readfile(file).paperspace("Drawing")
         assert len(drawn.query("DIMENSION")) > 3
-        words = " ".join(one.plain_text() for one in drawn.query("TEXT MTEXT"))
-        assert said in words
+        words = " ".join(text.plain_text() for text in drawn.query("TEXT MTEXT"))
+        assert reason in words
         assert "ISO 2768-m" in words
 
     def test_what_is_asked_wrongly_of_spreads_is_refused_and_nothing_is_written(self, here, asking, tmp_path):
@@ -459,13 +459,13 @@ class TestExport:
             SPREAD.format("material.density", "9 kg/m^3"),
         ]
         study = package.load(asking(TOLERANCE, *tables))
-        found = SimpleNamespace(loosest=0.5, plate=0.42)
-        monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: found)
+        result = SimpleNamespace(loosest=0.5, plate=0.42)
+        monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: result)
         drawn = {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
         assert export.drawn_tolerances(study, Runner()) == (drawn, "")
 
     @pytest.mark.parametrize(
-        ("spreads", "said"),
+        ("spreads", "reason"),
         [
             ([TOLERANCE], "no tolerance keeps the carrier in the gap with the confidence of "
                           "[tolerance], 99.0 %; with the study's own spreads the probability is 42.00 %"),
@@ -474,17 +474,17 @@ class TestExport:
              "the study gives spreads only for material constants or sizes that are not drawn"),
         ],
     )  # fmt: skip
-    def test_missing_tolerances_are_explained(self, here, asking, tmp_path, monkeypatch, spreads, said):
+    def test_missing_tolerances_are_explained(self, here, asking, tmp_path, monkeypatch, spreads, reason):
         """In the drawing, on the terminal if some were asked for, and to machines."""
-        found = SimpleNamespace(loosest=0.0, plate=0.42)
-        monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: found)
+        result = SimpleNamespace(loosest=0.0, plate=0.42)
+        monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: result)
         for machine in ([], ["--json"]):
             out = tmp_path / f"files{len(machine)}"
             ran = here("export", asking(*spreads), "--out", out, "--drawing", *machine)
             assert ran.code == 0, ran.err
-            assert (said in ran.err.replace("\n", " ")) == bool(spreads)
+            assert (reason in ran.err.replace("\n", " ")) == bool(spreads)
             (file,) = out.glob("*-drawing.dxf")
             drawn = ezdxf.readfile(file).paperspace("Drawing")
-            words = " ".join(one.plain_text() for one in drawn.query("TEXT MTEXT"))
-            assert f"No dimension has a tolerance of its own: {said.split(',')[0]}" in words
-        assert said in json.loads(ran.out)["why_no_tolerances"]
+            words = " ".join(text.plain_text() for text in drawn.query("TEXT MTEXT"))
+            assert f"No dimension has a tolerance of its own: {reason.split(',')[0]}" in words
+        assert reason in json.loads(ran.out)["why_no_tolerances"]

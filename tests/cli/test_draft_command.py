@@ -37,8 +37,8 @@ def test_columns_are_found_in_drawn_names(tmp_path_factory, form, person, guide)
     assert not draft.empty
     assert not draft.unnamed
     columns = [draft.columns[name] for name in ("participant", "trial", "waveguide", "actuation")]
-    found = dict(zip(draft.columns["file"], zip(*columns, strict=True), strict=True))
-    assert found == expected
+    rows = dict(zip(draft.columns["file"], zip(*columns, strict=True), strict=True))
+    assert rows == expected
 
 
 def test_a_draft_is_written_once_and_read(inside, tmp_path, monkeypatch):

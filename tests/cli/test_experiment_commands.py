@@ -87,10 +87,10 @@ class TestProtocol:
         driven, idle = (answer["waveguide"][name] for name in ("WG1", "WG2"))
         assert (driven["reduction"], idle["reduction"]) == (0.55, 0.11)
         assert 2 < driven["needed"] < idle["needed"]
-        for one in (driven, idle):
-            chances = dict(zip(one["participants"], one["power"], strict=True))
-            assert chances[one["needed"]] >= 0.79
-            assert chances[one["needed"] - 1] < 0.81
+        for guide in (driven, idle):
+            chances = dict(zip(guide["participants"], guide["power"], strict=True))
+            assert chances[guide["needed"]] >= 0.79
+            assert chances[guide["needed"] - 1] < 0.81
         assert answer["imbalance_trials"] == pytest.approx(1)
         assert not (tmp_path / "results").exists()
 
@@ -110,11 +110,11 @@ class TestProtocol:
         assert "allows no conclusion on other people" in ran.json["summary"][0]
 
     def test_more_participants_than_are_needed(self, inside, study):
-        one = inside("protocol", study(SMALL, ("participants = 2", "participants = 90")), "--json").json
-        chances = one["waveguide"]["WG2"]
+        answer = inside("protocol", study(SMALL, ("participants = 2", "participants = 90")), "--json").json
+        chances = answer["waveguide"]["WG2"]
         assert chances["participants"] == [*range(2, 21), 90]
         assert chances["power"][-1] > 0.99
-        assert "with 90 participants the power to detect it" in one["summary"][1]
+        assert "with 90 participants the power to detect it" in answer["summary"][1]
 
     def test_the_plate_names_the_waveguides(self, inside, study):
         """The one with the actuator is driven, the first other one idle, unless the study says."""
@@ -211,7 +211,7 @@ class TestTwin:
 
     def test_every_form_holds_the_same_strokes(self, inside, study, tmp_path):
         """Per trial, per block and as gauge voltages: the same friction, to the steps of the converter."""
-        path, found, forces = study(SMALL), [], []
+        path, frictions, forces = study(SMALL), [], []
         for name, options in (("trial", ()), ("block", ("--per", "block")), ("raw", ("--raw",))):
             folder = tmp_path / name
             ran = inside("simulate", "friction", path, "--out", folder, "--seed", 3, *options)
@@ -219,15 +219,15 @@ class TestTwin:
             matrix = np.loadtxt(folder / "calibration.csv", delimiter=",") if name == "raw" else None
             table = measured(strokes_of(folder, matrix))
             assert set(table["excluded"].values) == {""}
-            found.append(table["friction"].values)
+            frictions.append(table["friction"].values)
             forces.append(table["force"].values)
             assert table["speed"].values.mean() == pytest.approx(0.1, abs=0.006)
             assert forces[-1].mean() == pytest.approx(0.8, abs=0.2)
         assert forces[1] == pytest.approx(forces[0], abs=1e-5)
         assert forces[2] == pytest.approx(forces[0], abs=2e-3)
-        assert found[1] == pytest.approx(found[0], abs=1e-6)
-        assert found[2] == pytest.approx(found[0], abs=5e-3)
-        assert (found[2] != found[0]).all()
+        assert frictions[1] == pytest.approx(frictions[0], abs=1e-6)
+        assert frictions[2] == pytest.approx(frictions[0], abs=5e-3)
+        assert (frictions[2] != frictions[0]).all()
 
     @pytest.mark.parametrize("form", ["h5", "mat", "tdms"])
     def test_other_forms(self, inside, study, tmp_path, form):

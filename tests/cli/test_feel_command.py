@@ -43,18 +43,18 @@ def test_feel_writes_its_files_and_tables(inside, plated, tmp_path):
 
 def test_the_voltage_scales_amplitudes_and_nothing_is_computed_anew(inside, plated):
     low, high = (inside("feel", plated(), "--voltage", volts, "--json").json for volts in ("10 V", "30 V"))
-    one, three = (answer["regions"]["WG"] for answer in (low, high))
-    assert three["amplitude_m"] == pytest.approx(3 * one["amplitude_m"])
-    assert one["amplitude_m"] < one["amplitude_without_finger_m"]
-    assert three["reduction"] > one["reduction"]
-    assert one["drive_to_be_felt_v"] == pytest.approx(three["drive_to_be_felt_v"], rel=1e-3)
+    single, triple = (answer["regions"]["WG"] for answer in (low, high))
+    assert triple["amplitude_m"] == pytest.approx(3 * single["amplitude_m"])
+    assert single["amplitude_m"] < single["amplitude_without_finger_m"]
+    assert triple["reduction"] > single["reduction"]
+    assert single["drive_to_be_felt_v"] == pytest.approx(triple["drive_to_be_felt_v"], rel=1e-3)
     assert low["origin"] == "simulated"
     assert low["quality_factor"] < low["quality_factor_without_finger"]
-    assert {one["colour"] for one in low["requirements"]} <= {"green", "amber", "red"}
+    assert {requirement["colour"] for requirement in low["requirements"]} <= {"green", "amber", "red"}
     # the same plate at the same frequency by the other command, per volt, without a finger
     line = inside("plate", plated(), "--at", f"{low['frequency_hz']} Hz", "--json").json["maps"][0]
     assert line["finger_m_per_v"]["WG"] * 10 == pytest.approx(
-        one["amplitude_without_finger_m"], rel=0.35
+        single["amplitude_without_finger_m"], rel=0.35
     )  # its largest against our mean
 
 
@@ -136,12 +136,12 @@ def test_the_report_contains_friction_reductions(plated, monkeypatch, store_fold
     monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
     study = load(plated())
     result = study.feel()
-    made = chapter(Results(study, {"feel": result}))
-    assert isinstance(made, Chapter)
-    assert len(made.pictures) == 2
+    feel_chapter = chapter(Results(study, {"feel": result}))
+    assert isinstance(feel_chapter, Chapter)
+    assert len(feel_chapter.pictures) == 2
     felt = result.friction.reductions()["WG"]
-    assert any(str(felt) in words for words in made.findings)
-    assert any(f"{result.friction.quality():.0f}; the vibration" in words for words in made.findings)
-    assert not any("paper" in words for words in made.findings)  # it is not its plate
-    assert all("imulated" in picture.caption for picture in made.pictures)
+    assert any(str(felt) in words for words in feel_chapter.findings)
+    assert any(f"{result.friction.quality():.0f}; the vibration" in words for words in feel_chapter.findings)
+    assert not any("paper" in words for words in feel_chapter.findings)  # it is not its plate
+    assert all("imulated" in picture.caption for picture in feel_chapter.pictures)
     assert isinstance(chapter(Results(study, {})), Absent)

@@ -79,38 +79,38 @@ def test_one_object_for_machines(inside, tmp_path, monkeypatch):
     )
     ran = inside("friction", folder, "--json")
     assert ran.code == 0, ran.err
-    found = ran.json
-    assert found["origin"] == "measured"
-    assert found["exclusions"] == {"unreadable record": 1, "declared beforehand": 1}
-    details = [one["detail"] for one in found["excluded"]]
+    answer = ran.json
+    assert answer["origin"] == "measured"
+    assert answer["exclusions"] == {"unreadable record": 1, "declared beforehand": 1}
+    details = [exclusion["detail"] for exclusion in answer["excluded"]]
     assert "slipped" in details
     assert any("P2-B1-T3.csv: no such file" in text for text in details)
     assert str(tmp_path) not in ran.out
-    assert found["rules"]["filter"] == "compensated"
-    assert found["driven"] == "WG1"
-    assert found["averages"].keys() == {"reduction", "equivalence"}
-    assert all(words in averages() for words in found["averages"].values())
-    pooled = [one for one in found["tests"] if not one["participant"]]
-    assert [(one["waveguide"], one["name"]) for one in pooled] == [
+    assert answer["rules"]["filter"] == "compensated"
+    assert answer["driven"] == "WG1"
+    assert answer["averages"].keys() == {"reduction", "equivalence"}
+    assert all(words in averages() for words in answer["averages"].values())
+    pooled = [test for test in answer["tests"] if not test["participant"]]
+    assert [(test["waveguide"], test["name"]) for test in pooled] == [
         (guide, name)
         for guide in ("WG1", "WG2")
         for name in ("trials, as published", "participants", "mixed model")
     ]
-    assert {"stopped", "equivalence", "drift", "conditions", "conclusions"} <= set(found)
-    assert found["stopped"]["WG2"]["value"] == pytest.approx(
-        1 - found["reduction"]["WG2"]["value"] / found["reduction"]["WG1"]["value"]
+    assert {"stopped", "equivalence", "drift", "conditions", "conclusions"} <= set(answer)
+    assert answer["stopped"]["WG2"]["value"] == pytest.approx(
+        1 - answer["reduction"]["WG2"]["value"] / answer["reduction"]["WG1"]["value"]
     )
-    assert any("unequal numbers" in text for text in found["warnings"])
+    assert any("unequal numbers" in text for text in answer["warnings"])
     assert not (tmp_path / "results").exists()
 
 
 def test_one_participant_gets_no_p_value_for_people(inside, tmp_path):
     folder = written(tmp_path / "trials", made_up(1, trials=4))
-    found = inside("friction", folder, "--json").json
-    for one in found["tests"]:
-        assert (one["p"] is None) == (one["name"] != "trials, as published"), one
-    assert found["reduction"]["WG1"]["low"] is None
-    assert all("one participant only" in text for text in found["conclusions"])
+    answer = inside("friction", folder, "--json").json
+    for test in answer["tests"]:
+        assert (test["p"] is None) == (test["name"] != "trials, as published"), test
+    assert answer["reduction"]["WG1"]["low"] is None
+    assert all("one participant only" in text for text in answer["conclusions"])
 
 
 def test_a_missing_condition_is_reported_and_not_tested(inside, tmp_path):
@@ -119,16 +119,16 @@ def test_a_missing_condition_is_reported_and_not_tested(inside, tmp_path):
     ran = inside("friction", folder, "--json")
     assert ran.code == 0, ran.err
     assert "WG2: no test" in ran.err
-    found = ran.json
-    assert {one["waveguide"] for one in found["tests"]} == {"WG1"}
-    assert found["stopped"] == {}
+    answer = ran.json
+    assert {test["waveguide"] for test in answer["tests"]} == {"WG1"}
+    assert answer["stopped"] == {}
 
 
 def test_a_study_elsewhere_and_the_driven_waveguide(inside, study, tmp_path):
     folder = written(tmp_path / "trials", MADE)
     path = study(("[[sweep]]", '[trials]\ndriven = "WG2"\n[[sweep]]'))
-    found = inside("friction", folder, "--study", path, "--json").json
-    assert (found["driven"], found["driven_chosen"]) == ("WG2", "given in the study")
+    answer = inside("friction", folder, "--study", path, "--json").json
+    assert (answer["driven"], answer["driven_chosen"]) == ("WG2", "given in the study")
 
 
 def test_the_result_contains_reference_values_if_they_are_given(tmp_path):

@@ -35,8 +35,8 @@ def written(name: str) -> Iterator[str]:
     known = name in analyses.NAMES
     function = command(analyses.named(name)) if known else import_module(f"{commands.__name__}.{name}").run
     for hint in typing.get_type_hints(function, include_extras=True).values():
-        for one in getattr(hint, "__metadata__", ()):
-            yield (isinstance(one, ParameterInfo) and one.help) or ""
+        for mark in getattr(hint, "__metadata__", ()):
+            yield (isinstance(mark, ParameterInfo) and mark.help) or ""
 
 
 @pytest.mark.parametrize("name", EVERY)
@@ -69,17 +69,17 @@ texts = st.lists(st.sampled_from(BRACKETS) | any_text, min_size=1, max_size=4)
 @given(texts, texts)
 def test_a_help_text_is_text(command, option):
     """Whatever is written, for a command in a group and for its option."""
-    about, what = ("Text " + " ".join(one).replace("│", "") + " end." for one in (command, option))
+    about, what = ("Text " + " ".join(words).replace("│", "") + " end." for words in (command, option))
 
     option = typer.Option("", "--here", help=what)
 
     def run(here: str = option) -> None:
         """Nothing."""
 
-    made, group = typer.Typer(cls=Worded), typer.Typer()
+    program, group = typer.Typer(cls=Worded), typer.Typer()
     group.command("run", help=about)(run)
     group.command("other")(lambda: None)
-    made.add_typer(group, name="group")
-    seen = "".join(helped(made, "group", "run").split())
+    program.add_typer(group, name="group")
+    seen = "".join(helped(program, "group", "run").split())
     assert "".join(about.split()) in seen
     assert "".join(what.split()) in seen

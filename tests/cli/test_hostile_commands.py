@@ -61,9 +61,9 @@ def test_a_plate_with_bad_names(inside, plated, tmp_path, region, _, actuator):
     assert lines["actuator"].values.tolist() == [actuator]
     response = read(out / "response.nc")
     assert (response.reference.name, response.reference.unit) == (actuator, "V")
-    told = inside("plate", path, "--json").json
-    assert {f"region {region}", f"actuator {actuator}"} < set(told["maps"][0]["strain_energy_j"])
-    assert list(told["maps"][0]["impedance_ohm"]) == [actuator]
+    answer = inside("plate", path, "--json").json
+    assert {f"region {region}", f"actuator {actuator}"} < set(answer["maps"][0]["strain_energy_j"])
+    assert list(answer["maps"][0]["impedance_ohm"]) == [actuator]
 
 
 @pytest.mark.nightly
@@ -88,6 +88,6 @@ def test_a_scan_with_bad_names(inside, tmp_path, first, second, actuator):
     with xr.open_dataset(out / "scan.nc", engine="h5netcdf") as data:
         assert f"{first} over {second}" in data["pair"].values
         assert {first, second} <= set(data["region"].values.tolist())
-    told = inside("scan", file, study, "--json").json
-    assert {first, second} <= told["shapes"][0]["rms_m_per_s_per_v"].keys()
-    assert f"{first} over {second}" in told["shapes"][0]["contrast_db"]
+    answer = inside("scan", file, study, "--json").json
+    assert {first, second} <= answer["shapes"][0]["rms_m_per_s_per_v"].keys()
+    assert f"{first} over {second}" in answer["shapes"][0]["contrast_db"]

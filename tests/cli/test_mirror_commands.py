@@ -77,10 +77,10 @@ def test_layers_answers_a_machine_with_one_object(inside, fine, monkeypatch):
     assert answer["energy_balance"] < 1e-9
     assert 0 < answer["carrier_attenuation_db"] < 10
     assert list(answer["incident"]) == ["A0", "S0", "SH0"]
-    for one in answer["incident"].values():
-        assert len(one["insulation_db"]) == len(one["dissipated"]) == 3
-        assert (np.array(one["same_wave_db"]) >= np.array(one["insulation_db"])).all()
-        needed = [rows for rows in one["rows_needed"].values() if rows]
+    for wave in answer["incident"].values():
+        assert len(wave["insulation_db"]) == len(wave["dissipated"]) == 3
+        assert (np.array(wave["same_wave_db"]) >= np.array(wave["insulation_db"])).all()
+        needed = [rows for rows in wave["rows_needed"].values() if rows]
         assert needed == sorted(needed)
     spectrum = answer["spectrum"]
     for family in answer["incident"]:

@@ -49,15 +49,17 @@ def ran(*words):
 class TestAddedAnalysis:
     def test_it_has_a_command_with_help_of_its_own(self):
         assert "Count, as a toy does." in ran("--help")
-        said = ran("toy", "--help")
-        assert all(words in said for words in ("--number", "How far to count.", "LENGTH", "--out", "--json"))
+        output = ran("toy", "--help")
+        assert all(
+            words in output for words in ("--number", "How far to count.", "LENGTH", "--out", "--json")
+        )
 
     def test_it_answers_people_and_machines(self, study, tmp_path):
         out = tmp_path / "out"
-        said = ran("toy", study(), "--number", 3, "--length", "2 mm", "--out", out)
-        assert "It counts to 3." in said
-        assert "way / mm" in said
-        assert "4.00" in said
+        output = ran("toy", study(), "--number", 3, "--length", "2 mm", "--out", out)
+        assert "It counts to 3." in output
+        assert "way / mm" in output
+        assert "4.00" in output
         assert {path.name for path in out.iterdir()} == {"toy.nc", "toy.svg", "toy.png"}
         answer = json.loads(ran("toy", study(), "--length", "2 mm", "--json"))
         assert answer == {

@@ -22,8 +22,8 @@ PLANNED = {
 
 def cost_of(command, text):
     """What a command is foreseen to take for a study, as it is without options."""
-    one = named(command)
-    return one.cost(loads(text), one.options())
+    analysis = named(command)
+    return analysis.cost(loads(text), analysis.options())
 
 
 @pytest.fixture
@@ -70,12 +70,12 @@ class TestPlan:
             assert named("waveguide").reported(study) is not None, "whatever the lattice"
 
     def test_a_plan_lists_regions_and_drives_of_a_plate(self, inside, file, tmp_path):
-        told = inside("plan", file("glass-keypad"), "--json").json
-        assert told["data"]["area_m_2"] == pytest.approx(
+        answer = inside("plan", file("glass-keypad"), "--json").json
+        assert answer["data"]["area_m_2"] == pytest.approx(
             dict.fromkeys(("key 1", "key 2", "key 3", "key 4"), 4e-4)
         )
-        said = inside("plan", file("glass-keypad"), "--out", tmp_path / "out").out
-        assert "132 pillars, 4 regions of plain plate and 1 drive" in " ".join(said.split())
+        output = inside("plan", file("glass-keypad"), "--out", tmp_path / "out").out
+        assert "132 pillars, 4 regions of plain plate and 1 drive" in " ".join(output.split())
 
     @pytest.mark.parametrize("command", PLANNED)
     def test_a_dry_run_only_prints_the_cost(self, inside, file, tmp_path, monkeypatch, command):
@@ -85,9 +85,9 @@ class TestPlan:
         assert ran.code == 0, ran.err
         cost = cost_of(command, path.read_text("utf-8"))
         assert cost.sentence in ran.out.replace("\n", " ")
-        told = inside(command, path, "--dry-run", "--json").json
-        assert (told["processor_s"], told["memory_b"]) == (cost.seconds, cost.memory)
-        assert [one.name for one in tmp_path.iterdir()] == ["mine.toml"]
+        answer = inside(command, path, "--dry-run", "--json").json
+        assert (answer["processor_s"], answer["memory_b"]) == (cost.seconds, cost.memory)
+        assert [entry.name for entry in tmp_path.iterdir()] == ["mine.toml"]
 
     @pytest.mark.parametrize(
         ("command", "name"),
@@ -133,16 +133,16 @@ class TestOthers:
         ran = inside(*command.split(), file(template), "--dry-run")
         assert ran.code == 0, ran.err
         assert " of processor time and " in ran.out
-        assert [one.name for one in tmp_path.iterdir()] == ["mine.toml"]
+        assert [entry.name for entry in tmp_path.iterdir()] == ["mine.toml"]
 
     @pytest.mark.parametrize("command", ["scan", "friction"])
     def test_a_larger_file_costs_more(self, inside, tmp_path, command):
-        told = []
+        seconds = []
         for size in (10**6, 10**9):
             with (tmp_path / "file.h5").open("wb") as file:
                 file.truncate(size)
-            told.append(inside(command, tmp_path / "file.h5", "--dry-run", "--json").json["processor_s"])
-        assert told[0] < told[1]
+            seconds.append(inside(command, tmp_path / "file.h5", "--dry-run", "--json").json["processor_s"])
+        assert seconds[0] < seconds[1]
 
     def test_a_model_that_is_judged_costs_more(self, inside, file, tmp_path):
         (tmp_path / "scan.h5").touch()
@@ -156,12 +156,12 @@ class TestOthers:
         assert outline["processor_s"] < drawing["processor_s"]
 
     def test_a_plate_with_more_pillars_costs_more_to_export(self, inside, file):
-        text, told = file("touchpad"), []
+        text, costs = file("touchpad"), []
         for rows in (20, 60):
             text.write_text(text.read_text("utf-8").replace("rows = 20 ", f"rows = {rows} "), "utf-8")
-            told.append(inside("export", text, "--step", "--dry-run", "--json").json)
-        assert told[0]["processor_s"] < told[1]["processor_s"]
-        assert told[0]["memory_b"] < told[1]["memory_b"]
+            costs.append(inside("export", text, "--step", "--dry-run", "--json").json)
+        assert costs[0]["processor_s"] < costs[1]["processor_s"]
+        assert costs[0]["memory_b"] < costs[1]["memory_b"]
 
     def test_every_analysis_that_computes_has_a_forecast(self):
         assert {name for name in NAMES if named(name).cost} == set(NAMES) - {"plan", "compare"}
@@ -267,7 +267,7 @@ def test_costs_add_up():
 def test_what_asks_for_more_costs_more(command, old, new):
     text = TEMPLATES["triangular-mirror"]
     assert old in text
-    small, large = (cost_of(command, one) for one in (text, text.replace(old, new)))
+    small, large = (cost_of(command, version) for version in (text, text.replace(old, new)))
     assert large.seconds > small.seconds
 
 
@@ -292,9 +292,9 @@ def test_every_patch_costs_its_tiles_and_its_losses():
     text = TEMPLATES["my-scan"]
     table = text[text.index("[[plate.actuator]]") : text.index("\n[scan]")]
     second = table.replace('"A1"', '"A2"').replace('"left"', '"right"')
-    one, two = (cost_of("plate", text.replace("\n[scan]", f"\n{more}\n[scan]")).seconds
+    single, double = (cost_of("plate", text.replace("\n[scan]", f"\n{more}\n[scan]")).seconds
                 for more in ("", second))  # fmt: skip
-    assert two > one + 4.0  # four tiles of plain plate with a patch took 4.2 s
+    assert double > single + 4.0  # four tiles of plain plate with a patch took 4.2 s
 
 
 def test_a_scan_costs_its_lines():

@@ -64,17 +64,17 @@ def test_plate_answers_one_frequency(inside, plated, monkeypatch):
     monkeypatch.chdir(path.parent)
     ran = inside("plate", path, "--at", "9 kHz", "--json")
     assert ran.code == 0, ran.err
-    found = json.loads(ran.out)
-    (line,) = found["maps"]
+    answer = json.loads(ran.out)
+    (line,) = answer["maps"]
     assert line["frequency_hz"] == 9e3
     assert line["solver_error"] <= 1e-3
-    assert found["origin"] == "simulated"
+    assert answer["origin"] == "simulated"
     assert sum(line["dissipated_w"].values()) == pytest.approx(line["given_w"], rel=1e-4)
     assert not list(path.parent.glob("results"))
-    assert "excludes the discretisation" in found["summary"][-1]
-    assert len(found["summary"][-1]) < 180  # a terminal prints it before the table
-    assert {"error", "largest_error"}.isdisjoint(found.keys() | line.keys())
-    assert all("error" not in mode and mode["solver_error"] < 1e-3 for mode in found["modes"])
+    assert "excludes the discretisation" in answer["summary"][-1]
+    assert len(answer["summary"][-1]) < 180  # a terminal prints it before the table
+    assert {"error", "largest_error"}.isdisjoint(answer.keys() | line.keys())
+    assert all("error" not in mode and mode["solver_error"] < 1e-3 for mode in answer["modes"])
 
 
 @pytest.mark.parametrize(
@@ -118,15 +118,15 @@ def test_the_chapter_of_the_report(plated, monkeypatch, store_folder):
     monkeypatch.setenv("HAPTONIC_STORE", str(store_folder))
     study = load(plated())
     result = study.plate(store=Store(store_folder))
-    made = chapter(Results(study, {"plate": result}))
-    assert isinstance(made, Chapter)
+    plate_chapter = chapter(Results(study, {"plate": result}))
+    assert isinstance(plate_chapter, Chapter)
     for name in ("velocity", "contrast", "impedance-A1"):
         axes = result.figures[name].axes
         assert any("simulated" in text for panel in axes for text in (panel.get_xlabel(), panel.get_ylabel()))
-    words = " ".join([*made.paragraphs, *made.findings])
+    words = " ".join([*plate_chapter.paragraphs, *plate_chapter.findings])
     assert "4 pillars" in words
     assert "assumed" in words
     assert ERRORS in words
-    assert all(picture.caption.startswith("Simulated") for picture in made.pictures)
-    assert all("imulated" in table.title for table in made.tables)
+    assert all(picture.caption.startswith("Simulated") for picture in plate_chapter.pictures)
+    assert all("imulated" in table.title for table in plate_chapter.tables)
     assert isinstance(chapter(Results(study, {})), Absent)

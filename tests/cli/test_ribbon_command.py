@@ -32,19 +32,19 @@ def ran(inside, tmp_path_factory):
     (folder / "guide.toml").write_text(FINER_CELL + RIBBON, "utf-8")
     with pytest.MonkeyPatch.context() as patch:
         leave_pictures_empty(patch)
-        told = inside("ribbon", folder / "guide.toml", "--json", "--html", "--out", folder / "out")
-    assert told.code == 0, told.err
-    return told.json, folder / "out"
+        run = inside("ribbon", folder / "guide.toml", "--json", "--html", "--out", folder / "out")
+    assert run.code == 0, run.err
+    return run.json, folder / "out"
 
 
 def test_ribbon_writes_its_files_and_prints_guided_waves(ran):
-    told, folder = ran
+    answer, folder = ran
     assert {path.name for path in folder.iterdir()} == FILES | {"ribbon.html"}
-    said = " ".join(told["summary"])
+    summary = " ".join(answer["summary"])
     for words in ("The guide has", "dB per row", "0x3", "group velocity"):
-        assert words in said, said
+        assert words in summary, summary
     names = {"frequency_hz", "frequency_error_hz", "group_velocity_m_per_s", "decay_db_per_row"}
-    assert names <= set(told["guided"])
+    assert names <= set(answer["guided"])
 
 
 def test_errors_that_may_hide_a_wave_are_reported(ran):
@@ -82,23 +82,23 @@ change = { "cell.pillar.height" = "13.5 mm" }
 def test_a_summary_of_a_defect_lists_frequencies_copies_and_damping(inside, tmp_path):
     study = FINER_CELL.replace("aluminium-paper", "aluminium-2017a") + DEFECT  # paper's aluminium has no loss
     (tmp_path / "defect.toml").write_text(study, "utf-8")
-    told = inside("ribbon", tmp_path / "defect.toml", "--tables", "--out", tmp_path / "out")
-    assert told.code == 0, told.err
+    run = inside("ribbon", tmp_path / "defect.toml", "--tables", "--out", tmp_path / "out")
+    assert run.code == 0, run.err
     data = xr.load_dataset(tmp_path / "out" / "ribbon.nc", engine="h5netcdf")
     assert data["cell_share"].sizes == {"mode": data.sizes["mode"], "line": 3, "column": 3}
     inside = (data["phase"] == 0) & (data["guided"] == 1) & (data["guide_share"] >= 0.5)
     assert inside.any()
     assert data["cell_share"].values[inside, 1, 1] == pytest.approx(data["guide_share"].values[inside])
-    said = " ".join(told.out.split())
+    output = " ".join(run.out.split())
     for frequency in data["frequency"].values[inside]:
-        assert f"{frequency / 1e3:.2f}" in said
+        assert f"{frequency / 1e3:.2f}" in output
     for words in (
         "Modes of the defect",
         "copies of the defect, 3 cells apart",
         f"quality to {1 / data.attrs['loss_factor']:.0f}",
     ):
-        assert words in said, said
-    assert "wavenumber" not in said, "what changes along the ribbon has none"
+        assert words in output, output
+    assert "wavenumber" not in output, "what changes along the ribbon has none"
 
 
 STRIP = """
@@ -170,6 +170,6 @@ def test_all_modes_are_in_the_file_with_what_they_are(ran):
         "a whole number of them fits a resonance"
     )
     straight = (data["nodal_lines"].values == 0) & (np.abs(data["intervals"].values - 3) < 0.1)
-    (one,) = np.flatnonzero(straight & held)
-    assert data["guide_share"].values[one] > 0.9
-    assert data["group_velocity"].values[one] == pytest.approx(1560, rel=0.1)
+    (mode,) = np.flatnonzero(straight & held)
+    assert data["guide_share"].values[mode] > 0.9
+    assert data["group_velocity"].values[mode] == pytest.approx(1560, rel=0.1)

@@ -52,9 +52,9 @@ def folder(tmp_path_factory, store_folder):
         drive = drive_for(question, study.mounted_plate())
     computed = study.plate(settings=response_for(question, 1e-3, drive), store=store).response
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        made = study.simulate_scan(seed=5, response=computed, store=store)
+        simulated = study.simulate_scan(seed=5, response=computed, store=store)
     write(computed, out / "model.nc")
-    write_files(out, made.files, overwrite=False)
+    write_files(out, simulated.files, overwrite=False)
     return out
 
 
@@ -94,12 +94,12 @@ def test_a_response_that_is_there_is_compared_with(inside, folder):
         "scan", folder / "scan.h5", folder / "plain.toml", "--against", folder / "model.nc", "--json"
     )
     assert ran.code == 0, ran.err
-    found = ran.json["verdict"]
-    assert found["fit"] is None
-    assert list(found["agreement"]) == ["model as given"]
-    assert found["agreement"]["model as given"]["unexplained"] < 1e-3
-    assert found["agreement"]["model as given"]["frac_median"] > 0.999
-    assert found["contrast_range"]["measurement"] == pytest.approx(ran.json["contrast_range"], rel=1e-3)
+    verdict = ran.json["verdict"]
+    assert verdict["fit"] is None
+    assert list(verdict["agreement"]) == ["model as given"]
+    assert verdict["agreement"]["model as given"]["unexplained"] < 1e-3
+    assert verdict["agreement"]["model as given"]["frac_median"] > 0.999
+    assert verdict["contrast_range"]["measurement"] == pytest.approx(ran.json["contrast_range"], rel=1e-3)
 
 
 def test_the_path_is_taken_out_only_once(folder, store_folder):
@@ -134,7 +134,7 @@ def test_files_of_a_verdict_in_the_way_stop_it_before_the_work(inside, folder, t
 def test_it_refuses(inside, folder, arguments, code, argument, given):
     measured = read(folder / "model.nc")
     write(FrequencyResponse(measured.dataset.assign_attrs(origin="measured")), folder / "measured.nc")
-    named = [one if one.startswith("--") else folder / one for one in arguments]
+    named = [arg if arg.startswith("--") else folder / arg for arg in arguments]
     assert_five_parts(
         inside("scan", folder / "scan.h5", *named, "--json"), given, code=code, argument=argument
     )

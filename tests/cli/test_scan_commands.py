@@ -91,8 +91,8 @@ def recorded(study, truth, store, tmp_path_factory):
     """A folder with a simulated scan in HDF5."""
     out = tmp_path_factory.mktemp("twin")
     with pytest.warns(HaptonicWarning, match="ring-down"):
-        made = study.simulate_scan(seed=3, response=truth, store=store)
-    write_files(out, made.files, overwrite=False)
+        simulated = study.simulate_scan(seed=3, response=truth, store=store)
+    write_files(out, simulated.files, overwrite=False)
     return out
 
 
@@ -129,9 +129,11 @@ def hidden(result) -> float:
     return float(np.mean([np.isnan(level.values).mean() for level in result.contrasts.values()]))
 
 
-def assert_same_range(found, truth: dict) -> None:
+def assert_same_range(measured, truth: dict) -> None:
     for edge in ("lower", "upper"):
-        assert abs(getattr(found, edge) - truth["contrast_range"][edge]) <= getattr(found, f"{edge}_error")
+        assert abs(getattr(measured, edge) - truth["contrast_range"][edge]) <= getattr(
+            measured, f"{edge}_error"
+        )
 
 
 class TestChirp:
@@ -257,9 +259,9 @@ class TestTwin:
     def test_the_truth_is_found_with_any_seed(self, study, truth, on, store):
         for seed in range(3):
             with pytest.warns(HaptonicWarning, match="ring-down"):
-                made = study.simulate_scan(seed=seed, response=truth, store=store)
-            known = made.truth()
-            result = compute_scan(_as_scan(made), Estimation(), on, store=store)
+                simulated = study.simulate_scan(seed=seed, response=truth, store=store)
+            known = simulated.truth()
+            result = compute_scan(_as_scan(simulated), Estimation(), on, store=store)
             assert 0 < deviation(result, known) < 0.5, seed
             assert_same_range(result.measured, known)
 
@@ -268,9 +270,9 @@ class TestTwin:
         for noise in (5e-5, 2e-3, 8e-3):
             loud = with_numbers(study, {"scan.noise": noise})
             with pytest.warns(HaptonicWarning, match="ring-down"):
-                made = loud.simulate_scan(response=truth, store=store)
-            result = compute_scan(_as_scan(made), Estimation(), on, store=store)
-            assert deviation(result, made.truth()) < 0.5
+                simulated = loud.simulate_scan(response=truth, store=store)
+            result = compute_scan(_as_scan(simulated), Estimation(), on, store=store)
+            assert deviation(result, simulated.truth()) < 0.5
             shares.append(hidden(result))
             assert any("noise hides the contrast" in text for text in result.undetermined) == (shares[-1] > 0)
         assert shares[0] < 0.05 < shares[1] < shares[2]
@@ -278,12 +280,12 @@ class TestTwin:
     def test_the_path_is_taken_out(self, study, truth, on, store):
         """Delay and low-pass of the study leave no trace in the response."""
         with pytest.warns(HaptonicWarning, match="ring-down"):
-            made = study.simulate_scan(response=truth, store=store)
-        result = compute_scan(_as_scan(made), Estimation(), on, store=store)
-        true = made.true.values
+            simulated = study.simulate_scan(response=truth, store=store)
+        result = compute_scan(_as_scan(simulated), Estimation(), on, store=store)
+        true = simulated.true.values
         error = np.abs(result.response.values - true).max() / np.abs(true).max()
         seen = (
-            np.abs(estimate(made.records, band=made.signal.band).response.values - true).max()
+            np.abs(estimate(simulated.records, band=simulated.signal.band).response.values - true).max()
             / np.abs(true).max()
         )
         assert error < 0.02 < 0.3 < seen
@@ -381,9 +383,9 @@ class TestScan:
         corners = "12 7 68 7 68 28 12 28 mm"
         ran = inside("scan", recorded / "scan.h5", tiny, "--json", "--corners", corners)
         assert ran.code == 0, ran.err
-        found = ran.json["registration"]
-        assert found["shift_m"] == pytest.approx([-12e-3, -7e-3])
-        assert found["misfit_m"] < 1e-9
+        registration = ran.json["registration"]
+        assert registration["shift_m"] == pytest.approx([-12e-3, -7e-3])
+        assert registration["misfit_m"] < 1e-9
         fitted = inside("scan", recorded / "scan.h5", tiny, "--json").json
         assert fitted["registration"]["shift_m"] == pytest.approx([-12e-3, -7e-3], abs=1e-6)
         assert fitted["contrast_range"] == pytest.approx(ran.json["contrast_range"])
@@ -409,7 +411,9 @@ class TestScan:
         report = ReadReport("made up", "memory", len(seen.points))
         result = compute_scan(Scan(seen, report), Estimation(), of, store=store)
         assert result.registration.angle == pytest.approx(np.radians(-5.0))
-        assert any("no waves along WG1" in one and "is turned against" in one for one in result.undetermined)
+        assert any(
+            "no waves along WG1" in text and "is turned against" in text for text in result.undetermined
+        )
         assert result.mapped
         image = result.figures["maps"].axes[0].images[0]
         left, right, _, _ = image.get_extent()
@@ -450,9 +454,9 @@ class TestScan:
     def test_bad_points_are_replaced_and_marked(self, study, truth, on, store):
         lost = with_numbers(study, {"scan.dropouts": 0.1})
         with pytest.warns(HaptonicWarning, match="ring-down"):
-            made = lost.simulate_scan(seed=1, response=truth, store=store)
-        plain = compute_scan(_as_scan(made), Estimation(), on, store=store)
-        mended = compute_scan(_as_scan(made), Estimation(repair=("dropout",)), on, store=store)
+            simulated = lost.simulate_scan(seed=1, response=truth, store=store)
+        plain = compute_scan(_as_scan(simulated), Estimation(), on, store=store)
+        mended = compute_scan(_as_scan(simulated), Estimation(repair=("dropout",)), on, store=store)
         assert plain.flags["repaired"] == 0
         assert mended.flags["repaired"] == plain.flags["dropout"] > 10
         assert "repaired" in mended.response.dataset.attrs["title"]
@@ -479,7 +483,7 @@ class TestScan:
         cell.write_text(TINY[: TINY.index("[plate]")], "utf-8")
         known = {"SCAN": recorded / "scan.h5", "STUDY": tiny, "CELL": cell}
         assert_five_parts(
-            inside("scan", *(known.get(one, one) for one in arguments), "--json"),
+            inside("scan", *(known.get(arg, arg) for arg in arguments), "--json"),
             given,
             code=code,
             argument=argument,
@@ -489,13 +493,13 @@ class TestScan:
         other = tmp_path / "other.toml"
         other.write_text(TINY.replace("rows = 3", "rows = 9"), "utf-8")
         ran = inside("scan", recorded / "scan.h5", other, "--json")
-        told = [*ran.json.get("remarks", []), str(ran.json.get("error", ""))]
-        assert any("registration" in text or "scaled" in text for text in told)
+        messages = [*ran.json.get("remarks", []), str(ran.json.get("error", ""))]
+        assert any("registration" in text or "scaled" in text for text in messages)
 
 
-def _as_scan(made: SimulatedScan):
+def _as_scan(simulated: SimulatedScan):
     """The records of a simulated scan as a file would give them."""
-    return Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
+    return Scan(simulated.records, ReadReport("twin", "memory", len(simulated.records.names)))
 
 
 @pytest.fixture(scope="module")
@@ -529,15 +533,15 @@ class TestOwnNames:
         assert response.points == pytest.approx(1e-3 * np.column_stack([x, y]))
         assert pytest.approx(values) == response.values[..., 0].T
         assert response.units == "m/s/V"
-        found = inside("scan", path, *self.ASKED, *self.UNITS, "--json").json
-        assert (found["band_hz"], found["points"], found["units"]) == ([40e3, 75e3], 24, "m/s/V")
-        assert found["shapes"][0]["frequency_hz"] == pytest.approx(52e3)
-        assert found["warnings"] == []
+        results = inside("scan", path, *self.ASKED, *self.UNITS, "--json").json
+        assert (results["band_hz"], results["points"], results["units"]) == ([40e3, 75e3], 24, "m/s/V")
+        assert results["shapes"][0]["frequency_hz"] == pytest.approx(52e3)
+        assert results["warnings"] == []
 
     def test_a_warning_about_numbers_without_a_unit_names_the_options(self, inside, own):
-        found = inside("scan", own[0], *self.ASKED, "--json").json
-        assert found["band_hz"] == [40.0, 75.0]
-        lengths, frequencies = found["warnings"]
+        results = inside("scan", own[0], *self.ASKED, "--json").json
+        assert results["band_hz"] == [40.0, 75.0]
+        lengths, frequencies = results["warnings"]
         assert "54 m wide" in lengths
         assert "--length-unit mm" in lengths
         assert "up to 75 Hz" in frequencies

@@ -50,20 +50,20 @@ class TestPlaces:
     def test_rows_of_the_same_lattice_lie_beside_every_guide(self, study):
         layout = study.mounted_plate().layout
         strips = strips_of(layout, mirror_beside(layout, "WG1"))
-        assert sorted((one.start, one.inwards, one.rows) for one in strips) == [
+        assert sorted((strip.start, strip.inwards, strip.rows) for strip in strips) == [
             (pytest.approx(7e-3), -1, 1), (pytest.approx(35e-3), -1, 2), (pytest.approx(49e-3), 1, 1),
         ]  # fmt: skip
-        assert [one.period for one in strips] == pytest.approx([7e-3] * 3)
+        assert [strip.period for strip in strips] == pytest.approx([7e-3] * 3)
 
     def test_guides_run_along_their_longer_side(self, study):
-        one, two = guides_of(study.mounted_plate().layout)
-        assert (one.region, one.along, one.width, one.lattice) == (
+        first, second = guides_of(study.mounted_plate().layout)
+        assert (first.region, first.along, first.width, first.lattice) == (
             "WG1",
             "y",
             pytest.approx(14e-3),
             "lattice",
         )
-        assert two.region == "WG2"
+        assert second.region == "WG2"
         text = TINY
         for old, new in (
             ('map = "o11oo22o"\nrows = 3', 'map = """\noooooooo\n11111111\no22oooo3\n"""'),
@@ -92,7 +92,7 @@ class TestOtherLattices:
         layout = laid(self.AROUND, CELLS["triangular"])
         above = mirror_beside(layout, "p")
         both = strips_of(layout, above)
-        assert sorted(one.rows for one in both) == [3, 4]
+        assert sorted(strip.rows for strip in both) == [3, 4]
         high = np.sqrt(0.75) * PITCH
         assert (above.depth, above.rows, above.inwards, above.symmetric) == ("y", 4, 1, True)
         assert (above.period, above.pitch, above.repeat) == pytest.approx((PITCH, high, 2))
@@ -128,8 +128,8 @@ class TestOtherLattices:
             origin="simulated",
         )
         plate = Plate(lying, forces=(Force("F", (3 * PITCH, 3.5 * lying.y[-1] / 8)),))
-        found = lattice_gap(response, plate, xr.Dataset())
-        assert "not their own mirror images" in found.reasons[0]
+        gap = lattice_gap(response, plate, xr.Dataset())
+        assert "not their own mirror images" in gap.reasons[0]
 
     def test_offset_rows_give_the_decay_of_waves_and_no_gap_edge(self):
         layout, data = laid(self.BESIDE, CELLS["triangular"]), xr.Dataset()
@@ -139,10 +139,10 @@ class TestOtherLattices:
         response = FrequencyResponse.of(
             values, frequency=[1e3, 2e3, 3e3], x=x, y=y, reference="F, N", origin="simulated"
         )
-        found = lattice_gap(response, Plate(layout, forces=(Force("F", (4.5 * PITCH, 2 * PITCH)),)), data)
+        gap = lattice_gap(response, Plate(layout, forces=(Force("F", (4.5 * PITCH, 2 * PITCH)),)), data)
         assert np.isfinite(data["fading"]).all()
-        assert (found.lower, found.upper) == (None, None)
-        assert "rows are offset" in found.reasons[0]
+        assert (gap.lower, gap.upper) == (None, None)
+        assert "rows are offset" in gap.reasons[0]
 
     def test_no_mode_is_computed_if_a_border_cuts_a_row(self):
         """A row of a kagome lattice begins with single pillars; below the guide pairs lie beside it."""
@@ -150,7 +150,7 @@ class TestOtherLattices:
         assert [guide.lattice for guide in guides_of(layout)] == [None]
         assert without_mode(layout) == ["no mode computed along p: its border cuts a row of the lattice o"]
         assert without_mode(laid(self.AROUND, CELLS["triangular"])) == []
-        both = {one.inwards: one.face for one in strips_of(layout, mirror_beside(layout, "p"))}
+        both = {strip.inwards: strip.face for strip in strips_of(layout, mirror_beside(layout, "p"))}
         assert both[-1] is None
         assert both[1] is not None
 
@@ -163,20 +163,23 @@ class TestWaves:
         monkeypatch.setattr("haptonic.vibrometry.theory.STEPS", 1)
         monkeypatch.setattr("haptonic.vibrometry.theory.REACH", (0.97, 0.97))
         pillar, settings = Pillar(3.5e-3, 14.7e-3), study.bands_settings
-        one = UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, pillar)
-        two = UnitCell(
+        triangular = UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, pillar)
+        rectangular = UnitCell(
             Lattice.rectangular(PITCH, np.sqrt(3) * PITCH), THICKNESS, ALUMINIUM,
             site=({"at": (0.0, 0.0), "pillar": pillar}, {"at": (0.5, 0.5), "pillar": pillar}),
         )  # fmt: skip
         gap = Gap((6, 7), 56e3, 62e3, 0.0, 0.0, (0.0, 0.0), (0.0, 0.0), True, "", 9)
-        found = []
-        for cell, text in ((one, "oooo oooo" + 4 * " pppp" + " oooo oooo"), (two, "oooo pppp pppp oooo")):
+        waves = []
+        for cell, text in (
+            (triangular, "oooo oooo" + 4 * " pppp" + " oooo oooo"),
+            (rectangular, "oooo pppp pppp oooo"),
+        ):
             layout = laid(text, cell)
-            guides = [replace(one, lattice="o") for one in guides_of(layout)]
+            guides = [replace(guide, lattice="o") for guide in guides_of(layout)]
             assert guides[0].width == pytest.approx(2 * np.sqrt(3) * PITCH)
             mirror = mirror_beside(layout, "p")
-            found.append(computed_waves(layout, settings, (40e3, 70e3), gap, guides, mirror))
-        single, double = found
+            waves.append(computed_waves(layout, settings, (40e3, 70e3), gap, guides, mirror))
+        single, double = waves
         assert float(single["attenuation"].max()) > 5
         assert double["attenuation"].values == pytest.approx(2 * single["attenuation"].values, abs=1e-3)
         assert np.isfinite(single["guided_frequency"].values).all()
@@ -189,7 +192,7 @@ class TestWaves:
             study.mounted_plate().layout,
             Gap((6, 7), 56e3, 62e3, 0.0, 0.0, (0.0, 0.0), (0.0, 0.0), True, "", 9),
         )
-        guides = [replace(one, along="y", width=32e-3, lattice="lattice") for one in guides_of(layout)]
+        guides = [replace(guide, along="y", width=32e-3, lattice="lattice") for guide in guides_of(layout)]
         mirror = mirror_beside(layout, "WG1")
         waves = computed_waves(layout, study.bands_settings, (40e3, 70e3), gap, guides, mirror)
         at, wavenumber = guided(waves, guides[0])

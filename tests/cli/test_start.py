@@ -72,7 +72,7 @@ class TestTemplates:
         for command in text.commands:
             words = command.split()[1:]
             assert words[0] in commands.NAMES or any(
-                " ".join(words).startswith(one) for one in analyses.NAMES
+                " ".join(words).startswith(analysis) for analysis in analyses.NAMES
             )
             assert words[0] in commands.NAMES or "FILE" in words
         assert text.count("#") >= 5
@@ -116,18 +116,18 @@ class TestTemplates:
 
     def test_paths_with_blanks_are_put_in_quotes(self, inside, tmp_path):
         path = tmp_path / "sub folder" / "Größe 7.toml"
-        told = inside("new", "Two Carriers", path, "--json").json
-        said = inside("new", "Two Carriers", path, "--overwrite").out
-        assert f'\n  haptonic bands "{path}"' in said  # not in the middle of a line that a terminal breaks
-        assert told["file"] == str(path)
-        assert told["next"][0] == f'haptonic bands "{path}"'
+        answer = inside("new", "Two Carriers", path, "--json").json
+        output = inside("new", "Two Carriers", path, "--overwrite").out
+        assert f'\n  haptonic bands "{path}"' in output  # not in the middle of a line that a terminal breaks
+        assert answer["file"] == str(path)
+        assert answer["next"][0] == f'haptonic bands "{path}"'
         assert load(path).carrier == 58e3
 
     def test_new_without_arguments_lists_templates(self, inside):
-        said = inside("new").out
+        output = inside("new").out
         for name, text in TEMPLATES.items():
-            assert name in said
-            assert squeezed(text.about) in squeezed(said)
+            assert name in output
+            assert squeezed(text.about) in squeezed(output)
 
 
 def printed(width: int, head: str, lines: dict[str, str]) -> list[str]:
@@ -148,10 +148,10 @@ def test_the_trials_of_the_template_can_be_tried(inside, tmp_path):
     """Simulated records are read by the sensor of the study that they were made for."""
     study = tmp_path / "mine.toml"
     study.write_text(TEMPLATES["my-trials"].replace("blocks = 4", "blocks = 2"), "utf-8")
-    made = inside("simulate", "friction", study, "--participants", 2, "--out", tmp_path / "trials")
-    assert made.code == 0, made.err
-    told = inside("friction", tmp_path / "trials", "--json").json
-    assert told.get("error") is None
+    simulated = inside("simulate", "friction", study, "--participants", 2, "--out", tmp_path / "trials")
+    assert simulated.code == 0, simulated.err
+    answer = inside("friction", tmp_path / "trials", "--json").json
+    assert answer.get("error") is None
 
 
 class TestKeys:
@@ -168,8 +168,8 @@ class TestKeys:
         assert printed_badly == []
 
     def test_allowed_words_are_listed(self, inside):
-        said = squeezed(inside("keys", "cell.lattice").out)
-        assert all(word in said for word in KEYS["cell.lattice"].choices)
+        output = squeezed(inside("keys", "cell.lattice").out)
+        assert all(word in output for word in KEYS["cell.lattice"].choices)
         for path in ("material", "plate.actuator[].bond.material"):
             assert all(name in " ".join(keys.lines(KEYS[path]).values()) for name in library())
 
@@ -181,10 +181,10 @@ class TestKeys:
         assert [path for path, line in examples.items() if "..." in line] == []
 
     def test_a_pattern_finds_paths_and_help(self, inside):
-        found = {key["path"] for key in inside("keys", "FILLET", "--json").json["keys"]}
-        assert "cell.pillar.fillet" in found
-        assert "cell.pillar.diameter" in found  # whose help speaks of it
-        assert "carrier" not in found
+        paths = {key["path"] for key in inside("keys", "FILLET", "--json").json["keys"]}
+        assert "cell.pillar.fillet" in paths
+        assert "cell.pillar.diameter" in paths  # whose help speaks of it
+        assert "carrier" not in paths
         every = inside("keys", "--json").json["keys"]
         assert [key["path"] for key in every] == list(KEYS)
         assert all(key["allowed"] for key in every)
@@ -194,10 +194,10 @@ class TestKeys:
         [("plate.patch", "plate.actuator"), ("plate.actuator[2].bond", "plate.actuator[].bond")],
     )
     def test_a_table_is_found_by_what_its_help_calls_it_and_by_its_number(self, inside, pattern, named):
-        found = [key["path"] for key in inside("keys", pattern, "--json").json["keys"]]
-        assert found == [path for path in KEYS if path.startswith(named)]
-        said = inside("keys", pattern).out.splitlines()
-        assert [line for line in said if line.startswith(named)] == found
+        paths = [key["path"] for key in inside("keys", pattern, "--json").json["keys"]]
+        assert paths == [path for path in KEYS if path.startswith(named)]
+        lines = inside("keys", pattern).out.splitlines()
+        assert [line for line in lines if line.startswith(named)] == paths
 
     @pytest.mark.parametrize("path", [path for path in KEYS if path.endswith("[].parameter")])
     def test_keys_that_a_parameter_may_name_are_listed(self, path):
@@ -213,9 +213,9 @@ class TestKeys:
 
 class TestMaterials:
     def test_the_list_has_every_name_and_number(self, inside):
-        said = inside("materials").out
+        output = inside("materials").out
         for name, solid in library().items():
-            row = next(line for line in said.splitlines() if f" {name} " in line)
+            row = next(line for line in output.splitlines() if f" {name} " in line)
             assert f"{solid.density:.4g}" in row
 
     @pytest.mark.parametrize("name", library())
@@ -229,8 +229,8 @@ class TestMaterials:
         )
 
     def test_machines_get_the_constants(self, inside):
-        told = inside("materials", "steel", "--json").json["materials"]
-        assert told["steel"]["youngs_modulus"] == 210e9
+        solids = inside("materials", "steel", "--json").json["materials"]
+        assert solids["steel"]["youngs_modulus"] == 210e9
 
     def test_an_unknown_one(self, inside):
         assert_five_parts(
@@ -240,9 +240,9 @@ class TestMaterials:
 
 @pytest.fixture(scope="session")
 def validator():
-    found = pytest.importorskip("jsonschema").Draft7Validator
-    found.check_schema(SCHEMA)
-    return found(SCHEMA)
+    draft = pytest.importorskip("jsonschema").Draft7Validator
+    draft.check_schema(SCHEMA)
+    return draft(SCHEMA)
 
 
 class TestSchema:
@@ -292,8 +292,8 @@ class TestSchema:
         data = copy.deepcopy(tomllib.loads(TEMPLATES["glass-keypad"]))
         *tables, name = path.split(".")
         inner = data
-        for one in tables:
-            inner = inner[one]
+        for section in tables:
+            inner = inner[section]
         inner[name] = wrong
         assert not validator.is_valid(data)
         with pytest.raises(StudyError):
@@ -303,28 +303,30 @@ class TestSchema:
 def toml(data: dict[str, Any]) -> str:
     """As TOML with every table in one line."""
 
-    def value(one: Any) -> str:
-        if isinstance(one, dict):
+    def value(item: Any) -> str:
+        if isinstance(item, dict):
             return (
-                "{" + ", ".join(f"{json.dumps(name)} = {value(inner)}" for name, inner in one.items()) + "}"
+                "{" + ", ".join(f"{json.dumps(name)} = {value(inner)}" for name, inner in item.items()) + "}"
             )
-        return f"[{', '.join(map(value, one))}]" if isinstance(one, list) else json.dumps(one)
+        return f"[{', '.join(map(value, item))}]" if isinstance(item, list) else json.dumps(item)
 
-    return "\n".join(f"{name} = {value(one)}" for name, one in data.items())
+    return "\n".join(f"{name} = {value(item)}" for name, item in data.items())
 
 
 def tables_of(data: dict[str, Any], path: str = "") -> list[tuple[str, dict[str, Any]]]:
     """Tables whose keys are declared, and their paths."""
-    found = [(path, data)]
-    for name, one in data.items():
+    tables = [(path, data)]
+    for name, value in data.items():
         at = re.sub(r"^\.", "", f"{path}.{name}")
         if KEYS[re.sub(r"\[\d+\]", "[]", at)].kind == "entries":
             continue
-        if isinstance(one, dict):
-            found += tables_of(one, at)
-        elif isinstance(one, list) and isinstance(one[0], dict):
-            found += [each for k, inner in enumerate(one, start=1) for each in tables_of(inner, f"{at}[{k}]")]
-    return found
+        if isinstance(value, dict):
+            tables += tables_of(value, at)
+        elif isinstance(value, list) and isinstance(value[0], dict):
+            tables += [
+                each for k, inner in enumerate(value, start=1) for each in tables_of(inner, f"{at}[{k}]")
+            ]
+    return tables
 
 
 def python(code: str, **more: str) -> str:
@@ -335,11 +337,11 @@ def python(code: str, **more: str) -> str:
 
 
 def test_a_help_loads_nothing_that_computes():
-    told = python(
+    output = python(
         "import sys\nfrom haptonic.cli.app import app\n"
         "try: app(['--help'])\nexcept SystemExit: pass\nprint('loaded', sorted(sys.modules))"
     )
-    listed, loaded = told.split("loaded")
+    listed, loaded = output.split("loaded")
     assert "bands" in listed
     assert not {"numpy", "scipy", "xarray", "matplotlib", "pandas"} & set(re.findall(r"'(\w+)'", loaded))
 
@@ -354,15 +356,15 @@ def test_a_help_loads_nothing_that_computes():
     ],
 )
 def test_a_shell_completes(words, at, offered):
-    said = python(
+    output = python(
         "import sys; sys.argv = ['haptonic']; from haptonic.cli import main; main()",
         _HAPTONIC_COMPLETE="complete_bash",
         COMP_WORDS=words,
         COMP_CWORD=str(at),
     )
-    assert offered <= set(said.split())
-    assert "Usage" not in said
-    assert not {"keys", "mirror", "--json"} & set(said.split()) or words == "haptonic "
+    assert offered <= set(output.split())
+    assert "Usage" not in output
+    assert not {"keys", "mirror", "--json"} & set(output.split()) or words == "haptonic "
 
 
 @pytest.mark.usefixtures("empty_pictures")

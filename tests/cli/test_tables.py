@@ -41,12 +41,12 @@ def test_every_cell_is_shown_whole(table: Table, width: int) -> None:
     for part in voice.out.file.getvalue().split("┏")[1:]:
         lines = [line for line in part.splitlines() if line[:1] in ("┃", "│") and line[-1] == line[0]]
         cells = zip(*(line[1:-1].split(line[0]) for line in lines), strict=True)
-        first, *others = (sorted(unfolded("".join(one))) for one in cells)
+        first, *others = (sorted(unfolded("".join(pieces))) for pieces in cells)
         shown += [first, *others] if not shown else others
         assert first == shown[0]
     texts = table.texts or [("none", *[""] * (len(table.columns) - 1))]
-    told = [unfolded("".join(one)) for one in zip(table.head, *texts, strict=True)]
-    assert shown == [sorted(one) for one in told]
+    columns = [unfolded("".join(column)) for column in zip(table.head, *texts, strict=True)]
+    assert shown == [sorted(text) for text in columns]
     assert max(map(cell_len, voice.out.file.getvalue().splitlines()[1:])) <= width
 
 
@@ -57,8 +57,8 @@ def test_no_number_is_broken(count: int, width: int) -> None:
     voice = Voice(machine=False)
     voice.out.file, voice.out.width = io.StringIO(), width
     voice.show(Table("powers", [f"actuator {number}" for number in range(count)], [numbers]))
-    said = voice.out.file.getvalue()
-    assert all(number in said for number in numbers)
+    output = voice.out.file.getvalue()
+    assert all(number in output for number in numbers)
 
 
 @given(tables())

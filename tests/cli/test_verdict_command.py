@@ -95,8 +95,8 @@ def scan(plated, exact, tmp_path):
             of = changed(described.mounted_plate(), TRUE)
             points, regions = grid_points(of, 3e-3)
             lines = np.linspace(0, 22e3, 221)
-            found = responded(of, lines[10:], points, regions, 1e-3, fineness=fineness(described))
-            values = np.concatenate([np.zeros((10, *found.values.shape[1:])), found.values])
+            computed = responded(of, lines[10:], points, regions, 1e-3, fineness=fineness(described))
+            values = np.concatenate([np.zeros((10, *computed.values.shape[1:])), computed.values])
             exact.update(values=values, lines=lines, points=points)
         chance, values, points = np.random.default_rng(0), exact["values"], exact["points"]
         size = 0.01 * np.sqrt((np.abs(values) ** 2).mean() / 2)
@@ -105,10 +105,10 @@ def scan(plated, exact, tmp_path):
         values = values + size * (
             chance.standard_normal(values.shape) + 1j * chance.standard_normal(values.shape)
         )
-        said = {"reference": "F1, N", "origin": "simulated", "title": "made up"} | others
-        factor = said.pop("factor", 1.0)
+        attributes = {"reference": "F1, N", "origin": "simulated", "title": "made up"} | others
+        factor = attributes.pop("factor", 1.0)
         response = FrequencyResponse.of(
-            values, frequency=exact["lines"], x=factor * beside[:, 0], y=factor * beside[:, 1], **said
+            values, frequency=exact["lines"], x=factor * beside[:, 0], y=factor * beside[:, 1], **attributes
         )
         write(response, tmp_path / "scan.nc")
         return tmp_path / "scan.nc"
@@ -125,9 +125,9 @@ def test_verdict_finds_the_numbers_and_writes_its_files(inside, plated, scan, tm
                   "Simulated measurement compared with a simulation"):  # fmt: skip
         assert words in " ".join(ran.out.split())
     data = json.loads((out / "verdict.json").read_text("utf-8"))
-    for one in data["fit"]["parameters"]:
-        low, high = one["interval_95"]
-        assert low < TRUE[one["name"]] < high < 1.03 * low
+    for parameter in data["fit"]["parameters"]:
+        low, high = parameter["interval_95"]
+        assert low < TRUE[parameter["name"]] < high < 1.03 * low
     assert data["fit"]["recomputed_error"] < 1e-3
     before, after = data["agreement"]["model as given"], data["agreement"]["model fitted"]
     assert after["unexplained"] < 1e-3 < 0.1 < before["unexplained"]
@@ -142,9 +142,9 @@ def test_verdict_finds_the_numbers_and_writes_its_files(inside, plated, scan, tm
     text = (out / "fitted.toml").read_text("utf-8")
     assert text.startswith('# Numbers fitted to a simulated response, "made up":\n')
     updated = load(out / "fitted.toml")
-    found = {one["name"]: one["value"] for one in data["fit"]["parameters"]}
-    assert updated.cell.material.youngs_modulus == pytest.approx(found["material.youngs_modulus"], rel=1e-12)
-    assert updated.finite_plate.loss_factor == pytest.approx(found["plate.loss_factor"], rel=1e-12)
+    fitted = {parameter["name"]: parameter["value"] for parameter in data["fit"]["parameters"]}
+    assert updated.cell.material.youngs_modulus == pytest.approx(fitted["material.youngs_modulus"], rel=1e-12)
+    assert updated.finite_plate.loss_factor == pytest.approx(fitted["plate.loss_factor"], rel=1e-12)
     assert read(out / "model.nc").dataset.attrs["origin"] == "simulated"
 
 

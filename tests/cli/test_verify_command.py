@@ -145,7 +145,7 @@ def test_the_values_of_the_mass_on_a_column_follow_from_rod_and_shaft():
     """Roots of the characteristic equations of a rod between two masses, and of a shaft with a disc."""
     area, length, density = math.pi / 4 * 25e-6, 1e-3, 500.0
     mass, plate = 7850 * area * 4e-3, 7850 * 100e-6 * 6e-3
-    upper, lower = (one / (density * area * length) for one in (mass, plate))
+    upper, lower = (body / (density * area * length) for body in (mass, plate))
     turning = mass * 25e-6 / 8 / (density * math.pi / 32 * 625e-12 * length)
     shaft = brentq(lambda x: x * math.tan(x) - 1 / turning, 1e-6, 1)
     rod = brentq(lambda x: math.tan(x) * (upper * lower * x**2 - 1) - (upper + lower) * x, 1e-2, 1)
