@@ -63,7 +63,7 @@ KINDS: Mapping[str, tuple[Any, ...]] = {
     "direction": tuple(ANGLES),
     "turned_plane": (False, False, True),
     "sign": ("up", "down", "one down", "one up"),
-    "answered": (False, True, True),  # the study says what the files do not
+    "answered": (False, True, True),  # the study gives what the files do not
     "separator": (",", ";", "\t", "; and comma", "tab and comma", "blanks"),
     "step": (0.0, 1e-3, 5e-3, 20e-3),
     "drift": (0.0, 0.05, -0.1),
@@ -125,20 +125,20 @@ class Folder:
 
     @property
     def sensor(self) -> Sensor:
-        """What a user would say who knows the files, as far as the draw has it."""
-        said: dict[str, Any] = {}
+        """Settings by a user who knows the files, as far as the draw has them."""
+        settings: dict[str, Any] = {}
         names, unit, clock = (self.draw[key] for key in ("names", "unit", "clock"))
         if clock in ("scatter and rate", "no times", "doubled and rate"):
-            said["rate"] = self.draw["rate"]
+            settings["rate"] = self.draw["rate"]
         if self.answers:
             first = 1 if clock == "no times" else 2
-            said |= {"normal": str(first + 2), "tangential": str(first + 1)}
-            said |= {"time": "1"} if first == 2 and names == "none" else {}
+            settings |= {"normal": str(first + 2), "tangential": str(first + 1)}
+            settings |= {"time": "1"} if first == 2 and names == "none" else {}
         if self.draw["answered"] and (unit == "V" or (names == "none" and unit != "counts")):
-            said["force_unit"] = "N" if unit == "V" else unit
+            settings["force_unit"] = "N" if unit == "V" else unit
         if self.draw["answered"] and (clock == "ms unsaid" or (clock == "milliseconds" and names == "none")):
-            said["time_unit"] = "ms"
-        return Sensor(**said)
+            settings["time_unit"] = "ms"
+        return Sensor(**settings)
 
     @property
     def allowed(self) -> float:
@@ -148,7 +148,7 @@ class Folder:
 
     @property
     def refused(self) -> bool:
-        """Whether the files do not say enough, so that a refusal is right."""
+        """Whether the files hold too little, so that a refusal is right."""
         if self.draw["answered"]:
             return False
         names, unit, clock = (self.draw[key] for key in ("names", "unit", "clock"))
@@ -171,8 +171,8 @@ class Folder:
         normal = force * pressed * wander
         along = friction * normal * np.clip((taken - 0.35) / 0.05, 0, 1)
         angle = np.radians(ANGLES[draw["direction"]] + 90.0 * (draw["turned_plane"] and person == "P3"))
-        one = 1 - 2 * (person == "P3")
-        sign = {"up": 1, "down": -1, "one down": one, "one up": -one}
+        orientation = 1 - 2 * (person == "P3")
+        sign = {"up": 1, "down": -1, "one down": orientation, "one up": -orientation}
         turned = sign[draw["sign"]] * (-1 if spoil == "sign" else 1)
         axes = np.array([np.sin(angle) * along, np.cos(angle) * along, turned * normal])
         noise = max(3e-3, 0.4 * draw["step"])
@@ -233,12 +233,12 @@ class Folder:
             order = values[[0, 1, 2]]
             values = order[[1, 1, 2]]
             values = values[[0, 2, 1]] if draw["exchanged"] else values
-        columns = {names[k] or str(k): [f"{one:.6g}" for one in values[k]] for k in range(3)}
+        columns = {names[k] or str(k): [f"{value:.6g}" for value in values[k]] for k in range(3)}
         if clock != "no times":
             columns = {self._time_name(): self._times(time), **columns}
         if draw["position"] != "none" and NAMES[draw["names"]]:
             factor = {"m": 1.0, "mm": 1e3}[draw["position"]]
-            columns[f"position ({draw['position']})"] = [f"{factor * one:.6g}" for one in position]
+            columns[f"position ({draw['position']})"] = [f"{factor * place:.6g}" for place in position]
         rows = [list(row) for row in zip(*columns.values(), strict=True)]
         if clock.startswith("doubled"):
             rows = [row for k, row in enumerate(rows) for _ in range(1 + (k % 7 == 3))]
@@ -268,16 +268,16 @@ class Folder:
     def _times(self, time: np.ndarray) -> list[str]:
         clock = self.draw["clock"]
         if clock in ("milliseconds", "ms unsaid"):
-            return [f"{1e3 * one:.4f}" for one in time]
+            return [f"{1e3 * instant:.4f}" for instant in time]
         if clock == "rounded":
-            return [f"{one:.3f}" for one in time]
+            return [f"{instant:.3f}" for instant in time]
         if clock == "ticks":
-            return [f"{0.0156 * np.floor(one / 0.0156):.4f}" for one in time]
+            return [f"{0.0156 * np.floor(instant / 0.0156):.4f}" for instant in time]
         if clock == "epoch":
-            return [f"{1.7e9 + one:.6f}" for one in time]
+            return [f"{1.7e9 + instant:.6f}" for instant in time]
         if clock in ("time of day", "12 hours"):
-            return [self._of_day(86399.5 + one) for one in time]
-        return [f"{one:.6f}" for one in time]
+            return [self._of_day(86399.5 + instant) for instant in time]
+        return [f"{instant:.6f}" for instant in time]
 
     def _of_day(self, seconds: float) -> str:
         milliseconds = round(1e3 * seconds) % 86_400_000
@@ -310,34 +310,34 @@ class Folder:
 
 
 def outcome(folder: Path, draw: Mapping[str, Any]) -> str:
-    """Whether a drawn folder is "right", with a trial "left out", "refused", or something else: a fault.
+    """Outcome of a drawn folder: "right", with a trial "left out", "refused", or something else: a fault.
 
-    "noted": the files do not show what is wrong with a value, and a sentence says so.
+    "noted": the files do not show what is wrong with a value, and a remark reports it.
     """
-    made = Folder(folder, draw)
+    drawn = Folder(folder, draw)
     try:
-        read = analysed(folder, made.sensor, Rules())
+        read = analysed(folder, drawn.sensor, Rules())
         trials = read.trials
     except HaptonicError as error:
-        nothing_left = bool(made.clipped) and all(made.clipped.values())
+        nothing_left = bool(drawn.clipped) and all(drawn.clipped.values())
         nothing_left |= bool(draw["drift"]) and not draw["rest_after"] and DRIFTS in error.given
-        whole = (made.refused or nothing_left) and all(error.parts().values())
+        whole = (drawn.refused or nothing_left) and all(error.parts().values())
         return "refused" if whole else f"fault: refused: {error.argument}: {error.given}; {error.cause}"
-    found, noted = "right", any("records do not end at rest" in text for text in read.doubts)
+    verdict, noted = "right", any("records do not end at rest" in text for text in read.doubts)
     if draw["exchanged"] and draw["names"] == "none" and any("exchanged" in text for text in read.doubts):
         return "noted"  # the study names both forces, and not truly
     drifts = bool(draw["drift"]) and not draw["rest_after"]
     for row in range(trials.sizes["stroke"]):
         key = str(trials["participant"].values[row]), int(trials["trial"].values[row])
         reason, friction = str(trials["excluded"].values[row]), float(trials["friction"].values[row])
-        spoil = draw["spoil"] if key == made.spoiled else ""
-        spoil = "clipped" if made.clipped.get(key) else "" if spoil == "clipped" else spoil
+        spoil = draw["spoil"] if key == drawn.spoiled else ""
+        spoil = "clipped" if drawn.clipped.get(key) else "" if spoil == "clipped" else spoil
         if reason:
             if reason not in (*REASONS[spoil], *((DRIFTS,) if drifts else ())):
                 return f"fault: left out: {key}: {reason}: {trials['detail'].values[row]}"
-            found = "left out" if found != "noted" else found
-        elif not abs(friction - made.truth[key]) <= made.allowed:
+            verdict = "left out" if verdict != "noted" else verdict
+        elif not abs(friction - drawn.truth[key]) <= drawn.allowed:
             if not (drifts and noted):
-                return f"wrong: {key}: {friction:.4f} instead of {made.truth[key]}"
-            found = "noted"
-    return found
+                return f"wrong: {key}: {friction:.4f} instead of {drawn.truth[key]}"
+            verdict = "noted"
+    return verdict

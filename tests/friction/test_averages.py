@@ -1,4 +1,4 @@
-"""What is said of a reduction agrees with its sign."""
+"""The sentence on a reduction agrees with its sign."""
 
 import re
 
@@ -10,18 +10,18 @@ shares = st.floats(-1.5, 1.0)
 
 
 @given(shares, shares, shares)
-def test_friction_falls_or_rises_by_what_is_positive(one, two, three):
-    low, value, high = sorted((one, two, three))
-    said = re.fullmatch(
+def test_friction_falls_or_rises_by_what_is_positive(a, b, c):
+    low, value, high = sorted((a, b, c))
+    match = re.fullmatch(
         r"friction (falls|rises) by ([\d.]+) % \((-?[\d.]+) to (-?[\d.]+) %\)",
         change(value, low, high),
     )
-    assert said, "no minus sign in front of what it falls or rises by"
-    digits = len(said[2].partition(".")[2])
+    assert match, "no minus sign in front of what it falls or rises by"
+    digits = len(match[2].partition(".")[2])
     assert digits == (high - low < 0.04), "narrow intervals have a decimal"
-    number, first, last = map(float, said.groups()[1:])
-    sign = {"falls": 1, "rises": -1}[said[1]]
+    number, first, last = map(float, match.groups()[1:])
+    sign = {"falls": 1, "rises": -1}[match[1]]
     assert abs(sign * number - 100 * value) <= 0.5 * 10**-digits + 1e-9
     assert first <= number <= last, "the interval is of the same thing"
     assume(number)
-    assert (said[1] == "falls") == (value > 0)
+    assert (match[1] == "falls") == (value > 0)

@@ -41,9 +41,9 @@ def test_samples_at_uneven_times_are_interpolated(seed):
     time = np.cumsum(rng.uniform(0.0012, 0.0032, 1500))
     clock = clock_of(time, "a.csv")
     assert clock.remark in (UNEVEN, SCATTER)
-    found = clock.regular(np.sin(2 * np.pi * 3 * time))
-    even = time[0] + np.arange(len(found)) / clock.rate
-    assert np.abs(found - np.sin(2 * np.pi * 3 * even)).max() < 0.05
+    signal = clock.regular(np.sin(2 * np.pi * 3 * time))
+    even = time[0] + np.arange(len(signal)) / clock.rate
+    assert np.abs(signal - np.sin(2 * np.pi * 3 * even)).max() < 0.05
 
 
 def test_a_few_lost_rows_are_bridged_and_many_are_refused():
@@ -93,7 +93,7 @@ def test_times_that_belong_to_no_samples_are_refused(time, given):
 
 
 def test_times_of_day():
-    found = seconds_of_day(["23:59:59.500", "1/5/2024 00:00:00.250", "00:00:01,5"], "a.csv")
-    assert np.diff(found) == pytest.approx([0.75, 1.25])
+    seconds = seconds_of_day(["23:59:59.500", "1/5/2024 00:00:00.250", "00:00:01,5"], "a.csv")
+    assert np.diff(seconds) == pytest.approx([0.75, 1.25])
     assert seconds_of_day(["1/5/2024 12:00:01 AM", "1:00:00 PM"], "a.csv") == pytest.approx([1, 46800])
     refused(lambda: seconds_of_day(["soon"], "a.csv"), '"soon" in sample 1', code="malformed")

@@ -15,11 +15,12 @@ SINGLE = [(name, value) for name, some in KINDS.items() if name != "seed" for va
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [one for one in SINGLE if one[0] in ("clock", "direction", "sign", "spoil", "step")]
+    ("name", "value"),
+    [entry for entry in SINGLE if entry[0] in ("clock", "direction", "sign", "spoil", "step")],
 )
 def test_one_thing_unlike_the_plain_case(tmp_path, name, value):
-    found = outcome(tmp_path / "a", {**PLAIN, name: value})
-    assert found in GOOD, found
+    result = outcome(tmp_path / "a", {**PLAIN, name: value})
+    assert result in GOOD, result
 
 
 @pytest.mark.parametrize(
@@ -54,8 +55,8 @@ def test_the_plain_case_is_read(tmp_path):
 @settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(DRAWS)
 def test_drawn_folders(tmp_path, draw):
-    found = outcome(tmp_path / "a", draw)
-    assert found in GOOD, found
+    result = outcome(tmp_path / "a", draw)
+    assert result in GOOD, result
 
 
 @pytest.mark.parametrize(
@@ -72,9 +73,9 @@ def test_rare_folders(tmp_path, number):
 def test_thousands_of_drawn_folders(tmp_path):
     counts, faults = Counter[str](), []
     for number in range(5000):
-        found = outcome(Path(tmp_path) / "a", drawn_at(number))
-        counts[found.partition(":")[0]] += 1
-        if found not in GOOD:
-            faults.append((number, found))
+        result = outcome(Path(tmp_path) / "a", drawn_at(number))
+        counts[result.partition(":")[0]] += 1
+        if result not in GOOD:
+            faults.append((number, result))
     assert not faults, (counts, faults[:5])
     assert np.isclose(sum(counts.values()), 5000)

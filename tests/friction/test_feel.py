@@ -81,50 +81,50 @@ def felt_on(loaded, diameter, touch, skin, drive):
 @settings(max_examples=6, deadline=None)
 @given(st.floats(5.0, 400.0), st.floats(0.05, 0.9))
 def test_friction_is_that_of_the_models_at_each_amplitude(drive, idle):
-    found = made(drive, idle)
-    friction = found.at_points()
+    on_plate = made(drive, idle)
+    friction = on_plate.at_points()
     for region, share in (("A", 1.0), ("B", idle)):
         amplitude = LOADED[2] * share * drive
-        exact = float(shared_friction(amplitude, found.touch, found.skin.values))
-        at = friction.isel(point=int(np.flatnonzero(found.below[region])[0]))
+        exact = float(shared_friction(amplitude, on_plate.touch, on_plate.skin.values))
+        at = friction.isel(point=int(np.flatnonzero(on_plate.below[region])[0]))
         assert float(at["amplitude"]) == pytest.approx(amplitude)
         assert float(at["value"]) == pytest.approx(exact, abs=2e-3)
         assert float(at["low"]) <= float(at["value"]) <= float(at["high"])
-        assert found.reductions()[region].value == pytest.approx(1 - exact, abs=2e-3)
+        assert on_plate.reductions()[region].value == pytest.approx(1 - exact, abs=2e-3)
 
 
 def test_where_the_plate_strikes_the_skin_the_other_model_answers():
-    found = made(1000.0, film_share=5e-4)
+    on_plate = made(1000.0, film_share=5e-4)
     amplitude = LOADED[2] * 1000.0
-    assert math.isnan(shared_friction(amplitude, found.touch, found.skin.values))
-    exact = float(intermittent_friction(amplitude, found.touch, found.skin.values))
-    assert found.reductions()["A"].value == pytest.approx(1 - exact, abs=2e-3)
+    assert math.isnan(shared_friction(amplitude, on_plate.touch, on_plate.skin.values))
+    exact = float(intermittent_friction(amplitude, on_plate.touch, on_plate.skin.values))
+    assert on_plate.reductions()["A"].value == pytest.approx(1 - exact, abs=2e-3)
 
 
 def test_damping_widens_the_interval_to_the_right_sides():
-    found = made().reductions()["A"]
+    outer = made().reductions()["A"]
     narrow = made()
     narrow.loaded["amplitude"][1:] = narrow.loaded["amplitude"][2]
     inner = narrow.reductions()["A"]
-    assert found.low < inner.low < inner.value < inner.high < found.high
-    assert found.value == pytest.approx(inner.value)
+    assert outer.low < inner.low < inner.value < inner.high < outer.high
+    assert outer.value == pytest.approx(inner.value)
 
 
 @settings(max_examples=5, deadline=None)
 @given(st.floats(0.02, 0.9))
 def test_the_drive_for_a_reduction_gives_it(reduction):
-    found = made()
-    drive = found.drive_for(reduction, "A")
+    on_plate = made()
+    drive = on_plate.drive_for(reduction, "A")
     assert made(drive).reductions()["A"].value == pytest.approx(reduction, abs=1e-3)
     # a tenth of the amplitude needs ten times the drive, if there is one
-    idle = found.drive_for(reduction, "B")
+    idle = on_plate.drive_for(reduction, "B")
     assert idle == pytest.approx(10 * drive, rel=1e-3) if idle else 10 * drive > 9e3
 
 
 def test_a_reduction_that_no_drive_gives():
-    found = made()
-    found.loaded["amplitude"][:] = 0.0
-    assert found.drive_for(0.5, "A") is None
+    on_plate = made()
+    on_plate.loaded["amplitude"][:] = 0.0
+    assert on_plate.drive_for(0.5, "A") is None
 
 
 @pytest.mark.parametrize("reduction", [0.0, 1.0, 55.0, -0.1, math.nan])
@@ -134,25 +134,25 @@ def test_a_reduction_that_is_no_share_is_refused(reduction):
 
 
 def test_places_are_those_where_the_whole_finger_lies_on_the_region():
-    found = made()
-    x, y = found.loaded["x"].values, found.loaded["y"].values
-    inside = found.below["A"]
+    on_plate = made()
+    x, y = on_plate.loaded["x"].values, on_plate.loaded["y"].values
+    inside = on_plate.below["A"]
     assert inside.any()
     for edge in (x, 21e-3 - x, y, 28e-3 - y):  # the plate's rim and the lattice
         assert edge[inside].min() >= 5e-3 - 1.1e-3
     assert ((x > 6e-3) & (x < 15e-3) & (y > 6e-3) & (y < 22e-3) <= inside).all()
-    wide = felt_on(found.loaded, 40e-3, found.touch, found.skin, 1.0)
-    np.testing.assert_array_equal(wide.below["A"], found.loaded["region"].values == "A")
+    wide = felt_on(on_plate.loaded, 40e-3, on_plate.touch, on_plate.skin, 1.0)
+    np.testing.assert_array_equal(wide.below["A"], on_plate.loaded["region"].values == "A")
 
 
 def test_times_and_ratios_are_those_with_a_finger():
-    found = made(idle=0.25)
-    assert found.driven == ("A",)
-    assert found.ratio == {"B": pytest.approx(4.0)}
-    assert found.quality() == pytest.approx(400)
-    assert found.constant == pytest.approx(400 / (math.pi * 58.8e3))
-    assert found.rise == pytest.approx(math.log(9) * found.constant)
-    margin = found.margins["B"]
+    on_plate = made(idle=0.25)
+    assert on_plate.driven == ("A",)
+    assert on_plate.ratio == {"B": pytest.approx(4.0)}
+    assert on_plate.quality() == pytest.approx(400)
+    assert on_plate.constant == pytest.approx(400 / (math.pi * 58.8e3))
+    assert on_plate.rise == pytest.approx(math.log(9) * on_plate.constant)
+    margin = on_plate.margins["B"]
     assert margin.stopped == pytest.approx(1 - margin.idle / margin.driven)
 
 
@@ -174,7 +174,7 @@ def test_every_region_that_a_drive_moves_is_driven_and_to_be_felt(strengths, dri
     ]
     assert driven_regions(replace(PLATE, forces=tuple(forces))) == driven
     demands = requirements(GOOD, driven, FAST, FAST, 56e3, None)[:2]
-    assert [one.what for one in demands] == [
+    assert [demand.what for demand in demands] == [
         f"{name} is {'felt clearly' if name in driven else 'not felt'}" for name in "AB"
     ]
 
@@ -205,8 +205,8 @@ WANTED = FAR * WEBER_FRACTION
     ],
 )
 def test_regions_are_judged_by_their_whole_interval(changes, colours):
-    found = requirements(GOOD | changes, ("A",), FAST, FAST, 56e3, gap(52e3, 60e3))
-    assert [light.colour for light in found] == colours
+    lights = requirements(GOOD | changes, ("A",), FAST, FAST, 56e3, gap(52e3, 60e3))
+    assert [light.colour for light in lights] == colours
 
 
 @pytest.mark.parametrize(("rise", "constant", "colour"), [

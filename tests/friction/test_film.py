@@ -28,8 +28,10 @@ def marched_efficiency(squeeze: float, excursion: float, rings: int, periods: in
 
     last = 2 * np.pi * np.linspace(periods - 1, periods, 201)
     start = np.full(rings, np.sqrt(1 + 1.5 * excursion**2))
-    made = solve_ivp(rate, (0, last[-1]), start, "LSODA", t_eval=last, rtol=1e-7, atol=1e-9, lband=1, uband=1)
-    pressure = (made.y / gap(last)).mean(axis=0)  # all rings have the same area
+    solution = solve_ivp(
+        rate, (0, last[-1]), start, "LSODA", t_eval=last, rtol=1e-7, atol=1e-9, lband=1, uband=1
+    )
+    pressure = (solution.y / gap(last)).mean(axis=0)  # all rings have the same area
     mean = np.trapezoid(pressure, last) / (2 * np.pi)
     return float((mean - 1) / film.sealed_overpressure(excursion))
 
@@ -63,8 +65,8 @@ class TestAgainstClosedForms:
         psi = film.solved(1000.0, excursion, radial=28)
         pressure = (psi[-1] / film.gaps(excursion, psi.shape[1])).mean()
         assert pressure - 1 == pytest.approx(film.sealed_overpressure(excursion), rel=1e-3)
-        one, four = (film.solved_efficiency(s, excursion, radial=28) for s in (250.0, 1000.0))
-        assert 2 * four - one == pytest.approx(1, abs=0.01)  # the rim's share halves
+        leaky, tight = (film.solved_efficiency(s, excursion, radial=28) for s in (250.0, 1000.0))
+        assert 2 * tight - leaky == pytest.approx(1, abs=0.01)  # the rim's share halves
         assert film.efficiency(1e9, excursion) == pytest.approx(1, abs=1e-4)
 
     def test_the_sealed_film_at_small_excursions(self):
@@ -72,8 +74,8 @@ class TestAgainstClosedForms:
 
     def test_the_squeeze_number(self):
         """A millimetre of film at 3 um and 60 kHz, by hand."""
-        found = film.squeeze_number(3e-6, 2 * np.pi * 60e3, 1e-3, 1.8e-5, 1e5)
-        assert found == pytest.approx(12 * 1.8e-5 * 376991.1 * 1e-6 / (1e5 * 9e-12), rel=1e-6)
+        number = film.squeeze_number(3e-6, 2 * np.pi * 60e3, 1e-3, 1.8e-5, 1e5)
+        assert number == pytest.approx(12 * 1.8e-5 * 376991.1 * 1e-6 / (1e5 * 9e-12), rel=1e-6)
 
 
 class TestAgainstItself:
@@ -88,12 +90,12 @@ class TestAgainstItself:
     @settings(max_examples=3)
     @given(st.floats(-2, 3).map(lambda power: 10.0**power), excursions)
     def test_the_table_agrees_with_the_equation(self, squeeze, excursion):
-        found = film.solved_efficiency(squeeze, excursion, radial=24, instants=71)
-        assert film.efficiency(squeeze, excursion) == pytest.approx(found, rel=1e-3)
+        efficiency = film.solved_efficiency(squeeze, excursion, radial=24, instants=71)
+        assert film.efficiency(squeeze, excursion) == pytest.approx(efficiency, rel=1e-3)
 
     @pytest.mark.parametrize(("squeeze", "excursion"), [(3.0, 0.5), (30.0, 0.8)])
     def test_time_stepping_gives_the_same_result(self, squeeze, excursion):
-        """Of second order in the width of the rings, so two of them tell the limit."""
+        """The error is of second order in the width of the rings, so two widths give the limit."""
         coarse, fine = (marched_efficiency(squeeze, excursion, rings, 12) for rings in (40, 80))
         assert fine + (fine - coarse) / 3 == pytest.approx(
             film.solved_efficiency(squeeze, excursion), rel=2e-3

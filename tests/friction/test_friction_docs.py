@@ -26,23 +26,23 @@ def test_the_printed_python_runs_and_prints_the_expected_text(capsys):
     assert len(blocks) == 2
     for text in blocks:
         exec(compile(text, "friction", "exec"), {})
-    said = capsys.readouterr().out
-    assert "load_sharing [0.88 0.43 0.03]" in said
-    assert "55 % against 11 %: 3.3 times the amplitude" in said
-    assert "felt in time below Q = 193" in said
-    assert "WG1, 3 participants: the difference is significant" in said
-    assert "WG2, 3 participants: " in said
+    output = capsys.readouterr().out
+    assert "load_sharing [0.88 0.43 0.03]" in output
+    assert "55 % against 11 %: 3.3 times the amplitude" in output
+    assert "felt in time below Q = 193" in output
+    assert "WG1, 3 participants: the difference is significant" in output
+    assert "WG2, 3 participants: " in output
 
 
 def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     tables = re.findall(r"```toml\n(.*?)```", TEXT, re.DOTALL)
     (section,) = (table for table in tables if "[trials]" in table)
-    made = made_up(2, 4, 8)
+    records = made_up(2, 4, 8)
     folder = written(
         tmp_path / "trials",
-        made,
-        change=lambda found: found | {"Fz": -1e3 * found["Fz"], "Fy": 1e3 * found["Fy"]},
+        records,
+        change=lambda signals: signals | {"Fz": -1e3 * signals["Fz"], "Fy": 1e3 * signals["Fy"]},
     )
     (folder / "study.toml").write_text(section)
     lines = [
@@ -59,8 +59,8 @@ def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
         assert done.exit_code == 0, done.stderr
     table = pd.read_csv(tmp_path / "results" / "friction" / "trials.csv")
     counts = table["excluded"].isna().to_numpy()
-    assert counts.sum() == len(made) - 1  # one is declared not to count
-    assert table["friction"].to_numpy()[counts] == pytest.approx(measured(made)["friction"].values[counts])
+    assert counts.sum() == len(records) - 1  # one is declared not to count
+    assert table["friction"].to_numpy()[counts] == pytest.approx(measured(records)["friction"].values[counts])
 
 
 def test_the_printed_commands_run(tmp_path, monkeypatch):
@@ -78,9 +78,9 @@ def test_the_printed_commands_run(tmp_path, monkeypatch):
 
 
 def test_docstring_examples():
-    found = doctest.testmod(parameters)
-    assert found.attempted >= 1
-    assert not found.failed
+    results = doctest.testmod(parameters)
+    assert results.attempted >= 1
+    assert not results.failed
 
 
 def test_every_cited_source_is_in_the_bibliography():

@@ -117,13 +117,15 @@ class TestLoadSharing:
             assert 3.0 < amplitude_ratio(0.55, 0.11, TOUCH, finger.values) < 3.4
 
     def test_the_film_length_matters_most(self):
-        found = sensitivity(0.75e-6, TOUCH, FINGER)
-        assert list(found)[:3] == ["film_share", "contact_gap", "decay_length"]
-        assert found["film_share"][0] > found["film_share"][1]
+        bounds = sensitivity(0.75e-6, TOUCH, FINGER)
+        assert list(bounds)[:3] == ["film_share", "contact_gap", "decay_length"]
+        assert bounds["film_share"][0] > bounds["film_share"][1]
         assert (
-            found["contact_gap"][0] < shared_friction(0.75e-6, TOUCH, FINGER.values) < found["contact_gap"][1]
+            bounds["contact_gap"][0]
+            < shared_friction(0.75e-6, TOUCH, FINGER.values)
+            < bounds["contact_gap"][1]
         )
-        assert found["stiffness_ratio"][0] == found["stiffness_ratio"][1]
+        assert bounds["stiffness_ratio"][0] == bounds["stiffness_ratio"][1]
 
 
 class TestSpringSlider:
@@ -161,26 +163,26 @@ class TestSpringSlider:
 class TestPrediction:
     def test_the_band_contains_both_models(self):
         line = xr.DataArray(np.linspace(0, 3e-6, 13), dims="amplitude")
-        found = predict(line, TOUCH, FINGER)
+        prediction = predict(line, TOUCH, FINGER)
         for model in ("load_sharing", "intermittent"):
-            assert (found[model] >= found["low"] - 1e-12).all()
-            assert (found[model] <= found["high"] + 1e-12).all()
-            assert (found[f"{model}_low"] <= found[f"{model}_high"]).all()
-        assert found["load_sharing"].values == pytest.approx(
+            assert (prediction[model] >= prediction["low"] - 1e-12).all()
+            assert (prediction[model] <= prediction["high"] + 1e-12).all()
+            assert (prediction[f"{model}_low"] <= prediction[f"{model}_high"]).all()
+        assert prediction["load_sharing"].values == pytest.approx(
             shared_friction(line.values, TOUCH, FINGER.values)
         )
-        assert found["low"][0] == pytest.approx(1, abs=1e-6)
-        assert float(found["high"][-1] - found["low"][-1]) > 0.3
+        assert prediction["low"][0] == pytest.approx(1, abs=1e-6)
+        assert float(prediction["high"][-1] - prediction["low"][-1]) > 0.3
         for model in ("load_sharing", "intermittent"):
-            assert found[model].attrs["validity"]
+            assert prediction[model].attrs["validity"]
 
     def test_assumed_values_are_marked(self):
-        found = predict(xr.DataArray([1e-6], dims="a"), TOUCH, FINGER.having(contact_gap=5e-6))
-        marks = {name: entry["mark"] for name, entry in json.loads(found.attrs["assumptions"]).items()}
+        prediction = predict(xr.DataArray([1e-6], dims="a"), TOUCH, FINGER.having(contact_gap=5e-6))
+        marks = {name: entry["mark"] for name, entry in json.loads(prediction.attrs["assumptions"]).items()}
         assert marks["decay_length"] == marks["film_share"] == "assumed"
         assert marks["contact_gap"] == "given"
         assert marks["static_friction"] == "computed"
-        assert found.attrs["origin"] == "simulated"
+        assert prediction.attrs["origin"] == "simulated"
 
     def test_a_map_is_the_line_at_its_points(self):
         many = np.random.default_rng(1).uniform(0, 3e-6, (20, 30))
@@ -201,34 +203,34 @@ class TestPrediction:
             quantity="displacement",
         )  # fmt: skip
         amplitude = 100 * disc_average(response, 0.01).isel(frequency=0)
-        found = predict(amplitude, TOUCH, FINGER)["load_sharing"]
-        assert found.dims == ("point",)
-        assert found.values[[0, -1]] == pytest.approx(
+        prediction = predict(amplitude, TOUCH, FINGER)["load_sharing"]
+        assert prediction.dims == ("point",)
+        assert prediction.values[[0, -1]] == pytest.approx(
             shared_friction(np.array([1e-6, 1e-7]), TOUCH, FINGER.values)
         )
-        assert found.values[0] < found.values[25] < found.values[-1]
-        assert found["x"].values == pytest.approx(x)
+        assert prediction.values[0] < prediction.values[25] < prediction.values[-1]
+        assert prediction["x"].values == pytest.approx(x)
 
     def test_the_same_seed_the_same_band(self):
         line = xr.DataArray([0.5e-6, 1e-6], dims="a")
-        one, same, other = (predict(line, TOUCH, FINGER, seed=seed)["low"].values for seed in (1, 1, 2))
-        assert (one == same).all()
-        assert (one != other).all()
+        first, same, other = (predict(line, TOUCH, FINGER, seed=seed)["low"].values for seed in (1, 1, 2))
+        assert (first == same).all()
+        assert (first != other).all()
 
     def test_nothing_uncertain_no_band(self):
         sure = FINGER.having(**FINGER.values)
-        found = predict(xr.DataArray([1e-6], dims="a"), TOUCH, sure)
-        assert found["load_sharing_low"].values == pytest.approx(found["load_sharing_high"].values)
+        prediction = predict(xr.DataArray([1e-6], dims="a"), TOUCH, sure)
+        assert prediction["load_sharing_low"].values == pytest.approx(prediction["load_sharing_high"].values)
 
     def test_what_explains_the_prototype(self):
         """A film as wide as the pad: 3 and somewhat more. A short film needs a larger ratio still."""
         wide = FINGER.having(film_share=1.0)
-        found = explained(0.55, 0.11, TOUCH, wide)
-        low, value, high = found["ratio"].sel(quantity=["low", "value", "high"]).values
+        explanation = explained(0.55, 0.11, TOUCH, wide)
+        low, value, high = explanation["ratio"].sel(quantity=["low", "value", "high"]).values
         assert 2.8 < low < value < high < 4.2
-        assert found.attrs["solved"] == 1.0
+        assert explanation.attrs["solved"] == 1.0
         assert explained(0.55, 0.11, TOUCH, FINGER)["ratio"].sel(quantity="high") > high
-        back = 1 - shared_friction(found["driven"].sel(quantity="value").values, TOUCH, wide.values)
+        back = 1 - shared_friction(explanation["driven"].sel(quantity="value").values, TOUCH, wide.values)
         assert back == pytest.approx(0.55)
 
 

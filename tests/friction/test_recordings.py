@@ -45,8 +45,8 @@ class TestTogether:
         for row, record in enumerate(records):
             alone = measure(record)
             for name, column in together.items():
-                one = getattr(alone, name)
-                same = one if isinstance(one, str) else pytest.approx(one, nan_ok=True, rel=1e-9)
+                value = getattr(alone, name)
+                same = value if isinstance(value, str) else pytest.approx(value, nan_ok=True, rel=1e-9)
                 assert column[row] == same, (row, name)
         assert together["excluded"][6] == "no contact"
         assert together["excluded"][7] == "saturated channel"
@@ -56,16 +56,16 @@ class TestFormats:
     @pytest.mark.parametrize("kind", ["csv", "h5", "hdf5", "mat", "tdms"])
     @pytest.mark.parametrize("per", ["trial", "block"])
     def test_every_format_gives_the_same_trials(self, tmp_path, kind, per):
-        found = friction_in(written(tmp_path / "a", FEW, kind=kind, per=per))
-        assert found["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
-        assert found["trial"].values.tolist() == [label.trial for label, _ in FEW]
-        assert found.attrs["origin"] == "measured"
+        trials = friction_in(written(tmp_path / "a", FEW, kind=kind, per=per))
+        assert trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
+        assert trials["trial"].values.tolist() == [label.trial for label, _ in FEW]
+        assert trials.attrs["origin"] == "measured"
 
     def test_workers_change_nothing(self, tmp_path):
         folder = written(tmp_path / "a", MADE, per="block", kind="h5")
         seen = []
-        found = friction_in(folder, workers=1, progress=lambda *seen_now: seen.append(seen_now))
-        assert found["friction"].values == pytest.approx(TRUE, rel=1e-9)
+        trials = friction_in(folder, workers=1, progress=lambda *seen_now: seen.append(seen_now))
+        assert trials["friction"].values == pytest.approx(TRUE, rel=1e-9)
         assert seen[-1] == (len(MADE), len(MADE))
 
     def test_groups_of_one_hdf5_file(self, tmp_path):
@@ -79,9 +79,9 @@ class TestFormats:
         table = edited(folder, lambda t: t.assign(file="all.h5", group=[f"trial {n}" for n in range(len(t))]))
         assert friction_in(table)["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         missing = edited(folder, lambda t: t.assign(group=["trial 0", "nowhere", *t["group"][2:]]))
-        found = friction_in(missing)
-        assert counts(found) == {"unreadable record": 1}
-        assert "nowhere" in str(found["detail"].values[1])
+        trials = friction_in(missing)
+        assert counts(trials) == {"unreadable record": 1}
+        assert "nowhere" in str(trials["detail"].values[1])
 
     def test_a_program_with_decimal_commas(self, tmp_path):
         folder = written(tmp_path / "a", FEW)
@@ -95,9 +95,9 @@ class TestFormats:
             part = pd.DataFrame(channels([record])).rename(columns={"Fz": "normal", "Fy": "tangential"})
             parts.append(part.assign(**{name: getattr(label, name) for name in label.__dataclass_fields__}))
         pd.concat(parts).assign(origin="simulated").to_csv(tmp_path / "all.csv", index=False)
-        found = friction_in(tmp_path / "all.csv")
-        assert found["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
-        assert found.attrs["origin"] == "simulated"
+        trials = friction_in(tmp_path / "all.csv")
+        assert trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
+        assert trials.attrs["origin"] == "simulated"
 
     def test_a_table_of_trials_that_were_measured_elsewhere(self, tmp_path):
         table = measured(FEW).to_dataframe()[
@@ -128,8 +128,8 @@ class TestOrigin:
     def test_simulated_travels_from_the_table(self, tmp_path):
         folder = written(tmp_path / "a", FEW, origin="measured")
         assert friction_in(folder).attrs["origin"] == "measured"
-        one = edited(folder, lambda t: t.assign(origin=["simulated", *t["origin"][1:]]))
-        assert friction_in(one).attrs["origin"] == "simulated"
+        mixed = edited(folder, lambda t: t.assign(origin=["simulated", *t["origin"][1:]]))
+        assert friction_in(mixed).attrs["origin"] == "simulated"
         refused(
             lambda: friction_in(edited(folder, lambda t: t.assign(origin="guessed"))),
             "guessed",
@@ -139,7 +139,7 @@ class TestOrigin:
 
 
 def renamed(**names):
-    return lambda found: {names.get(name, name): values for name, values in found.items()}
+    return lambda signals: {names.get(name, name): values for name, values in signals.items()}
 
 
 class TestSensor:
@@ -152,8 +152,8 @@ class TestSensor:
         ],
     )
     def test_usual_names_are_guessed_and_reported(self, tmp_path, names, scale):
-        def change(found):
-            scaled = found | {"Fz": scale * found["Fz"], "Fy": scale * found["Fy"]}
+        def change(signals):
+            scaled = signals | {"Fz": scale * signals["Fz"], "Fy": scale * signals["Fy"]}
             return renamed(**names)(scaled)
 
         read = analysed(written(tmp_path / "a", FEW, change=change), PLAIN, Rules())
@@ -161,7 +161,7 @@ class TestSensor:
         assert any("was taken as normal" in text for text in read.remarks)
 
     def test_the_sign_of_a_sensor_below_the_plate_is_found_and_reported(self, tmp_path):
-        folder = written(tmp_path / "a", FEW, change=lambda found: found | {"Fz": -found["Fz"]})
+        folder = written(tmp_path / "a", FEW, change=lambda signals: signals | {"Fz": -signals["Fz"]})
         read = analysed(folder, PLAIN, Rules())
         assert read.trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
         assert "sign was turned" in " ".join(read.remarks)
@@ -179,16 +179,16 @@ class TestSensor:
         )
 
     def test_names_units_and_rate_of_the_study_are_used(self, tmp_path):
-        def change(found):
-            return {"A": 1e3 * found["Fz"], "B": 1e3 * found["Fy"], "C": 1e3 * found["position"]}
+        def change(signals):
+            return {"A": 1e3 * signals["Fz"], "B": 1e3 * signals["Fy"], "C": 1e3 * signals["position"]}
 
         folder = written(tmp_path / "a", FEW, change=change)
-        said = Sensor(
+        sensor = Sensor(
             normal="A", tangential="B", position="C", force_unit="mN", position_unit="mm", rate=1000.0
         )
-        found = friction_in(folder, said)
-        assert found["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
-        assert found["speed"].values == pytest.approx(measured(FEW)["speed"].values)
+        trials = friction_in(folder, sensor)
+        assert trials["friction"].values == pytest.approx(FEW_TRUE, rel=1e-9)
+        assert trials["speed"].values == pytest.approx(measured(FEW)["speed"].values)
         refused(
             lambda: friction_in(folder, Sensor(normal="A", tangential="B")),
             "neither times nor a rate",
@@ -197,14 +197,16 @@ class TestSensor:
         )
 
     def test_a_calibration_matrix_makes_forces_of_gauges(self, tmp_path):
-        """Gauges are the matrix' inverse of made-up forces and torques: a second way to the same forces."""
+        """Gauges are the matrix' inverse of simulated forces and torques, and return the same forces."""
         matrix = np.random.default_rng(1).normal(size=(6, 6)) * np.array([[3.0]] * 3 + [[0.02]] * 3)
         pd.DataFrame(matrix).to_csv(tmp_path / "m.csv", header=False, index=False)
 
-        def change(found):
-            six = np.array([found["Fx"], found["Fy"], found["Fz"], *0.01 * np.ones((3, len(found["Fz"])))])
+        def change(signals):
+            six = np.array(
+                [signals["Fx"], signals["Fy"], signals["Fz"], *0.01 * np.ones((3, len(signals["Fz"])))]
+            )
             volts = np.linalg.solve(matrix, six) + 0.5
-            return {"time": found["time"], "position": found["position"]} | {
+            return {"time": signals["time"], "position": signals["position"]} | {
                 f"G{n}": volts[n] for n in range(6)
             }
 
@@ -218,7 +220,7 @@ class TestSensor:
         commas = {f"G{n}": f"G, {n}" for n in range(6)}
         named = written(
             tmp_path / "b", FEW,
-            change=lambda found: {commas.get(name, name): one for name, one in change(found).items()},
+            change=lambda signals: {commas.get(name, name): each for name, each in change(signals).items()},
         )  # fmt: skip
         sensor = Sensor(calibration=calibration, gauges=",".join(commas.values()))
         assert friction_in(named, sensor)["friction"].values == pytest.approx(FEW_TRUE, rel=1e-6)
@@ -276,8 +278,8 @@ class TestSensor:
         folder = written(tmp_path / "a", FEW)
         largest = np.array([max(record.normal) for _, record in FEW])
         limit = float(np.median(largest))
-        found = friction_in(folder, Sensor(largest_force=limit))
-        assert ((found["excluded"].values == "saturated channel") == (largest >= limit)).all()
+        trials = friction_in(folder, Sensor(largest_force=limit))
+        assert ((trials["excluded"].values == "saturated channel") == (largest >= limit)).all()
 
 
 def spoiled(name, change):
@@ -333,15 +335,15 @@ class TestOmissions:
     def test_what_cannot_be_used(self, tmp_path, spoil, reason, word):
         folder = written(tmp_path / "a", FEW)
         name = spoil(folder)
-        found = friction_in(folder)
-        assert counts(found) == {reason: 1}
-        (row,) = np.flatnonzero(found["excluded"].values)
+        trials = friction_in(folder)
+        assert counts(trials) == {reason: 1}
+        (row,) = np.flatnonzero(trials["excluded"].values)
         table = pd.read_csv(folder / "trials.csv")
         assert table["file"][row] == name
-        detail = str(found["detail"].values[row])
+        detail = str(trials["detail"].values[row])
         assert word in detail
         assert (name in detail) == (reason == "unreadable record")
-        rest = np.delete(found["friction"].values, row)
+        rest = np.delete(trials["friction"].values, row)
         assert rest == pytest.approx(np.delete(FEW_TRUE, row), rel=1e-9)
 
     @pytest.mark.parametrize(
@@ -359,41 +361,41 @@ class TestOmissions:
             values = file[channel][:-100]
             del file[channel]
             file[channel] = values
-        found = friction_in(folder, sensor)
+        trials = friction_in(folder, sensor)
         if sensor.rate is not None:  # times are not used
-            assert not counts(found)
+            assert not counts(trials)
             return
-        assert counts(found) == {"unreadable record": 1}
-        (row,) = np.flatnonzero(found["excluded"].values)
-        assert f"{name}: channel {channel}" in str(found["detail"].values[row])
-        assert np.delete(found["friction"].values, row) == pytest.approx(np.delete(FEW_TRUE, row), rel=1e-9)
+        assert counts(trials) == {"unreadable record": 1}
+        (row,) = np.flatnonzero(trials["excluded"].values)
+        assert f"{name}: channel {channel}" in str(trials["detail"].values[row])
+        assert np.delete(trials["friction"].values, row) == pytest.approx(np.delete(FEW_TRUE, row), rel=1e-9)
 
     def test_times_beyond_the_end_of_a_block(self, tmp_path):
         folder = written(tmp_path / "a", MADE, per="block", kind="h5")
-        found = friction_in(edited(folder, lambda t: t.assign(start=t["start"] + 1000 * (t["trial"] == 2))))
-        assert counts(found) == {"unreadable record": 6}
-        assert "start and stop" in str(found["detail"].values[1])
+        trials = friction_in(edited(folder, lambda t: t.assign(start=t["start"] + 1000 * (t["trial"] == 2))))
+        assert counts(trials) == {"unreadable record": 6}
+        assert "start and stop" in str(trials["detail"].values[1])
 
     @pytest.mark.parametrize("name", ["x" * 60_000, "x" * 300, "folder/" * 2000 + "x", "a\x01b", "missing"])
     def test_a_name_that_no_file_has(self, tmp_path, name):
         """One of 60,000 characters ended in a traceback."""
         folder = written(tmp_path / "a", FEW, kind="h5")
         edited(folder, lambda t: t.assign(file=t["file"].where(t.index != 3, name)))
-        found = friction_in(folder)
-        assert counts(found) == {"unreadable record": 1}
-        assert found["excluded"].values[3] == "unreadable record"
+        trials = friction_in(folder)
+        assert counts(trials) == {"unreadable record": 1}
+        assert trials["excluded"].values[3] == "unreadable record"
 
     def test_declared_exclusions(self, tmp_path):
         folder = written(tmp_path / "a", MADE)
-        found = friction_in(
+        trials = friction_in(
             folder,
             excluded=[Exclusion("P1", "slipped", 1, 2), Exclusion("P2", "ill", 2), Exclusion("P3", "left")],
         )
-        assert counts(found) == {"declared beforehand": 1 + 2 + 4}
-        assert str(found["detail"].values[1]) == "slipped"
+        assert counts(trials) == {"declared beforehand": 1 + 2 + 4}
+        assert str(trials["detail"].values[1]) == "slipped"
         for wrong in (Exclusion("P9", "x"), Exclusion("P1", "x", 7), Exclusion("P1", "x", 1, 70)):
             refused(
-                lambda one=wrong: friction_in(folder, excluded=[one]),
+                lambda exclusion=wrong: friction_in(folder, excluded=[exclusion]),
                 code="mismatch",
                 argument="trials.exclude[1]",
             )
@@ -452,7 +454,9 @@ class TestTables:
             friction_in(tmp_path / "none.csv")
 
     def test_force_in_another_unit_everywhere(self, tmp_path):
-        folder = written(tmp_path / "a", MADE[:6], change=lambda found: found | {"Fz": 2500 * found["Fz"]})
+        folder = written(
+            tmp_path / "a", MADE[:6], change=lambda signals: signals | {"Fz": 2500 * signals["Fz"]}
+        )
         refused(lambda: friction_in(folder), "6 of 6: unreadable record", code="too-few", argument="trials")
 
     def test_volts_without_a_calibration(self, tmp_path):
@@ -468,9 +472,9 @@ class TestTables:
 class TestTraces:
     def test_the_blocks_asked_for(self, tmp_path):
         folder = written(tmp_path / "a", MADE, per="block", kind="h5")
-        found = list(traces(folder, PLAIN, Rules(), [("P2", 2), ("P1", 1)]))
-        assert [(person, block) for person, block, _ in found] == [("P2", 2), ("P1", 1)]
-        drawn = found[1][2]
+        blocks = list(traces(folder, PLAIN, Rules(), [("P2", 2), ("P1", 1)]))
+        assert [(person, block) for person, block, _ in blocks] == [("P2", 2), ("P1", 1)]
+        drawn = blocks[1][2]
         assert drawn["trial"].values.tolist() == [1, 2]
         # friction from the few points that are drawn is about that of all of them
         row = drawn.isel(stroke=0)

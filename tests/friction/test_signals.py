@@ -49,8 +49,8 @@ class TestFilters:
         """Seen in a sine that is let through, away from the ends."""
         time = np.arange(4000) / 1000
         through = smoothed(np.sin(2 * np.pi * 50 * time), 1000.0, name)[1000:3000]
-        found = 20 * np.log10(np.sqrt(2 * np.mean(through**2)))
-        assert found == pytest.approx(level, abs=0.01)
+        attenuation = 20 * np.log10(np.sqrt(2 * np.mean(through**2)))
+        assert attenuation == pytest.approx(level, abs=0.01)
 
     def test_the_compensated_design_is_the_stated_one(self):
         assert design_frequency("compensated", 1000.0) == pytest.approx(62.05, abs=0.005)
@@ -79,108 +79,110 @@ class TestFilters:
 class TestMeasure:
     @settings(max_examples=20)
     @given(st.floats(0.02, 2), st.floats(0.2, 3), st.floats(0.02, 0.4), st.floats(-3, 3), st.floats(-3, 3))
-    def test_a_clean_stroke_gives_its_friction(self, friction, force, speed, one, other):
+    def test_a_clean_stroke_gives_its_friction(self, friction, force, speed, normal_bias, tangential_bias):
         """Whatever the force, the speed and the bias of the sensor."""
-        found = measure(Record(**stroke(friction, force, speed, noise=1e-6, bias=(one, other))))
-        assert found.excluded == ""
-        assert found.mean_of_ratios == pytest.approx(friction, rel=1e-3)
-        assert found.ratio_of_means == pytest.approx(friction, rel=1e-3)
-        assert found.speed == pytest.approx(speed, rel=0.01)
-        assert found.force == pytest.approx(force, rel=0.06)
-        assert found.duration == pytest.approx(1.0, abs=0.06)
+        result = measure(
+            Record(**stroke(friction, force, speed, noise=1e-6, bias=(normal_bias, tangential_bias)))
+        )
+        assert result.excluded == ""
+        assert result.mean_of_ratios == pytest.approx(friction, rel=1e-3)
+        assert result.ratio_of_means == pytest.approx(friction, rel=1e-3)
+        assert result.speed == pytest.approx(speed, rel=0.01)
+        assert result.force == pytest.approx(force, rel=0.06)
+        assert result.duration == pytest.approx(1.0, abs=0.06)
 
     def test_the_two_averages_differ_as_they_should(self):
         """Twice the friction while pressed half as hard: 0.3 of ratios, 0.2667 of means."""
-        made = stroke(friction=1.0, force=1.0)
+        signals = stroke(friction=1.0, force=1.0)
         half = np.arange(1500) < 800
-        made["normal"] = made["normal"] * np.where(half, 1.0, 0.5)
-        made["tangential"] = made["normal"] * np.where(half, 0.2, 0.4)
-        found = measure(Record(**made))
-        assert found.mean_of_ratios == pytest.approx(0.3, abs=0.01)
-        assert found.ratio_of_means == pytest.approx(0.8 / 3, abs=0.01)
-        assert found.spread == pytest.approx(0.1, abs=0.01)
+        signals["normal"] = signals["normal"] * np.where(half, 1.0, 0.5)
+        signals["tangential"] = signals["normal"] * np.where(half, 0.2, 0.4)
+        result = measure(Record(**signals))
+        assert result.mean_of_ratios == pytest.approx(0.3, abs=0.01)
+        assert result.ratio_of_means == pytest.approx(0.8 / 3, abs=0.01)
+        assert result.spread == pytest.approx(0.1, abs=0.01)
 
     def test_noise_of_the_sensor(self):
         """21 mN rms: below 50 Hz little is left of it."""
-        found = [measure(Record(**stroke(noise=0.021, seed=seed))).mean_of_ratios for seed in range(20)]
-        assert np.mean(found) == pytest.approx(0.4, abs=0.003)
-        assert np.std(found) < 0.004
+        frictions = [measure(Record(**stroke(noise=0.021, seed=seed))).mean_of_ratios for seed in range(20)]
+        assert np.mean(frictions) == pytest.approx(0.4, abs=0.003)
+        assert np.std(frictions) < 0.004
 
     def test_the_way_back_does_not_count(self):
-        made = stroke()
+        signals = stroke()
         back = np.arange(1500) > 1000
-        made["position"] = np.where(back, 0.08 * (2 - np.arange(1500) / 1000), made["position"])
-        made["tangential"][back] *= -3
-        found = measure(Record(**made))
-        assert found.mean_of_ratios == pytest.approx(0.4, rel=0.02)
-        assert found.reversing == pytest.approx(0.2, abs=0.02)
+        signals["position"] = np.where(back, 0.08 * (2 - np.arange(1500) / 1000), signals["position"])
+        signals["tangential"][back] *= -3
+        result = measure(Record(**signals))
+        assert result.mean_of_ratios == pytest.approx(0.4, rel=0.02)
+        assert result.reversing == pytest.approx(0.2, abs=0.02)
 
     def test_speeding_up_does_not_count(self):
-        made = stroke()
+        signals = stroke()
         slow = np.arange(1500) < 700
-        made["position"] = np.cumsum(np.where(slow, 0.008, 0.08)) / 1000
-        made["tangential"] *= np.where(slow, 3, 1)
-        found = measure(Record(**made))
-        assert found.mean_of_ratios == pytest.approx(0.4, rel=0.03)
-        assert found.off_plateau == pytest.approx(400 / 1500, abs=0.02)
-        assert found.below_threshold == pytest.approx(500 / 1500, abs=0.02)
+        signals["position"] = np.cumsum(np.where(slow, 0.008, 0.08)) / 1000
+        signals["tangential"] *= np.where(slow, 3, 1)
+        result = measure(Record(**signals))
+        assert result.mean_of_ratios == pytest.approx(0.4, rel=0.03)
+        assert result.off_plateau == pytest.approx(400 / 1500, abs=0.02)
+        assert result.below_threshold == pytest.approx(500 / 1500, abs=0.02)
 
     def test_without_a_position_the_middle_counts(self):
-        made = stroke()
-        made["position"] = None
-        made["tangential"][:500] *= 3  # the first fifth of the contact is left out
-        found = measure(Record(**made))
-        assert found.mean_of_ratios == pytest.approx(0.4, rel=5e-3)
-        assert np.isnan(found.speed)
-        assert found.duration == pytest.approx(0.6, abs=0.01)
+        signals = stroke()
+        signals["position"] = None
+        signals["tangential"][:500] *= 3  # the first fifth of the contact is left out
+        result = measure(Record(**signals))
+        assert result.mean_of_ratios == pytest.approx(0.4, rel=5e-3)
+        assert np.isnan(result.speed)
+        assert result.duration == pytest.approx(0.6, abs=0.01)
 
     def test_without_a_position_the_way_back_is_seen_in_the_force(self):
-        made = stroke()
-        made["position"] = None
-        made["tangential"][900:] *= -3  # within the middle of the contact, which ends at 1.1 s
-        found = measure(Record(**made))
-        assert found.mean_of_ratios == pytest.approx(0.4, rel=0.03)
-        assert found.duration == pytest.approx(0.4, abs=0.02)
-        assert found.reversing == pytest.approx(400 / 1500, abs=0.02)
+        signals = stroke()
+        signals["position"] = None
+        signals["tangential"][900:] *= -3  # within the middle of the contact, which ends at 1.1 s
+        result = measure(Record(**signals))
+        assert result.mean_of_ratios == pytest.approx(0.4, rel=0.03)
+        assert result.duration == pytest.approx(0.4, abs=0.02)
+        assert result.reversing == pytest.approx(400 / 1500, abs=0.02)
 
     def test_the_shares_add_up(self):
-        found = measure(Record(**stroke()))
-        shares = found.below_threshold + found.reversing + found.off_plateau + found.duration / 1.5
+        result = measure(Record(**stroke()))
+        shares = result.below_threshold + result.reversing + result.off_plateau + result.duration / 1.5
         assert shares == pytest.approx(1)
 
 
 def spoiled(what):
-    made = stroke()
+    signals = stroke()
     if what == "missing numbers":
-        made["tangential"][700] = np.nan
+        signals["tangential"][700] = np.nan
     elif what == "record too short":
-        made = {name: array[:9] if name != "rate" else array for name, array in made.items()}
+        signals = {name: array[:9] if name != "rate" else array for name, array in signals.items()}
     elif what == "saturated channel":
         # noise shows that it is an end even where other strokes go beyond
         noise = 1e-3 * np.random.default_rng(0).standard_normal(1500)
-        made["normal"] = np.minimum(made["normal"] + noise, 0.5)
+        signals["normal"] = np.minimum(signals["normal"] + noise, 0.5)
     elif what == "jump of a channel":
-        made["tangential"][700] += 5
+        signals["tangential"][700] += 5
     elif what == "stop of a channel":
-        made["normal"] += 1e-3 * np.random.default_rng(0).standard_normal(1500)
-        made["normal"][600:700] = made["normal"][600]
+        signals["normal"] += 1e-3 * np.random.default_rng(0).standard_normal(1500)
+        signals["normal"][600:700] = signals["normal"][600]
     elif what == "contact before the stroke":
-        made = {name: array[310:] if name != "rate" else array for name, array in made.items()}
+        signals = {name: array[310:] if name != "rate" else array for name, array in signals.items()}
     elif what == "normal force in the other direction":
-        made["normal"] *= -1
+        signals["normal"] *= -1
     elif what == "no contact":
-        made["normal"] = 0.01 * np.sin(np.arange(1500.0))
+        signals["normal"] = 0.01 * np.sin(np.arange(1500.0))
     elif what == "steady part too short":
-        made["normal"] *= np.abs(np.arange(1500) - 800) < 40
+        signals["normal"] *= np.abs(np.arange(1500) - 800) < 40
     elif what == "drift of the sensor":
-        made["normal"] += 0.1 * np.arange(1500) / 1000
-        made = {name: array[:1200] if name != "rate" else array for name, array in made.items()}
+        signals["normal"] += 0.1 * np.arange(1500) / 1000
+        signals = {name: array[:1200] if name != "rate" else array for name, array in signals.items()}
     elif what == "normal force outside of the rule":
-        made["normal"] *= 10
-        made["tangential"] *= 10
+        signals["normal"] *= 10
+        signals["tangential"] *= 10
     elif what == "speed outside of the rule":
-        made["position"] *= 10
-    return Record(**made)
+        signals["position"] *= 10
+    return Record(**signals)
 
 
 @pytest.mark.parametrize("reason", REASONS)
@@ -204,13 +206,13 @@ def test_excluded_trials_stay_in_the_table():
 def test_a_finger_that_lies_on_the_plate_all_the_time_is_seen_beside_other_trials(which, offset):
     records = []
     for trial in range(8):
-        made = stroke()
-        made["normal"] += offset + 0.02 * trial
+        signals = stroke()
+        signals["normal"] += offset + 0.02 * trial
         if trial == which:  # pressed from the start to the end, by a force that rises a little
-            made = {name: array[500:1000] if name != "rate" else array for name, array in made.items()}
-            made["normal"] *= np.linspace(1, 1.3, 500) if not offset else 1
-            made["normal"] += 0.3 * np.linspace(0, 1, 500) if offset else 0
-        records.append((Label("P1", 1, trial + 1, "WG1", "on"), Record(**made)))
+            signals = {name: array[500:1000] if name != "rate" else array for name, array in signals.items()}
+            signals["normal"] *= np.linspace(1, 1.3, 500) if not offset else 1
+            signals["normal"] += 0.3 * np.linspace(0, 1, 500) if offset else 0
+        records.append((Label("P1", 1, trial + 1, "WG1", "on"), Record(**signals)))
     excluded = measured(records)["excluded"].values
     assert excluded[which] != ""
     assert (np.delete(excluded, which) == "").all()
@@ -314,9 +316,9 @@ class TestFiles:
     @pytest.mark.parametrize("name", ["a.csv", "a.nc", "a.h5", "a.hdf5"])
     def test_every_format_gives_the_same_trials(self, tmp_path, name):
         table = self.rows()
-        found = dict(read_records(self.written(table, tmp_path / name)))
-        assert list(found) == [Label("P1", 1, 1, "WG2", "on"), Label("P1", 1, 2, "WG2", "off")]
-        for label, record in found.items():
+        records = dict(read_records(self.written(table, tmp_path / name)))
+        assert list(records) == [Label("P1", 1, 1, "WG2", "on"), Label("P1", 1, 2, "WG2", "off")]
+        for label, record in records.items():
             rows = table[table["trial"] == label.trial]
             assert record.rate == pytest.approx(1000)
             assert record.normal == pytest.approx(rows["normal"].to_numpy())
@@ -383,9 +385,9 @@ class TestFiles:
 
     @pytest.mark.parametrize("name", ["t.csv", "t.nc"])
     def test_trials_come_back(self, tmp_path, name):
-        made = [(label, record) for label, record, _ in strokes(Truth(), Protocol(2, 2), 2)]
-        made.append((Label("P9", 1, 1, "WG1", "off"), spoiled("no contact")))
-        table = measured(made)
+        records = [(label, record) for label, record, _ in strokes(Truth(), Protocol(2, 2), 2)]
+        records.append((Label("P9", 1, 1, "WG1", "off"), spoiled("no contact")))
+        table = measured(records)
         write_trials(table, tmp_path / name)
         back = read_trials(tmp_path / name)
         for column in ("participant", "block", "trial", "waveguide", "actuation", "excluded"):

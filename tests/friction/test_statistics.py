@@ -146,14 +146,16 @@ class TestTests:
     def test_unbalanced_people_count_the_same(self):
         """Ten times the trials of one person do not move the mean over people."""
         pairs = drawn(3, 10)
-        one = pairs.participant == "P1"
-        more = [np.concatenate([side, *[side[one]] * 9]) for side in (pairs.participant, pairs.on, pairs.off)]
+        mask = pairs.participant == "P1"
+        more = [
+            np.concatenate([side, *[side[mask]] * 9]) for side in (pairs.participant, pairs.on, pairs.off)
+        ]
         heavier = Pairs("simulated", *more, omitted=0)
         assert by_participants(heavier).p == pytest.approx(by_participants(pairs).p)
         assert by_trials(heavier).n == 120
 
     def test_one_participant(self):
-        """No p-value over people, and it says why."""
+        """No p-value over people, and the note gives the reason."""
         pairs = drawn(1, 30)
         for test in (by_participants(pairs), by_mixed_model(pairs)):
             assert math.isnan(test.p)
@@ -174,8 +176,8 @@ class TestTests:
         assert math.isnan(by_trials(Pairs("WG1", np.array(["A"]), level[:1], level[:1], 0)).p)
 
     def test_corrected_for_the_waveguides(self):
-        one, other = drawn(seed=1), replace(drawn(seed=2), waveguide="other")
-        tests = compared([one, other])
+        first, other = drawn(seed=1), replace(drawn(seed=2), waveguide="other")
+        tests = compared([first, other])
         assert [test.waveguide for test in tests] == ["simulated"] * 3 + ["other"] * 3
         for test in tests:
             assert test.corrected == pytest.approx(min(1, 2 * test.p), nan_ok=True)
@@ -184,18 +186,18 @@ class TestTests:
 class TestWhatTrialsProve:
     def test_an_idle_waveguide_of_three_people(self):
         """Stated: a simulated 11 % drop has a corrected p of 2e-8 by trials and 0.20 by participants."""
-        found = []
+        p_values = []
         for seed in range(60):
             pairs = drawn(3, 60, seed)
-            found.append([test(pairs).among(2).corrected for test in (by_trials, by_participants)])
-        trials, people = np.median(found, axis=0)
+            p_values.append([test(pairs).among(2).corrected for test in (by_trials, by_participants)])
+        trials, people = np.median(p_values, axis=0)
         assert trials < 1e-4
         assert 0.1 < people < 0.4
 
     def test_what_may_be_concluded(self):
         seeds = (drawn(3, 60, seed) for seed in range(20))
-        said = " ".join(conclusion([test.among(2) for test in compared([pairs])]) for pairs in seeds)
-        assert "too few for a conclusion about other people" in said
+        conclusions = " ".join(conclusion([test.among(2) for test in compared([pairs])]) for pairs in seeds)
+        assert "too few for a conclusion about other people" in conclusions
         sure = compared([drawn(12, 60, 0, Population(0.55, 0.05))])
         assert "significant across participants" in conclusion(sure)
         nothing = compared([drawn(3, 10, 5, Population(0.0, 0.0))])
@@ -235,12 +237,12 @@ class TestEffects:
         for seed in range(600):
             driven, idle = (drawn(people, 20, (seed, n), Population(r, 0.05))
                             for n, r in enumerate((0.55, 0.11)))  # fmt: skip
-            for name, found, true in (
+            for name, estimate, true in (
                 ("driven", reduction(driven), 0.55),
                 ("idle", reduction(idle), 0.11),
                 ("stopped", stopped(driven, idle), 0.8),
             ):
-                hits[name].append(found.low < true < found.high)
+                hits[name].append(estimate.low < true < estimate.high)
         assert {name: np.mean(of) for name, of in hits.items()} == pytest.approx(
             dict.fromkeys(hits, 0.95), abs=0.027
         )
@@ -257,12 +259,12 @@ class TestEffects:
                 for mean in (level * left, level)
             )
             pairs = Pairs("WG1", np.repeat(["A", "B", "C"], 60), on, off, omitted=0)
-            found = reduction_here(pairs, draws=400, seed=seed)
-            hits.append(found.low < true < found.high)
-            blind.append(found.low < 0.55 < found.high)
+            estimate = reduction_here(pairs, draws=400, seed=seed)
+            hits.append(estimate.low < true < estimate.high)
+            blind.append(estimate.low < 0.55 < estimate.high)
         assert np.mean(hits) == pytest.approx(0.95, abs=0.047)
-        assert np.mean(blind) < 0.5  # of the population they say nothing
-        assert found.about == "these participants"
+        assert np.mean(blind) < 0.5  # they show nothing about the population
+        assert estimate.about == "these participants"
         assert reduction(pairs).about == "people"
 
     def test_what_these_participants_show_is_narrower_than_what_people_would(self):
@@ -277,17 +279,17 @@ class TestEffects:
     def test_too_few_pairs_for_a_bootstrap(self):
         assert "few for a bootstrap" in reduction_here(drawn(3, 5)).note
         assert "few for a bootstrap" not in reduction_here(drawn(3, 20)).note
-        found = reduction_here(drawn(3, 1))
-        assert math.isnan(found.low)
-        assert "single pair" in found.note
+        estimate = reduction_here(drawn(3, 1))
+        assert math.isnan(estimate.low)
+        assert "single pair" in estimate.note
 
     def test_the_share_that_is_stopped(self):
         rng = np.random.default_rng(0)
         driven, idle = (Population(r, 0.01).drawn(10, 60, rng) for r in (0.55, 0.11))
-        found = stopped(driven, idle)
-        assert found.value == pytest.approx(1 - idle.reduction / driven.reduction)
-        assert found.low < 0.8 < found.high
-        assert found.high - found.low < 0.15
+        estimate = stopped(driven, idle)
+        assert estimate.value == pytest.approx(1 - idle.reduction / driven.reduction)
+        assert estimate.low < 0.8 < estimate.high
+        assert estimate.high - estimate.low < 0.15
         few = stopped(*(drawn(3, population=Population(r, 0.01)) for r in (0.55, 0.11)))
         assert "3 participants" in few.note
         vague = stopped(drawn(3), drawn(3, seed=1))
@@ -297,49 +299,49 @@ class TestEffects:
         refused(lambda: stopped(drawn(3), drawn(4)), "P4", code="mismatch", argument="pairs")
 
     def test_one_participant_has_no_interval(self):
-        found = reduction(drawn(1))
-        assert math.isnan(found.low)
-        assert "one participant" in found.note
+        estimate = reduction(drawn(1))
+        assert math.isnan(estimate.low)
+        assert "one participant" in estimate.note
 
     def test_the_same_people_are_drawn_on_both(self):
         """A waveguide compared with itself: no spread from people, and here only from trials."""
         pairs = drawn(6, 400, population=Population(0.5, 0.1, within=0.01))
-        found, here = stopped(pairs, pairs), stopped_here(pairs, pairs)
-        assert found.value == pytest.approx(0)
-        assert found.high - found.low < 1e-12
+        estimate, here = stopped(pairs, pairs), stopped_here(pairs, pairs)
+        assert estimate.value == pytest.approx(0)
+        assert estimate.high - estimate.low < 1e-12
         assert 0 < here.high - here.low < 0.01
         people = pairs.people[::-1]
         turned = [pairs.of(name) for name in people]
-        joined = Pairs("other", *(np.concatenate([getattr(one, side) for one in turned])
+        joined = Pairs("other", *(np.concatenate([getattr(part, side) for part in turned])
                                   for side in ("participant", "on", "off")), omitted=0)  # fmt: skip
         assert stopped(pairs, joined).high == pytest.approx(0, abs=1e-12)  # whoever comes first
 
     def test_equivalence_against_another_code(self):
         """TOST of statsmodels on the same reductions."""
         pairs = drawn(10, 60, 3, Population(0.03, 0.03, 0.1))
-        found = equivalence(pairs, WEBER_FRACTION)
+        test = equivalence(pairs, WEBER_FRACTION)
         on, off = pairs.means
         each = 1 - on / off
         p, _, _ = ttost_paired(each, np.zeros(10), -0.11, 0.11)
-        assert found.p == pytest.approx(p)
-        assert found.mean == pytest.approx(each.mean())
-        assert found.p < 0.05
-        assert -0.11 < found.low < found.high < 0.11
-        assert stats.ttest_1samp(each, 0.11, alternative="less").pvalue == pytest.approx(found.p_above)
+        assert test.p == pytest.approx(p)
+        assert test.mean == pytest.approx(each.mean())
+        assert test.p < 0.05
+        assert -0.11 < test.low < test.high < 0.11
+        assert stats.ttest_1samp(each, 0.11, alternative="less").pvalue == pytest.approx(test.p_above)
 
     def test_the_interval_and_the_test_agree(self):
         for seed in range(20):
-            found = equivalence(drawn(6, 20, seed, Population(0.08, 0.04)), 0.11)
-            assert (found.p < 0.05) == (found.low > -0.11 and found.high < 0.11)
+            test = equivalence(drawn(6, 20, seed, Population(0.08, 0.04)), 0.11)
+            assert (test.p < 0.05) == (test.low > -0.11 and test.high < 0.11)
 
     def test_at_the_bound_itself_one_in_twenty(self):
         hits = [equivalence(drawn(8, 20, seed), 0.11).p < 0.05 for seed in range(300)]
         assert np.mean(hits) == pytest.approx(0.05, abs=0.04)
 
     def test_equivalence_needs_people_and_a_share(self):
-        found = equivalence(drawn(1), 0.11)
-        assert math.isnan(found.p)
-        assert "one participant" in found.note
+        test = equivalence(drawn(1), 0.11)
+        assert math.isnan(test.p)
+        assert "one participant" in test.note
         for bound in (11, 0, -0.1, float("nan")):
             refused(lambda b=bound: equivalence(drawn(), b), code="out-of-range", argument="bound")
 
@@ -353,10 +355,10 @@ class TestEffects:
                 friction = 0.4 * rough + 0.6 * steepness * (n / 39 - 0.5)
                 friction *= 0.5 if actuation == "on" else 1
                 rows.append((person, 1 + n // 20, 1 + n % 20, guide, actuation, friction, ""))
-        found = drift(table(rows))
-        assert found.value == pytest.approx(0.1, abs=0.005)
-        assert found.low < 0.08
-        assert found.high > 0.12
+        estimate = drift(table(rows))
+        assert estimate.value == pytest.approx(0.1, abs=0.005)
+        assert estimate.low < 0.08
+        assert estimate.high > 0.12
         refused(lambda: drift(table(rows[:4])), code="too-few", argument="trials of A")
         assert "one participant" in drift(table(rows[:40])).note
 
@@ -366,20 +368,20 @@ class TestPlanning:
         """Without differences of level the paired test has a power in closed form."""
         plan = Population(0.11, 0.06, within=0.2, between=0.0)
         spread = math.sqrt(0.06**2 + 2 * 0.2**2 / 20)
-        found = power(plan, [4, 8], [20], tests=2, simulations=4000, seed=1)
+        powers = power(plan, [4, 8], [20], tests=2, simulations=4000, seed=1)
         for people in (4, 8):
             exact = TTestPower().power(0.11 / spread, people, 0.025)
-            got = found["power"].sel(participants=people, trials=20).item()
+            got = powers["power"].sel(participants=people, trials=20).item()
             assert got == pytest.approx(exact, abs=0.03)
 
     def test_more_people_more_power_but_more_trials_only_up_to_a_point(self):
-        found = power(Population(0.11, 0.08), [3, 6, 12], [10, 60, 1000])["power"]
-        assert (np.diff(found.values, axis=0) > 0).all()
-        assert found.sel(participants=3, trials=1000) < 0.3
+        powers = power(Population(0.11, 0.08), [3, 6, 12], [10, 60, 1000])["power"]
+        assert (np.diff(powers.values, axis=0) > 0).all()
+        assert powers.sel(participants=3, trials=1000) < 0.3
 
     def test_nothing_to_find_is_found_at_the_level(self):
-        found = power(Population(0.0, 0.05), [6], [30], tests=2, simulations=5000)
-        assert found["power"].item() == pytest.approx(0.025, abs=0.008)
+        powers = power(Population(0.0, 0.05), [6], [30], tests=2, simulations=5000)
+        assert powers["power"].item() == pytest.approx(0.025, abs=0.008)
 
     def test_participants_needed(self):
         plan = Population(0.11, 0.08)

@@ -13,29 +13,29 @@ from haptonic.friction.statistics import by_participants, by_trials, corrected, 
 @pytest.mark.parametrize("test", [by_trials, by_participants])
 def test_the_paired_test_and_its_interval(test, seed):
     pairs = drawn(6, 12, seed)
-    found = test(pairs)
+    ours = test(pairs)
     sides = (pairs.on, pairs.off) if test is by_trials else pairs.means
     peer = pingouin.ttest(*sides, paired=True).iloc[0]
     columns = {name.lower().replace("-", "_").replace("%", ""): name for name in peer.index}
-    assert found.statistic == pytest.approx(float(peer[columns["t"]]), abs=5e-3)
-    assert found.dof == peer[columns["dof"]]
-    assert found.p == pytest.approx(float(peer[columns["p_val"]]), rel=1e-3)
+    assert ours.statistic == pytest.approx(float(peer[columns["t"]]), abs=5e-3)
+    assert ours.dof == peer[columns["dof"]]
+    assert ours.p == pytest.approx(float(peer[columns["p_val"]]), rel=1e-3)
     interval = peer[columns["ci95"]]
-    assert (found.low, found.high) == pytest.approx(tuple(interval), abs=6e-3)
+    assert (ours.low, ours.high) == pytest.approx(tuple(interval), abs=6e-3)
     # pingouin's d of pairs divides by the root mean square of both deviations: ours by their mean
     ratio = np.sqrt(0.5 * (sides[0].var(ddof=1) + sides[1].var(ddof=1)))
     ratio /= 0.5 * (sides[0].std(ddof=1) + sides[1].std(ddof=1))
     d = pingouin.compute_effsize(*sides, paired=True, eftype="cohen")
-    assert found.d_av == pytest.approx(d * ratio)
+    assert ours.d_av == pytest.approx(d * ratio)
 
 
 def test_corrections():
     tests = [by_participants(drawn(6, 12, seed)) for seed in range(6)]
     for method, values in (
-        ("bonf", [one.corrected for one in corrected(tests)]),
-        ("holm", [one.holm for one in corrected(tests)]),
+        ("bonf", [test.corrected for test in corrected(tests)]),
+        ("holm", [test.holm for test in corrected(tests)]),
     ):
-        assert values == pytest.approx(pingouin.multicomp([one.p for one in tests], method=method)[1])
+        assert values == pytest.approx(pingouin.multicomp([test.p for test in tests], method=method)[1])
 
 
 def test_equivalence():

@@ -1,4 +1,4 @@
-"""The whole way: made-up strokes, processed and analysed, give their truth back within what is stated."""
+"""Simulated strokes, processed and analysed, give their truth back within the stated intervals."""
 
 import numpy as np
 import pytest
@@ -20,19 +20,19 @@ def held(protocol, participants, seeds):
     share = 1 - (1 - film.mean["WG2"]) / (1 - film.mean["WG1"])
     hits = {"driven": [], "idle": [], "stopped": [], "these": []}
     for seed in range(seeds):
-        made = strokes(truth, protocol, participants, seed)
-        table = measured((label, record) for label, record, _ in made)
+        recorded = strokes(truth, protocol, participants, seed)
+        table = measured((label, record) for label, record, _ in recorded)
         driven, idle = paired(table, "WG1"), paired(table, "WG2")
         group = people(truth, participants, np.random.default_rng(seed))
-        level, left = (np.array(one) for one in zip(*((p.friction, p.remaining["WG1"]) for p in group),
+        level, left = (np.array(values) for values in zip(*((p.friction, p.remaining["WG1"]) for p in group),
                                                     strict=True))  # fmt: skip
-        for name, found, true in (
+        for name, estimate, true in (
             ("driven", reduction(driven), 1 - film.mean["WG1"]),
             ("idle", reduction(idle), 1 - film.mean["WG2"]),
             ("stopped", stopped(driven, idle), share),
             ("these", reduction_here(driven, draws=500, seed=seed), 1 - (level @ left) / level.sum()),
         ):
-            hits[name].append(found.low < true < found.high)
+            hits[name].append(estimate.low < true < estimate.high)
     return {name: sum(of) for name, of in hits.items()}
 
 

@@ -1,4 +1,4 @@
-"""The made-up experiment: the analysis returns the truth that made it; orders are balanced as they say."""
+"""The simulated experiment: the analysis returns its truth; orders are balanced as stated."""
 
 from collections import Counter
 from dataclasses import replace
@@ -30,21 +30,21 @@ class TestStrokes:
     def test_the_friction_of_every_stroke_is_found_again(self):
         """Without noise of the sensor to a third of a percent, with it to a few per cent, and unbiased."""
         for noise, spread in ((0.0, 0.003), (0.021, 0.03)):
-            made = list(strokes(Truth(Participants(noise=noise)), Protocol(2, 20), 2, seed=3))
-            table = measured((label, record) for label, record, _ in made)
+            simulated = list(strokes(Truth(Participants(noise=noise)), Protocol(2, 20), 2, seed=3))
+            table = measured((label, record) for label, record, _ in simulated)
             assert exclusions(table) == dict.fromkeys(exclusions(table), 0)
-            off = table["friction"].values / np.array([friction for *_, friction in made]) - 1
+            off = table["friction"].values / np.array([friction for *_, friction in simulated]) - 1
             assert np.sqrt(np.mean(off**2)) < spread
             assert abs(off.mean()) < 0.005
 
     def test_forces_speeds_and_noise_are_the_published_ones(self):
-        made = [record for _, record, _ in strokes(Truth(), Protocol(4, 50), 1, seed=1)]
-        found = [measure(record) for record in made]
-        assert np.mean([one.speed for one in found]) == pytest.approx(0.078, abs=0.004)
-        assert np.std([one.speed for one in found]) == pytest.approx(0.013, abs=0.004)
-        assert np.mean([one.force for one in found]) == pytest.approx(0.8, abs=0.1)
-        assert np.std([one.force for one in found]) == pytest.approx(0.35, abs=0.1)
-        quiet = np.concatenate([record.normal[:200] for record in made])
+        records = [record for _, record, _ in strokes(Truth(), Protocol(4, 50), 1, seed=1)]
+        results = [measure(record) for record in records]
+        assert np.mean([result.speed for result in results]) == pytest.approx(0.078, abs=0.004)
+        assert np.std([result.speed for result in results]) == pytest.approx(0.013, abs=0.004)
+        assert np.mean([result.force for result in results]) == pytest.approx(0.8, abs=0.1)
+        assert np.std([result.force for result in results]) == pytest.approx(0.35, abs=0.1)
+        quiet = np.concatenate([record.normal[:200] for record in records])
         assert quiet.std() == pytest.approx(0.021, rel=0.02)
         assert quiet.mean() == pytest.approx(0.3, abs=0.001)
 
@@ -59,16 +59,18 @@ class TestStrokes:
             assert float(table["friction"][here & on].mean()) == pytest.approx(left * level, rel=0.02)
 
     def test_both_channels_have_the_bias(self):
-        made = [record for _, record, _ in strokes(Truth(Participants(bias=0.3)), Protocol(2, 10), 1, seed=1)]
-        quiet = np.concatenate([[record.normal[:200], record.tangential[:200]] for record in made], axis=1)
+        records = [
+            record for _, record, _ in strokes(Truth(Participants(bias=0.3)), Protocol(2, 10), 1, seed=1)
+        ]
+        quiet = np.concatenate([[record.normal[:200], record.tangential[:200]] for record in records], axis=1)
         assert quiet.mean(axis=1) == pytest.approx([0.3, -0.3], abs=0.003)
 
     def test_the_same_seed_the_same_experiment(self):
-        one, same, other = (
+        first, same, other = (
             next(iter(strokes(Truth(), Protocol(2, 2), 1, seed)))[1].normal for seed in (1, 1, 2)
         )
-        assert (one == same).all()
-        assert (one != other).any()
+        assert (first == same).all()
+        assert (first != other).any()
 
     def test_bad_truths_are_refused(self):
         refused(lambda: Truth(Participants(within=22)), code="out-of-range", argument="participants.within")
@@ -94,8 +96,8 @@ class TestExperiment:
     def test_the_published_experiment(self):
         """Three people, 240 strokes each: what went in comes out within its own intervals."""
         truth = Truth(Participants(effect_between=0.03))
-        made = list(strokes(truth, Protocol(), 3, seed=11))
-        table = measured((label, record) for label, record, _ in made)
+        simulated = list(strokes(truth, Protocol(), 3, seed=11))
+        table = measured((label, record) for label, record, _ in simulated)
         driven, idle = paired(table, "WG1"), paired(table, "WG2")
         assert len(driven.on) + driven.omitted / 2 == 180
         assert reduction(driven).value == pytest.approx(0.55, abs=0.06)
@@ -110,8 +112,8 @@ class TestExperiment:
         for seed in range(100):
             pairs = paired(statistic_table(truth, 3, seed), "WG2")
             for test, hits in ((by_participants, inside), (by_trials, blind)):
-                found = test(pairs)
-                hits.append(found.low < -0.42 * 0.11 < found.high)
+                result = test(pairs)
+                hits.append(result.low < -0.42 * 0.11 < result.high)
         assert np.mean(inside) >= 0.89  # 95 % less three standard errors
         assert np.mean(blind) < 0.85  # the interval of the test as published
 
@@ -120,8 +122,8 @@ class TestExperiment:
         steady = statistic_table(Truth(Participants(drift=0.4, between=0.0, within=0.0)), 1, 0)
         off = steady["friction"].values[steady["actuation"].values == "off"]
         assert off.mean() == pytest.approx(0.42, rel=0.005)
-        found = drift(statistic_table(Truth(Participants(drift=0.1)), 10, 0))
-        assert found.low < 0.1 < found.high
+        estimate = drift(statistic_table(Truth(Participants(drift=0.1)), 10, 0))
+        assert estimate.low < 0.1 < estimate.high
         none = drift(statistic_table(Truth(Participants(drift=0.0, within=0.01)), 10, 0))
         assert none.value == pytest.approx(0, abs=0.005)
 
@@ -130,14 +132,14 @@ class TestProtocol:
     def test_the_published_order(self):
         labels = Protocol().order(3)
         assert len(labels) == 3 * 240
-        assert Counter((one.participant, one.waveguide, one.actuation) for one in labels) == {
+        assert Counter((label.participant, label.waveguide, label.actuation) for label in labels) == {
             (f"P{n}", guide, side): 60
             for n in (1, 2, 3)
             for guide in ("WG1", "WG2")
             for side in ("on", "off")
         }
-        assert {one.waveguide for one in labels if one.block % 2 == 0} == {"WG1"}
-        assert {one.waveguide for one in labels if one.block % 2} == {"WG2"}
+        assert {label.waveguide for label in labels if label.block % 2 == 0} == {"WG1"}
+        assert {label.waveguide for label in labels if label.block % 2} == {"WG2"}
         for first, second in zip(labels[::2], labels[1::2], strict=True):
             assert (first.actuation, second.actuation) == ("on", "off")
         assert labels[0] == Label("P1", 1, 1, "WG2", "on")
@@ -146,7 +148,9 @@ class TestProtocol:
         """As published, off always comes one trial after on; balanced, as often before."""
         assert imbalance(Protocol().order(4)) == pytest.approx(1)
         assert imbalance(Protocol(counterbalanced=True).order(4)) == pytest.approx(0)
-        first = {one.participant: one.waveguide for one in reversed(Protocol(counterbalanced=True).order(4))}
+        first = {
+            label.participant: label.waveguide for label in reversed(Protocol(counterbalanced=True).order(4))
+        }
         assert Counter(first.values()) == {"WG1": 2, "WG2": 2}
 
     @pytest.mark.parametrize("protocol", [Protocol(), Protocol(4, 30, counterbalanced=True), Protocol(2, 6)])
@@ -156,18 +160,22 @@ class TestProtocol:
         plain, mixed = protocol.order(3), drawn.order(3)
 
         def counted(labels):
-            return Counter((one.participant, one.block, one.waveguide, one.actuation) for one in labels)
+            return Counter(
+                (label.participant, label.block, label.waveguide, label.actuation) for label in labels
+            )
 
         assert counted(plain) == counted(mixed)
-        assert [one.actuation for one in plain] != [one.actuation for one in mixed]
-        assert [(one.block, one.trial) for one in plain] == [(one.block, one.trial) for one in mixed]
+        assert [label.actuation for label in plain] != [label.actuation for label in mixed]
+        assert [(label.block, label.trial) for label in plain] == [
+            (label.block, label.trial) for label in mixed
+        ]
         odd = protocol.pairs % 2
         assert imbalance(mixed) == pytest.approx(odd / protocol.pairs)
         assert mixed == drawn.order(3) != replace(protocol, seed=1).order(3)
 
     def test_other_names(self):
         labels = Protocol(2, 4, waveguides=("left", "right")).order(1)
-        assert [one.waveguide for one in labels] == ["right"] * 4 + ["left"] * 4
+        assert [label.waveguide for label in labels] == ["right"] * 4 + ["left"] * 4
         assert Protocol(2, 4).pairs == 2
         refused(
             lambda: Protocol(waveguides=("left", "left")), code="conflict", argument="protocol.waveguides"

@@ -1,4 +1,4 @@
-"""The made-up sensor: friction by load sharing, moments of the contact, gauges, files, clicks."""
+"""The simulated sensor: friction by load sharing, moments of the contact, gauges, files, clicks."""
 
 import csv
 from dataclasses import replace
@@ -53,8 +53,8 @@ class TestFilm:
     def test_amplitudes_that_explain_reductions(self):
         """Over the forces of the strokes as asked for; at a single force those of `amplitude_for`."""
         asked = {"WG1": 0.55, "WG2": 0.11}
-        found = film_of(explaining(asked, CARRIER, FORCE), CARRIER, FORCE)
-        assert {guide: 1 - left for guide, left in found.mean.items()} == pytest.approx(asked, abs=5e-4)
+        fitted = film_of(explaining(asked, CARRIER, FORCE), CARRIER, FORCE)
+        assert {guide: 1 - left for guide, left in fitted.mean.items()} == pytest.approx(asked, abs=5e-4)
         steady = explaining(asked, CARRIER, (0.8, 0.0))
         exact = amplitude_for([0.45, 0.89], Touch(CARRIER, 0.8), Fingertip().values)
         assert list(steady.values()) == pytest.approx(list(exact), rel=2e-3)
@@ -66,9 +66,9 @@ class TestFilm:
     def test_every_stroke_follows_the_model_at_its_own_force(self, film):
         truth = replace(QUIET, remaining=film.mean, film=film)
         rng = np.random.default_rng(1)
-        made = list(trials(truth, Protocol(2, 10), people(truth, 1, rng), rng))
-        assert len({trial.force for trial in made}) > 8
-        for trial in made:
+        simulated = list(trials(truth, Protocol(2, 10), people(truth, 1, rng), rng))
+        assert len({trial.force for trial in simulated}) > 8
+        for trial in simulated:
             left = 1.0
             if trial.label.actuation == "on":
                 amplitude = AMPLITUDE[trial.label.waveguide]
@@ -112,11 +112,11 @@ class TestAxes:
     def test_noise_and_friction(self):
         truth = replace(QUIET, people=remade(QUIET.people, noise=0.021, bias=0.3))
         rng = np.random.default_rng(3)
-        made = list(recorded(truth, Protocol(2, 20), people(truth, 1, rng), rng))
-        before = np.concatenate([stroke.axes[:, :200] for stroke in made], axis=1)
+        simulated = list(recorded(truth, Protocol(2, 20), people(truth, 1, rng), rng))
+        before = np.concatenate([stroke.axes[:, :200] for stroke in simulated], axis=1)
         assert before[:3].std(axis=1) == pytest.approx(0.021, rel=0.03)
         assert before[:3].mean(axis=1) == pytest.approx([0.06, -0.3, 0.3], abs=1e-3)
-        for stroke in made[:3]:
+        for stroke in simulated[:3]:
             assert stroke.record.normal is not None
             middle = slice(500, 800)
             tangential, normal = (stroke.axes[1] + 0.3)[middle], (stroke.axes[2] - 0.3)[middle]
@@ -128,11 +128,11 @@ class TestGauges:
         """To what half a step of the converter is worth."""
         matrix, rng = calibration(), np.random.default_rng(0)
         axes = np.array([1, 1, 5, 0.02, 0.02, 0.02])[:, None] * rng.uniform(-1, 1, (6, 500))
-        found = matrix @ voltages(axes, matrix)
+        loads = matrix @ voltages(axes, matrix)
         half = 0.5 * 2 * RANGE / 2**BITS
         worth = np.abs(matrix).sum(axis=1) * half
-        assert (np.abs(found - axes).max(axis=1) < worth).all()
-        assert (np.abs(found - axes).max(axis=1) > 0.2 * worth).all()
+        assert (np.abs(loads - axes).max(axis=1) < worth).all()
+        assert (np.abs(loads - axes).max(axis=1) > 0.2 * worth).all()
         assert worth[:3].max() < 0.005  # N, well below the noise of 21 mN
 
     def test_what_is_beyond_the_range_stays_at_its_end(self):
@@ -181,9 +181,9 @@ class TestFiles:
     def test_every_format_is_read_back_and_marked_as_simulated(self, form, tmp_path):
         path = tmp_path / f"one.{form}"
         WRITERS[form](CHANNELS, path)
-        found = getattr(self, f"read_{form}")(path)
+        channels = getattr(self, f"read_{form}")(path)
         for name, values in CHANNELS.items():
-            assert found[name] == pytest.approx(values, abs=5e-7)
+            assert channels[name] == pytest.approx(values, abs=5e-7)
 
     def test_the_list_of_trials(self, tmp_path):
         labels = Protocol(2, 4).order(2)
