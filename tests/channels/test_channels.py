@@ -34,14 +34,16 @@ def _uff(path: Path) -> None:
 
 WRITTEN = {
     ".csv": lambda path: delimited.write(
-        path, {f"{one.name} ({one.unit})": np.asarray(one) for one in EVERY} | {ORIGIN: [SIMULATED] * 50}
+        path,
+        {f"{channel.name} ({channel.unit})": np.asarray(channel) for channel in EVERY}
+        | {ORIGIN: [SIMULATED] * 50},
     ),
     ".h5": lambda path: hdf5.write(path, EVERY, {ORIGIN: SIMULATED, "sample_rate": RATE}),
     ".mat": lambda path: matlab.write(
-        path, {one.name: np.asarray(one) for one in EVERY} | {"fs": RATE}, SIMULATED
+        path, {channel.name: np.asarray(channel) for channel in EVERY} | {"fs": RATE}, SIMULATED
     ),
     ".tdms": lambda path: tdms.write(
-        path, {ORIGIN: SIMULATED}, [[Group("records", {one.name: one for one in EVERY})]]
+        path, {ORIGIN: SIMULATED}, [[Group("records", {channel.name: channel for channel in EVERY})]]
     ),
     ".uff": _uff,
 }
@@ -61,7 +63,7 @@ def test_what_is_written_comes_back(tmp_path, suffix):
     refused(lambda: opened(path).group("nowhere"), "nowhere", code="unknown", kind=ChannelError)
 
 
-@pytest.mark.parametrize("suffix", [suffix for one in FORMATS for suffix in one.suffixes])
+@pytest.mark.parametrize("suffix", [suffix for form in FORMATS for suffix in form.suffixes])
 def test_every_ending_is_read_and_what_is_none_of_it_is_refused(tmp_path, suffix):
     for content in (b"", b"\0\0\1", b"a,b\n1,2,3\n"):
         (tmp_path / f"a{suffix}").write_bytes(content)

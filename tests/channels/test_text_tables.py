@@ -41,8 +41,8 @@ from pace import within
     ],
 )
 def test_a_heading_is_a_name_and_perhaps_a_unit(heading, name, unit):
-    found = Heading.of(heading)
-    assert (found.name, found.unit) == (name, unit)
+    parsed = Heading.of(heading)
+    assert (parsed.name, parsed.unit) == (name, unit)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,11 @@ def test_the_line_of_names_is_the_last_above_the_numbers_with_as_many_cells(tmp_
     text, line, names, units = TABLES[kind]
     (tmp_path / "a.csv").write_text(text)
     table = read_table(tmp_path / "a.csv")
-    assert (table.names_line, list(table.names), [one.unit for one in table.columns]) == (line, names, units)
+    assert (table.names_line, list(table.names), [column.unit for column in table.columns]) == (
+        line,
+        names,
+        units,
+    )
 
 
 @pytest.mark.parametrize(

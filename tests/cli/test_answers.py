@@ -119,7 +119,7 @@ def test_the_folder_of_a_command_needs_no_quotes_in_a_shell(name):
 
 
 def test_a_pipe_gets_no_line_of_a_bar(inside, study, tmp_path):
-    """Nobody sees a bar there; what is on standard error is told."""
+    """No progress bar is drawn there; standard error holds messages only, without empty lines."""
     ran = inside("bands", study(), "--out", tmp_path / "out")
     assert ran.code == 0
     assert [line for line in ran.err.splitlines() if not line.strip()] == []

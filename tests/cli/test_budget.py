@@ -1,4 +1,4 @@
-"""The budget on the command line and in Python, and a dry run that says what the run would."""
+"""The budget on the command line and in Python, and a dry run that reports what the run would report."""
 
 from __future__ import annotations
 

@@ -94,7 +94,7 @@ THIN_ONES = '[[sweep]]\nvary = "cell.thickness"\nfrom = "10 um"\nto = "20 um"\ns
 
 
 def test_a_sweep_of_which_no_design_can_be_computed_is_refused(inside, study, tmp_path):
-    """It said that no design has a gap, and ended as if all were well."""
+    """It had reported that no design has a gap, and ended without an error."""
     whole = study().read_text()
     # without a pillar the report is short
     pillar = whole[whole.index("[cell.pillar]") : whole.index("[bands]")]

@@ -558,7 +558,7 @@ class TestCommand:
 
 
 def test_a_study_is_read_once(tmp_path, monkeypatch):
-    """And before the bands, so that what is wrong with either is said at once."""
+    """It is read before bands are computed, so that an error in either file is reported at once."""
     study, table = tmp_path / "a.toml", tmp_path / "b.csv"
     study.write_text(QUICK_CELL)
     table.write_text("share,f1 (kHz),f2 (kHz)\n0,1,2\n1,3,4\n")

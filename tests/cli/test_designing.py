@@ -354,7 +354,7 @@ class TestExport:
     @pytest.mark.parametrize("machine", daily([[], ["--json"]], ["--json"]), ids=["person", "machine"])
     @pytest.mark.usefixtures("without_netgen")
     def test_without_the_extra_the_other_files_are_written_and_listed(self, inside, study, tmp_path, machine):
-        """Only files that exist are reported, and a single sentence says why the solid is not among them."""
+        """Only files that exist are listed, and a single sentence gives the reason for the missing solid."""
         out = tmp_path / "out"
         ran = inside("export", study(), "--out", out, *machine)
         assert ran.code == 0, ran.err

@@ -117,7 +117,7 @@ class TestProtocol:
         assert "with 90 participants the power to detect it" in answer["summary"][1]
 
     def test_the_plate_names_the_waveguides(self, inside, study):
-        """The one with the actuator is driven, the first other one idle, unless the study says."""
+        """The one with the actuator is driven, the first other one idle, unless the study names them."""
         assert inside("protocol", study(PLATE), "--json").json["waveguides"] == ["right", "left"]
         named = study(PLATE, (TABLE, '[protocol]\ndriven = "far"\nidle = "right"\n[[sweep]]'))
         assert inside("protocol", named, "--json").json["waveguides"] == ["far", "right"]

@@ -24,7 +24,7 @@ EVERY = analyses.NAMES | commands.NAMES
 
 
 def helped(of: typer.Typer, *words: str) -> str:
-    """What a help says, without the frames around it."""
+    """Text of a help, without the frames around it."""
     ran = CliRunner().invoke(of, [*words, "--help"], env=WIDE)
     assert ran.exit_code == 0, ran.output
     return " ".join(ran.output.replace("│", " ").split())

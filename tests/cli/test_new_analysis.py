@@ -20,7 +20,7 @@ from haptonic.study.computing import AnalysisMethod
 from quick import QUICK_CELL
 
 WIDE = {"COLUMNS": "200", "NO_COLOR": "1"}
-# Bands of a plain plate and no more: what the report says of others is tried elsewhere.
+# Bands of a plain plate and no more: other chapters of the report are tested elsewhere.
 BARE = (
     QUICK_CELL.split("[cell.pillar]")[0].replace('carrier = "60 kHz"\n', "")
     + "[bands]\ncount = 2\npoints = 8\n"

@@ -1,4 +1,4 @@
-"""What is told before anything is computed: sizes, a map, and what each command will cost."""
+"""What is reported before anything is computed: sizes, a map, and the cost of each command."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PLANNED = {
 
 
 def cost_of(command, text):
-    """What a command is foreseen to take for a study, as it is without options."""
+    """Estimated cost of a command for a study, without options."""
     analysis = named(command)
     return analysis.cost(loads(text), analysis.options())
 
@@ -279,7 +279,7 @@ def test_a_larger_plate_costs_more():
 
 
 def test_a_finer_mesh_of_a_plate_costs_more():
-    """Of a small plate order 4 took 11 s, order 5 16 s, order 6 28 s."""
+    """For a small plate order 4 took 11 s, order 5 16 s, order 6 28 s."""
     text = TEMPLATES["my-scan"]
     usual, fine, finer = (
         cost_of("plate", text + mesh).seconds

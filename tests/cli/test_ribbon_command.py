@@ -27,7 +27,7 @@ FILES = {"ribbon.nc", "ribbon.svg", "ribbon.png", "field.svg", "field.png"}
 
 @pytest.fixture(scope="module")
 def ran(inside, tmp_path_factory):
-    """What the command says to machines, and the folder that it writes."""
+    """Answer of the command in JSON, and the folder that it writes."""
     folder = tmp_path_factory.mktemp("ribbon")
     (folder / "guide.toml").write_text(FINER_CELL + RIBBON, "utf-8")
     with pytest.MonkeyPatch.context() as patch:

@@ -103,7 +103,7 @@ def test_a_response_that_is_there_is_compared_with(inside, folder):
 
 
 def test_the_path_is_taken_out_only_once(folder, store_folder):
-    """A response that a scan has given says that delay and low-pass are gone."""
+    """A response that a scan has given records that delay and low-pass are removed."""
     store = Store(store_folder)
     on = scanning.on_plate(load(folder / "plain.toml"), store=store)
     first = compute_scan(read_scan(folder / "scan.h5"), Estimation(), on, store=store).response

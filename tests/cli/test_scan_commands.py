@@ -389,7 +389,7 @@ class TestScan:
         fitted = inside("scan", recorded / "scan.h5", tiny, "--json").json
         assert fitted["registration"]["shift_m"] == pytest.approx([-12e-3, -7e-3], abs=1e-6)
         assert fitted["contrast_range"] == pytest.approx(ran.json["contrast_range"])
-        # two rows of cells do not tell a wave that fades from one that is reflected
+        # two rows of cells do not distinguish a wave that decays from one that is reflected
         assert fitted["gap"]["lower"] is fitted["gap"]["upper"] is None
         assert "fewer than three rows" in fitted["gap"]["reasons"][0]
 

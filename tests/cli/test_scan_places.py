@@ -107,7 +107,7 @@ class TestOtherLattices:
         (guide,), beside = guides_of(layout), mirror_beside(layout, "p")
         assert (beside.depth, beside.rows, beside.repeat) == ("x", 6, 2)
         assert (beside.period, beside.pitch) == pytest.approx((2 * high, 0.5 * PITCH))
-        # the first column stands half a pitch inside, and its tiles reach a quarter towards the guide
+        # the first column lies half a pitch inside, and its tiles reach a quarter towards the guide
         assert beside.spacing == pytest.approx(np.sqrt(high * PITCH))
         assert guide.width == pytest.approx(1.5 * PITCH)
         for mirror in strips_of(layout, beside):
@@ -158,7 +158,7 @@ class TestOtherLattices:
 class TestWaves:
     @pytest.mark.nightly
     def test_a_plate_in_two_bases_has_the_same_waves(self, study, monkeypatch):
-        """Triangular, and rectangles of two pillars: guides alike, a row of these fades as two of those."""
+        """A row of rectangles with two pillars attenuates as two triangular rows do; guides are alike."""
         monkeypatch.setattr("haptonic.vibrometry.theory.DECAYS", 2)
         monkeypatch.setattr("haptonic.vibrometry.theory.STEPS", 1)
         monkeypatch.setattr("haptonic.vibrometry.theory.REACH", (0.97, 0.97))

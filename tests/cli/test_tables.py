@@ -1,4 +1,4 @@
-"""Tables in a terminal: whatever stands in them, all of it is shown."""
+"""Tables in a terminal: all of their content is shown, whatever it is."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_a_table_is_the_same_in_every_form(table: Table) -> None:
 
 
 class Cells(HTMLParser):
-    """What stands in the cells of a table."""
+    """Texts in the cells of a table."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -87,7 +87,7 @@ def exact():
 
 @pytest.fixture
 def scan(plated, exact, tmp_path):
-    """Writes a made-up scan with 1 % of noise, wider than what is compared; two points are off the plate."""
+    """Write a simulated scan with 1 % of noise, wider than what is compared; two points are off the plate."""
 
     def make(**others):
         if not exact:
@@ -149,7 +149,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(inside, plated, scan, tm
 
 
 def test_a_response_that_is_there_is_not_computed_again(inside, plated, scan, monkeypatch):
-    """The made-up scan against itself, without anything to fit and without the extra for modes."""
+    """The simulated scan against itself, without anything to fit and without the extra for modes."""
     monkeypatch.setattr("haptonic.analyses.verdict.can_identify", lambda: False)
     path = scan()
     without = PLATE[1][PLATE[1].index("[[fit.vary]]") : PLATE[1].index("[[sweep]]")]

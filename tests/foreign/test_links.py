@@ -98,7 +98,9 @@ def test_matlab(tmp_path, stolen):
         file["xs"] = np.arange(6) * 1e-3
     scan = read_scan(path, frequency_unit="Hz", length_unit="m")
     assert scan.response.points[:, 0].max() < 1
-    assert any('the variable "x"' in one.what and "another file" in one.reason for one in scan.report.dropped)
+    assert any(
+        'the variable "x"' in part.what and "another file" in part.reason for part in scan.report.dropped
+    )
 
 
 def test_recordings_and_tables_of_friction(tmp_path, stolen):
@@ -123,9 +125,9 @@ def test_tables_keep_their_columns(tmp_path):
     """What other programs write: text, whole numbers, a fill value in place of nothing."""
     table = pd.DataFrame({"a": ["x", "y"], "b": [1, 2], "c": [0.5, np.nan], "d": [True, False]})
     table.to_xarray().to_netcdf(tmp_path / "a.nc", engine="h5netcdf", encoding={"c": {"_FillValue": -9.0}})
-    found = read_columns(tmp_path / "a.nc", ["a", "b", "c", "d"])
+    columns = read_columns(tmp_path / "a.nc", ["a", "b", "c", "d"])
     for name in table:
-        assert found[name].tolist() == pytest.approx(table[name].tolist(), nan_ok=True), name
+        assert columns[name].tolist() == pytest.approx(table[name].tolist(), nan_ok=True), name
 
 
 def test_a_type_that_numpy_has_not_is_no_reason_to_refuse_the_rest(tmp_path):

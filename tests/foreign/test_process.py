@@ -214,7 +214,7 @@ class TestLife:
         before = process._readers[0].process.pid
         pids = []
         context = multiprocessing.get_context("fork")
-        with process._turn:  # held by another thread, say, while the fork happens
+        with process._turn:  # held by another thread, for example, while the fork happens
             there = context.SimpleQueue()
             forked = context.Process(target=_asked_there, args=(good, there))
             forked.start()

@@ -68,8 +68,8 @@ def test_universal_files(tmp_path, where, word):
 def test_thousands_of_small_data_sets(tmp_path, filled):
     """50 000 lines to draw, empty or not, took 30 s when each went through a file of its own."""
     text = "\n".join(["         1         2         0", "outline", " 1 1"]) + "\n" if filled else ""
-    one = f"    -1\n    82\n{text}    -1\n"
-    (tmp_path / "a.uff").write_text(universal() + one * 50_000)
+    block = f"    -1\n    82\n{text}    -1\n"
+    (tmp_path / "a.uff").write_text(universal() + block * 50_000)
     with within(8.0):
         scan = read_scan(tmp_path / "a.uff")
     assert not scan.report.dropped  # lines to draw are no measurement, and an empty block is no damage

@@ -82,7 +82,9 @@ def _uff(folder: Path) -> list[Path]:
         sets = [units, nodes | {"type": kind}, line, *(curves if kind == 2411 else [shape])]
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ResourceWarning)  # pyuff's binary writer leaves files open
-            pyuff.UFF(str(folder / f"{kind}.uff")).write_sets([dict(one) for one in sets], "overwrite")
+            pyuff.UFF(str(folder / f"{kind}.uff")).write_sets(
+                [dict(data_set) for data_set in sets], "overwrite"
+            )
     for path in DATA.glob("*.uff"):
         if path.stat().st_size < SMALL:
             shutil.copy(path, folder)
@@ -143,8 +145,8 @@ def _csv(folder: Path) -> list[Path]:
 
 
 def _friction(folder: Path) -> list[Path]:
-    made = made_up(participants=1, blocks=2, trials=2)[:2]
-    return [written(folder / kind, made, kind=kind) for kind in ("csv", "h5", "mat", "tdms")]
+    records = made_up(participants=1, blocks=2, trials=2)[:2]
+    return [written(folder / kind, records, kind=kind) for kind in ("csv", "h5", "mat", "tdms")]
 
 
 def _read(path: Path) -> None:
@@ -255,22 +257,22 @@ def attack(name: str, folder: Path, count: int, seed: int = 0) -> Counts:
     for number in range(count):
         chance = np.random.default_rng([seed, number])
         path = sources[number % len(sources)]
-        one = path
+        file = path
         if path.is_dir():
-            one = sorted(path.iterdir())[int(chance.integers(len(list(path.iterdir()))))]
-        content = one.read_bytes()
-        text = how.text or one.suffix == ".csv"
+            file = sorted(path.iterdir())[int(chance.integers(len(list(path.iterdir()))))]
+        content = file.read_bytes()
+        text = how.text or file.suffix == ".csv"
         if how.containers is None:
-            one.write_bytes(mutated(content, chance, text=text))
+            file.write_bytes(mutated(content, chance, text=text))
         else:
-            how.containers(one, chance)
+            how.containers(file, chance)
         before = time.process_time()
         with _counted(counts):
-            _tried(how, path, counts, f"{name}, seed {seed}, number {number}, {one.name}")
+            _tried(how, path, counts, f"{name}, seed {seed}, number {number}, {file.name}")
         if (took := time.process_time() - before) > SECONDS:
             counts.faults.append(f"{name}, seed {seed}, number {number}: {took:.1f} s")
         counts.tried += 1
-        one.write_bytes(content)
+        file.write_bytes(content)
     return counts
 
 
@@ -321,9 +323,9 @@ if __name__ == "__main__":
     asked = parser.parse_args()
     process.SECONDS = 2.0
     with tempfile.TemporaryDirectory() as place:
-        found = attack(asked.name, Path(place) / "files", asked.count, asked.seed)
-    for fault in found.faults[:20]:
+        counts = attack(asked.name, Path(place) / "files", asked.count, asked.seed)
+    for fault in counts.faults[:20]:
         print(fault)
-    print(f"{asked.name}: {found}; peak {peak_memory() / 1e6:.0f} MB; "
+    print(f"{asked.name}: {counts}; peak {peak_memory() / 1e6:.0f} MB; "
           f"{time.process_time():.0f} s of processor time here, "
           f"{sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2]):.0f} s in ended readers")  # fmt: skip

@@ -36,9 +36,9 @@ def damage_hdf5(path: Path, chance: np.random.Generator) -> None:
 
 
 def _sets(file: h5py.File) -> list[str]:
-    found: list[str] = []
-    file.visititems(lambda name, item: found.append(name) if isinstance(item, h5py.Dataset) else None)
-    return found
+    names: list[str] = []
+    file.visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) else None)
+    return names
 
 
 def _any_set(file: h5py.File, chance: np.random.Generator) -> str:
@@ -157,7 +157,7 @@ def _link(file: h5py.File, chance: np.random.Generator) -> None:
     elif drawn == 2:
         file[name] = file["/"]
     else:
-        others = [file[one].ref for one in _sets(file)[:4]] + [file.ref]
+        others = [file[data_set].ref for data_set in _sets(file)[:4]] + [file.ref]
         file.create_dataset(name, data=np.array(others, h5py.ref_dtype), dtype=h5py.ref_dtype)
         file[name].attrs["MATLAB_class"] = np.bytes_("cell")
 

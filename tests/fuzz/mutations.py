@@ -12,7 +12,7 @@ WORDS = (
     b"../../x", b"9" * 5000,
 )  # fmt: skip
 BYTES = (0, 1, 2, 7, 127, 128, 129, 254, 255)
-HEAD = 4096  # bytes; what describes a file mostly stands there
+HEAD = 4096  # bytes; the description of a file is mostly there
 
 
 def _place(chance: np.random.Generator, content: bytes) -> int:
@@ -70,11 +70,11 @@ def _moved(chance, content):
 def _word(chance, content):
     """A word of a text, or what looks like one in bytes, exchanged."""
     at = _place(chance, content)
-    found = re.search(rb"[^\s,;]+", content[at : at + 400])
-    if found is None:
+    match = re.search(rb"[^\s,;]+", content[at : at + 400])
+    if match is None:
         return _set_byte(chance, content)
     word = WORDS[int(chance.integers(len(WORDS)))]
-    return content[: at + found.start()] + word + content[at + found.end() :]
+    return content[: at + match.start()] + word + content[at + match.end() :]
 
 
 def _line(chance, content):

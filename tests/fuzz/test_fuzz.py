@@ -9,7 +9,7 @@ import haptonic.foreign.process as process
 
 # Of each format; MATLAB 5 crashes are one in fifty, and hangs of HDF5 (one in thirty) are waited for.
 SHORT = {"MAT 5": 150, "HDF5 records": 20, "NetCDF": 20}
-SHORT |= {name: 15 for name, one in attacks.ATTACKS.items() if one.containers}
+SHORT |= {name: 15 for name, attack in attacks.ATTACKS.items() if attack.containers}
 LONG = {"UFF": 50_000, "friction folder": 3_000}  # and 5000 of each other format
 HANGING = 1.0  # s of processor time until a reader counts as hanging; good files of this size take 10 ms
 

@@ -41,10 +41,10 @@ def test_a_word_of_other_programs_is_answered_with_what_to_write(path, value, ca
     asked = f"{section}{dot}{name.upper() if capital and name.islower() else name}"
     with pytest.raises(StudyError) as caught:
         Study(**nested(asked, value))
-    told, word = str(caught.value), WORDS[path]
-    assert word.cause in told
-    assert word.next_step.split("\n")[0] in told
-    assert "no key has this name" not in told
+    message, word = str(caught.value), WORDS[path]
+    assert word.cause in message
+    assert word.next_step.split("\n")[0] in message
+    assert "no key has this name" not in message
 
 
 def test_no_other_word_hides_a_key_and_every_meant_key_is_there():

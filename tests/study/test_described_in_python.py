@@ -24,14 +24,19 @@ from haptonic.lattice import Lattice
 
 def described_classes() -> list[type]:
     """All of them, wherever they are declared."""
-    found = {}
+    classes = {}
     for module in walk_packages(haptonic.__path__, "haptonic."):
         if module.name.endswith("__main__"):
             continue
-        for one in vars(import_module(module.name)).values():
-            if isinstance(one, type) and is_pydantic_dataclass(one) and one.__module__.startswith("haptonic"):
-                found[one.__qualname__] = one
-    return [one for one in found.values() if one not in (OfNumber, NumberRange)]  # of which others are made
+        for value in vars(import_module(module.name)).values():
+            if (
+                isinstance(value, type)
+                and is_pydantic_dataclass(value)
+                and value.__module__.startswith("haptonic")
+            ):
+                classes[value.__qualname__] = value
+    # others are made of these two
+    return [kind for kind in classes.values() if kind not in (OfNumber, NumberRange)]
 
 
 CLASSES = described_classes()
@@ -41,20 +46,22 @@ NUMBERS = [
     (kind, slot)
     for kind in CLASSES
     for slot in slots(kind)
-    if len(slot.quantities) == 1 and not slot.kinds and "parameter" not in {one.name for one in slots(kind)}
+    if len(slot.quantities) == 1
+    and not slot.kinds
+    and "parameter" not in {other.name for other in slots(kind)}
 ]
 UNITS = [
-    (name, one.name, found.unit)
+    (name, field.name, option.unit)
     for name in NAMES
-    for one in fields(named(name).options)
-    if (found := option_of(one)) and found.unit
+    for field in fields(named(name).options)
+    if (option := option_of(field)) and option.unit
 ]
 
 
 @st.composite
 def misspelt(draw: st.DrawFn, names: list[str]) -> str:
     """A name with a letter left out, doubled, or exchanged with the next."""
-    name = draw(st.sampled_from([one for one in names if len(one) > 3]))
+    name = draw(st.sampled_from([candidate for candidate in names if len(candidate) > 3]))
     at = draw(st.integers(1, len(name) - 2))
     slip = draw(st.sampled_from(["left out", "doubled", "exchanged"]))
     if slip == "left out":
@@ -66,16 +73,18 @@ def misspelt(draw: st.DrawFn, names: list[str]) -> str:
 
 def test_there_are_many():
     assert len(CLASSES) > 40
-    assert {"UnitCell", "Pillar", "Study", "Actuator", "BandSettings"} <= {one.__name__ for one in CLASSES}
+    assert {"UnitCell", "Pillar", "Study", "Actuator", "BandSettings"} <= {kind.__name__ for kind in CLASSES}
 
 
 @given(st.data())
 def test_a_misspelt_key_is_refused_with_the_nearest(data):
-    kind = data.draw(st.sampled_from([one for one in CLASSES if any(len(s.key) > 3 for s in slots(one))]))
+    kind = data.draw(
+        st.sampled_from([candidate for candidate in CLASSES if any(len(s.key) > 3 for s in slots(candidate))])
+    )
     known = [slot.key for slot in slots(kind)]
-    name = data.draw(misspelt(known).filter(lambda one: one not in known))
+    name = data.draw(misspelt(known).filter(lambda text: text not in known))
     error = refused(lambda: kind(**{name: 1.0}), code="unknown", argument=name)
-    assert any(f'"{one}"' in error.next_step for one in known) or "move it" in error.next_step, (
+    assert any(f'"{key}"' in error.next_step for key in known) or "move it" in error.next_step, (
         error.next_step
     )
 
@@ -97,9 +106,9 @@ def test_a_number_that_is_none_is_reported_with_its_name(given):
 @pytest.mark.parametrize(("name", "option", "unit"), UNITS)
 def test_the_error_names_an_option_with_a_wrong_unit(name, option, unit):
     needed = {
-        one.name: "x"
-        for one in fields(named(name).options)
-        if one.default is MISSING and one.default_factory is MISSING
+        field.name: "x"
+        for field in fields(named(name).options)
+        if field.default is MISSING and field.default_factory is MISSING
     }
     refused(
         lambda: STUDY.run(name, **needed | {option: WRONG[unit]}), "unit", argument=option.replace("_", "-")
@@ -108,13 +117,13 @@ def test_the_error_names_an_option_with_a_wrong_unit(name, option, unit):
 
 @given(st.data())
 def test_a_misspelt_option_is_refused_with_the_nearest(data):
-    name = data.draw(st.sampled_from([one for one in NAMES if fields(named(one).options)]))
-    known = [one.name for one in fields(named(name).options)]
-    if not any(len(one) > 3 for one in known):
+    name = data.draw(st.sampled_from([analysis for analysis in NAMES if fields(named(analysis).options)]))
+    known = [field.name for field in fields(named(name).options)]
+    if not any(len(option) > 3 for option in known):
         return
-    slip = data.draw(misspelt(known).filter(lambda one: one not in known))
+    slip = data.draw(misspelt(known).filter(lambda text: text not in known))
     error = refused(lambda: STUDY.run(name, **{slip: 1}), code="unknown", argument=slip)
-    assert any(f'"{one}"' in error.next_step for one in known)
+    assert any(f'"{option}"' in error.next_step for option in known)
 
 
 @pytest.mark.parametrize("value", ["12 s", "wide", "", None, [1.0], object()])

@@ -126,7 +126,7 @@ NOT_NAMED_THERE = {
         "sweep[2].from",
         ["where none belongs"],
     ),
-    "sweep that stands still": (("to = 0.8", "to = 0.2"), "sweep[1].to", ["the same"]),
+    "sweep from a number to itself": (("to = 0.8", "to = 0.2"), "sweep[1].to", ["the same"]),
     "sweep of one step": (("steps = 25", "steps = 1"), "sweep[1].steps", ["at least 2"]),
     "sweep of too many steps": (("steps = 25", "steps = 1001"), "sweep[1].steps", ["at most 1000"]),
     "sweep to NaN": (("to = 0.8", "to = nan"), "sweep[1].to", ["not a finite number"]),
@@ -160,13 +160,13 @@ def test_all_problems_are_reported_at_once(edited):
         )
     )
     assert error.argument == "touchpad.toml: cell.pillar.heigth"
-    told = re.findall(r"^ +(\S+): got ", error.next_step, re.M)
-    assert sorted(told) == ["bands.points", "cell.pitch", "material.poisson_ratio"]
+    paths = re.findall(r"^ +(\S+): got ", error.next_step, re.M)
+    assert sorted(paths) == ["bands.points", "cell.pitch", "material.poisson_ratio"]
 
 
 KEYS = table(Study)
 WORDS = sorted(
-    {one.rpartition(".")[2].removesuffix("[]") for one in KEYS}
+    {key.rpartition(".")[2].removesuffix("[]") for key in KEYS}
     | {slot.name for kind in (Study, UnitCell, Lattice, Pillar, PlateSettings) for slot in slots(kind)}
 )
 
@@ -179,13 +179,13 @@ def places(study: Any, path: str = "", pattern: str = "") -> Iterator[tuple[Any,
         if key and key.kind == "table":
             yield from places(value, f"{path}{name}.", f"{pattern}{name}.")
         if key and key.kind == "tables":
-            for number, one in enumerate(value, start=1):
-                yield from places(one, f"{path}{name}[{number}].", f"{pattern}{name}[].")
+            for number, entry in enumerate(value, start=1):
+                yield from places(entry, f"{path}{name}[{number}].", f"{pattern}{name}[].")
 
 
 @pytest.mark.nightly
 def test_a_key_in_any_place_but_its_own_is_refused_there(every_key_text):
-    """Also the word that stands for a value in Python, and a key at the top in the table that holds it."""
+    """Also the name of a value in Python, and a key at the top in the table that holds it."""
     study = tomllib.loads(every_key_text)
     for table_there, path, pattern in list(places(study)):
         wrong = [word for word in WORDS if not any(f"{key}.".startswith(f"{pattern}{word}.") for key in KEYS)]
@@ -194,11 +194,11 @@ def test_a_key_in_any_place_but_its_own_is_refused_there(every_key_text):
             table_there |= dict.fromkeys(some, "brass")
             with pytest.raises(StudyError) as caught:
                 read(Study, study)
-            told = [
+            reported = [
                 caught.value.argument,
                 *re.findall(r"^ +(\S+): got an unknown", caught.value.next_step, re.M),
             ]
-            assert sorted(told) == sorted(f"{path}{word}" for word in some)
+            assert sorted(reported) == sorted(f"{path}{word}" for word in some)
             for word in some:
                 del table_there[word]
 

@@ -1,4 +1,4 @@
-"""Files that cannot be read, each with an error that says why."""
+"""Files that cannot be read, each with an error that gives the reason."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""The table of keys says what the schema does."""
+"""The table of keys agrees with the schema."""
 
 import re
 import tomllib
@@ -115,7 +115,7 @@ LEFT_OUT = [
     if not key.required
     and key.kind not in {"table", "tables"}
     and path not in OF_OTHERS
-    and path != "cell.pitch"  # which two vectors may stand for
+    and path != "cell.pitch"  # which two vectors may replace
     and path != "plate.actuator[].region"  # without it, the patch of this study would lie on a lattice
 ]
 
@@ -143,8 +143,8 @@ def test_every_other_key_can_be_left_out_of_its_table(path, every_key_text):
             lines.append(line)
     study = loads("\n".join(lines))
     default = KEYS[path].default
-    found = {re.sub(r"\[[0-9]+\]", "[]", name): value for name, value, _ in leaves(study)}
-    assert found.get(path, "") == default or float(found[path]) == float(default)
+    values = {re.sub(r"\[[0-9]+\]", "[]", name): value for name, value, _ in leaves(study)}
+    assert values.get(path, "") == default or float(values[path]) == float(default)
 
 
 def test_bounds_are_those_that_are_checked():
@@ -172,11 +172,11 @@ def load_plain() -> Study:
 
 
 def test_leaves_are_the_values_of_the_study(reference_path):
-    found = {path: value for path, value, _ in leaves(load(reference_path))}
-    assert found["cell.pillar.diameter"] == 0.0035
-    assert found["sweep[2].to"] == 3.0
-    assert found["material.name"] == "aluminium (paper)"
-    assert "cell.pitch_y" not in found
+    values = {path: value for path, value, _ in leaves(load(reference_path))}
+    assert values["cell.pillar.diameter"] == 0.0035
+    assert values["sweep[2].to"] == 3.0
+    assert values["material.name"] == "aluminium (paper)"
+    assert "cell.pitch_y" not in values
 
 
 def every_slot(kind, prefix=""):
@@ -187,7 +187,7 @@ def every_slot(kind, prefix=""):
 
 
 def test_a_title_is_declared_only_where_it_is_not_the_name():
-    """What the name says already would have to be changed with it; the numbers of a model have their own."""
+    """A title like the name would have to be changed with it; the numbers of a model have their own."""
     own = {path: slot for path, slot in every_slot(Study) if slot.field.alias is None}
     own = {path: slot for path, slot in own.items() if not path.startswith("touch.skin.")}
     repeated = [path for path, slot in own.items()

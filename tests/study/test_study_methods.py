@@ -31,14 +31,14 @@ def test_help_and_signature_show_every_option_with_its_default_and_words(name):
     shown, options = inspect.signature(method), fields(named(name).options)
     help_text = " ".join(pydoc.render_doc(method, renderer=pydoc.plaintext).split())
     assert NAMES[name] in help_text
-    assert [one.name for one in options] == list(shown.parameters)[: len(options)]
+    assert [field.name for field in options] == list(shown.parameters)[: len(options)]
     assert list(shown.parameters)[len(options) :] == ["store", "workers", "scheduler", "progress", "budget"]
-    for one in options:
-        known = option_of(one)
-        assert f"{one.name} : " in help_text
+    for field in options:
+        known = option_of(field)
+        assert f"{field.name} : " in help_text
         assert known is None or " ".join(known.help.split()) in help_text
-        default = shown.parameters[one.name].default
-        assert default == one.default or default is inspect.Parameter.empty
+        default = shown.parameters[field.name].default
+        assert default == field.default or default is inspect.Parameter.empty
     assert shown.return_annotation is named(name).result
     assert method.__doc__ == getattr(Study, method.__name__).__doc__
     assert method.__name__ in dir(STUDY)
@@ -47,8 +47,10 @@ def test_help_and_signature_show_every_option_with_its_default_and_words(name):
 @given(st.sampled_from(WITH_TABLE), st.data())
 @settings(deadline=None, max_examples=40)
 def test_a_setting_given_as_an_option_is_answered_with_where_it_belongs(name, data):
-    options = {one.name for one in fields(named(name).options)} | set(inspect.signature(Study.run).parameters)
-    key = data.draw(st.sampled_from([one for one in settings_of(name) if one not in options]))
+    options = {field.name for field in fields(named(name).options)} | set(
+        inspect.signature(Study.run).parameters
+    )
+    key = data.draw(st.sampled_from([setting for setting in settings_of(name) if setting not in options]))
     with pytest.raises(StudyError) as caught:
         getattr(STUDY, name.replace(" ", "_"))(**{key: 3})
     assert_told(caught.value, f"table [{name}]", f'"{key}": 3', f"{name}.{key}", argument=key)
@@ -98,9 +100,9 @@ def test_a_size_in_another_unit_is_warned_about_in_python_as_in_a_file(maker, si
 def test_a_pitch_of_six_asks_for_millimetres_once_for_each_size():
     with pytest.warns(HaptonicWarning) as caught:
         Study(cell={"pitch": 6, "thickness": 1, "pillar": {"diameter": 3, "height": 12}}, material="brass")
-    told = [str(one.message) for one in caught]
-    assert "cell.pitch: 6 m is unusual: 100 nm to 100 mm is typical. Did you mean 6 mm?" in told
-    assert len(told) == 4
+    messages = [str(warning.message) for warning in caught]
+    assert "cell.pitch: 6 m is unusual: 100 nm to 100 mm is typical. Did you mean 6 mm?" in messages
+    assert len(messages) == 4
 
 
 def test_a_file_is_warned_about_once_and_ready_values_are_not_warned_about_again():

@@ -106,8 +106,8 @@ class TestValues:
         ],
     )
     def test_of_texts(self, text, unit, value):
-        found = SCOPE.expressed(text).checked(unit)
-        assert found == pytest.approx(value, rel=4e-16, abs=0.0)
+        number = SCOPE.expressed(text).checked(unit)
+        assert number == pytest.approx(value, rel=4e-16, abs=0.0)
 
     @given(st.decimals(1, 100, places=3), st.decimals(1, 100, places=3))
     def test_sums_are_rounded_once(self, first, second):
@@ -167,7 +167,7 @@ class TestValues:
 
 class TestRefusals:
     @pytest.mark.parametrize(
-        ("text", "code", "told"),
+        ("text", "code", "words"),
         [
             ("1 mm + 2 kHz", "mismatch", "a length and a frequency"),
             ("a + 1", "mismatch", "a plain number"),
@@ -202,15 +202,15 @@ class TestRefusals:
             ("1 kHz/(1 mm)", "mismatch", "m^-1*s^-1"),
         ],
     )
-    def test_of_texts(self, text, code, told):
+    def test_of_texts(self, text, code, words):
         study = NAMED.replace("share = 0.6", 'f = "60 kHz"\nn = 3').replace(
             'pitch = "a"', f'pitch = "{text}"'
         )
         error = refused(lambda: loads(study), code=code, argument="cell.pitch")
-        assert_told(error, told)
+        assert_told(error, words)
 
     @pytest.mark.parametrize(
-        ("old", "new", "code", "argument", "told"),
+        ("old", "new", "code", "argument", "words"),
         [
             ('a = "7 mm"', 'a = "b"\nb = "2*c"\nc = "a"', "conflict", "parameters.a", "a -> "),
             ('a = "7 mm"', 'a = "a"', "conflict", "parameters.a", "a -> a"),
@@ -226,9 +226,9 @@ class TestRefusals:
             ('[parameters]', '[parameter]', "unknown", "parameter", '"parameters"'),
         ],
     )  # fmt: skip
-    def test_of_tables(self, old, new, code, argument, told):
+    def test_of_tables(self, old, new, code, argument, words):
         error = refused(lambda: loads(NAMED.replace(old, new)), code=code, argument=argument)
-        assert told in str(error)
+        assert words in str(error)
 
     def test_one_slip_is_one_problem(self):
         error = refused(lambda: loads(NAMED.replace('a = "7 mm"', 'a = "7 mn"')), argument="parameters.a")
@@ -400,8 +400,8 @@ class TestSweeps:
     def test_every_number_follows(self):
         study = loads(NAMED + SWEEP)
         designs = study.designs(study.sweep_settings[0])
-        found = [(d.cell.lattice.pitch, d.cell.pillar.diameter, d.cell.thickness) for d in designs]
-        assert found == [(6e-3, 3e-3, 1.25e-3), (7e-3, 3.5e-3, 1.5e-3), (8e-3, 4e-3, 1.75e-3)]
+        sizes = [(d.cell.lattice.pitch, d.cell.pillar.diameter, d.cell.thickness) for d in designs]
+        assert sizes == [(6e-3, 3e-3, 1.25e-3), (7e-3, 3.5e-3, 1.5e-3), (8e-3, 4e-3, 1.75e-3)]
         assert loads(study.to_toml()) == study
         assert study.sweep_settings[0].unit == "m"
 
@@ -418,7 +418,7 @@ class TestSweeps:
         assert heights == pytest.approx([10.5e-3, 14e-3, 17.5e-3])
 
     @pytest.mark.parametrize(
-        ("old", "new", "code", "argument", "told"),
+        ("old", "new", "code", "argument", "words"),
         [
             ("parameters.a", "parameters.b", "unknown", "sweep[1].vary", "parameters.a"),
             ("parameters.a", "a", "unknown", "sweep[1].vary", '"parameters.a"'),
@@ -430,10 +430,10 @@ class TestSweeps:
             ('"6 mm"', '"0.9 mm"', "out-of-range", "sweep[1]", "cell.thickness"),
         ],
     )  # fmt: skip
-    def test_refused(self, old, new, code, argument, told):
+    def test_refused(self, old, new, code, argument, words):
         text = NAMED + SWEEP.replace(old, new)
         error = refused(lambda: loads(text), code=code, argument=argument)
-        assert told in str(error)
+        assert words in str(error)
 
 
 def test_dimensions_of_declared_units():

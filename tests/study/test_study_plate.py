@@ -544,8 +544,8 @@ class TestPieces:
 class TestWhatIsFixedToIt:
     def test_positions_count_from_the_corner_of_the_region(self):
         plate = loads(TEXT).mounted_plate()
-        for one in (*plate.actuators, *plate.forces, plate.finger):
-            assert one.centre == pytest.approx((0.033, 0.010), rel=1e-12)
+        for part in (*plate.actuators, *plate.forces, plate.finger):
+            assert part.centre == pytest.approx((0.033, 0.010), rel=1e-12)
         assert plate.forces[0].amplitude == 1
         assert (plate.finger.mass, plate.finger.stiffness, plate.finger.damping) == (None, 0.0, 10.0)
         assert plate.actuators[0].material.name == "pzt-4"
@@ -704,11 +704,11 @@ class TestInAStudy:
 
 class TestEntries:
     def test_value(self):
-        one, other = Entries({"a": 1, "b": 2}), Entries([("b", 2), ("a", 1)])
-        assert one == other == {"a": 1, "b": 2}
-        assert hash(one) == hash(other)
-        assert Entries({"a": 1}) != one
-        assert pickle.loads(pickle.dumps(one)) == one
-        assert repr(one) == "Entries({'a': 1, 'b': 2})"
+        first, other = Entries({"a": 1, "b": 2}), Entries([("b", 2), ("a", 1)])
+        assert first == other == {"a": 1, "b": 2}
+        assert hash(first) == hash(other)
+        assert Entries({"a": 1}) != first
+        assert pickle.loads(pickle.dumps(first)) == first
+        assert repr(first) == "Entries({'a': 1, 'b': 2})"
         with pytest.raises(TypeError):
-            one["a"] = 3
+            first["a"] = 3

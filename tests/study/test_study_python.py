@@ -36,9 +36,9 @@ SAME = {
 
 
 def test_values_texts_and_files_give_one_study():
-    made = {way: Study(**given, carrier="60 kHz", bands={"count": 8}) for way, given in SAME.items()}
-    assert len(set(made.values())) == 1
-    study = made["values"]
+    variants = {way: Study(**given, carrier="60 kHz", bands={"count": 8}) for way, given in SAME.items()}
+    assert len(set(variants.values())) == 1
+    study = variants["values"]
     assert loads(study.to_toml()) == study
     assert study.bands_settings.count == 8
     assert study.cell.lattice == Lattice.square(7e-3)
@@ -173,7 +173,7 @@ def test_what_a_run_cannot_be_given_is_refused_before_any_work(argument, value):
 
 
 NEEDING_PATHS = {
-    name: [one.name for one in fields(named(name).options) if one.type in ("Path", "Path | None")]
+    name: [field.name for field in fields(named(name).options) if field.type in ("Path", "Path | None")]
     for name in NAMES
 }
 
@@ -181,9 +181,9 @@ NEEDING_PATHS = {
 @pytest.mark.parametrize("name", [name for name, paths in NEEDING_PATHS.items() if paths])
 def test_a_path_that_an_analysis_takes_may_be_a_text_and_nothing_else(name, tmp_path):
     """Of every analysis with a path, whatever it is for."""
-    study, one = Study(cell=CELL, carrier="60 kHz"), named(name)
+    study, analysis = Study(cell=CELL, carrier="60 kHz"), named(name)
     given = dict.fromkeys(NEEDING_PATHS[name], str(tmp_path))
-    assert all(getattr(one.chosen(given), path) == tmp_path for path in given)
+    assert all(getattr(analysis.chosen(given), path) == tmp_path for path in given)
     for path in given:
         for wrong in (3, "", b"x", ["a.csv"]):
             error = refused(lambda path=path, wrong=wrong: study.run(name, **given | {path: wrong}))
@@ -196,10 +196,10 @@ TEXTS_AND_SWITCHES = ("str", "str | None", "bool", "bool | None")
 @pytest.mark.parametrize("name", NAMES)
 def test_a_text_or_a_switch_that_an_analysis_takes_is_nothing_else(name, tmp_path):
     analysis, needed = named(name), dict.fromkeys(NEEDING_PATHS[name], tmp_path)
-    for one in fields(analysis.options):
-        if one.type in TEXTS_AND_SWITCHES:
-            error = refused(lambda one=one: analysis.chosen(needed | {one.name: 3}))
-            assert (error.code, error.argument) == ("malformed", one.name)
+    for field in fields(analysis.options):
+        if field.type in TEXTS_AND_SWITCHES:
+            error = refused(lambda field=field: analysis.chosen(needed | {field.name: 3}))
+            assert (error.code, error.argument) == ("malformed", field.name)
 
 
 @pytest.mark.parametrize(("name", "option"), [("scan", "path"), ("friction", "path"), ("compare", "second")])
@@ -212,14 +212,14 @@ def test_what_an_analysis_cannot_do_without_is_asked_for_by_its_name(name, optio
 def test_an_option_without_its_name_is_refused(name):
     error = refused(lambda: getattr(Study(cell=CELL), name.replace(" ", "_"))("measured.uff"))
     assert (error.code, error.argument) == ("malformed", f"options of {name}")
-    assert all(f"{one.name}=" in error.allowed for one in fields(named(name).options))
+    assert all(f"{field.name}=" in error.allowed for field in fields(named(name).options))
 
 
 QUANTITIES = [
-    (name, one.name)
+    (name, field.name)
     for name in NAMES
-    for one in fields(named(name).options)
-    if (known := option_of(one)) and known.unit
+    for field in fields(named(name).options)
+    if (known := option_of(field)) and known.unit
 ]
 
 

@@ -1,4 +1,4 @@
-"""[ribbon] in a study file: what it says, and what is refused."""
+"""[ribbon] in a study file: what it describes, and what is refused."""
 
 import numpy as np
 import pytest
@@ -66,44 +66,44 @@ def made(text):
 
 
 def test_a_map_is_columns_of_cells_side_by_side():
-    found = made(STUDY + RIBBON)
-    assert [cell.pillar is None for cell in found.first] == [letter == "1" for letter in "ooo1111ooo"]
-    assert len({id(cell) for cell in found.first}) == 2, "equal columns are one object"
-    assert found.first[4].lattice.a1 == (8e-3, 0.0)
-    assert np.argwhere(found.guide).tolist() == [[0, 3], [0, 4], [0, 5], [0, 6]]
-    assert found.period == pytest.approx(7e-3)
-    assert found.origins[-1] - found.origins[0] == pytest.approx([6 * 7e-3 + 4 * 8e-3 - 7e-3, 0.0])
+    ribbon = made(STUDY + RIBBON)
+    assert [cell.pillar is None for cell in ribbon.first] == [letter == "1" for letter in "ooo1111ooo"]
+    assert len({id(cell) for cell in ribbon.first}) == 2, "equal columns are one object"
+    assert ribbon.first[4].lattice.a1 == (8e-3, 0.0)
+    assert np.argwhere(ribbon.guide).tolist() == [[0, 3], [0, 4], [0, 5], [0, 6]]
+    assert ribbon.period == pytest.approx(7e-3)
+    assert ribbon.origins[-1] - ribbon.origins[0] == pytest.approx([6 * 7e-3 + 4 * 8e-3 - 7e-3, 0.0])
 
 
 def test_pillars_of_sites_may_be_exchanged_beyond_an_edge():
-    found = made(COMB)
-    heights = [[one.height for one in cell.pillars] for cell in (found.first[0], found.first[-1])]
+    ribbon = made(COMB)
+    heights = [[pillar.height for pillar in cell.pillars] for cell in (ribbon.first[0], ribbon.first[-1])]
     assert heights[0] == heights[1][::-1] == [3.3e-3, 2.7e-3]
-    assert np.flatnonzero(found.guide).tolist() == [2, 3], "on either side of where they meet"
-    assert found.kind == "edge"
+    assert np.flatnonzero(ribbon.guide).tolist() == [2, 3], "on either side of where they meet"
+    assert ribbon.kind == "edge"
 
 
 @pytest.mark.parametrize("line", ["o", "ooooo"])
 def test_equal_letters_are_a_strip_with_free_edges(line):
-    found = made(changed(("ooo1111ooo", line), ('1 = "guide"', ""), ('guide = "8 mm"', "")))
-    assert found.kind == "strip"
-    assert len(found.first) == len(line)
-    assert found.crystals == found.first[:1]
+    ribbon = made(changed(("ooo1111ooo", line), ('1 = "guide"', ""), ('guide = "8 mm"', "")))
+    assert ribbon.kind == "strip"
+    assert len(ribbon.first) == len(line)
+    assert ribbon.crystals == ribbon.first[:1]
 
 
 def test_lines_of_different_pillars_are_a_strip_too():
-    found = made(changed(("ooo\no1o", "ooo\n111"), text=STUDY + DEFECT))
-    assert found.kind == "strip"
-    assert found.period == pytest.approx(14e-3)
+    ribbon = made(changed(("ooo\no1o", "ooo\n111"), text=STUDY + DEFECT))
+    assert ribbon.kind == "strip"
+    assert ribbon.period == pytest.approx(14e-3)
 
 
 def test_several_lines_are_read_from_the_bottom_up():
     study = loads(STUDY + DEFECT)
-    found = study.ribbon_settings.ribbon(study.cell)
-    assert found.kind == "defect"
-    assert np.argwhere(found.guide).tolist() == [[0, 1]], "the last line of the map is the lowest"
+    ribbon = study.ribbon_settings.ribbon(study.cell)
+    assert ribbon.kind == "defect"
+    assert np.argwhere(ribbon.guide).tolist() == [[0, 1]], "the last line of the map is the lowest"
     assert study.ribbon_settings.names == [["lattice", "short", "lattice"], ["lattice"] * 3]
-    assert found.period == pytest.approx(14e-3)
+    assert ribbon.period == pytest.approx(14e-3)
     assert study.ribbon_settings.wavevectors < loads(STUDY + RIBBON).ribbon_settings.wavevectors
     assert loads(study.to_toml()) == study
 
@@ -121,8 +121,8 @@ def test_a_sweep_is_about_the_lattice_alone():
     text = changed(('"ooo1111ooo"', '"ooo1111oow"'), ('1 = "guide"', '1 = "guide"\nw = "wide"')) + further
     sweep = '[[sweep]]\nvary = "cell.pitch"\nfrom = "5 mm"\nto = "7 mm"\nsteps = 3\n'
     study = loads(text + sweep)
-    (designs,) = (study.designs(one) for one in study.sweep_settings)
-    assert [one.ribbon_settings for one in designs] == [None] * 3
+    (designs,) = (study.designs(settings) for settings in study.sweep_settings)
+    assert [design.ribbon_settings for design in designs] == [None] * 3
 
 
 def changed(*pairs, text=STUDY + RIBBON):

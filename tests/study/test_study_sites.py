@@ -1,4 +1,4 @@
-"""Sites in a study file: what they say, and what is refused."""
+"""Sites in a study file: what they describe, and what is refused."""
 
 import numpy as np
 import pytest
@@ -113,7 +113,7 @@ SPREAD = '\n[[tolerance.of]]\nparameter = "cell.site[1].pillar.diameter"\nspread
 
 def test_numbers_of_sites_are_swept_and_have_tolerances():
     study = loads(STUDY + UNEQUAL + SWEEP + SPREAD)
-    heights = [one.cell.pillars[1].height for one in study.designs(study.sweep_settings[0])]
+    heights = [variant.cell.pillars[1].height for variant in study.designs(study.sweep_settings[0])]
     assert heights == pytest.approx([6 * MM, 6.5 * MM, 7 * MM])
     assert study.tolerance_settings.of[0].unit == "m"
     assert "cell.site[2].pillar.fillet" in values_of(study.cell)
@@ -211,11 +211,11 @@ def test_any_sites_make_a_cell_or_are_refused_in_five_parts(places, lattice):
     assert all(0 <= value < 1 for x, y, _ in places for value in (x, y))
     positions = cell.shares @ cell.lattice.vectors
     steps = [np.array([n, m]) @ cell.lattice.vectors for n in (-1, 0, 1) for m in (-1, 0, 1)]
-    for i, one in enumerate(cell.pillars):
+    for i, pillar in enumerate(cell.pillars):
         for j, other in enumerate(cell.pillars):
             for step in steps:
                 apart = np.linalg.norm(positions[i] - positions[j] + step)
-                assert apart == 0 or apart > one.radius + other.radius
+                assert apart == 0 or apart > pillar.radius + other.radius
 
 
 MANY = '\n[[design.vary]]\nparameter = "cell.pitch"\nfrom = "6 mm"\nto = "8 mm"\n'

@@ -22,7 +22,7 @@ numbers = st.sampled_from(["2", "0.5", "1e3", "3.25", ".125", "7.", "1E-2"])
 
 @st.composite
 def expressions(draw):
-    """An expression whose first name can be changed freely; that name stands there once."""
+    """An expression whose first name can be changed freely; that name occurs there once."""
     varied = draw(st.sampled_from(FREE))
     others = st.sampled_from([name for name in PARAMETERS if name != varied])
     before = draw(st.lists(numbers, max_size=2))
