@@ -225,16 +225,16 @@ def cycle_in(graph: dict[str, set[str]]) -> list[str]:
         if node in done:
             return []
         for following in sorted(graph.get(node, set())):
-            found = visit(following, [*trail, node])
-            if found:
-                return found
+            cycle = visit(following, [*trail, node])
+            if cycle:
+                return cycle
         done.add(node)
         return []
 
     for node in graph:
-        found = visit(node, [])
-        if found:
-            return found
+        cycle = visit(node, [])
+        if cycle:
+            return cycle
     return []
 
 
@@ -245,8 +245,8 @@ def test_a_cycle_would_be_found():
 
 def test_no_import_cycle_between_modules():
     graph = {module: own_imports_of(module, at_run_time=True) & TREES.keys() - {module} for module in TREES}
-    found = " -> ".join(cycle_in(graph))
-    assert not found, found
+    cycle = " -> ".join(cycle_in(graph))
+    assert not cycle, cycle
 
 
 def test_no_import_cycle_between_parts():
@@ -257,8 +257,8 @@ def test_no_import_cycle_between_parts():
     # `haptonic` itself, for its version, is imported by the parts that it opens to the user
     for part in TOP:
         graph.get(part, set()).discard("__init__")
-    found = " -> ".join(cycle_in(graph))
-    assert not found, found
+    cycle = " -> ".join(cycle_in(graph))
+    assert not cycle, cycle
 
 
 def hidden_imports(tree: ast.AST) -> set[str]:
@@ -308,10 +308,10 @@ def test_the_core_needs_no_more_than_numpy_scipy_and_what_counts_memory_and_thre
 
 def aliases_in(tree: ast.Module) -> dict[str, str]:
     """Types of arrays that a module gives names to, by what they are."""
-    made = [
+    aliases = [
         node for node in tree.body if isinstance(node, ast.Assign) and isinstance(node.value, ast.Subscript)
     ]
-    return {ast.unparse(node.value): ast.unparse(node.targets[0]) for node in made}
+    return {ast.unparse(node.value): ast.unparse(node.targets[0]) for node in aliases}
 
 
 KNOWN = aliases_in(TREES["haptonic.arrays"])
@@ -362,10 +362,10 @@ def is_there(name):
     parts = name.split(".")
     for count in range(len(parts), 0, -1):
         with contextlib.suppress(ImportError):
-            found = importlib.import_module(".".join(parts[:count]))
+            value = importlib.import_module(".".join(parts[:count]))
             for part in parts[count:]:
-                if not hasattr(found, part):
+                if not hasattr(value, part):
                     return False
-                found = getattr(found, part)
+                value = getattr(value, part)
             return True
     return False

@@ -119,10 +119,10 @@ def test_frequencies_at_the_corners_are_the_converged_ones(corner):
 )
 def test_frequencies_inside_the_zones_edge_against_a_coarser_independent_mesh(name, kappa):
     exact = np.array(REFERENCE["coarser_path_p4"][name])
-    found = model().solve(np.pi * np.array(kappa)).frequency[:6]
-    assert found == pytest.approx(exact, rel=4e-3)
+    frequency = model().solve(np.pi * np.array(kappa)).frequency[:6]
+    assert frequency == pytest.approx(exact, rel=4e-3)
     assert (
-        found < exact * (1 + 1e-5)
+        frequency < exact * (1 + 1e-5)
     ).all()  # displacement elements come from above, the coarser from higher
 
 
@@ -264,9 +264,9 @@ def test_the_empty_lattice_folds_rayleigh_lamb_and_shear_waves():
     )
     for point in EMPTY_POINTS:
         exact, kappa = folded_waves(point)
-        found = np.sqrt(np.maximum(eigenpairs(pencil, kappa, 11)[0], 0)) / (2 * np.pi)
-        assert (found[exact == 0] < 20).all()
-        assert found[exact > 0] == pytest.approx(exact[exact > 0], rel=1e-4)
+        frequency = np.sqrt(np.maximum(eigenpairs(pencil, kappa, 11)[0], 0)) / (2 * np.pi)
+        assert (frequency[exact == 0] < 20).all()
+        assert frequency[exact > 0] == pytest.approx(exact[exact > 0], rel=1e-4)
 
 
 def test_forms_of_the_errors_are_equal_in_the_small_basis_and_in_the_tiling():
@@ -284,8 +284,8 @@ def test_forms_of_the_errors_are_equal_in_the_small_basis_and_in_the_tiling():
 @pytest.mark.parametrize("kappa", [(0.47, 0.16), (0.14, 0.4), (0.37, 0.02), (2.4, 0.9)])
 def test_the_small_basis_holds_near_rest_too(kappa):
     """Between rest and the first wavevectors that it was checked at it was 0.6 % off, and told 0.0008 %."""
-    found = ReducedCell.of(thin_steel(), 10, 4e-5)
-    small, whole = (eigenpairs(one, np.array(kappa), 10)[0] for one in (found.pencil, found.whole))
+    reduced = ReducedCell.of(thin_steel(), 10, 4e-5)
+    small, whole = (eigenpairs(pencil, np.array(kappa), 10)[0] for pencil in (reduced.pencil, reduced.whole))
     assert (np.sqrt(small / whole) - 1).max() < 4e-5
 
 
@@ -611,16 +611,16 @@ def test_a_gap_of_no_width_is_none_and_an_uncertain_one_is_listed(lower, width, 
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(gaps_module, "ZoneSampling", Zone)
-        found = complete_gaps(Model())
+        gaps = complete_gaps(Model())
     if width < min(1e-5, sum(errors)) or width < sum(doubts):
-        assert not found
+        assert not gaps
     if width > sum(doubts) + sum(errors) + 1e-9:
-        assert found
-        assert found[0].certain
+        assert gaps
+        assert gaps[0].certain
     if width > sum(doubts) + 1.01 * SEARCH_GOAL:
-        assert found
-        assert found[0].lower_error >= doubts[0] * lower
-    for gap in found:
+        assert gaps
+        assert gaps[0].lower_error >= doubts[0] * lower
+    for gap in gaps:
         assert gap.width > 0
 
 

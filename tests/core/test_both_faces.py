@@ -52,8 +52,8 @@ def plain() -> BlochModel:
 @pytest.mark.parametrize(("point", "kappa"), [("Gamma", (0.0, 0.0)), ("G-X mid", (0.5, 0.0))])
 def test_waves_of_a_plain_plate_have_the_parity_of_their_family(point, kappa):
     """Rayleigh and Lamb's waves, folded: antisymmetric those of A0, symmetric those of S0 and SH0."""
-    found = plain()
-    solution = found.solve(np.pi * np.array(kappa))
+    plate_model = plain()
+    solution = plate_model.solve(np.pi * np.array(kappa))
     waves = EMPTY[point][:13]
     exact = np.array([wave["hz"] for wave in waves])
     moving = exact > 0
@@ -61,7 +61,7 @@ def test_waves_of_a_plain_plate_have_the_parity_of_their_family(point, kappa):
     assert (true < solution.error)[moving].all()
     assert (solution.error < 6e-3 * exact)[moving].all()
     assert np.median(solution.error[moving] / exact[moving]) < 1e-3
-    signs = found.fine.parity(solution.modes)
+    signs = plate_model.fine.parity(solution.modes)
     assert np.array_equal(signs[moving], np.array([PARITY[wave["wave"]] for wave in waves])[moving])
     assert sorted(signs[~moving]) == sorted(PARITY[wave["wave"]] for wave in waves if not wave["hz"])
 
@@ -108,9 +108,9 @@ def test_either_parity_is_the_half_plate_held_in_its_middle_plane():
 def test_estimates_hold_against_a_finer_mesh():
     finer = model(order=4)
     for kappa in (KAPPA, np.array([np.pi, 0.0])):
-        told, better = model().solve(kappa), finer.solve(kappa)
-        assert (np.abs(told.frequency - better.frequency) <= told.error + better.error).all()
-        assert (told.error < 0.03 * told.frequency)[told.frequency > 1].all()
+        solution, better = model().solve(kappa), finer.solve(kappa)
+        assert (np.abs(solution.frequency - better.frequency) <= solution.error + better.error).all()
+        assert (solution.error < 0.03 * solution.frequency)[solution.frequency > 1].all()
 
 
 def test_gaps_of_one_parity_hold_for_its_waves_and_for_no_others():
@@ -188,14 +188,14 @@ def test_rows_keep_flexural_waves_apart_from_the_others():
     mixed = {}
     for faces in ("both", "one"):
         rows = condensed_rows(replace(LOW, faces=faces), Resolution(3, 0))
-        found = Interface.of(rows, 0.0).scattering(omega, 3, ("A0", "S0"))
-        of_a0, of_s0 = (energy[-1] for energy in found.transmitted.swapaxes(0, 1))
+        scattering = Interface.of(rows, 0.0).scattering(omega, 3, ("A0", "S0"))
+        of_a0, of_s0 = (energy[-1] for energy in scattering.transmitted.swapaxes(0, 1))
         to_other = of_a0[OUTGOING.index("S0")] + of_s0[OUTGOING.index("A0")]
         mixed[faces] = to_other
         if faces == "both":
             assert of_a0.sum() < 1e-3
             assert of_s0.sum() > 0.1
-            reflected = found.reflected[-1].sum(axis=1) + found.transmitted[-1].sum(axis=1)
+            reflected = scattering.reflected[-1].sum(axis=1) + scattering.transmitted[-1].sum(axis=1)
             assert reflected == pytest.approx(np.ones(2), abs=1e-6)
     assert mixed["both"] < 1e-12
     assert mixed["one"] > 1e-3
@@ -205,7 +205,7 @@ def test_a_strip_guides_flexural_waves_whatever_runs_in_its_plane():
     """Pillars on both faces turn none into in-plane waves, which run as well where the wave is long along."""
     cell = replace(LOW, pillar=Pillar(3.5e-3, 14.7e-3))
     omega, along = 2 * np.pi * 77e3, 60.0  # where symmetric waves enter the lattice
-    both, one = (
+    both, one_face = (
         Guide.of(condensed_rows(replace(cell, faces=faces), Resolution(2, 0)), along)
         for faces in ("both", "one")
     )
@@ -216,5 +216,5 @@ def test_a_strip_guides_flexural_waves_whatever_runs_in_its_plane():
     # held at the fixed lines, the strip is about half a wave wide between them
     assert both.width(omega, 0) + 2 * wall.fixed_line == pytest.approx(np.pi / wall.wavenumber, rel=0.2)
     with pytest.raises(StudyError) as caught:
-        one.width(omega, 0)
+        one_face.width(omega, 0)
     assert_told(caught.value, "in-plane waves", argument="waveguide.mode")

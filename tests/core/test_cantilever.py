@@ -34,8 +34,8 @@ def test_equation_3_by_hand_for_the_prototype():
 
 
 def test_the_papers_constants_are_the_squared_roots():
-    found = euler_bernoulli(PROTOTYPE, ALUMINIUM) / euler_bernoulli(PROTOTYPE, ALUMINIUM)[0] * 3.516
-    assert found == pytest.approx(ROOTS**2, rel=3e-4)
+    constants = euler_bernoulli(PROTOTYPE, ALUMINIUM) / euler_bernoulli(PROTOTYPE, ALUMINIUM)[0] * 3.516
+    assert constants == pytest.approx(ROOTS**2, rel=3e-4)
 
 
 @given(st.floats(0.2, 5.0), st.floats(0.2, 5.0))
@@ -157,9 +157,9 @@ def test_modes_of_a_stepped_beam_are_roots_of_a_determinant():
         rows[:2], rows[2:] = foot, end @ through
         return np.linalg.det(rows / np.linalg.norm(rows, axis=1)[:, None])
 
-    for found in timoshenko(pillar, ALUMINIUM):
-        root = brentq(condition, 0.97 * found, 1.03 * found, xtol=1e-9 * found)
-        assert found == pytest.approx(root, rel=2e-3)
+    for frequency in timoshenko(pillar, ALUMINIUM):
+        root = brentq(condition, 0.97 * frequency, 1.03 * frequency, xtol=1e-9 * frequency)
+        assert frequency == pytest.approx(root, rel=2e-3)
         assert slender_beam(pillar)[np.abs(slender_beam(pillar) - root).argmin()] == pytest.approx(
             root, rel=1e-6
         )

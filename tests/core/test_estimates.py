@@ -81,9 +81,9 @@ def test_the_error_at_crossing_gaps_beside_square_pillars_is_bounded():
     cell = UnitCell(lattice, 0.1400846910132193e-3, material("aluminium-2017a"), pillar)
     model = BlochModel.of(cell, Resolution(4, 1, 4, 22), 15, measured=False)
     for kappa, bands in finer.items():
-        found = model.solve(np.array(kappa))
+        solution = model.solve(np.array(kappa))
         for band, frequency in bands.items():
-            assert found.error[band] > abs(found.frequency[band] - frequency)
+            assert solution.error[band] > abs(solution.frequency[band] - frequency)
 
 
 @pytest.mark.nightly
@@ -101,9 +101,9 @@ def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
 def test_a_mesh_resolves_the_waves_of_the_bands_that_are_asked_for(thickness):
     """Twenty bands of a plain plate, whose waves are shorter than those of ten."""
     cell = UnitCell(Lattice.square(7e-3), thickness * 7e-3, material("aluminium-2017a"))
-    found = hertz(cell, Resolution(5, 1).for_bands(cell, 20).plan(cell), 20)
+    frequency = hertz(cell, Resolution(5, 1).for_bands(cell, 20).plan(cell), 20)
     exact = np.array([plain_plate(cell, kappa, 20) for kappa in SEEN])
-    assert found[exact > REST * exact.max()] == pytest.approx(exact[exact > REST * exact.max()], rel=2e-3)
+    assert frequency[exact > REST * exact.max()] == pytest.approx(exact[exact > REST * exact.max()], rel=2e-3)
 
 
 def share_of_estimate(cell, resolution: Resolution, **finer: int) -> np.ndarray:
@@ -122,8 +122,8 @@ def assert_less_is_left_along_a_tapered_pillar(height, draft, fillet):
     plan = Resolution(4, 1).plan(cell)
     lower = plan.lowered(cell)
     here, along, others = (
-        hertz(cell, one, 10)
-        for one in (plan, replace(plan, along=lower.along), replace(lower, along=plan.along))
+        hertz(cell, mesh_plan, 10)
+        for mesh_plan in (plan, replace(plan, along=lower.along), replace(lower, along=plan.along))
     )
     assert np.linalg.norm(along / here - 1) < np.linalg.norm(others / here - 1)
 
@@ -189,18 +189,18 @@ def test_more_layers_along_a_stepped_pillar_change_next_to_nothing():
 @given(st.lists(st.tuples(st.floats(1, 2), st.floats(0, 0.3), st.floats(0, 1)), min_size=2, max_size=8))
 def test_a_band_is_the_mode_of_its_rank(modes):
     """Modes that are each within their error give bands that are, also where they change places."""
-    found, error, share = np.array(sorted(modes)).T
-    bands = np.sort(found - share * error)
-    assert (found - bands <= ranked(found, error) + 1e-12).all()
+    frequency, error, share = np.array(sorted(modes)).T
+    bands = np.sort(frequency - share * error)
+    assert (frequency - bands <= ranked(frequency, error) + 1e-12).all()
 
 
 @pytest.mark.parametrize("order", daily([4, 5], 4))
 def test_errors_of_poorly_resolved_waves_are_bounded(order):
     """The tenth band of this plate is 1.7 % off at order 4, 3 % from the order below."""
     cell = drawn(57, 87).cell
-    found = BlochModel.of(cell, Resolution(order, 1), 10, measured=False)
+    model = BlochModel.of(cell, Resolution(order, 1), 10, measured=False)
     for kappa in wavevectors(cell)[1:4]:
-        solution, exact = found.solve(kappa), plain_plate(cell, kappa, 10)
+        solution, exact = model.solve(kappa), plain_plate(cell, kappa, 10)
         assert (np.abs(solution.frequency - exact) <= solution.error).all()
 
 

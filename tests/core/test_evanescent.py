@@ -66,8 +66,8 @@ def test_a_laminate_has_the_attenuation_of_its_exact_dispersion(polarisation):
 def test_two_pieces_of_a_rod_make_a_longer_one(impedance, first, second):
     both = rod(impedance, 1.0, first, 1.0).followed_by(rod(impedance, 1.0, second, 1.0))
     whole = rod(impedance, 1.0, first + second, 1.0)
-    for found, exact in zip(vars(both).values(), vars(whole).values(), strict=True):
-        assert found == pytest.approx(exact, rel=1e-9, abs=1e-9 * impedance)
+    for matrix, exact in zip(vars(both).values(), vars(whole).values(), strict=True):
+        assert matrix == pytest.approx(exact, rel=1e-9, abs=1e-9 * impedance)
 
 
 @given(st.floats(0.05, 3.0), st.floats(0.1, 10.0))
@@ -76,8 +76,8 @@ def test_a_rod_carries_one_wave_each_way(phase, impedance):
     assert np.exp(right.exponent) == pytest.approx([np.exp(-1j * phase)], abs=1e-9)
     assert np.exp(left.exponent) == pytest.approx([np.exp(1j * phase)], abs=1e-9)
     exact = half_space(impedance, 1.0, 1.0)
-    for found, known in zip((right, left), exact, strict=True):
-        assert found.impedance() == pytest.approx(known.impedance(), rel=1e-8)
+    for side, known in zip((right, left), exact, strict=True):
+        assert side.impedance() == pytest.approx(known.impedance(), rel=1e-8)
 
 
 @pytest.mark.parametrize("phase", [0.0, 0.9, -2.2, np.pi])
@@ -103,8 +103,8 @@ def test_every_band_has_its_wave_which_goes_where_the_band_rises(name, along, ph
     for omega, slope in zip(bands, ahead - behind, strict=True):
         right, left = waves(name, phase, float(omega))
         # time runs as exp(+i omega t): energy goes against the gradient of omega(kappa)
-        found = np.exp((left if slope > 0 else right).exponent)
-        assert np.abs(found - np.exp(1j * along)).min() < 1e-6
+        factors = np.exp((left if slope > 0 else right).exponent)
+        assert np.abs(factors - np.exp(1j * along)).min() < 1e-6
 
 
 @settings(max_examples=8)
@@ -150,27 +150,27 @@ def test_the_forces_are_those_of_the_slab(phase, kilohertz):
 
 def test_the_gap_of_the_reference_cell_attenuates_and_its_bands_do_not():
     omega, phases = np.array([45.0, 56.0, 59.0, 61.5]) * KILOHERTZ, np.array([0.0, -0.7, 0.7, 2.75])
-    found = attenuation(rows("square"), omega, phases)
-    assert found.shape == (4, 4)
-    assert (found[1:3] > 1.0).all()
-    assert found[0] == pytest.approx(np.zeros(4))
-    assert found[3, 0] == 0.0
-    assert found[:, 1] == pytest.approx(found[:, 2], rel=1e-6)  # the mirror along the faces
+    decay = attenuation(rows("square"), omega, phases)
+    assert decay.shape == (4, 4)
+    assert (decay[1:3] > 1.0).all()
+    assert decay[0] == pytest.approx(np.zeros(4))
+    assert decay[3, 0] == 0.0
+    assert decay[:, 1] == pytest.approx(decay[:, 2], rel=1e-6)  # the mirror along the faces
     other = attenuation(rows("square", (1, 0)), omega, phases)
-    assert other == pytest.approx(found, rel=2e-3)  # interiors are not quite the same along both axes
+    assert other == pytest.approx(decay, rel=2e-3)  # interiors are not quite the same along both axes
     lossy = attenuation(rows("square"), omega, phases, loss_factor=1e-3)
     assert (lossy > 0).all()
-    assert lossy[1:3] == pytest.approx(found[1:3], rel=1e-2)
+    assert lossy[1:3] == pytest.approx(decay[1:3], rel=1e-2)
 
 
 def test_attenuation_is_along_the_translation_that_was_asked_for():
-    omega, phase, found = 20.0 * KILOHERTZ, 2.5, []
+    omega, phase, decays = 20.0 * KILOHERTZ, 2.5, []
     for along in ((0, 1), (1, 0)):
         here = rows("rectangular", along)
         right, _ = bloch_waves(here.slab(phase).at(omega), omega)
-        found.append(attenuation(here, np.array([omega]), np.array([phase])))
-        assert found[-1].item() == pytest.approx(decibels(right), rel=1e-9)
-    assert found[0] > 1.1 * found[1] > 0
+        decays.append(attenuation(here, np.array([omega]), np.array([phase])))
+        assert decays[-1].item() == pytest.approx(decibels(right), rel=1e-9)
+    assert decays[0] > 1.1 * decays[1] > 0
 
 
 def test_a_slab_has_the_pencil_in_it():

@@ -52,9 +52,9 @@ def test_what_leads_to_a_straight_line_changes_no_width(monkeypatch):
     assert rows(TRIANGULAR).setback - other.setback == pytest.approx(0.2 * PITCH / 2)
     far = Guide.of(other, ALONG)
     assert far.width(72 * KILOHERTZ, 1) == pytest.approx(near.width(72 * KILOHERTZ, 1), rel=1e-3)
-    edges = [one.mode_at(72 * KILOHERTZ, 1).at_edge for one in (near, far)]
+    edges = [guide.mode_at(72 * KILOHERTZ, 1).at_edge for guide in (near, far)]
     assert edges[0] == pytest.approx(edges[1], rel=5e-3)
-    walls = [one.wall(72 * KILOHERTZ) for one in (near, far)]
+    walls = [guide.wall(72 * KILOHERTZ) for guide in (near, far)]
     assert walls[0].fixed_line == pytest.approx(walls[1].fixed_line, abs=0.01 * MM)
 
 
@@ -76,8 +76,8 @@ def test_a_strip_narrower_than_what_leads_to_the_line_is_refused():
     (Lattice.oblique(7 * MM, 8 * MM, 1.2), (0, 1), None),
 ])  # fmt: skip
 def test_rows_at_a_right_angle(lattice, along, crossing):
-    found = Rows(UnitCell(lattice, 1 * MM, ALUMINIUM), along).crossing
-    assert found in (crossing, crossing and tuple(-one for one in crossing))
+    perpendicular = Rows(UnitCell(lattice, 1 * MM, ALUMINIUM), along).crossing
+    assert perpendicular in (crossing, crossing and tuple(-step for step in crossing))
 
 
 @pytest.mark.nightly
@@ -91,17 +91,17 @@ def test_modes_of_ribbons_are_those_of_guides(cell, columns, along, between):
     """As wide as their plain columns, between half-infinite rows in place of five."""
     beside = rows(cell, (0, 1))
     ribbon = Ribbon((cell,) * 5 + (cell.without_pillar(),) * columns + (cell,) * 5)
-    low, high = (one * 1e3 for one in between)
+    low, high = (kilohertz * 1e3 for kilohertz in between)
     modes = RibbonModel.of(ribbon, COARSE).solve(along * beside.rows.period, low, high)
     share = (modes.energy * ribbon.guide).sum(axis=(1, 2)) / modes.energy.sum(axis=(1, 2))
     held = modes.frequency[share > 0.5]
     width = columns * abs(float(beside.rows.step @ beside.rows.turn[0]))
-    found = []
+    frequencies = []
     for nodal_lines in range(3):
         try:
             mode = Guide.of(beside, along).mode(width, nodal_lines, (low * 2 * np.pi, high * 2 * np.pi))
         except StudyError:
             continue
-        found.append(mode.omega / (2 * np.pi))
-    assert len(held) == len(found) > 0
-    assert np.sort(found) == pytest.approx(held, rel=4e-3)
+        frequencies.append(mode.omega / (2 * np.pi))
+    assert len(held) == len(frequencies) > 0
+    assert np.sort(frequencies) == pytest.approx(held, rel=4e-3)

@@ -84,22 +84,22 @@ def test_so_many_layers_that_transfer_matrices_would_overflow():
 @pytest.mark.parametrize("k_y", [0.0, OBLIQUE, -OBLIQUE])
 @pytest.mark.parametrize("kilohertz", [45.0, 56.0, 61.0, 130.0])
 def test_energy_is_conserved_and_every_conversion_goes_both_ways(kilohertz, k_y):
-    found = interface(k_y).scattering(kilohertz * KILOHERTZ, 6, FAMILIES)
-    assert found.reflected.shape == found.transmitted.shape == (6, 3, 4)
-    assert np.abs(found.dissipated).max() < 1e-9
-    for share in (found.reflected, found.transmitted):
+    scattering = interface(k_y).scattering(kilohertz * KILOHERTZ, 6, FAMILIES)
+    assert scattering.reflected.shape == scattering.transmitted.shape == (6, 3, 4)
+    assert np.abs(scattering.dissipated).max() < 1e-9
+    for share in (scattering.reflected, scattering.transmitted):
         assert (share >= 0).all()
         own = share[:, :, : len(FAMILIES)]
         assert own == pytest.approx(own.swapaxes(1, 2), abs=1e-9)
-    assert found.reflected[2, 0, 1] > 1e-4  # A0 to S0: the pillars stand on one side only
+    assert scattering.reflected[2, 0, 1] > 1e-4  # A0 to S0: the pillars stand on one side only
 
 
 def test_diffracted_waves_take_their_share():
     omega, here = 250.0 * KILOHERTZ, interface(OBLIQUE)
     right, _ = here.plate_waves(omega)
     assert right.labelled("A0").sum() == 2
-    found = here.scattering(omega, 3, FAMILIES)
-    assert np.abs(found.dissipated).max() < 1e-9
+    scattering = here.scattering(omega, 3, FAMILIES)
+    assert np.abs(scattering.dissipated).max() < 1e-9
     beyond = interface(OBLIQUE + 2 * np.pi / here.period)  # only its diffracted waves propagate
     assert (beyond.plate_waves(50.0 * KILOHERTZ)[0].labelled("A0")).any()
     with refusing(StudyError, "no-answer", "layers.incident"):
@@ -118,8 +118,8 @@ def test_waves_from_above_and_from_below_do_the_same():
 def test_cells_without_pillars_let_everything_through(family, angle):
     omega = 58.8 * KILOHERTZ
     plain = Interface.met_by(rows("plain"), omega, family, angle)
-    found = plain.scattering(omega, 3, (family,))
-    assert found.transmitted[:, 0, OUTGOING.index(family)] == pytest.approx(np.ones(3), abs=1e-6)
+    scattering = plain.scattering(omega, 3, (family,))
+    assert scattering.transmitted[:, 0, OUTGOING.index(family)] == pytest.approx(np.ones(3), abs=1e-6)
 
 
 @pytest.mark.parametrize("k_y", [0.0, OBLIQUE])
@@ -143,9 +143,9 @@ def test_half_plates_may_as_well_be_made_of_plain_cells(kilohertz, k_y):
 
 def test_a_layer_more_takes_what_the_farthest_reaching_wave_loses():
     omega = 56.0 * KILOHERTZ
-    found = interface(0.0).scattering(omega, 12, FAMILIES)
+    scattering = interface(0.0).scattering(omega, 12, FAMILIES)
     right, _ = bloch_waves(interface(0.0).slab.at(omega), omega)
-    slope = np.diff(found.insulation, axis=0)[-1]
+    slope = np.diff(scattering.insulation, axis=0)[-1]
     assert slope[:2] == pytest.approx(decibels(right), rel=1e-3)
     # SH0 is odd in the mirror along the layers: it couples to another, faster fading wave
     fading = -20 / np.log(10) * right.exponent.real
@@ -191,11 +191,11 @@ def test_a_little_loss_takes_in_proportion():
 @pytest.mark.parametrize("k_y", [0.0, OBLIQUE])
 def test_either_translation_can_be_crossed(k_y):
     omega = 50.0 * KILOHERTZ
-    one = interface(k_y, "wide", (1, 0)).scattering(omega, 3, FAMILIES)
-    other = interface(k_y, "deep", (0, 1)).scattering(omega, 3, FAMILIES)
-    assert one.transmitted == pytest.approx(other.transmitted, abs=2e-3)
-    assert one.reflected == pytest.approx(other.reflected, abs=2e-3)
-    assert one.transmitted.std() > 0.1
+    wide = interface(k_y, "wide", (1, 0)).scattering(omega, 3, FAMILIES)
+    deep = interface(k_y, "deep", (0, 1)).scattering(omega, 3, FAMILIES)
+    assert wide.transmitted == pytest.approx(deep.transmitted, abs=2e-3)
+    assert wide.reflected == pytest.approx(deep.reflected, abs=2e-3)
+    assert wide.transmitted.std() > 0.1
 
 
 @settings(max_examples=6)

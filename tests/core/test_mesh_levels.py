@@ -60,16 +60,16 @@ def cell_of(thickness, diameter=0.0, height=1.0):
 def following(error, asked):
     """The settings of a study whose user follows the first step of a refusal; each is a step that works."""
     step = error.next_step.split(", or ")[0]
-    if found := re.fullmatch(r'ask again with --budget "(.*)"', step):
-        return replace(asked, budget=to_si(found[1], "s", "budget"))
-    if found := re.fullmatch(r"write count = (\d+) in \[bands\]", step):
-        return replace(asked, count=int(found[1]))
+    if match := re.fullmatch(r'ask again with --budget "(.*)"', step):
+        return replace(asked, budget=to_si(match[1], "s", "budget"))
+    if match := re.fullmatch(r"write count = (\d+) in \[bands\]", step):
+        return replace(asked, count=int(match[1]))
     both = r"write order = (\d) and foot_rings = (\d) in \[mesh\](?: and count = (\d+) in \[bands\])?"
-    if found := re.fullmatch(both, step):
-        mesh = MeshSettings(order=int(found[1]), foot_rings=int(found[2]))
-        return replace(asked, mesh=mesh, count=int(found[3] or asked.count))
-    if found := re.fullmatch(r"write order = (\d) in \[mesh\]", step):
-        return replace(asked, mesh=replace(asked.mesh, order=int(found[1])))
+    if match := re.fullmatch(both, step):
+        mesh = MeshSettings(order=int(match[1]), foot_rings=int(match[2]))
+        return replace(asked, mesh=mesh, count=int(match[3] or asked.count))
+    if match := re.fullmatch(r"write order = (\d) in \[mesh\]", step):
+        return replace(asked, mesh=replace(asked.mesh, order=int(match[1])))
     if step == "leave [mesh] out":
         return replace(asked, mesh=MeshSettings())
     assert step.startswith("free memory until"), step
@@ -199,12 +199,12 @@ def test_a_budget_that_ends_leaves_an_answer_with_its_error_and_the_next_budget(
     asked = BandSettings(2, points=8, accuracy=1e-4)
     best = best_model(cell, asked, limits=limits)
     assert best.lack is not None
-    found = best.attributes(asked)
-    assert found["stopped_by"] == "time"
-    assert found["largest_error"] == best.model.worst_error > 1e-4
-    (said,) = accuracy_remarks(found)
-    assert "lack of time" in said
-    larger = to_si(re.search(r'--budget "(.*?)"', said)[1], "s", "budget")
+    attributes = best.attributes(asked)
+    assert attributes["stopped_by"] == "time"
+    assert attributes["largest_error"] == best.model.worst_error > 1e-4
+    (remark,) = accuracy_remarks(attributes)
+    assert "lack of time" in remark
+    larger = to_si(re.search(r'--budget "(.*?)"', remark)[1], "s", "budget")
     assert best.lack.limits.lack(cell, best.lack.mesh, best.lack.spent) is not None
     assert MeshLimits(larger, 1e15).lack(cell, best.lack.mesh, best.lack.spent) is None
     memory = best_model(cell, asked, limits=MeshLimits(1e15, first.memory(cell)))
@@ -236,8 +236,8 @@ def test_a_dry_run_has_the_refusals_of_a_run(memory, monkeypatch):
     monkeypatch.setattr(mesh_levels.MeshLimits, "of", classmethod(lambda cls, budget: cls(budget, memory)))
     for budget in ("10 min", "1 s"):
         study = loads(TWO_SITES).within(budget)
-        one = named("bands")
-        cost = one.cost(study, one.options())
+        analysis = named("bands")
+        cost = analysis.cost(study, analysis.options())
         error = accepted(study.cell, study.bands_settings, MeshLimits.of(study.bands_settings.budget))
         assert (error is None) == (cost.refusal is None)
         if error is not None:
@@ -257,9 +257,9 @@ def test_bands_that_miss_the_accuracy_are_returned_with_a_remark(monkeypatch):
     moving = data["frequency"] > 0.1 * data["frequency"].max()
     seen = float((data["frequency_error"] / data["frequency"]).where(moving).max())
     assert 1e-3 < seen <= reported
-    (said,) = answer.remarks()
-    assert "0.001, is not reached" in said
-    assert "range of validity" in said
+    (remark,) = answer.remarks()
+    assert "0.001, is not reached" in remark
+    assert "range of validity" in remark
     assert data.attrs["stopped_by"] == "range"
     assert Bands(data.assign_attrs(accuracy=1.0)).remarks() == []
 
@@ -346,10 +346,10 @@ def test_the_error_of_few_bands_is_small(count):
 def test_errors_of_twenty_bands_of_a_plain_plate_are_bounded(thickness):
     """The lower orders' basis has to hold them too: without this check its error was 0.7 % at every order."""
     cell = cell_of(thickness)
-    found = BlochModel.of(cell, LADDER[2], 20, measured=False)
-    assert found.worst_error < 2e-3
+    bands_model = BlochModel.of(cell, LADDER[2], 20, measured=False)
+    assert bands_model.worst_error < 2e-3
     for kappa in np.sort(KAPPA[[0, 4]])[:, ::-1]:
-        solution, exact = found.solve(kappa), plain_plate(cell, kappa, 20)
+        solution, exact = bands_model.solve(kappa), plain_plate(cell, kappa, 20)
         assert (np.abs(solution.frequency - exact) <= solution.error).all()
 
 

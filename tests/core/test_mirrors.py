@@ -57,8 +57,8 @@ def test_waves_that_propagate_belong_to_bands_and_every_band_has_its_wave():
         moving = np.flatnonzero(data["kappa_imag"].values[row] < 1e-7)
         counts.append(len(moving))
         for kappa in data["kappa_real"].values[row, moving]:
-            found = np.sqrt(np.abs(eigenpairs(pencil, np.array([kappa, 0.0]), 20)[0])) / (2 * np.pi)
-            assert np.abs(found / frequency - 1).min() < 1e-8
+            bands = np.sqrt(np.abs(eigenpairs(pencil, np.array([kappa, 0.0]), 20)[0])) / (2 * np.pi)
+            assert np.abs(bands / frequency - 1).min() < 1e-8
     assert counts == [crossings(0.0, frequency) for frequency in FREQUENCY]
     assert max(counts) >= 3
     assert counts[2] == 0
@@ -112,10 +112,10 @@ def test_energies_are_those_of_the_interface_that_the_wave_meets(angle, loss_fac
     for family in FAMILIES:
         here = Interface.met_by(rows(), omega, family, angle)
         expected = here.scattering(omega, 3, (family,), loss_factor)
-        found = data.sel(frequency=FREQUENCY[2], incident=family)
+        energies = data.sel(frequency=FREQUENCY[2], incident=family)
         for name in ("reflected", "transmitted"):
-            assert found[name].dims == ("rows", "outgoing")
-            assert found[name].values == pytest.approx(getattr(expected, name)[:, 0], abs=1e-9)
+            assert energies[name].dims == ("rows", "outgoing")
+            assert energies[name].values == pytest.approx(getattr(expected, name)[:, 0], abs=1e-9)
 
 
 def test_axes_are_named_with_their_units():

@@ -124,12 +124,12 @@ def test_gaps_are_those_between_fine_polygons(pillar, other, angle, away):
     from scipy.spatial import cKDTree
 
     place = away * MM * np.array([math.cos(angle), math.sin(angle)])
-    found = float(pillar.raised.gap_to(other.raised, place[None])[0])
+    gap = float(pillar.raised.gap_to(other.raised, place[None])[0])
     here, there = pillar.radius * fine(pillar.outline), place + other.radius * fine(other.outline)
     nearest = float(cKDTree(here).query(there)[0].min())
-    if found > 0:
-        assert found == pytest.approx(nearest, abs=0.02 * MM)
-        assert found <= nearest * (1 + 1e-9)
+    if gap > 0:
+        assert gap == pytest.approx(nearest, abs=0.02 * MM)
+        assert gap <= nearest * (1 + 1e-9)
 
 
 @given(stars(), stars(), st.floats(0, 6.3), st.floats(6, 12))
@@ -198,11 +198,11 @@ SAME = {
 }
 
 
-@pytest.mark.parametrize(("one", "other"), SAME.values(), ids=SAME)
-def test_sections_that_are_one(one, other):
-    assert one.outline.is_same(other.outline)
-    assert one.radius == pytest.approx(other.radius, rel=1e-12)
-    assert one.volume == pytest.approx(other.volume, rel=1e-12)
+@pytest.mark.parametrize(("pillar", "other"), SAME.values(), ids=SAME)
+def test_sections_that_are_one(pillar, other):
+    assert pillar.outline.is_same(other.outline)
+    assert pillar.radius == pytest.approx(other.radius, rel=1e-12)
+    assert pillar.volume == pytest.approx(other.volume, rel=1e-12)
 
 
 GROUPS = {"square": 8, "hexagon": 12, "rectangle": 4, "ellipse": 4, "cross": 8, "snowflake": 12}

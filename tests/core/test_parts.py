@@ -46,10 +46,10 @@ CELLS = {
 def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
     cell, plans = CELLS[name], Resolution(1, 0).plans(CELLS[name])
     interior, substructured = (
-        sys.modules[f"haptonic.superelement.{one}"] for one in ("interior", "substructured")
+        sys.modules[f"haptonic.superelement.{module}"] for module in ("interior", "substructured")
     )
     monkeypatch.setattr(interior, "interior_modes", partial(exact_modes, highest=1e7))
-    used, found, parts_of_mesh = [], [], parts.parts_of_mesh
+    used, tilings, parts_of_mesh = [], [], parts.parts_of_mesh
 
     def further(mesh):
         used.append(parts_of_mesh(mesh))
@@ -58,19 +58,19 @@ def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
     for way in (further, lambda mesh: class_parts.whole_classes(mesh.assembler, mesh.rim)):
         monkeypatch.setattr(parts, "parts_of_mesh", way)
         substructured._feet.clear()
-        found.append(Tiling.condensed(cell, plans, 2, 10))
+        tilings.append(Tiling.condensed(cell, plans, 2, 10))
     assert used
     assert all(any(not part.is_class for part in every) for every in used)
-    traces = np.s_[: found[0].trace_size]
-    motion = np.random.default_rng(0).standard_normal((found[0].trace_size, 2))
+    traces = np.s_[: tilings[0].trace_size]
+    motion = np.random.default_rng(0).standard_normal((tilings[0].trace_size, 2))
     for ours, theirs in [
-        *((getattr(one, form)[traces, traces] for one in found) for form in ("stiffness", "mass")),
+        *((getattr(tiling, form)[traces, traces] for tiling in tilings) for form in ("stiffness", "mass")),
         *(
-            (getattr(one.measures, form)[traces, traces] for one in found)
+            (getattr(tiling.measures, form)[traces, traces] for tiling in tilings)
             for form in ("pillar_stiffness", "vertical_mass")
         ),
-        [one.lifted(np.pad(motion, ((0, one.size - len(motion)), (0, 0)))) for one in found],
-        [eigenpairs(lattice_pencil(one), np.array([0.9, 0.4]), 10)[0] for one in found],
+        [tiling.lifted(np.pad(motion, ((0, tiling.size - len(motion)), (0, 0)))) for tiling in tilings],
+        [eigenpairs(lattice_pencil(tiling), np.array([0.9, 0.4]), 10)[0] for tiling in tilings],
     ]:
         assert np.abs(ours - theirs).max() <= 1e-9 * np.abs(theirs).max()
 
@@ -86,8 +86,8 @@ def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
 )
 def test_other_tiles_keep_their_mirrors(cell):
     meshes = [
-        FoldedMesh.of(one.tile, plan)
-        for one, plan in zip(cell.tiles, Resolution(1, 0).plans(cell), strict=True)
+        FoldedMesh.of(placed.tile, plan)
+        for placed, plan in zip(cell.tiles, Resolution(1, 0).plans(cell), strict=True)
     ]
     assert all(part.is_class for mesh in meshes for part in parts.parts_of_mesh(mesh))
 
@@ -95,7 +95,7 @@ def test_other_tiles_keep_their_mirrors(cell):
 def test_the_six_turns_of_a_lattice_share_its_frequencies():
     """To rounding: by mirrors alone the rows of a representation get directions of their own."""
     pencil = lattice_pencil(Tiling.single(condense(HEXAGON, *Resolution(1, 1).plans(HEXAGON))))
-    group = [np.linalg.inv(np.array(one)).T for one in HEXAGON.point_group.operations]
+    group = [np.linalg.inv(np.array(operation)).T for operation in HEXAGON.point_group.operations]
     assert len(group) == 12
-    found = np.array([eigenpairs(pencil, turn @ np.array([0.9, 0.4]), 10)[0] for turn in group])
-    assert np.abs(found / found[0] - 1).max() < 1e-8
+    values = np.array([eigenpairs(pencil, turn @ np.array([0.9, 0.4]), 10)[0] for turn in group])
+    assert np.abs(values / values[0] - 1).max() < 1e-8

@@ -55,8 +55,8 @@ CELLS = {
 
 def changed(cell, solid):
     """The cell with all its pillars of a material."""
-    site = tuple(replace(one, pillar=replace(one.pillar, material=solid)) for one in cell.site)
-    return replace(cell, pillar=cell.pillar and replace(cell.pillar, material=solid), site=site)
+    sites = tuple(replace(site, pillar=replace(site.pillar, material=solid)) for site in cell.site)
+    return replace(cell, pillar=cell.pillar and replace(cell.pillar, material=solid), site=sites)
 
 
 @pytest.mark.parametrize("name", daily(CELLS, "round", "step"))
@@ -77,12 +77,12 @@ def test_frequencies_are_those_of_the_whole_mesh(solid):
     plan = MeshPlan.suited(cell, *((3, 0) if solid is STEEL else (3, 1)))
     mesh = mesh_cell(cell, plan)
     tile = condense_by_parts(cell, plan, 4, block=20, measured=False)
-    found = np.sqrt(eigenpairs(bloch_pencil(Tiling.single(tile)), KAPPA, 8)[0]) / (2 * np.pi)
+    frequency = np.sqrt(eigenpairs(bloch_pencil(Tiling.single(tile)), KAPPA, 8)[0]) / (2 * np.pi)
     through = through_levels(cell, mesh, tile.levels)
     P = periodic_projection(mesh.points, cell.lattice.vectors, KAPPA, through, mesh.topology.rim)
     # of rubber eight modes in the pillar leave out more than those of a plate
     apart = 1e-3 if solid is RUBBER else 2e-4
-    assert found == pytest.approx(frequencies(*assembled(mesh, ALUMINIUM, solid), P, 8), rel=apart)
+    assert frequency == pytest.approx(frequencies(*assembled(mesh, ALUMINIUM, solid), P, 8), rel=apart)
 
 
 @settings(max_examples=2)

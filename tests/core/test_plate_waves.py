@@ -81,10 +81,12 @@ def test_more_levels_bring_the_wavenumber_in_at_the_rate_of_a_polynomial_method(
 def test_an_oblique_wave_is_a_turned_one(k_t):
     omega = 58.8 * KILOHERTZ
     for side in PLATE.waves(omega, np.array([k_t]), LENGTH):
-        found = {name: k for name, k in zip(side.label, side.wavenumber, strict=True) if name in FAMILIES}
+        wavenumbers = {
+            name: k for name, k in zip(side.label, side.wavenumber, strict=True) if name in FAMILIES
+        }
         expected = {name: PLATE.wavenumber(omega, 0.3, name) for name in FAMILIES}
-        assert set(found) == {name for name, k in expected.items() if k > abs(k_t)}
-        for name, k in found.items():
+        assert set(wavenumbers) == {name for name, k in expected.items() if k > abs(k_t)}
+        for name, k in wavenumbers.items():
             assert np.hypot(k.real, k_t) == pytest.approx(expected[name], rel=1e-8)
 
 

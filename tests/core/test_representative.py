@@ -37,14 +37,14 @@ ORDER = Resolution(2, 0)
 
 def cell_of(lattice, *sites, of=STEEL, pillar=WIDE, faces="one"):
     """A steel plate with a pillar in each period, or with sites (x, y, pillar)."""
-    site = tuple(Site(at=(x, y), pillar=one) for x, y, one in sites)
+    site = tuple(Site(at=(x, y), pillar=on_site) for x, y, on_site in sites)
     return UnitCell(lattice, 1.2 * MM, of, None if site else pillar, site, faces)
 
 
 def named(name, pitch, *pillars):
     return UnitCell(
         Lattice(lattice=name, pitch=pitch), 1.2 * MM, STEEL,
-        None if pillars else SLIM, tuple(Site(pillar=one) for one in pillars),
+        None if pillars else SLIM, tuple(Site(pillar=pillar) for pillar in pillars),
     )  # fmt: skip
 
 
@@ -98,22 +98,22 @@ def drawn(name, count):
 @settings(deadline=None)
 def test_every_wavevector_has_an_equivalent_in_the_zone(lattice, kappa, anisotropic):
     plate = UnitCell(lattice, 1 * MM, SILICON if anisotropic else STEEL)
-    found = Representative.of(plate.zone, plate.point_group, kappa)
-    assert plate.zone.depth(found.kappa[None])[0] >= -1e-5
-    assert (found.operation, found.sign) in signed_operations(plate.point_group)
-    back = found.sign * np.linalg.inv(np.array(found.operation)).T @ found.kappa
+    representative = Representative.of(plate.zone, plate.point_group, kappa)
+    assert plate.zone.depth(representative.kappa[None])[0] >= -1e-5
+    assert (representative.operation, representative.sign) in signed_operations(plate.point_group)
+    back = representative.sign * np.linalg.inv(np.array(representative.operation)).T @ representative.kappa
     steps = (kappa - back) / (2 * np.pi)
     assert steps == pytest.approx(np.round(steps), abs=1e-9)
-    assert (found.image == kappa).all()
+    assert (representative.image == kappa).all()
 
 
 @given(some_names, st.floats(0, 1), st.floats(0, 1), whole_steps)
 @settings(deadline=None)
-def test_one_in_the_zone_is_its_own_and_a_reciprocal_translation_turns_nothing(name, one, other, steps):
+def test_one_in_the_zone_is_its_own_and_a_reciprocal_translation_turns_nothing(name, first, second, steps):
     cell = CELLS[name]
     corners = list(cell.zone.corner_phases.values())
     a, b, c = corners[0], corners[1], corners[-1]
-    kappa = a + one * (b - a) + (1 - one) * other * (c - a)
+    kappa = a + first * (b - a) + (1 - first) * second * (c - a)
     here = Representative.of(cell.zone, cell.point_group, kappa)
     assert here.kappa is here.image
     there = Representative.of(cell.zone, cell.point_group, kappa + 2 * np.pi * steps)
@@ -138,10 +138,10 @@ def test_the_images_of_the_zone_fill_the_period_evenly():
     """Each wavevector of a fine grid over one period is the image of one in the zone."""
     for cell in CELLS.values():
         grid = np.stack(np.meshgrid(*2 * [np.linspace(-3, 3, 5)]), axis=-1).reshape(-1, 2)
-        inside = np.array([Representative.of(cell.zone, cell.point_group, one).kappa for one in grid])
-        found, number = images(cell.point_group, inside)
-        for number_in_grid, one in enumerate(grid):
-            steps = (found[number == number_in_grid] - one) / (2 * np.pi)
+        inside = np.array([Representative.of(cell.zone, cell.point_group, kappa).kappa for kappa in grid])
+        kappas, number = images(cell.point_group, inside)
+        for number_in_grid, kappa in enumerate(grid):
+            steps = (kappas[number == number_in_grid] - kappa) / (2 * np.pi)
             assert np.abs(steps - np.round(steps)).max(axis=1).min() < 1e-9
 
 
@@ -177,8 +177,8 @@ def test_over_several_zones_the_basis_adds_no_more_than_it_was_allowed(name):
 def test_the_same_point_of_a_triangle_has_one_value():
     """Its three points M had three frequencies, further apart than their errors."""
     points = np.pi * np.array([(1, 1), (-1, 1), (1, 0), (0, -1), (3, 1), (1, 2)])
-    found = np.array([model("triangular").frequencies(one) for one in points])
-    assert found == pytest.approx(np.broadcast_to(found[0], found.shape), rel=1e-9)
+    frequency = np.array([model("triangular").frequencies(point) for point in points])
+    assert frequency == pytest.approx(np.broadcast_to(frequency[0], frequency.shape), rel=1e-9)
 
 
 def test_bulk_bands_are_those_of_the_unreduced_pencil():
@@ -186,7 +186,7 @@ def test_bulk_bands_are_those_of_the_unreduced_pencil():
     the_model, ribbon = model("triangular"), Ribbon((CELLS["triangular"],) * 3)
     bulk = bulk_bands(the_model, ribbon, [1.9])[0]
     exact = np.array([
-        unreduced(the_model, one)[0] for one in ribbon.phases(1.9, np.linspace(-np.pi, np.pi, ACROSS))
+        unreduced(the_model, kappa)[0] for kappa in ribbon.phases(1.9, np.linspace(-np.pi, np.pi, ACROSS))
     ])  # fmt: skip
     allowed = 5 * the_model.fine.projection_error
     assert bulk == pytest.approx(np.stack([exact.min(axis=0), exact.max(axis=0)], axis=1), rel=allowed)
@@ -206,8 +206,8 @@ def test_fields_are_those_of_the_unreduced_pencil(name):
         alone = np.minimum(apart[:-1], apart[1:]) > 0.02 * frequency
         assert alone.any()
         for number in np.flatnonzero(alone):
-            one, other = fields[..., number].ravel(), exact[..., number].ravel()
-            likeness = abs(np.vdot(one, other)) ** 2 / (np.vdot(one, one) * np.vdot(other, other)).real
+            field, other = fields[..., number].ravel(), exact[..., number].ravel()
+            likeness = abs(np.vdot(field, other)) ** 2 / (np.vdot(field, field) * np.vdot(other, other)).real
             assert likeness > 0.99999
 
 
@@ -219,9 +219,9 @@ def test_turned_fields_fulfil_the_equations_of_the_whole_mesh(name):
     reduced = ReducedCell.of(meshes.condensed(3, 16, measured=False), 6, 1e-4)
     the_model = BlochModel(cell=cell, resolution=ORDER, count=6, fine=reduced)
     blocks, masses = [], []
-    for placed, one in zip(meshes.joint.placed, meshes.meshes, strict=True):
-        stiffness, mass = assembled(one.mesh, cell.material)
-        turn = sp.kron(sp.eye_array(len(one.mesh.points)), sp.csr_array(placed.turn))
+    for placed, folded in zip(meshes.joint.placed, meshes.meshes, strict=True):
+        stiffness, mass = assembled(folded.mesh, cell.material)
+        turn = sp.kron(sp.eye_array(len(folded.mesh.points)), sp.csr_array(placed.turn))
         blocks.append(turn @ stiffness @ turn.T)
         masses.append(mass)
     K, M = sp.csr_array(sp.block_diag(blocks)), np.concatenate(masses)
@@ -248,11 +248,13 @@ def test_turned_fields_fulfil_the_equations_of_the_whole_mesh(name):
 def test_mode_shapes_are_turned_with_their_wavevector():
     """A bending wave along x of a square cell, and the same along y."""
     the_model = BlochModel.of(CELLS["square"], ORDER, 6)
-    along, turned = (mode_shapes(the_model, np.array(one)) for one in ((1.1, 0.3), (-0.3 - 4 * np.pi, 1.1)))
+    along, turned = (
+        mode_shapes(the_model, np.array(kappa)) for kappa in ((1.1, 0.3), (-0.3 - 4 * np.pi, 1.1))
+    )
     assert turned["mode_kappa"].values == pytest.approx([-0.3 - 4 * np.pi, 1.1])
     for name in ("mode_frequency", "mode_error", "mode_name"):
         assert turned[name].values == pytest.approx(along[name].values)
-    sizes = [np.hypot(one["mode_real"].values, one["mode_imag"].values) for one in (along, turned)]
+    sizes = [np.hypot(shapes["mode_real"].values, shapes["mode_imag"].values) for shapes in (along, turned)]
     points = along["node_position"].values
     quarter = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
     _, there = scipy.spatial.cKDTree(points).query(points @ quarter.T)

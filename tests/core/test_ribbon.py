@@ -74,27 +74,27 @@ def strip_waves(width: float, thickness: float, wavenumber: float, degrees=(13, 
 def test_a_bare_strip_has_its_guided_waves_within_their_errors(kappa):
     cell = UnitCell(Lattice.rectangular(4 * MM, 3 * MM), 1.5 * MM, ALUMINIUM)
     ribbon = Ribbon((cell,) * 2)
-    found = RibbonModel.of(ribbon, Resolution(4, 0)).solve(kappa, 5e3, 650e3)
+    modes = RibbonModel.of(ribbon, Resolution(4, 0)).solve(kappa, 5e3, 650e3)
     zone = 2 * np.pi / (3 * MM)
     waves = [strip_waves(8 * MM, 1.5 * MM, kappa / (3 * MM) + shift * zone) for shift in (-1, 0, 1)]
     exact = np.sort(np.concatenate(waves))
     exact = exact[(exact > 5e3) & (exact < 650e3)]
-    assert len(found.frequency) == len(exact) >= 8
-    assert (np.abs(found.frequency - exact) <= found.error + 1e-5 * exact).all()
+    assert len(modes.frequency) == len(exact) >= 8
+    assert (np.abs(modes.frequency - exact) <= modes.error + 1e-5 * exact).all()
     low = exact < 400e3
-    assert found.frequency[low] == pytest.approx(exact[low], rel=1e-3)
-    assert found.error[low].max() < 5e-3 * exact[low].max()
+    assert modes.frequency[low] == pytest.approx(exact[low], rel=1e-3)
+    assert modes.error[low].max() < 5e-3 * exact[low].max()
 
 
 def test_the_first_shear_wave_of_a_wide_strip_is_the_plates():
     """omega = c pi / width, motion along the strip with one nodal line: at k = 0 no other wave is coupled."""
     cell = UnitCell(Lattice.rectangular(5 * MM, 4 * MM), 1.0 * MM, ALUMINIUM)
-    found = RibbonModel.of(Ribbon((cell,) * 3), Resolution(4, 0)).solve(0.0, 90e3, 115e3)
+    modes = RibbonModel.of(Ribbon((cell,) * 3), Resolution(4, 0)).solve(0.0, 90e3, 115e3)
     shear = np.sqrt(ALUMINIUM.stiffness[5, 5] / ALUMINIUM.density)
     exact = shear / (2 * 15 * MM)
-    nearest = np.abs(found.frequency - exact).argmin()
-    assert found.frequency[nearest] == pytest.approx(exact, rel=1e-4)
-    assert abs(found.frequency[nearest] - exact) < found.error[nearest] < 1e-3 * exact
+    nearest = np.abs(modes.frequency - exact).argmin()
+    assert modes.frequency[nearest] == pytest.approx(exact, rel=1e-4)
+    assert abs(modes.frequency[nearest] - exact) < modes.error[nearest] < 1e-3 * exact
 
 
 def test_group_velocity_is_the_slope_of_the_frequency():
@@ -109,12 +109,12 @@ def test_group_velocity_is_the_slope_of_the_frequency():
 
 def test_a_guided_wave_decays_into_the_rows_as_in_the_complex_bands():
     model = prototype()
-    found = model.solve(ALONG, 54e3, 61e3)
+    modes = model.solve(ALONG, 54e3, 61e3)
     (crystal,) = {id(t): t for t in model.fine.tiling.tiles if t.cell is CRYSTAL}.values()
-    omega = 2 * np.pi * found.frequency
+    omega = 2 * np.pi * modes.frequency
     expected = attenuation(single(crystal), omega, np.array([ALONG]))[:, 0]
     assert len(expected) == 1
-    fall, error = decay(model, found)
+    fall, error = decay(model, modes)
     assert fall == pytest.approx(expected, rel=0.005)
     assert 0 < error[0] < fall[0]
 
@@ -133,15 +133,15 @@ def test_errors_of_velocity_and_decay_reach_those_of_a_finer_mesh():
 
 def test_the_prototypes_guide_holds_one_mode_without_nodal_lines_at_17_intervals():
     model = prototype()
-    found = model.solve(ALONG, 54e3, 61e3)
+    modes = model.solve(ALONG, 54e3, 61e3)
     (share,), (edges,) = (
-        within(found.energy, model.ribbon.guide),
-        within(found.energy, outermost(model.ribbon)),
+        within(modes.energy, model.ribbon.guide),
+        within(modes.energy, outermost(model.ribbon)),
     )
-    assert found.energy.sum(axis=(1, 2)) == pytest.approx([1.0], rel=1e-9), "unit mass"
+    assert modes.energy.sum(axis=(1, 2)) == pytest.approx([1.0], rel=1e-9), "unit mass"
     assert share > 0.95
     assert edges < 1e-4
-    wavenumber, across = harmonics(model.ribbon, model.fine, found)
+    wavenumber, across = harmonics(model.ribbon, model.fine, modes)
     assert wavenumber == pytest.approx([17.5 * np.pi / (20 * 7 * MM)], rel=1e-9)
     assert across == pytest.approx([0.0])
 
@@ -150,12 +150,12 @@ def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
     """Of a wide ribbon at a phase without a guided wave nearby."""
     bulk = bulk_bands(BlochModel.of(CRYSTAL, COARSE, 8, measured=False), prototype().ribbon, [ALONG])[0]
     low, high = bulk[5] - [20.0, -20.0]
-    found = prototype().solve(ALONG, float(low), float(high))
-    deep = within(found.energy, prototype().ribbon.guide) + within(
-        found.energy, outermost(prototype().ribbon)
+    modes = prototype().solve(ALONG, float(low), float(high))
+    deep = within(modes.energy, prototype().ribbon.guide) + within(
+        modes.energy, outermost(prototype().ribbon)
     )
     assert (deep < 0.5).sum() >= 8
-    assert not in_gap(replace(found, error=np.zeros_like(found.error)), bulk[None])[deep < 0.02].any()
+    assert not in_gap(replace(modes, error=np.zeros_like(modes.error)), bulk[None])[deep < 0.02].any()
     held = prototype().solve(ALONG, 54e3, 61e3)
     assert in_gap(replace(held, error=0 * held.error), bulk[None]).all()
 
@@ -188,16 +188,16 @@ def hertz(ribbon: Ribbon, kappa: float, low: float, high: float, resolution=COAR
 
 def test_a_ribbon_and_its_mirror_image_have_the_same_waves():
     columns = (CRYSTAL, CRYSTAL, PLAIN, PLAIN, CRYSTAL)
-    one, other = (hertz(Ribbon(c), 1.1, 20e3, 60e3) for c in (columns, columns[::-1]))
-    assert len(one) > 5
-    assert other == pytest.approx(one, rel=1e-8)
+    frequencies, of_image = (hertz(Ribbon(c), 1.1, 20e3, 60e3) for c in (columns, columns[::-1]))
+    assert len(frequencies) > 5
+    assert of_image == pytest.approx(frequencies, rel=1e-8)
 
 
 def test_a_square_lattice_may_be_repeated_along_either_translation():
     """But for the random directions that symmetry classes of a foot and its body get each: 7e-8 seen."""
     columns = (CRYSTAL, CRYSTAL.without_pillar(), CRYSTAL)
-    one, other = (hertz(Ribbon(columns, along), 0.7, 20e3, 60e3) for along in ((0, 1), (1, 0)))
-    assert other == pytest.approx(one, rel=5e-7)
+    along_a2, along_a1 = (hertz(Ribbon(columns, along), 0.7, 20e3, 60e3) for along in ((0, 1), (1, 0)))
+    assert along_a1 == pytest.approx(along_a2, rel=5e-7)
 
 
 @pytest.mark.parametrize("along", [(1, 1), (-1, 2)])
@@ -205,9 +205,9 @@ def test_waves_run_alike_both_ways_whatever_the_direction(along):
     """Time reversal, on a ribbon whose columns reach beyond their neighbours."""
     cell = replace(CRYSTAL, pillar=Pillar(3.5 * MM, 5 * MM))
     model = RibbonModel.of(Ribbon((cell, cell.without_pillar(), cell), along), COARSE)
-    one, other = (model.frequencies(sign * 0.8, 10e3, 60e3) for sign in (1, -1))
-    assert len(one) >= 5
-    assert other == pytest.approx(one, rel=1e-9)
+    forward, backward = (model.frequencies(sign * 0.8, 10e3, 60e3) for sign in (1, -1))
+    assert len(forward) >= 5
+    assert backward == pytest.approx(forward, rel=1e-9)
 
 
 def test_two_periods_are_one_twice_as_long():
@@ -219,9 +219,9 @@ def test_two_periods_are_one_twice_as_long():
     single = RibbonModel.of(Ribbon((short, short.without_pillar(), short)), COARSE)
     double = RibbonModel.of(Ribbon((long, long.without_pillar(), long)), COARSE)
     expected = np.concatenate([single.frequencies(0.6 + turn, 15e3, 50e3) for turn in (0.0, np.pi)])
-    found = double.frequencies(1.2, 15e3, 50e3)
-    assert len(found) == len(expected)
-    assert found == pytest.approx(np.sort(expected), rel=2e-3)
+    frequencies = double.frequencies(1.2, 15e3, 50e3)
+    assert len(frequencies) == len(expected)
+    assert frequencies == pytest.approx(np.sort(expected), rel=2e-3)
 
 
 # --- two crystals -------------------------------------------------------------------------------------------
@@ -235,9 +235,9 @@ def honeycomb(*heights: float) -> UnitCell:
 @pytest.mark.nightly
 def test_an_edge_between_mirrored_honeycombs_holds_a_wave_that_crosses_the_gap():
     """Unequal pillars open the cone at K; exchanged ones on the other side give their edge a wave there."""
-    one, other = honeycomb(3.3, 2.7), honeycomb(2.7, 3.3)
-    wall = Ribbon((one,) * 4 + (other,) * 4)
-    bulk_model = BlochModel.of(one, COARSE, 9, measured=False)
+    crystal, other = honeycomb(3.3, 2.7), honeycomb(2.7, 3.3)
+    wall = Ribbon((crystal,) * 4 + (other,) * 4)
+    bulk_model = BlochModel.of(crystal, COARSE, 9, measured=False)
     phases = np.linspace(0.35, 0.725, 5) * np.pi
     bulk = bulk_bands(bulk_model, wall, phases)
     low, high = bulk[:, 4, 1].max(), bulk[:, 5, 0].min()
@@ -245,11 +245,11 @@ def test_an_edge_between_mirrored_honeycombs_holds_a_wave_that_crosses_the_gap()
     model = RibbonModel.of(wall, COARSE)
     held = []
     for kappa in phases:
-        found = model.solve(kappa, low, high)
-        chosen = within(found.energy, wall.guide) > 0.4
+        modes = model.solve(kappa, low, high)
+        chosen = within(modes.energy, wall.guide) > 0.4
         assert chosen.any(), "at each phase"
-        assert (within(found.energy, outermost(wall))[chosen] < 0.1).all(), "it is no wave of the free edges"
-        held.append((float(found.frequency[chosen][0]), float(found.slope[chosen][0])))
+        assert (within(modes.energy, outermost(wall))[chosen] < 0.1).all(), "it is no wave of the free edges"
+        held.append((float(modes.frequency[chosen][0]), float(modes.slope[chosen][0])))
     frequency, slope = np.array(held).T
     assert (np.diff(frequency) < 0).all(), "it runs one way at one of the two corners"
     assert (slope < 0).all()
@@ -276,12 +276,12 @@ def test_equal_lines_have_the_waves_of_one_at_as_many_phases(lines):
     single = RibbonModel.of(Ribbon(line), COARSE)
     several = RibbonModel.of(Ribbon(line, more=(line,) * (lines - 1)), COARSE)
     phases = (0.6 + 2 * np.pi * np.arange(lines)) / lines
-    expected = np.sort(np.concatenate([single.frequencies(one, 54e3, 61e3) for one in phases]))
-    found = several.solve(0.6, 54e3, 61e3)
+    expected = np.sort(np.concatenate([single.frequencies(kappa, 54e3, 61e3) for kappa in phases]))
+    modes = several.solve(0.6, 54e3, 61e3)
     assert len(expected) > 1
-    assert found.frequency == pytest.approx(expected, rel=1e-9)
-    assert found.energy.sum(axis=(1, 2)) == pytest.approx(np.ones(len(expected)), rel=1e-9)
-    assert found.energy[:, 0] == pytest.approx(found.energy[:, -1], abs=1e-6), "alike in each line"
+    assert modes.frequency == pytest.approx(expected, rel=1e-9)
+    assert modes.energy.sum(axis=(1, 2)) == pytest.approx(np.ones(len(expected)), rel=1e-9)
+    assert modes.energy[:, 0] == pytest.approx(modes.energy[:, -1], abs=1e-6), "alike in each line"
     assert several.ribbon.kind == "guide", "it does not change along the ribbon"
 
 
@@ -291,10 +291,10 @@ def test_a_pillar_a_twentieth_too_short_holds_the_same_wave_in_a_crystal_without
     model = RibbonModel.of(around(LOWER, 5, 3), COARSE)
     assert model.ribbon.kind == "defect"
     assert np.argwhere(model.ribbon.guide).tolist() == [[1, 2]]
-    found = [model.solve(kappa, 53.4e3, 53.8e3) for kappa in (0.0, np.pi)]
-    assert [len(one.frequency) for one in found] == [1, 1]
-    held = np.concatenate([one.frequency for one in found])
-    assert np.concatenate([within(one.energy, model.ribbon.guide) for one in found]).min() > 0.97
+    solutions = [model.solve(kappa, 53.4e3, 53.8e3) for kappa in (0.0, np.pi)]
+    assert [len(modes.frequency) for modes in solutions] == [1, 1]
+    held = np.concatenate([modes.frequency for modes in solutions])
+    assert np.concatenate([within(modes.energy, model.ribbon.guide) for modes in solutions]).min() > 0.97
     assert np.ptp(held) < 2e-4 * held.mean(), "copies three cells apart hardly feel each other"
     thirds = [0.0, 1 / 3, 2 / 3]
     site = tuple(
@@ -338,13 +338,13 @@ def test_all_eigenvalues_of_a_chain_within_an_interval_are_found(seed, sizes, sh
     draw = np.random.default_rng(seed)
 
     def hermitian(size):
-        one = draw.standard_normal((size, size)) + 1j * draw.standard_normal((size, size))
-        return one + one.conj().T
+        matrix = draw.standard_normal((size, size)) + 1j * draw.standard_normal((size, size))
+        return matrix + matrix.conj().T
 
     own = [hermitian(size) for size in sizes]
     off = [draw.standard_normal(pair) + 0j for pair in pairwise(sizes)]
     heavy = [hermitian(size) + 100 * np.eye(size) for size in sizes]
-    light = [0.1 * one for one in off]
+    light = [0.1 * block for block in off]
     stiffness, mass = BlockChain(tuple(own), tuple(off)), BlockChain(tuple(heavy), tuple(light))
     whole = [form.times(np.eye(sum(sizes), dtype=complex)) for form in (stiffness, mass)]
     exact = la.eigh(*whole, eigvals_only=True)

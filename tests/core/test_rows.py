@@ -42,7 +42,7 @@ CELLS = {
 DIRECTIONS = [(0, 1), (1, 0), (1, 1), (1, -1), (1, 2), (-2, 1)]
 EVERYWHERE = [(name, along) for name in CELLS for along in DIRECTIONS]
 SOME = [("triangular", (0, 1)), ("honeycomb", (1, 1)), ("oblique", (1, -1))]
-DEAR = [pytest.param(*one, marks=pytest.mark.nightly) for one in EVERYWHERE if one not in SOME]
+DEAR = [pytest.param(*case, marks=pytest.mark.nightly) for case in EVERYWHERE if case not in SOME]
 everywhere = pytest.mark.parametrize(("name", "along"), [*SOME, *DEAR])
 
 
@@ -61,18 +61,18 @@ def shares(here: CondensedRows, kilohertz: float, k_y: float, count: int, incide
 @settings(max_examples=20, deadline=None)
 @given(cell=sites(), along=st.sampled_from(DIRECTIONS))
 def test_faces_never_turn_back_and_trapezoids_fit_between_them_and_a_straight_line(cell, along):
-    found = Rows(cell, along)
-    sides, period, wide = found.sides, found.period, float(found.step @ found.turn[0])
+    block = Rows(cell, along)
+    sides, period, wide = block.sides, block.period, float(block.step @ block.turn[0])
     assert (sides[:, 1, 1] > sides[:, 0, 1]).all()
     assert np.ptp(sides[..., 1]) == pytest.approx(period)
     assert sides[1:, 0] == pytest.approx(sides[:-1, 1])
     assert wide * period == pytest.approx(cell.area)
-    of_one = [one.position @ found.turn[0] for one in found.tiles[: len(cell.tiles)]]
-    assert np.ptp(of_one) < wide, "sites of a row have their place in it"
-    assert sum(one.tile.area for one in found.tiles) == pytest.approx(found.reach * cell.area)
-    if not found.is_straight:
-        left, right = (Filler(found, way) for way in (-1, 1))
-        areas = [sum(one.tile.area for one in filler.tiles) for filler in (left, right)]
+    of_row = [placed.position @ block.turn[0] for placed in block.tiles[: len(cell.tiles)]]
+    assert np.ptp(of_row) < wide, "sites of a row have their place in it"
+    assert sum(placed.tile.area for placed in block.tiles) == pytest.approx(block.reach * cell.area)
+    if not block.is_straight:
+        left, right = (Filler(block, way) for way in (-1, 1))
+        areas = [sum(placed.tile.area for placed in filler.tiles) for filler in (left, right)]
         assert sum(areas) == pytest.approx((right.line - left.line) * period)
 
 
@@ -84,7 +84,7 @@ def test_rows_and_what_leads_to_them_fill_a_strip_of_plate(name, along):
         assert isinstance(tiling, Tiling)
         assert len(period.tiles) == len(tiling.tiles)
     block = here.rows
-    assert sum(one.tile.area for one in block.tiles) == pytest.approx(block.reach * CELLS[name].area)
+    assert sum(placed.tile.area for placed in block.tiles) == pytest.approx(block.reach * CELLS[name].area)
     assert here.rows.reach == 1 or len(here.blocks) == here.rows.reach
 
 
@@ -99,7 +99,7 @@ BASES = [
 
 def ratio(cell: UnitCell, along: tuple[int, int], other: UnitCell, way: tuple[int, int]) -> int:
     """Rows of the first that one of the second is."""
-    wide = [Rows(*one).step @ Rows(*one).turn[0] for one in ((cell, along), (other, way))]
+    wide = [Rows(*basis).step @ Rows(*basis).turn[0] for basis in ((cell, along), (other, way))]
     return round(wide[1] / wide[0])
 
 
@@ -113,11 +113,11 @@ def test_one_structure_in_two_bases_has_equal_decay_and_transmission(cell, along
     assert fades[0] == pytest.approx(fades[1], rel=2e-3, abs=1e-6)
     assert fades[0].max() > 5
     for k_y in (0.0, 40.0):
-        one = shares(here, 56.0, k_y, 2 * times)
-        two = shares(there, 56.0, k_y, 2)
+        shares_here = shares(here, 56.0, k_y, 2 * times)
+        shares_there = shares(there, 56.0, k_y, 2)
         for name in ("transmitted", "reflected"):
-            expected = getattr(one, name)[times - 1 :: times]
-            assert expected == pytest.approx(getattr(two, name), abs=2e-3)
+            expected = getattr(shares_here, name)[times - 1 :: times]
+            assert expected == pytest.approx(getattr(shares_there, name), abs=2e-3)
 
 
 # --- energy -------------------------------------------------------------------------------------------------
@@ -130,18 +130,20 @@ def test_energy_is_conserved_on_every_lattice_in_every_direction(where, kilohert
     here = Interface.of(rows(CELLS[name], along), k_y)
     right, _ = here.plate_waves(kilohertz * KILOHERTZ)
     incident = tuple(f for f in FAMILIES if (right.labelled(f) & (right.harmonic == 0)).any())
-    found = here.scattering(kilohertz * KILOHERTZ, 3, incident)
-    assert np.abs(found.dissipated).max() < 1e-9
-    assert found.reflected.min() >= 0
+    scattering = here.scattering(kilohertz * KILOHERTZ, 3, incident)
+    assert np.abs(scattering.dissipated).max() < 1e-9
+    assert scattering.reflected.min() >= 0
 
 
 @everywhere
 def test_rows_of_plain_tiles_let_everything_through(name, along):
     here = rows(CELLS[name].without_pillar(), along, Resolution(3, 0))
     for k_y in (0.0, 50.0):
-        found = shares(here, 58.8, k_y, 3)
+        scattering = shares(here, 58.8, k_y, 3)
         for number, family in enumerate(FAMILIES):
-            assert found.transmitted[:, number, OUTGOING.index(family)] == pytest.approx(np.ones(3), abs=1e-4)
+            assert scattering.transmitted[:, number, OUTGOING.index(family)] == pytest.approx(
+                np.ones(3), abs=1e-4
+            )
 
 
 # --- complex bands ------------------------------------------------------------------------------------------
@@ -154,14 +156,14 @@ def test_waves_that_propagate_are_those_of_the_bands(name, along):
     right, left = bloch_waves(here.slab(phase).at(omega), omega)
     tiles = {tile.cell: tile for tile in here.blocks[-1][1].tiles}
     cell = CELLS[name]
-    pencil = lattice_pencil(Tiling.of(cell, cell.tiles, [tiles[one.tile] for one in cell.tiles]))
+    pencil = lattice_pencil(Tiling.of(cell, cell.tiles, [tiles[placed.tile] for placed in cell.tiles]))
     moving = 0
     for waves in (right, left):
         kappa = -1j * here.exponents(waves, phase)[waves.propagates]
         assert kappa.imag == pytest.approx(np.zeros(len(kappa)), abs=1e-6)
-        for one in here.rows.phases(phase, kappa.real):
-            found = np.sqrt(np.abs(eigenpairs(pencil, one, 16)[0]))
-            assert np.abs(found / omega - 1).min() < 1e-7
+        for phases in here.rows.phases(phase, kappa.real):
+            bands = np.sqrt(np.abs(eigenpairs(pencil, phases, 16)[0]))
+            assert np.abs(bands / omega - 1).min() < 1e-7
         moving += len(kappa)
     assert moving, "no wave propagates, and nothing was compared"
 
@@ -174,8 +176,8 @@ def test_a_row_more_takes_what_the_farthest_reaching_wave_loses(name, along, kil
     here, k_y, omega = rows(CELLS[name], along), 30.0, kilohertz * KILOHERTZ
     right, _ = bloch_waves(here.slab(k_y * here.rows.period).at(omega), omega)
     assert not right.propagates.any()
-    found = shares(here, kilohertz, k_y, 30).insulation
-    slope = (found[-1] - found[-21]) / 20
+    insulation = shares(here, kilohertz, k_y, 30).insulation
+    slope = (insulation[-1] - insulation[-21]) / 20
     assert slope.min() == pytest.approx(here.decay(right), rel=0.02)
 
 
@@ -184,7 +186,7 @@ def test_many_rows_are_a_mirror(name, along):
     """Also behind the plate that leads to a zigzag."""
     omega, here = 58.0 * KILOHERTZ, Interface.of(rows(CELLS[name], along), 30.0)
     right, left = here.plate_waves(omega)
-    before, behind = (one.at(omega) for one in here.ends)
+    before, behind = (end.at(omega) for end in here.ends)
     *_, stack = stacked(here.slab.at(omega), 15)
     slab = before.followed_by(stack).followed_by(behind).projected(here.trace)
     r, _ = scattered(slab, right.waves, left.waves, right.waves)

@@ -133,9 +133,9 @@ def frequencies(tile):
     return BlochModel.of(tile, Resolution(2, 1), 6, measured=False).frequencies(KAPPA)[:6]
 
 
-@pytest.mark.parametrize(("one", "other"), daily(list(SAME.values())[:4], *list(SAME.values())[1:3]))
-def test_one_outline_has_one_set_of_frequencies(one, other):
-    tiles = [UnitCell(LATTICES["square"], 1.5 * MM, ALUMINIUM, pillar) for pillar in (one, other)]
+@pytest.mark.parametrize(("pillar", "other"), daily(list(SAME.values())[:4], *list(SAME.values())[1:3]))
+def test_one_outline_has_one_set_of_frequencies(pillar, other):
+    tiles = [UnitCell(LATTICES["square"], 1.5 * MM, ALUMINIUM, each) for each in (pillar, other)]
     assert frequencies(tiles[0]) == pytest.approx(frequencies(tiles[1]), rel=1e-7)
 
 
@@ -161,14 +161,14 @@ def test_the_same_pillars_in_two_bases_have_the_same_frequencies():
         site=tuple(Site(at=(share, 0.5), pillar=tile.pillar) for share in (0.25, 0.75)),
     )
     model = BlochModel.of(pair, Resolution(3, 1), 12, measured=False)
-    found = model.frequencies(np.array([2 * KAPPA[0], KAPPA[1]]))[:12]
+    frequency = model.frequencies(np.array([2 * KAPPA[0], KAPPA[1]]))[:12]
     both = [
         BlochModel.of(tile, Resolution(3, 1), 6, measured=False).frequencies(KAPPA + np.array([turn, 0]))[:6]
         for turn in (0.0, math.pi)
     ]
     # the lowest six of both: they are complete below the highest of either
     wanted = np.sort(np.concatenate(both))[:6]
-    assert found[:6] == pytest.approx(wanted, rel=2e-4)
+    assert frequency[:6] == pytest.approx(wanted, rel=2e-4)
 
 
 @pytest.mark.parametrize(

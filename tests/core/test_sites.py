@@ -34,7 +34,7 @@ COARSE = Resolution(2, 1)
 
 def named(name, *pillars, pillar=None):
     """A cell of a lattice with a pillar on each site, or one on all of them."""
-    site = tuple(Site(pillar=one) for one in pillars)
+    site = tuple(Site(pillar=on_site) for on_site in pillars)
     return UnitCell(Lattice(lattice=name, pitch=PITCH), 1.5 * MM, ALUMINIUM, pillar, site)
 
 
@@ -69,7 +69,7 @@ def paths(name):
 @cache
 def whole(cell, order=2, steps=3, block=20):
     """The pencil before any reduction to a small basis, on the mesh that each tile has alone."""
-    tiles = [one.tile for one in cell.tiles]
+    tiles = [placed.tile for placed in cell.tiles]
     plans = meeting(tiles, [Resolution(order, 1).plan(tile, tile.area / cell.area) for tile in tiles])
     return lattice_pencil(Tiling.condensed(cell, plans, steps, block, measured=False))
 
@@ -97,19 +97,19 @@ def sites(draw, most=4):
 @given(sites())
 @settings(deadline=None)
 def test_tiles_fill_the_period_edge_to_edge(cell):
-    assert sum(one.tile.area for one in cell.tiles) == pytest.approx(cell.lattice.area, rel=1e-9)
-    tiles = [one.tile for one in cell.tiles]
-    plans = meeting(tiles, [COARSE.plan(one) for one in tiles])
+    assert sum(placed.tile.area for placed in cell.tiles) == pytest.approx(cell.lattice.area, rel=1e-9)
+    tiles = [placed.tile for placed in cell.tiles]
+    plans = meeting(tiles, [COARSE.plan(tile) for tile in tiles])
     joint = TiledMesh.of(cell, plans).joint  # refuses edges that do not meet
     apart = joint.position - joint.shift @ cell.lattice.vectors - joint.position[joint.master]
     assert np.abs(apart).max() < 1e-6 * cell.lattice.pitch
-    for one in cell.tiles:
-        corners = one.points(np.column_stack([one.tile.corners, np.zeros(len(one.tile.corners))]))[:, :2]
+    for site in cell.tiles:
+        corners = site.points(np.column_stack([site.tile.corners, np.zeros(len(site.tile.corners))]))[:, :2]
         for n in (-1, 0, 1):
             for m in (-1, 0, 1):
                 for share in cell.shares:
                     away = np.linalg.norm(corners - (share + np.array([n, m])) @ cell.lattice.vectors, axis=1)
-                    own = np.linalg.norm(corners - one.position, axis=1)
+                    own = np.linalg.norm(corners - site.position, axis=1)
                     assert (away > own * (1 - 1e-6)).all(), "a corner is nearest to its own site"
 
 
@@ -119,7 +119,7 @@ def test_tiles_fill_the_period_edge_to_edge(cell):
 )
 def test_equal_tiles_are_one_object(name, distinct, sides):
     """Triangles, rhombi and squares: turned ones are condensed once."""
-    tiles = [one.tile for one in CELLS[name].tiles]
+    tiles = [placed.tile for placed in CELLS[name].tiles]
     assert len({id(tile) for tile in tiles}) == distinct
     assert {len(tile.corners) for tile in tiles} == {sides}
 
@@ -129,26 +129,26 @@ def test_turned_tiles_have_the_bands_of_tiles_in_the_axes_of_the_cell(name):
     """Condensed once and turned, or each by itself on a mesh of its own orientation."""
     cell = CELLS[name]
     upright = []
-    for number, one in enumerate(cell.tiles):
+    for number, placed in enumerate(cell.tiles):
         outline = tuple((float(x), float(y)) for x, y in cell.outlines[number])
-        tile = replace(one.tile, outline=outline)
-        upright.append(PlacedTile(tile, np.eye(3), one.position))
-    plans = [COARSE.plan(one.tile) for one in upright]
+        tile = replace(placed.tile, outline=outline)
+        upright.append(PlacedTile(tile, np.eye(3), placed.position))
+    plans = [COARSE.plan(placed.tile) for placed in upright]
     alone = replace(cell)
     alone.__dict__["tiles"] = tuple(upright)
-    assert any(one.is_turned for one in cell.tiles)
-    found, expected = (
+    assert any(placed.is_turned for placed in cell.tiles)
+    frequency, expected = (
         np.sqrt(
-            eigenpairs(PhasedPencil.of(Tiling.condensed(one, plans, 4, 20, measured=False)), INSIDE, 8)[0]
+            eigenpairs(PhasedPencil.of(Tiling.condensed(each, plans, 4, 20, measured=False)), INSIDE, 8)[0]
         )
-        for one in (cell, alone)
+        for each in (cell, alone)
     )
-    assert found == pytest.approx(expected, rel=1e-5)
+    assert frequency == pytest.approx(expected, rel=1e-5)
 
 
 def test_a_material_that_may_not_be_turned_keeps_its_axes():
     cell = replace(CELLS["kagome"], material=PLY)
-    assert all(np.array_equal(np.abs(one.turn), np.eye(3)) for one in cell.tiles)
+    assert all(np.array_equal(np.abs(placed.turn), np.eye(3)) for placed in cell.tiles)
     assert len(cell.point_group) == 4
 
 
@@ -229,8 +229,8 @@ def test_a_honeycomb_of_equal_pillars_is_degenerate_at_the_corner_to_rounding():
     near.sort()
     gaps = np.diff(near) / np.abs(values).max()
     assert (gaps < 1e-13).sum() >= 6, "pairs"
-    found = model("honeycomb", 2, 0).solve(K).frequency
-    assert found[2] == pytest.approx(found[1], rel=1e-5)
+    frequency = model("honeycomb", 2, 0).solve(K).frequency
+    assert frequency[2] == pytest.approx(frequency[1], rel=1e-5)
 
 
 def test_unequal_pillars_open_a_gap_at_the_corner_in_proportion():
@@ -277,12 +277,12 @@ def test_the_group_is_that_of_lattice_and_sites(name, order, half_turn):
 @given(sites(2), st.floats(0.3, 0.6), st.floats(0.5, 2.0), st.floats(0.2, 0.4))
 @settings(max_examples=1, deadline=None)
 def test_bands_of_any_sites_have_the_symmetry_of_their_group(cell, width, height, plate):
-    room = 2 * min(one.tile.inradius for one in cell.tiles)
+    room = 2 * min(placed.tile.inradius for placed in cell.tiles)
     pillar = Pillar(width * room, height * room)
     cell = replace(
         cell,
         thickness=max(plate * cell.inradius, 0.01 * cell.lattice.pitch),
-        site=tuple(replace(one, pillar=pillar if n % 2 == 0 else None) for n, one in enumerate(cell.site)),
+        site=tuple(replace(site, pillar=pillar if n % 2 == 0 else None) for n, site in enumerate(cell.site)),
     )
     expected = hertz(cell, INSIDE, 6, 2, 2, 10)
     images = [np.linalg.inv(np.array(operation)).T @ INSIDE for operation in cell.point_group.operations]
@@ -332,10 +332,10 @@ def test_the_estimates_hold_against_a_finer_mesh(name):
     """Order 4 errs by a part of what order 3 does."""
     coarse, fine = model(name), model(name, 4)
     for kappa in (INSIDE, *list(CELLS[name].zone.corner_phases.values())[1:3]):
-        one, other = coarse.solve(kappa), fine.solve(kappa)
-        away = np.abs(one.frequency - other.frequency)
-        assert (away <= one.error + other.error).all()
-        assert (away > 0.01 * one.error).any(), "and they are not far too large"
+        solution, better = coarse.solve(kappa), fine.solve(kappa)
+        away = np.abs(solution.frequency - better.frequency)
+        assert (away <= solution.error + better.error).all()
+        assert (away > 0.01 * solution.error).any(), "and they are not far too large"
 
 
 @pytest.mark.nightly
@@ -344,9 +344,11 @@ def test_the_estimates_hold_against_a_finer_mesh(name):
     ["kagome", "unequal honeycomb", "glide"],
 )
 def test_no_band_is_missing(name):
-    found = model(name)
-    level = 0.5 * float(found.solve(np.zeros(2)).frequency[3] + found.solve(np.zeros(2)).frequency[-1])
-    checked, missed = count_check(found, [level, 0.7 * level, 1.05 * level])
+    the_model = model(name)
+    level = 0.5 * float(
+        the_model.solve(np.zeros(2)).frequency[3] + the_model.solve(np.zeros(2)).frequency[-1]
+    )
+    checked, missed = count_check(the_model, [level, 0.7 * level, 1.05 * level])
     assert checked > 0
     assert missed == 0
 
@@ -360,11 +362,11 @@ def test_a_tile_needs_its_share_of_the_bands_inside(name):
     """With an interior for all of them in each tile 24 bands of a Lieb lattice were foreseen to take 96 s."""
     cell, count = CELLS[name], 20
     asked = COARSE.for_bands(cell, count)
-    found = BlochModel.of(cell, asked, count, measured=False)
-    truncation, _ = largest_truncation(found.fine.tiling, count)
+    the_model = BlochModel.of(cell, asked, count, measured=False)
+    truncation, _ = largest_truncation(the_model.fine.tiling, count)
     assert truncation < TRUSTED_TRUNCATION
     more = BlochModel.of(cell, asked.grown(), count, measured=False).solve(INSIDE)
-    away = found.solve(INSIDE).frequency - more.frequency
+    away = the_model.solve(INSIDE).frequency - more.frequency
     assert (np.abs(away) <= truncation * more.frequency).all()
     alone = COARSE.for_bands(reference_cell(), count)
     assert asked.steps * asked.block < 0.7 * alone.steps * alone.block
@@ -385,7 +387,7 @@ def test_empty_sites_leave_the_waves_of_a_plate(name):
         ALUMINIUM,
     )
     for kappa in (INSIDE, *list(cell.zone.corner_phases.values())[1:]):
-        found = plain.solve(kappa)
+        solution = plain.solve(kappa)
         exact = plain_plate(alike, kappa, 8)
-        assert (np.abs(found.frequency - exact) <= found.error).all()
-        assert (np.abs(found.frequency - exact) < 5e-3 * exact.max()).all()
+        assert (np.abs(solution.frequency - exact) <= solution.error).all()
+        assert (np.abs(solution.frequency - exact) < 5e-3 * exact.max()).all()

@@ -77,8 +77,8 @@ def test_any_cell_is_filled_once_and_moved_by_its_operations(lattice, width, hei
 def test_plain_plates_of_any_lattice_have_their_waves_folded(lattice):
     plain = UnitCell(lattice, 1.5e-3, ALUMINIUM)
     for kappa in (*list(plain.zone.corner_phases.values())[1:], np.array([0.7, -1.3])):
-        found = model(plain).solve(kappa)
-        assert (np.abs(found.frequency - plain_plate(plain, kappa, 10)) <= found.error).all()
+        solution = model(plain).solve(kappa)
+        assert (np.abs(solution.frequency - plain_plate(plain, kappa, 10)) <= solution.error).all()
 
 
 @pytest.mark.nightly
@@ -89,15 +89,15 @@ def test_a_centred_lattice_is_a_rectangle_with_two_pillars(sides):
     pillars = {(0, 0): cell.pillar, (0.5, 0): None, (0, 0.5): None, (0.5, 0.5): cell.pillar}
     sites = tuple(Site(at=at, pillar=pillar) for at, pillar in pillars.items())
     quarters = replace(cell, lattice=Lattice.rectangular(*sides), pillar=None, site=sites)
-    assert all(one.tile.is_upright for one in quarters.tiles)
+    assert all(placed.tile.is_upright for placed in quarters.tiles)
     tiling = Tiling.condensed(quarters, Resolution(4, 1).plans(quarters), 3, 20, measured=False)
     k = np.array([60.0, 95.0])
     values, _ = eigenpairs(lattice_pencil(tiling), k * sides, 12)
-    found = [
+    solutions = [
         model(cell).solve(cell.lattice.vectors @ (k + turn)) for turn in ([0, 0], [2 * np.pi / sides[0], 0])
     ]
-    frequency = np.concatenate([one.frequency for one in found])
-    error = np.concatenate([one.error for one in found])[np.argsort(frequency)][:12]
+    frequency = np.concatenate([solution.frequency for solution in solutions])
+    error = np.concatenate([solution.error for solution in solutions])[np.argsort(frequency)][:12]
     assert (np.abs(np.sort(frequency)[:12] - np.sqrt(values) / (2 * np.pi)) <= error).all()
 
 
@@ -118,10 +118,10 @@ FINER = {  # Hz by phases / pi, with order 5 and three rings at the foot
 
 @pytest.mark.parametrize("order", daily([3, 4, 5], 3))
 def test_the_truth_is_within_the_estimates_of_a_stout_pillar(order):
-    found = BlochModel.of(STOUT, Resolution(order, 1, 4, 24), 10, measured=False)
+    the_model = BlochModel.of(STOUT, Resolution(order, 1, 4, 24), 10, measured=False)
     ratios = []
     for phases, exact in FINER.items():
-        solution = found.solve(np.pi * np.array(phases))
+        solution = the_model.solve(np.pi * np.array(phases))
         ratios.append(solution.error / np.abs(solution.frequency - exact))
     assert np.min(ratios) > 1
     assert np.median(ratios) < 20
@@ -155,10 +155,10 @@ def test_a_longer_translation_spans_the_same_lattice():
 def test_a_triangular_lattice_is_an_oblique_one_of_equal_pitches(lattice):
     """With fewer symmetries the basis differs, so the two agree within the error of one."""
     k = np.array([130.0, 210.0])
-    expected, found = (
+    expected, solution = (
         model(replace(CELL, lattice=each)).solve(each.vectors @ k) for each in (LATTICE, lattice)
     )
-    assert (np.abs(found.frequency - expected.frequency) < expected.error).all()
+    assert (np.abs(solution.frequency - expected.frequency) < expected.error).all()
 
 
 @pytest.mark.parametrize("order", [3, 4])
@@ -167,10 +167,10 @@ def test_a_triangular_lattice_is_an_oblique_one_of_equal_pitches(lattice):
 def test_a_plain_plate_has_its_waves_folded_into_the_zone(order, share, side):
     """Rayleigh's and Lamb's waves, and shear ones, within the estimates."""
     kappa = share * PLAIN.zone.corner_phases[side]
-    found = model(PLAIN, order).solve(kappa)
+    solution = model(PLAIN, order).solve(kappa)
     exact = plain_plate(PLAIN, kappa, 10)
-    assert (np.abs(found.frequency - exact) <= found.error).all()
-    assert (np.abs(found.frequency - exact) < (6e-3 if order == 3 else 1.5e-3) * exact.max()).all()
+    assert (np.abs(solution.frequency - exact) <= solution.error).all()
+    assert (np.abs(solution.frequency - exact) < (6e-3 if order == 3 else 1.5e-3) * exact.max()).all()
 
 
 def test_pairs_of_the_six_fold_axis_and_of_the_corner_are_pairs():
@@ -220,9 +220,9 @@ def test_a_material_with_two_mirrors_leaves_a_larger_zone():
     assert len(cell.point_group) == 4
     assert [label for label, _ in cell.zone.corners] == ["Γ", "M", "K", "M\N{PRIME}", "K\N{PRIME}"]
     plain = cell.without_pillar()
-    found = BlochModel.of(plain, Resolution(3, 1), 8)
+    the_model = BlochModel.of(plain, Resolution(3, 1), 8)
     for kappa in list(cell.zone.corner_phases.values())[1:]:
-        solution = found.solve(kappa)
+        solution = the_model.solve(kappa)
         assert (np.abs(solution.frequency - plain_plate(plain, kappa, 8)) <= solution.error).all()
 
 

@@ -86,9 +86,9 @@ def shares(here, kilohertz, along, count=3, loss_factor=0.0):
 class TestLayers:
     @pytest.mark.parametrize("along", [0.0, OBLIQUE])
     def test_a_mesh_of_plain_plate_lets_every_plate_wave_through(self, rows, along):
-        found = shares(rows("plate"), 40.0, along)
+        scattering = shares(rows("plate"), 40.0, along)
         for number, family in enumerate(FAMILIES):
-            assert found.transmitted[:, number, OUTGOING.index(family)] == pytest.approx(1.0, abs=1e-4)
+            assert scattering.transmitted[:, number, OUTGOING.index(family)] == pytest.approx(1.0, abs=1e-4)
 
     def test_waves_of_a_plain_mesh_are_plate_waves(self, rows):
         """Those that propagate, and the flexural one that decays along the normal."""
@@ -118,20 +118,20 @@ class TestLayers:
         return np.concatenate([*through, attenuation(here, np.array([30.0 * KILOHERTZ]), np.array([2.0]))[0]])
 
     def test_energy_is_conserved_and_conversions_go_both_ways(self, rows):
-        found = shares(rows("pillar"), 45.0, OBLIQUE)
-        assert np.abs(found.dissipated).max() < 1e-9
-        own = found.transmitted[:, :, : len(FAMILIES)]
+        scattering = shares(rows("pillar"), 45.0, OBLIQUE)
+        assert np.abs(scattering.dissipated).max() < 1e-9
+        own = scattering.transmitted[:, :, : len(FAMILIES)]
         assert own == pytest.approx(own.swapaxes(1, 2), abs=1e-6)
         assert own[2, 0, 1] > 1e-4  # A0 to S0: pillars on one face convert
 
     def test_a_cell_lets_through_one_way_what_its_mirror_image_lets_through_the_other(self, rows):
         """Reciprocity: from the left through a cell as from the left through its image, the families
         exchanged."""
-        one, other = (shares(rows(name), 45.0, 0.0) for name in ("corner", "mirrored"))
+        corner, mirrored = (shares(rows(name), 45.0, 0.0) for name in ("corner", "mirrored"))
         families = slice(len(FAMILIES))
-        image = other.transmitted[:, :, families].swapaxes(1, 2)
-        assert one.transmitted[:, :, families] == pytest.approx(image, abs=1e-6)
-        assert np.abs(one.reflected - other.reflected).max() > 1e-3
+        image = mirrored.transmitted[:, :, families].swapaxes(1, 2)
+        assert corner.transmitted[:, :, families] == pytest.approx(image, abs=1e-6)
+        assert np.abs(corner.reflected - mirrored.reflected).max() > 1e-3
 
     def test_waves_that_propagate_are_those_of_the_bands(self, rows):
         here, phase, omega = rows("corner"), 0.7, 30.0 * KILOHERTZ
@@ -142,8 +142,8 @@ class TestLayers:
         for waves in (right, left):
             kappa = -1j * here.exponents(waves, phase)[waves.propagates]
             for phases in here.rows.phases(phase, kappa.real):
-                found = np.sqrt(np.abs(eigenpairs(pencil, phases, 10)[0]))
-                assert np.abs(found / omega - 1).min() < 1e-7
+                bands = np.sqrt(np.abs(eigenpairs(pencil, phases, 10)[0]))
+                assert np.abs(bands / omega - 1).min() < 1e-7
             moving += len(kappa)
         assert moving
 
@@ -160,12 +160,12 @@ class TestLayers:
     def test_a_drawn_pillar_lets_through_what_its_block_mesh_does(self, tmp_path, lattice, along):
         """Also where a slab is several rows, and behind the plate that leads to a zigzag."""
         blocks, solids = drawn(tmp_path, lattice, ROUND)
-        found = [
+        insulations = [
             np.concatenate([shares(here, kilohertz, OBLIQUE).insulation for kilohertz in (30.0, 60.0)])
             for here in (CondensedRows.of(cell, Resolution(3, 1), along) for cell in (blocks, solids))
         ]
-        assert found[1] == pytest.approx(found[0], abs=0.15)
-        assert found[0].max() > 5
+        assert insulations[1] == pytest.approx(insulations[0], abs=0.15)
+        assert insulations[0].max() > 5
 
 
 STRIP = UnitCell(SQUARE, THICKNESS, ALUMINIUM)
@@ -179,14 +179,14 @@ class TestRibbons:
     @pytest.mark.nightly
     def test_a_strip_of_mesh_and_plain_plate_has_its_guided_waves(self, cells):
         """Two columns, one from a mesh, against polynomials over the section of the whole strip."""
-        found = ribbon_modes((cells("plate"), STRIP), 0.9, 45e3, Resolution(3, 0))
+        modes = ribbon_modes((cells("plate"), STRIP), 0.9, 45e3, Resolution(3, 0))
         zone = 2 * np.pi / (7 * MM)
         waves = [strip_waves(14 * MM, THICKNESS, 0.9 / (7 * MM) + shift * zone) for shift in (-1, 0)]
         exact = np.sort(np.concatenate(waves))
         exact = exact[(exact > 5e3) & (exact < 45e3)]
-        assert len(found.frequency) == len(exact) == 3
-        assert (np.abs(found.frequency - exact) <= found.error + 1e-5 * exact).all()
-        assert found.frequency == pytest.approx(exact, rel=1e-3)
+        assert len(modes.frequency) == len(exact) == 3
+        assert (np.abs(modes.frequency - exact) <= modes.error + 1e-5 * exact).all()
+        assert modes.frequency == pytest.approx(exact, rel=1e-3)
 
     @pytest.mark.nightly
     def test_pillars_of_a_mesh_hold_the_waves_that_those_of_blocks_do(self, cells):
@@ -199,12 +199,12 @@ class TestRibbons:
         assert share[0] == pytest.approx(share[1], abs=0.05)
 
     def test_a_ribbon_and_its_mirror_image_have_the_same_waves(self, cells):
-        one = ribbon_modes((cells("corner"), STRIP), 1.3, 45e3)
+        modes = ribbon_modes((cells("corner"), STRIP), 1.3, 45e3)
         other = ribbon_modes((STRIP, cells("mirrored")), 1.3, 45e3)
-        assert one.frequency == pytest.approx(other.frequency, rel=1e-6)
-        assert one.energy[:, 0] == pytest.approx(other.energy[:, 0, ::-1], rel=1e-3)
+        assert modes.frequency == pytest.approx(other.frequency, rel=1e-6)
+        assert modes.energy[:, 0] == pytest.approx(other.energy[:, 0, ::-1], rel=1e-3)
         wrong = ribbon_modes((STRIP, cells("corner")), 1.3, 45e3)
-        assert np.abs(one.frequency / wrong.frequency - 1).max() > 1e-5
+        assert np.abs(modes.frequency / wrong.frequency - 1).max() > 1e-5
 
 
 class TestGuides:
@@ -228,5 +228,5 @@ class TestGuides:
         strip = UnitCell(Lattice.rectangular(half, 7 * MM), THICKNESS, ALUMINIUM)
         columns = (*[cells("pillar")] * 5, strip, strip, *[cells("pillar")] * 5)
         model = RibbonModel.of(Ribbon(columns), COARSE)
-        found = model.frequencies(self.PHASE, 36e3, 40e3)
-        assert np.abs(found / (1e3 * self.FREQUENCY) - 1).min() < 2e-3
+        frequencies = model.frequencies(self.PHASE, 36e3, 40e3)
+        assert np.abs(frequencies / (1e3 * self.FREQUENCY) - 1).min() < 2e-3

@@ -119,14 +119,14 @@ def test_elements_are_not_inside_out(name):
 @pytest.mark.parametrize("name", ["hole", "coated inclusion", "cap", "both faces"])
 def test_frequencies_are_those_of_the_whole_mesh(name):
     """Folded and condensed, against whole matrices of one mesh, which is as coarse as its blocks allow."""
-    one = CELLS[name]
-    plan = replace(MeshPlan.suited(one, 2, 0), order=3, outward=2, upward=2, along=2, thin=2)
-    mesh = mesh_cell(one, plan)
-    tile = condense_by_parts(one, plan, 4, block=20, measured=False)
+    cell = CELLS[name]
+    plan = replace(MeshPlan.suited(cell, 2, 0), order=3, outward=2, upward=2, along=2, thin=2)
+    mesh = mesh_cell(cell, plan)
+    tile = condense_by_parts(cell, plan, 4, block=20, measured=False)
     condensed = np.sqrt(eigenpairs(bloch_pencil(Tiling.single(tile)), KAPPA, 8)[0]) / (2 * np.pi)
-    through = through_levels(one, mesh, tile.levels)
-    P = periodic_projection(mesh.points, one.lattice.vectors, KAPPA, through, mesh.topology.rim)
-    assert condensed == pytest.approx(frequencies(*assembled(mesh, *one.solids), P, 8), rel=2e-4)
+    through = through_levels(cell, mesh, tile.levels)
+    P = periodic_projection(mesh.points, cell.lattice.vectors, KAPPA, through, mesh.topology.rim)
+    assert condensed == pytest.approx(frequencies(*assembled(mesh, *cell.solids), P, 8), rel=2e-4)
 
 
 @pytest.mark.parametrize(
@@ -135,16 +135,16 @@ def test_frequencies_are_those_of_the_whole_mesh(name):
 )
 def test_discs_through_the_plate_part_waves_by_parity(name):
     """A mode is its image or the opposite; a slight draft, which needs the whole mesh, changes little."""
-    one = CELLS[name]
-    model, solution = model_of(one), solved(one)
+    cell = CELLS[name]
+    model, solution = model_of(cell), solved(cell)
     parity = model.fine.parity(solution.modes)
     assert set(parity) == {1, -1}
     moved = model.displacement(solution)
     image = moved[model.fine.tiling.meshes[0].topology.image] * THROUGH[:, None] * parity
     assert np.abs(image - moved).max() < 1e-9 * np.abs(moved).max()
-    drafted = replace(one, disc=tuple(replace(disc, draft=1e-7) for disc in one.disc))
+    drafted = replace(cell, disc=tuple(replace(disc, draft=1e-7) for disc in cell.disc))
     assert not model_of(drafted).fine.parity(solved(drafted).modes).any()
-    TestIdentities.agree(one, drafted, 0.7)
+    TestIdentities.agree(cell, drafted, 0.7)
 
 
 def test_only_prisms_through_the_plate_are_their_images():
@@ -168,8 +168,8 @@ class TestIdentities:
     """Two ways to say one thing have frequencies that differ by less than both errors."""
 
     @staticmethod
-    def agree(one, other, share=1.0):
-        mine, its = solved(one), solved(other)
+    def agree(cell, other, share=1.0):
+        mine, its = solved(cell), solved(other)
         assert (np.abs(mine.frequency - its.frequency) < share * (mine.error + its.error)).all()
 
     def test_a_disc_on_the_plate_is_a_pillar(self):
@@ -237,9 +237,9 @@ class TestIdentities:
     @given(factor=st.floats(0.01, 100.0))
     @settings(max_examples=1, deadline=None)
     def test_frequencies_fall_as_sizes_grow(self, factor):
-        one = CELLS["blind hole"]
-        scaled = solved(one.scaled(factor)).frequency * factor
-        assert scaled == pytest.approx(solved(one).frequency, rel=1e-6)
+        cell = CELLS["blind hole"]
+        scaled = solved(cell.scaled(factor)).frequency * factor
+        assert scaled == pytest.approx(solved(cell).frequency, rel=1e-6)
 
     @pytest.mark.nightly
     def test_two_sites_alike_are_a_lattice_of_half_the_pitch(self):
@@ -256,7 +256,7 @@ class TestIdentities:
         many = BlochModel.of(large, COARSE, 10, measured=False).solve(np.zeros(2))
         few = BlochModel.of(small, COARSE, 8, measured=False)
         both = [few.solve(np.array(kappa)) for kappa in ((0.0, 0.0), (np.pi, np.pi))]
-        expected = np.sort(np.concatenate([one.frequency for one in both]))[:10]
+        expected = np.sort(np.concatenate([solution.frequency for solution in both]))[:10]
         assert many.frequency[3:] == pytest.approx(expected[3:], rel=4e-3)
 
 
@@ -264,13 +264,13 @@ def test_the_trace_resolves_stress_of_an_interface_near_the_side():
     disc = Disc(6.1 * MM, material=replace(STEEL, youngs_modulus=411e9), draft=0.15)
     near = UnitCell(Lattice.square(PITCH), 5 * MM, ALUMINIUM, disc=(disc,))
     plan = Resolution(3, 1).plan(near)
-    found, better = (
+    solution, better = (
         BlochModel.of(near, COARSE, 8, measured=False, whole=Tiling.condensed(near, (used,), 2, 10)).solve(
             KAPPA
         )
         for used in (plan, replace(plan, near_rim=plan.near_rim + 2))
     )
-    assert (np.abs(found.frequency - better.frequency) < 0.3 * found.error).all()
+    assert (np.abs(solution.frequency - better.frequency) < 0.3 * solution.error).all()
 
 
 class TestBordersOfCones:
@@ -400,8 +400,8 @@ class TestRefusals:
 def test_a_square_hole_in_a_round_inclusion_is_sound_on_a_triangular_lattice():
     """Blocks of each border alone were sound, the rings between the two were not."""
     discs = Disc(5 * MM, material=STEEL), Disc(3 * MM, section="square", empty=True)
-    one = UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, disc=discs)
-    mesh = FoldedMesh.of(one, MeshPlan.suited(one, 2, 0))
+    cell = UnitCell(Lattice.triangular(PITCH), THICKNESS, ALUMINIUM, disc=discs)
+    mesh = FoldedMesh.of(cell, MeshPlan.suited(cell, 2, 0))
     steel = STEEL.density * (np.pi / 4 * 25 - 9) * MM**2 * THICKNESS
-    metal = ALUMINIUM.density * (one.lattice.area - np.pi / 4 * 25 * MM**2) * THICKNESS
+    metal = ALUMINIUM.density * (cell.lattice.area - np.pi / 4 * 25 * MM**2) * THICKNESS
     assert mesh.nodal_mass.sum() == pytest.approx(steel + metal, rel=1e-4)

@@ -66,18 +66,18 @@ def test_waves_are_those_of_the_whole_mesh(name):
     assert ribbon.kind == "strip"
     exact = of_whole_mesh(ribbon, 0.7, 6)
     high = 0.5 * (exact[-1] + exact[-2])
-    found = hertz(ribbon, 0.7, 0.5 * exact[0], high, COARSE)
-    assert len(found) == len(exact) - 1
-    assert (found > exact[:-1] * (1 - 1e-7)).all(), "condensation restricts the motion"
-    assert found == pytest.approx(exact[:-1], rel=1e-4)
+    frequency = hertz(ribbon, 0.7, 0.5 * exact[0], high, COARSE)
+    assert len(frequency) == len(exact) - 1
+    assert (frequency > exact[:-1] * (1 - 1e-7)).all(), "condensation restricts the motion"
+    assert frequency == pytest.approx(exact[:-1], rel=1e-4)
 
 
 @pytest.mark.nightly
 def test_waves_of_pillars_are_those_of_the_whole_mesh():
     ribbon = Ribbon((SQUARE,))
     exact = of_whole_mesh(ribbon, 0.7, 4, Resolution(3, 0))
-    found = hertz(ribbon, 0.7, 0.5 * exact[0], 1.01 * exact[-1], Resolution(3, 0))
-    assert found == pytest.approx(exact, rel=1e-3)
+    frequency = hertz(ribbon, 0.7, 0.5 * exact[0], 1.01 * exact[-1], Resolution(3, 0))
+    assert frequency == pytest.approx(exact, rel=1e-3)
 
 
 # --- identities and exact waves -----------------------------------------------------------------------------
@@ -90,13 +90,13 @@ def test_discs_of_the_plates_own_material_leave_the_exact_waves_of_a_bare_strip(
     ribbon = Ribbon((plate,) * columns)
     assert ribbon.kind == "strip"
     kappa, zone = 0.9, 2 * np.pi / (4 * MM)
-    found = RibbonModel.of(ribbon, Resolution(3, 0)).solve(kappa, 5e3, 300e3)
+    modes = RibbonModel.of(ribbon, Resolution(3, 0)).solve(kappa, 5e3, 300e3)
     waves = [strip_waves(columns * 4 * MM, 1.5 * MM, kappa / (4 * MM) + n * zone) for n in (-1, 0, 1)]
     exact = np.sort(np.concatenate(waves))
     exact = exact[(exact > 5e3) & (exact < 300e3)]
-    assert len(found.frequency) == len(exact) >= 4
-    assert (np.abs(found.frequency - exact) <= found.error + 1e-5 * exact).all()
-    assert found.frequency == pytest.approx(exact, rel=4e-3)
+    assert len(modes.frequency) == len(exact) >= 4
+    assert (np.abs(modes.frequency - exact) <= modes.error + 1e-5 * exact).all()
+    assert modes.frequency == pytest.approx(exact, rel=4e-3)
 
 
 def test_columns_of_one_site_are_one_column_of_several():
@@ -105,9 +105,9 @@ def test_columns_of_one_site_are_one_column_of_several():
         sites = tuple(Site(at=(0.5 * n, 0.0), **feature) for n in range(2))
         wide = Ribbon((on(Lattice.rectangular(14 * MM, 7 * MM), site=sites),))
         strip = Ribbon((on(Lattice.square(7 * MM), **feature),) * 2)
-        one, other = (hertz(ribbon, 0.9, 2e3, 80e3, COARSE) for ribbon in (strip, wide))
-        assert len(one) > 5
-        assert other == pytest.approx(one, rel=1e-3)
+        of_strip, of_wide = (hertz(ribbon, 0.9, 2e3, 80e3, COARSE) for ribbon in (strip, wide))
+        assert len(of_strip) > 5
+        assert of_wide == pytest.approx(of_strip, rel=1e-3)
 
 
 def test_a_strip_and_its_mirror_image_have_the_same_waves():
@@ -118,9 +118,11 @@ def test_a_strip_and_its_mirror_image_have_the_same_waves():
         site = tuple(Site(at=(0.5 * n, 0.0), pillar=pillar) for n, pillar in enumerate(order))
         return Ribbon((on(Lattice.rectangular(14 * MM, 7 * MM), site=site),) * 2)
 
-    one, other = (hertz(strip(*order), 0.9, 5e3, 40e3, COARSE) for order in (pillars, pillars[::-1]))
-    assert len(one) > 4
-    assert other == pytest.approx(one, rel=1e-6)
+    frequencies, of_image = (
+        hertz(strip(*order), 0.9, 5e3, 40e3, COARSE) for order in (pillars, pillars[::-1])
+    )
+    assert len(frequencies) > 4
+    assert of_image == pytest.approx(frequencies, rel=1e-6)
 
 
 @pytest.mark.nightly
@@ -129,11 +131,11 @@ def test_errors_bound_the_distance_to_a_finer_mesh():
     width, height = draw.uniform([2 * MM, 2 * MM], [4.5 * MM, 9 * MM])
     cell = on(Lattice.square(7 * MM), pillar=Pillar(width, height))
     ribbon, kappa = Ribbon((cell,) * int(draw.integers(1, 3))), draw.uniform(0.1, 3.0)
-    found = RibbonModel.of(ribbon, Resolution(3, 1)).solve(kappa, 2e3, 70e3)
-    ends = 0.97 * found.frequency.min(), 1.002 * found.frequency.max()
-    exact = hertz(ribbon, kappa, *ends, Resolution(4, 2))[: len(found.frequency)]
+    modes = RibbonModel.of(ribbon, Resolution(3, 1)).solve(kappa, 2e3, 70e3)
+    ends = 0.97 * modes.frequency.min(), 1.002 * modes.frequency.max()
+    exact = hertz(ribbon, kappa, *ends, Resolution(4, 2))[: len(modes.frequency)]
     assert len(exact) == 7
-    assert (np.abs(found.frequency - exact) < found.error).all()
+    assert (np.abs(modes.frequency - exact) < modes.error).all()
 
 
 # --- waves of free edges ------------------------------------------------------------------------------------
@@ -143,10 +145,10 @@ def test_waves_between_the_bulk_bands_are_those_of_the_free_edges():
     """In the gap of the crystal a wide strip has waves at its edges only, in pairs of equal frequency."""
     strip = Ribbon((SQUARE,) * 8)
     bulk = bulk_bands(BlochModel.of(SQUARE, COARSE, 10, measured=False), strip, [2.0])
-    found = RibbonModel.of(strip, COARSE).solve(2.0, 20e3, 90e3)
-    apart = in_gap(replace(found, error=3e-3 * found.frequency), bulk)  # more than phases across leave out
+    modes = RibbonModel.of(strip, COARSE).solve(2.0, 20e3, 90e3)
+    apart = in_gap(replace(modes, error=3e-3 * modes.frequency), bulk)  # more than phases across leave out
     assert np.argwhere(strip.guide).tolist() == [[0, 0], [0, 7]]
-    assert within(found.energy, strip.guide)[apart].min() > 0.8
-    pairs = found.frequency[apart].reshape(-1, 2)
+    assert within(modes.energy, strip.guide)[apart].min() > 0.8
+    pairs = modes.frequency[apart].reshape(-1, 2)
     assert len(pairs)
     assert np.ptp(pairs, axis=1).max() < 1e-3 * pairs.min()

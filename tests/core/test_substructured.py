@@ -96,24 +96,24 @@ def free_frequencies(body, count):
 @pytest.mark.parametrize("material", [ALUMINIUM, PLY], ids=["isotropic", "orthotropic"])
 @pytest.mark.parametrize("section", ["round", "square"])
 def test_a_free_shaft_has_six_motions_at_rest(section, material):
-    found = free_frequencies(pillar_body(material, section), 8)
-    assert (found[:6] < 1e-4 * found[6]).all()
-    assert found[6] > 1e3
+    frequency = free_frequencies(pillar_body(material, section), 8)
+    assert (frequency[:6] < 1e-4 * frequency[6]).all()
+    assert frequency[6] > 1e3
 
 
 def test_a_round_shaft_twists_at_the_speed_of_shear():
-    found = free_frequencies(pillar_body(), 30)
+    frequency = free_frequencies(pillar_body(), 30)
     for halves in (1, 2, 3):
         expected = halves * ALUMINIUM.shear_speed / (2 * LENGTH)
-        assert np.abs(found / expected - 1).min() < 1e-8
+        assert np.abs(frequency / expected - 1).min() < 1e-8
 
 
 @pytest.mark.parametrize("section", ["round", "square"])
 def test_without_lateral_contraction_a_shaft_stretches_like_a_string(section):
-    found = free_frequencies(pillar_body(CORK, section), 40)
+    frequency = free_frequencies(pillar_body(CORK, section), 40)
     for halves in (1, 2, 3):
         expected = halves * np.sqrt(70e9 / 2700.0) / (2 * LENGTH)
-        assert np.abs(found / expected - 1).min() < 1e-8
+        assert np.abs(frequency / expected - 1).min() < 1e-8
 
 
 def test_a_square_pillar_twists_with_the_constant_of_saint_venant():
@@ -226,14 +226,14 @@ def test_two_steps_lead_to_the_shapes_of_one(name, order, apart):
     (whole, _, here), (parts, _, there) = both(name, order)
     if name in CELLS:
         assert parts.mesh.topology is whole.mesh.topology
-    one, other = whole.lifted(here), parts.lifted(there)
+    of_whole, of_parts = whole.lifted(here), parts.lifted(there)
     points = np.concatenate([mesh.points for mesh in parts.meshes])
     away, node = cKDTree(whole.mesh.points).query(points)
     common = away < 1e-9
     assert points[common, 2].max() == points[:, 2].max()
-    one, other = one[node[common]].reshape(-1, 10), other[common].reshape(-1, 10)
-    alike = np.abs((one.conj() * other).sum(axis=0)) ** 2
-    alike /= (np.abs(one) ** 2).sum(axis=0) * (np.abs(other) ** 2).sum(axis=0)
+    of_whole, of_parts = of_whole[node[common]].reshape(-1, 10), of_parts[common].reshape(-1, 10)
+    alike = np.abs((of_whole.conj() * of_parts).sum(axis=0)) ** 2
+    alike /= (np.abs(of_whole) ** 2).sum(axis=0) * (np.abs(of_parts) ** 2).sum(axis=0)
     assert (alike > 1 - 1e-3).all()
 
 
@@ -273,10 +273,10 @@ def test_a_lifted_field_has_the_energy_of_its_unknowns(name, order, apart):
 @pytest.mark.parametrize(("name", "order", "apart"), EACH)
 def test_two_steps_lead_to_the_characters_of_one(name, order, apart):
     (whole, _, here), (parts, _, there) = both(name, order)
-    one, other = characters(whole, here), characters(parts, there)
-    assert (one.name == other.name).all()
+    of_whole, of_parts = characters(whole, here), characters(parts, there)
+    assert (of_whole.name == of_parts.name).all()
     for share in ("vertical", "pillar_strain", "pillar_kinetic"):
-        assert getattr(other, share) == pytest.approx(getattr(one, share), abs=2e-3)
+        assert getattr(of_parts, share) == pytest.approx(getattr(of_whole, share), abs=2e-3)
     sizes = [superelement.measures.sections[0] for superelement in (whole, parts)]
     # of the nodes at the foot the pillar's sections have none: of a stepped one these are not the same
     assert sizes[1].mass.sum() == pytest.approx(sizes[0].mass.sum(), rel=1e-6 if name in CELLS else 1e-3)
@@ -297,9 +297,9 @@ def test_the_residual_is_the_error_of_two_steps():
     values, modes = eigenpairs(pencil, kappa, 10)
     fields = pencil.fields(modes, kappa)
     lost = np.sqrt(values / exact) - 1
-    told = 0.5 * values * on_each(poor.truncation, fields)
+    estimate = 0.5 * values * on_each(poor.truncation, fields)
     assert lost[-1] > 1e-5, "else the test sees nothing"
-    assert lost == pytest.approx(told, rel=0.2, abs=2e-6)
+    assert lost == pytest.approx(estimate, rel=0.2, abs=2e-6)
 
 
 @pytest.mark.nightly
@@ -318,11 +318,11 @@ def test_designs_that_were_not_tried(lattice, diameter, height):
     pillar = Pillar(diameter * lattice.pitch, height * lattice.pitch)
     cell = UnitCell(lattice, 1.4e-3, ALUMINIUM, pillar)
     plan, kappa = Resolution(3, 1).plan(cell), np.array([1.0, 2.2])
-    one, other = (
+    at_once, by_parts = (
         eigenpairs(CentredPencil.of(Tiling.single(way(cell, plan, 3, block=20, measured=False))), kappa, 8)[0]
         for way in (condense, condense_by_parts)
     )
-    assert np.sqrt(other / one) == pytest.approx(np.ones(8), abs=5e-4)
+    assert np.sqrt(by_parts / at_once) == pytest.approx(np.ones(8), abs=5e-4)
 
 
 # --- which cells have a body, and which feet are the same -------------------------------------------------
@@ -342,23 +342,23 @@ def test_what_has_no_shaft_is_condensed_at_once(pillar):
     cell = replace(reference_cell(), pillar=pillar)
     plan = Resolution(2, 1).plan(cell)
     assert substructured.pillar_body_of(cell, mesh_cell(cell, plan)) is None
-    one, other = condense(cell, plan, measured=False), condense_by_parts(cell, plan, measured=False)
-    assert (one.stiffness == other.stiffness).all()
+    at_once, by_parts = condense(cell, plan, measured=False), condense_by_parts(cell, plan, measured=False)
+    assert (at_once.stiffness == by_parts.stiffness).all()
 
 
 @pytest.fixture
 def empty(monkeypatch):
     """No foot condensed yet, and a count of those that are."""
-    made = []
+    feet = []
     of_mesh = substructured.FoldedMesh.of_mesh
 
     def counted(*given, **named):
-        made.append(given)
+        feet.append(given)
         return of_mesh(*given, **named)
 
     substructured._feet.clear()
     monkeypatch.setattr(substructured.FoldedMesh, "of_mesh", counted)
-    return made
+    return feet
 
 
 def test_a_foot_is_condensed_once_for_all_heights(empty):
@@ -394,9 +394,9 @@ def test_the_pieces_of_a_stepped_pillar_are_the_whole_of_it(step, narrower, abov
     cell = UnitCell(Lattice.square(7e-3), 1.4e-3, ALUMINIUM, pillar)
     pieces = pieces_of(cell, Resolution(3, 1).plan(cell))
     if step < 0.44:
-        assert [one.tile for one in pieces] == [cell]
+        assert [piece.tile for piece in pieces] == [cell]
     elif step > 0.46:
-        lower, upper = (one.tile for one in pieces)
+        lower, upper = (piece.tile for piece in pieces)
         assert lower.thickness + lower.pillar.height == pytest.approx(pieces[1].base)
         assert pieces[1].base + upper.thickness == pytest.approx(cell.thickness + height)
         assert upper.thickness + upper.pillar.height == pytest.approx(
@@ -404,7 +404,7 @@ def test_the_pieces_of_a_stepped_pillar_are_the_whole_of_it(step, narrower, abov
         )
         volume = lower.pillar.volume + upper.pillar.volume + np.pi * upper.free_width**2 * upper.thickness
         assert volume == pytest.approx(pillar.volume)
-        assert all(one.tile.pillar.is_prism and not one.plan.step_layers for one in pieces)
+        assert all(piece.tile.pillar.is_prism and not piece.plan.step_layers for piece in pieces)
 
 
 def test_the_estimated_cost_of_a_step_is_small():
@@ -431,21 +431,21 @@ def test_the_estimated_cost_of_a_step_is_small():
 )
 def test_another_foot_is_another(empty, change):
     cell = replace(reference_cell(), thickness=1e-3, pillar=Pillar(2.4e-3, 9e-3))
-    for one in (cell, replace(cell, **change)):
-        condense_by_parts(one, Resolution(2, 1).plan(one), measured=False)
+    for design in (cell, replace(cell, **change)):
+        condense_by_parts(design, Resolution(2, 1).plan(design), measured=False)
     assert len(empty) == 2
 
 
 @given(st.lists(st.integers(1, 12), min_size=1, max_size=40))
 def test_what_waits_is_what_was_asked_for_last_up_to_a_size_in_all(asked):
     kept = Kept(10, int)
-    for one in asked:
-        assert kept.of(one, lambda one=one: one) == one
-    last = [one for one in dict.fromkeys(reversed(asked)) if one <= 10]
-    waiting = [one for one, needed in zip(last, accumulate(last), strict=True) if needed <= 10]
+    for size in asked:
+        assert kept.of(size, lambda size=size: size) == size
+    last = [size for size in dict.fromkeys(reversed(asked)) if size <= 10]
+    waiting = [size for size, needed in zip(last, accumulate(last), strict=True) if needed <= 10]
     assert len(kept) == len(waiting)
-    for one in waiting:
-        assert kept.of(one, lambda: pytest.fail("it was waiting")) == one
+    for size in waiting:
+        assert kept.of(size, lambda: pytest.fail("it was waiting")) == size
 
 
 def test_many_values_of_one_group_leave_the_last_of_another():

@@ -38,8 +38,8 @@ def rows_of(cell, *rows):
 @cache
 def pencil(cell):
     """On the mesh that a pillar has alone, whatever there is beside it."""
-    tiles = [one.tile for one in cell.tiles]
-    plans = meeting(tiles, [COARSE.plan(one) for one in tiles])
+    tiles = [placed.tile for placed in cell.tiles]
+    plans = meeting(tiles, [COARSE.plan(tile) for tile in tiles])
     return lattice_pencil(Tiling.condensed(cell, plans, 2, 10, measured=False))
 
 
@@ -50,16 +50,16 @@ def values(cell, kappa, count):
 @pytest.mark.parametrize(("columns", "rows"), daily([(1, 1), (2, 1), (1, 3), (2, 3)], (2, 1), (1, 3)))
 @pytest.mark.parametrize("cell", [reference_cell(), RECTANGULAR], ids=["square", "rectangular"])
 def test_equal_cells_have_the_bands_of_one_folded_back(cell, columns, rows):
-    found = values(rows_of(cell, *[[1.0] * columns] * rows), tuple(KAPPA), 12)
+    eigenvalues = values(rows_of(cell, *[[1.0] * columns] * rows), tuple(KAPPA), 12)
     steps = [(i, j) for i in range(columns) for j in range(rows)]
     folded = [(KAPPA + 2 * np.pi * np.array(step)) / [columns, rows] for step in steps]
     expected = np.sort(np.concatenate([values(cell, tuple(kappa), 12) for kappa in folded]))
-    assert found == pytest.approx(expected[:12], rel=1e-8)
+    assert eigenvalues == pytest.approx(expected[:12], rel=1e-8)
 
 
 def test_a_plate_on_other_pillars_has_three_motions_at_rest():
-    found = values(rows_of(reference_cell(), [1.0, 0.7], [0.9, 1.2]), (0.0, 0.0), 5)
-    assert (np.abs(found[:3]) < 1e-6 * found[3]).all()
+    eigenvalues = values(rows_of(reference_cell(), [1.0, 0.7], [0.9, 1.2]), (0.0, 0.0), 5)
+    assert (np.abs(eigenvalues[:3]) < 1e-6 * eigenvalues[3]).all()
 
 
 def test_the_first_cell_may_be_any():
@@ -81,8 +81,8 @@ def test_two_heights_open_a_gap_where_folded_bands_crossed():
 
 def test_modes_have_unit_mass_and_solve_the_problem():
     cell = rows_of(reference_cell(), [1.0, 0.6, 0.8])
-    found, modes = eigenpairs(pencil(cell), KAPPA, 6)
+    eigenvalues, modes = eigenpairs(pencil(cell), KAPPA, 6)
     K, M = pencil(cell).at(KAPPA)
     assert modes.conj().T @ (M @ modes) == pytest.approx(np.eye(6), abs=1e-8)
-    left = np.linalg.norm(K @ modes - (M @ modes) * found, axis=0)
+    left = np.linalg.norm(K @ modes - (M @ modes) * eigenvalues, axis=0)
     assert (left < 1e-7 * np.linalg.norm(K @ modes, axis=0)).all()

@@ -50,8 +50,8 @@ class TestEveryCell:
             (_, w1, D1), (_, w2, D2) = (lobatto(n - 1) for n in nodes.shape[1:])
             assert np.ptp(mesh.points[nodes][..., 2]) == 0.0
             x = mesh.points[nodes][..., :2]
-            one, other = np.einsum("qi,kijc->kqjc", D1, x), np.einsum("qj,kijc->kiqc", D2, x)
-            area = (one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0]) * w1[:, None] * w2
+            along, across = np.einsum("qi,kijc->kqjc", D1, x), np.einsum("qj,kijc->kiqc", D2, x)
+            area = (along[..., 0] * across[..., 1] - along[..., 1] * across[..., 0]) * w1[:, None] * w2
             assert area.min() > 0
             total += area.sum()
         assert total == pytest.approx(CELLS[name].lattice.area, rel=1e-12)
@@ -88,8 +88,8 @@ class TestEveryCell:
         hair = 1e-10 * CELLS[name].lattice.pitch
         for shift in ([0, 0], [hair, 0], [-hair, 0], [0, hair], [0, -hair]):
             inside = np.clip(border + shift, -half(CELLS[name]), half(CELLS[name]))
-            found = surface_weights(mesh.points, faces, inside) @ field
-            assert found == pytest.approx(exact, abs=1e-5)
+            values = surface_weights(mesh.points, faces, inside) @ field
+            assert values == pytest.approx(exact, abs=1e-5)
 
 
 @given(st.data())
@@ -128,11 +128,11 @@ def test_polynomials_on_straight_elements_are_exact():
     weights = surface_weights(mesh.points, flat_faces(mesh), where)
     x, y = mesh.points[:, :2].T / reach
 
-    def miss(one: int, other: int) -> float:
-        exact = (where[:, 0] / reach) ** one * (where[:, 1] / reach) ** other
-        return float(np.abs(weights @ (x**one * y**other) - exact).max())
+    def miss(power_x: int, power_y: int) -> float:
+        exact = (where[:, 0] / reach) ** power_x * (where[:, 1] / reach) ** power_y
+        return float(np.abs(weights @ (x**power_x * y**power_y) - exact).max())
 
-    assert max(miss(one, other) for one in range(5) for other in range(5)) < 1e-12
+    assert max(miss(i, j) for i in range(5) for j in range(5)) < 1e-12
     assert min(miss(5, 0), miss(0, 5)) > 1e-3
 
 

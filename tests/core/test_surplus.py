@@ -109,11 +109,11 @@ def test_stress_is_singular_at_re_entrant_edges_and_at_ends_of_interfaces(cell, 
     mesh = mesh_cell(cell, Resolution(4, 1).plan(cell))
     at_edge = at_singular_edges(mesh.topology, tuple(map(cell.solids.index, cell.solids)))
     x, y, z = mesh.points[at_edge].T
-    found = {
+    edges = {
         (round(float(radius), 9), round(float(height), 6))
         for radius, height in zip(np.hypot(x, y), z / cell.thickness, strict=True)
     }
-    assert found == {(round(radius, 9), height) for radius, height in circles}
+    assert edges == {(round(radius, 9), height) for radius, height in circles}
 
 
 def test_a_polynomial_is_found_in_itself_and_not_in_those_of_lower_degree():
@@ -141,10 +141,10 @@ def test_energies_fall_as_those_of_waves_around_outlines_without_corners(inner):
 
 
 def test_smooth_energies_that_do_not_fall_are_missing_as_a_whole():
-    one = np.ones(1)
-    assert missing_energy(0 * one, one, 0 * one) == pytest.approx(1.0)
-    assert missing_energy(0 * one, one, 0.5 * one) == pytest.approx(1.0)
-    assert missing_energy(one, one, 100 * one) == pytest.approx(1.01)
+    ones = np.ones(1)
+    assert missing_energy(0 * ones, ones, 0 * ones) == pytest.approx(1.0)
+    assert missing_energy(0 * ones, ones, 0.5 * ones) == pytest.approx(1.0)
+    assert missing_energy(ones, ones, 100 * ones) == pytest.approx(1.01)
 
 
 @pytest.mark.parametrize("cell", [reference_cell(), HOLE, COATED], ids=["pillar", "hole", "coated"])
@@ -152,8 +152,8 @@ def test_estimates_bound_the_distance_to_a_finer_mesh(cell):
     coarse, fine = (BlochModel.of(cell, Resolution(order, 1, 3, 24), 8, measured=False) for order in (3, 5))
     ratios = []
     for kappa in (KAPPA, np.array([np.pi, 0.4])):
-        found, exact = coarse.solve(kappa), fine.solve(kappa)
-        away = np.abs(found.frequency - exact.frequency)
-        ratios += (found.error / (away + exact.error)).tolist()
-        assert (away < found.error + exact.error).all()
+        solution, exact = coarse.solve(kappa), fine.solve(kappa)
+        away = np.abs(solution.frequency - exact.frequency)
+        ratios += (solution.error / (away + exact.error)).tolist()
+        assert (away < solution.error + exact.error).all()
     assert 1 < np.median(ratios) < 8

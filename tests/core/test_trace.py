@@ -107,8 +107,8 @@ def test_the_nodes_of_a_mesh_move_with_the_polynomials_of_the_trace(rim):
         # on each side a polynomial that vanishes at its ends, so that sides meet
         return ((place % 1) * (1 - place % 1) * (place % 1) ** powers[: rim[1] - 1]).T
 
-    found = along_rim(plan) @ motion(along.ravel())
-    assert found == pytest.approx(motion(nodes.ravel()), abs=1e-12)
+    moved = along_rim(plan) @ motion(along.ravel())
+    assert moved == pytest.approx(motion(nodes.ravel()), abs=1e-12)
 
 
 def test_a_mesh_with_few_nodes_on_its_rim_keeps_them():

@@ -32,32 +32,32 @@ height = "5 mm"
 
 
 def by_vectors(lattice: Lattice, basis=((1, 0), (0, 1))) -> Lattice:
-    one, other = np.array(basis) @ lattice.vectors
-    return Lattice(a1=tuple(one), a2=tuple(other))
+    a1, a2 = np.array(basis) @ lattice.vectors
+    return Lattice(a1=tuple(a1), a2=tuple(a2))
 
 
 @given(lattices(), st.sampled_from(BASES))
 def test_vectors_have_zone_path_and_symmetry_of_the_name(named, basis):
-    found = by_vectors(named, basis)
-    assert found.named.named is found.named
-    assert found.pitch == pytest.approx(named.pitch, rel=1e-9)
-    if found.name != named.name:  # a rectangle whose sides are equal by chance is a square, and so on
-        assert len(found.point_group) > len(named.point_group)
+    lattice = by_vectors(named, basis)
+    assert lattice.named.named is lattice.named
+    assert lattice.pitch == pytest.approx(named.pitch, rel=1e-9)
+    if lattice.name != named.name:  # a rectangle whose sides are equal by chance is a square, and so on
+        assert len(lattice.point_group) > len(named.point_group)
         return
-    assert found.area == pytest.approx(named.area, rel=1e-9)
-    assert len(found.point_group) == len(named.point_group)
-    mine, other = (IrreducibleZone.of(one, one.point_group) for one in (found, named))
+    assert lattice.area == pytest.approx(named.area, rel=1e-9)
+    assert len(lattice.point_group) == len(named.point_group)
+    mine, other = (IrreducibleZone.of(each, each.point_group) for each in (lattice, named))
     assert [label for label, _ in mine.corners] == [label for label, _ in other.corners]
     walked, meant = mine.path(40), other.path(40)
-    assert found.wavevector(walked.kappa) * named.pitch == pytest.approx(
+    assert lattice.wavevector(walked.kappa) * named.pitch == pytest.approx(
         named.wavevector(meant.kappa) * named.pitch, abs=1e-6
     )
 
 
 @given(lattices(), st.sampled_from(BASES), st.tuples(st.floats(0, 0.999), st.floats(0, 0.999)))
 def test_sites_count_in_the_vectors_that_were_given(named, basis, at):
-    found = by_vectors(named, basis)
-    place, vectors = found.counted(np.array(at)) @ found.vectors, np.array(basis) @ named.vectors
+    lattice = by_vectors(named, basis)
+    place, vectors = lattice.counted(np.array(at)) @ lattice.vectors, np.array(basis) @ named.vectors
     steps = np.linalg.solve(vectors.T, place - np.array(at) @ vectors)
     assert steps == pytest.approx(np.round(steps), abs=1e-6)
 
@@ -131,25 +131,25 @@ position = ["3 mm", "3.5 mm"]
 
 def swept(text: str) -> list[UnitCell]:
     study = loads(text)
-    return [one.cell for one in study.designs(study.sweep_settings[0])]
+    return [design.cell for design in study.designs(study.sweep_settings[0])]
 
 
 def test_a_sweep_of_a_vector_meets_the_lattices_of_a_sweep_by_name():
     """The height of a centred rectangle is twice that of the vector; a vector moved aside is a shear."""
     by_name = STUDY.format('lattice = "centred"\npitch = "7 mm"\npitch_y = "12 mm"')
     named = swept(by_name + SWEEP.format("cell.pitch_y", "11 mm", "13 mm"))
-    found = swept(VECTORS + SWEEP.format("cell.a2[2]", "5.5 mm", "6.5 mm"))
-    for one, other in zip(found, named, strict=True):
-        assert one.lattice.vectors == pytest.approx(other.lattice.vectors, abs=1e-12)
+    cells = swept(VECTORS + SWEEP.format("cell.a2[2]", "5.5 mm", "6.5 mm"))
+    for cell, other in zip(cells, named, strict=True):
+        assert cell.lattice.vectors == pytest.approx(other.lattice.vectors, abs=1e-12)
     sheared = swept(VECTORS + SWEEP.format("cell.a2[1]", "0 mm", "3.5 mm"))
-    assert [one.lattice.name for one in sheared] == ["rectangular", "oblique", "centred"]
-    assert [one.area for one in sheared] == pytest.approx([42e-6] * 3)
+    assert [cell.lattice.name for cell in sheared] == ["rectangular", "oblique", "centred"]
+    assert [cell.area for cell in sheared] == pytest.approx([42e-6] * 3)
 
 
 def test_a_sweep_moves_a_site():
     sites = STUDY.format('pitch = "7 mm"').split("[cell.pillar]")[0] + SITES
     moved = swept(sites + SWEEP.format("cell.site[2].position[1]", "3 mm", "4 mm"))
-    assert [one.shares[1, 0] for one in moved] == pytest.approx([3 / 7, 3.5 / 7, 4 / 7])
+    assert [cell.shares[1, 0] for cell in moved] == pytest.approx([3 / 7, 3.5 / 7, 4 / 7])
 
 
 @pytest.mark.parametrize("table", ["design.vary", "tolerance.of"])

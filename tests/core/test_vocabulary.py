@@ -56,12 +56,12 @@ def banned_in(module: str, tree: ast.Module) -> set[str]:
 
 def defined_twice(trees: Mapping[str, ast.Module]) -> dict[str, list[str]]:
     """Names of classes, private ones too, that stand in several modules, with these modules."""
-    found = defaultdict(list)
+    modules_by_class = defaultdict(list)
     for module, tree in trees.items():
         for node in tree.body:
             if isinstance(node, ast.ClassDef):
-                found[node.name].append(module)
-    return {name: modules for name, modules in found.items() if len(modules) > 1}
+                modules_by_class[node.name].append(module)
+    return {name: modules for name, modules in modules_by_class.items() if len(modules) > 1}
 
 
 def test_class_names_are_unique():
@@ -69,8 +69,8 @@ def test_class_names_are_unique():
 
 
 def test_a_class_name_in_two_modules_is_found():
-    one, other = ast.parse("class A: ..."), ast.parse("class A: ...; b = 1")
-    assert defined_twice({"a": one, "b": other}) == {"A": ["a", "b"]}
+    tree, other = ast.parse("class A: ..."), ast.parse("class A: ...; b = 1")
+    assert defined_twice({"a": tree, "b": other}) == {"A": ["a", "b"]}
 
 
 def test_public_names_are_the_fields_words():

@@ -34,8 +34,8 @@ def test_a_share_between_two_corners_lies_there(name, data, share, form):
     zone = ZONES[name]
     start, stop = (data.draw(st.sampled_from(list(zone.corner_phases))) for _ in range(2))
     kappa, _ = wavevector_at(zone, form.format(share, start, stop.lower()))
-    one, other = zone.corner_phases[start], zone.corner_phases[stop]
-    assert kappa == pytest.approx(one + share * (other - one), abs=1e-12)
+    first, last = zone.corner_phases[start], zone.corner_phases[stop]
+    assert kappa == pytest.approx(first + share * (last - first), abs=1e-12)
 
 
 @given(st.sampled_from(sorted(ZONES)), st.data())
@@ -49,9 +49,9 @@ def test_a_corner_is_itself(name, data):
 
 
 @given(st.floats(-2, 2), st.floats(-2, 2), st.sampled_from([", ", " ", ","]))
-def test_two_phases_are_taken_over_pi(one, other, between):
-    kappa, _ = wavevector_at(ZONES["square"], f"{one:.6f}{between}{other:.6f}")
-    assert kappa == pytest.approx(np.pi * np.array([one, other]), abs=1e-5)
+def test_two_phases_are_taken_over_pi(first, second, between):
+    kappa, _ = wavevector_at(ZONES["square"], f"{first:.6f}{between}{second:.6f}")
+    assert kappa == pytest.approx(np.pi * np.array([first, second]), abs=1e-5)
 
 
 @pytest.mark.parametrize(
@@ -77,7 +77,7 @@ def test_modes_at_a_corner_are_those_of_the_diagram(tmp_path):
     assert data["mode_kappa"].values == pytest.approx([np.pi, np.pi])
     assert np.sort(data["mode_frequency"].values) == pytest.approx(np.sort(corner), rel=1e-9)
     assert data.attrs["modes_at"] == "M"
-    title = next(one for one in bands.figures["modes"].findobj() if one.get_gid() == "wavevector")
+    title = next(artist for artist in bands.figures["modes"].findobj() if artist.get_gid() == "wavevector")
     assert title.get_text() == "modes at M"
     usual = study.bands().dataset
     assert usual.attrs["modes_at"] == "middle of X-M"

@@ -117,9 +117,9 @@ def _tiled(rng: np.random.Generator, kind: str) -> UnitCell:
     if kind != "two sites":
         return UnitCell(lattice, thickness, matter, pillars[0], faces=faces)
     if lattice.name in SITES:
-        return UnitCell(lattice, thickness, matter, site=tuple(Site(pillar=one) for one in pillars))
+        return UnitCell(lattice, thickness, matter, site=tuple(Site(pillar=pillar) for pillar in pillars))
     apart = rng.uniform(0.3, 0.5, 2)
-    pillars = [replace(one, diameter=one.diameter * 0.6) for one in pillars]
+    pillars = [replace(pillar, diameter=pillar.diameter * 0.6) for pillar in pillars]
     sites = (Site(at=(0.0, 0.0), pillar=pillars[0]), Site(at=(apart[0], apart[1]), pillar=pillars[1]))
     return UnitCell(lattice, thickness, matter, site=sites)
 
@@ -208,12 +208,12 @@ def truth(question: Drawn) -> Truth | None:
         largest = la.eigh(plate.still, plate.mass, eigvals_only=True)[-1]
         rounding = ROUNDING * largest / (8 * np.pi**2 * np.maximum(exact, REST * exact.max()))
         return Truth(exact, 1e-8 * exact + rounding, "Rayleigh-Lamb")
-    before, found = None, None
+    before, reference = None, None
     for turn, (order, rings) in enumerate(_meshes(question)):
         sharp = not any(pillar.fillet for pillar in pillars)  # else there is no edge at a foot
         fewer = [Resolution(order, fewer, STEPS, BLOCK) for fewer in (range(rings, 0, -1) if sharp else [1])]
-        used = [one.for_bands(cell, count) for one in fewer]
-        mesh = next((one for one in used if _unknowns(cell, one) <= LARGEST), None)
+        used = [resolution.for_bands(cell, count) for resolution in fewer]
+        mesh = next((resolution for resolution in used if _unknowns(cell, resolution) <= LARGEST), None)
         if mesh is None:
             break
         frequency, lost = _computed(cell, mesh, MORE * turn)
@@ -224,12 +224,12 @@ def truth(question: Drawn) -> Truth | None:
             else:
                 share = 0.6 if finer else 1.0 if mesh.foot_rings > 1 else 2.0
             uncertainty = share * np.abs(frequency - before[0]) + lost
-            found = Truth(frequency, uncertainty, f"order {order}, {mesh.foot_rings} rings")
+            reference = Truth(frequency, uncertainty, f"order {order}, {mesh.foot_rings} rings")
             moving = frequency > REST * frequency.max()
             if (uncertainty <= ENOUGH * question.accuracy * frequency)[moving].all():
                 break
         before = frequency, mesh.foot_rings
-    return found
+    return reference
 
 
 def foreseen(question: Drawn) -> float:
@@ -275,13 +275,13 @@ def _computed(cell: UnitCell, used: Resolution, more: int) -> tuple[Array, Array
     else:
         tiling = Tiling.condensed(cell, plans, used.steps, block, measured=False)
     pencil = lattice_pencil(tiling)
-    found, lost = [], []
+    frequencies, lost = [], []
     for kappa in wavevectors(cell):
         values, modes = eigenpairs(pencil, kappa, used.bands)
         fields = pencil.fields(modes, kappa)
-        found.append(hertz(values))
+        frequencies.append(hertz(values))
         lost.append(interior_error(values, on_each(tiling.truncation, fields)))
-    return np.array(found), np.array(lost)
+    return np.array(frequencies), np.array(lost)
 
 
 def plain_plate(cell: UnitCell, kappa: Array, count: int) -> Array:
