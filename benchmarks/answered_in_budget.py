@@ -77,7 +77,7 @@ def computed(seed: int, number: int, memory: float) -> dict[str, Any]:
         return {**row, "outcome": error.cause.split(":")[0], "seconds": time.process_time() - begin}
     used, worst = best.model.resolution, best.model.worst_error
     levels = [level.for_bands(cell, asked.count) for level in LADDER]
-    made = [one for one in levels if (one.order, one.foot_rings) <= (used.order, used.foot_rings)]
+    tried = [level for level in levels if (level.order, level.foot_rings) <= (used.order, used.foot_rings)]
     return {
         **row,
         "outcome": "reached" if worst <= asked.accuracy else "answered with its error",
@@ -87,7 +87,7 @@ def computed(seed: int, number: int, memory: float) -> dict[str, Any]:
         "stopped_by": best.lack.of if best.lack else "",
         "seconds": time.process_time() - begin,
         "seconds_estimated": sum(
-            one.seconds(cell) for one in made[min(first_rung(cell, asked.accuracy), len(made) - 1) :]
+            level.seconds(cell) for level in tried[min(first_rung(cell, asked.accuracy), len(tried) - 1) :]
         ),
         "gigabytes": peak(),
         "gigabytes_estimated": used.memory(cell) / 1e9,
@@ -114,11 +114,11 @@ def survey(seed: int, count: int, gigabytes: float) -> None:
     for number in sorted(range(count), key=estimated):  # a run may be stopped
         if (seed, number) in done:
             continue
-        one = [sys.executable, "-W", "ignore", __file__, "--one", str(number), "--seed", str(seed)]
-        one += ["--memory", f"{gigabytes:g}"]
+        command = [sys.executable, "-W", "ignore", __file__, "--one", str(number), "--seed", str(seed)]
+        command += ["--memory", f"{gigabytes:g}"]
         while psutil.virtual_memory().available < 1e9 * gigabytes:  # others need it now
             time.sleep(5.0)
-        answer = subprocess.run(one, capture_output=True, text=True, check=False)
+        answer = subprocess.run(command, capture_output=True, text=True, check=False)
         if answer.returncode:
             row = {"seed": seed, "number": number, "kind": study_text(seed, number)[0], "outcome": "failed"}
             print(answer.stderr[-2000:], file=sys.stderr)
@@ -143,7 +143,7 @@ def summary(rows: list[dict[str, str]]) -> dict[str, Any]:
     }
     return {
         "designs": len(rows),
-        "outcomes": {one: outcomes.count(one) for one in sorted(set(outcomes))},
+        "outcomes": {outcome: outcomes.count(outcome) for outcome in sorted(set(outcomes))},
         **{f"{name}_ratio": np.quantile(of, [0, 0.5, 1]).tolist() for name, of in ratios.items() if of},
     }
 

@@ -24,13 +24,13 @@ ORDER_OF_PILLARS, BANDS = 4, 10
 AWAY = 0.1  # of the lowest eigenvalue of a cell with its trace held: how far below zero the shift lies
 
 
-def repeated(cell: UnitCell, one: Superelement, columns: int, rows: int) -> Tiling:
+def repeated(cell: UnitCell, superelement: Superelement, columns: int, rows: int) -> Tiling:
     """The tiling of a supercell of equal cells."""
     pitch = cell.lattice.pitch
     whole = UnitCell(Lattice.rectangular(columns * pitch, rows * pitch), cell.thickness, cell.material)
     steps = [np.array([i, j]) for j in range(rows) for i in range(columns)]
     placed = [PlacedTile(cell, np.eye(3), pitch * step) for step in steps]
-    return Tiling.of(whole, placed, [one] * len(placed))
+    return Tiling.of(whole, placed, [superelement] * len(placed))
 
 
 def lowest(tiling: Tiling, kappa: np.ndarray, count: int) -> np.ndarray:
@@ -41,10 +41,10 @@ def lowest(tiling: Tiling, kappa: np.ndarray, count: int) -> np.ndarray:
     order = np.concatenate(tiling.own)
     K, M = (
         sp.csc_array(spread.conj().T @ _in_order(forms, order) @ spread)
-        for forms in ([one.stiffness for one in tiling.tiles], [one.mass for one in tiling.tiles])
+        for forms in ([tile.stiffness for tile in tiling.tiles], [tile.mass for tile in tiling.tiles])
     )
-    one = tiling.tiles[0]
-    softest = float(np.diag(one.stiffness)[one.trace_size :].min())
+    tile = tiling.tiles[0]
+    softest = float(np.diag(tile.stiffness)[tile.trace_size :].min())
     start = np.random.default_rng(0).standard_normal(K.shape[0])
     return np.sort(spla.eigsh(K, count, M, sigma=-AWAY * softest, v0=start, return_eigenvectors=False))
 
@@ -63,8 +63,8 @@ def several(columns: int, rows: int) -> dict[str, float]:
     def condensed() -> Superelement:
         return condense_by_parts(fresh(cell), plan, resolution.steps, measured=False)
 
-    def joined(one: Superelement) -> tuple[Tiling, np.ndarray]:
-        tiling = repeated(cell, one, columns, rows)
+    def joined(superelement: Superelement) -> tuple[Tiling, np.ndarray]:
+        tiling = repeated(cell, superelement, columns, rows)
         return tiling, lowest(tiling, np.array([1.0, 2.0]), BANDS)
 
     with threadpool_limits(1):

@@ -48,7 +48,7 @@ def measure() -> dict[str, float]:
     point = np.array([1.0, 0.3])
     one_more, _ = timed(lambda: model.solve(point), repeats=20)
     (gap,) = gaps
-    found = {name: model.solve(np.array(kappa)).frequency for name, kappa in CORNERS.items()}
+    at_corners = {name: model.solve(np.array(kappa)).frequency for name, kappa in CORNERS.items()}
     worst = [model.solve(kappa) for kappa in path.kappa]
     return {
         "first_s": first,
@@ -57,7 +57,7 @@ def measure() -> dict[str, float]:
         "one_more_point_s": one_more,
         "gap_search_s": searched,
         "diagram_and_gap_s": later + searched,
-        "true_error": true_error(found),
+        "true_error": true_error(at_corners),
         "largest_estimate": float(
             max((s.error[s.frequency > 1e3] / s.frequency[s.frequency > 1e3]).max() for s in worst)
         ),
@@ -74,22 +74,20 @@ def measure() -> dict[str, float]:
 def triangular() -> dict[str, float]:
     """The same of a triangular lattice of the same pillar, in turns with the square one."""
     lattice = Lattice.triangular(7e-3)
-    for one in (None, lattice):  # what their topologies need once
-        frequencies_and_errors(one)
-    found = [
-        (timed(frequencies_and_errors), timed(lambda: frequencies_and_errors(lattice))) for _ in range(3)
-    ]
-    model = found[0][1][1]
+    for each in (None, lattice):  # what their topologies need once
+        frequencies_and_errors(each)
+    runs = [(timed(frequencies_and_errors), timed(lambda: frequencies_and_errors(lattice))) for _ in range(3)]
+    model = runs[0][1][1]
     one_more, _ = timed(lambda: model.solve(np.array([1.0, 0.3])), repeats=20)
     errors = [
         model.solve(kappa).error / model.solve(kappa).frequency
         for kappa in model.cell.zone.path(66).kappa[1:-1]
     ]
     return {
-        "square_s": min(square for (square, _), _ in found),
-        "later_s": min(own for _, (own, _) in found),
+        "square_s": min(square for (square, _), _ in runs),
+        "later_s": min(own for _, (own, _) in runs),
         "one_more_point_s": one_more,
-        "largest_estimate": float(max(one.max() for one in errors)),
+        "largest_estimate": float(max(error.max() for error in errors)),
         "unknowns": model.fine.tiling.meshes[0].unknowns,
     }
 

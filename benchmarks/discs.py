@@ -96,7 +96,7 @@ def _discs(rng: np.random.Generator, feature: str, room: float, thickness: float
     steep = min(
         draft, 0.5 * math.atan(0.5 * share * wide / max(height, thickness))
     )  # of what reaches farther
-    made = {
+    discs = {
         "hole": [Disc(wide, empty=True, **shape)],
         "blind hole": [Disc(wide, low=-thickness * rng.uniform(0.2, 0.8), empty=True, **shape)],
         "inclusion": [Disc(wide, material=solid, **shape)],
@@ -131,7 +131,7 @@ def _discs(rng: np.random.Generator, feature: str, room: float, thickness: float
             Disc(0.8 * share * wide, low=0.0, high=height, draft=0.5 * steep, empty=True, **inner),
         ],
     }  # fmt: skip
-    return tuple(made[feature])
+    return tuple(discs[feature])
 
 
 @dataclass(frozen=True)
@@ -193,9 +193,9 @@ def survey(seed: int, number: int, meshes: Sequence[str], finer: int) -> list[Ro
     rows = []
     for mesh in meshes:
         start, used = time.process_time(), Resolution(*(int(part) for part in mesh.split("-")))
-        found, estimate = solved(cell, used)
-        off = np.abs(found - fine)
-        moving = found > MOVING * found.max()
+        frequency, estimate = solved(cell, used)
+        off = np.abs(frequency - fine)
+        moving = frequency > MOVING * frequency.max()
         moving[:, JUDGED:] = False
         moving &= off > unsure
         if not moving.any():
@@ -206,8 +206,8 @@ def survey(seed: int, number: int, meshes: Sequence[str], finer: int) -> list[Ro
                 seed=seed, number=number, feature=feature, lattice=cell.lattice.name, edges=edges_of(cell),
                 mesh=mesh, frequencies=int(moving.sum()), below=int((certain > 1).sum()),
                 least=float(ratio.min()), median=float(np.median(ratio)),
-                off=float((off / found)[moving].max()), stated=float((estimate / found)[moving].max()),
-                seconds=time.process_time() - start,
+                off=float((off / frequency)[moving].max()),
+                stated=float((estimate / frequency)[moving].max()), seconds=time.process_time() - start,
             )
         )  # fmt: skip
     return rows

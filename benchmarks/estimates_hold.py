@@ -242,7 +242,7 @@ def numbers(count: int, stout: int, tiles: int, seed: int) -> list[int]:
     def seconds(number: int) -> float:
         question = drawn(seed, number)
         tried = started(question.cell, question.count, question.accuracy, _limits())
-        return float(foreseen(question) + sum(one.seconds(question.cell) for one in tried))
+        return float(foreseen(question) + sum(level.seconds(question.cell) for level in tried))
 
     blocks = ((0, count), (STOUT_FROM, stout), (TILES_FROM, tiles))
     return sorted((first + n for first, length in blocks for n in range(length)), key=seconds)
@@ -304,7 +304,7 @@ def main(
     rows = [row for row in read(path) if row.seed == seed or (not count and row.kind in TILES)]
     seeds = sorted({row.seed for row in rows})
     classes = [of_class([row for row in rows if row.kind == kind], kind) for kind in CLASSES]
-    classes = [one for one in classes if one["designs"]]
+    classes = [figures for figures in classes if figures["designs"]]
     reasons = [
         f"{row.seed}-{row.number} ({row.kind}, {row.count} bands at {row.accuracy:g}), {row.seconds:.0f} s: "
         + row.outcome

@@ -139,7 +139,7 @@ def main(seeds: int) -> None:
     start = time.perf_counter()
     bench = Bench()
     built = time.perf_counter() - start
-    hits, scores, widths, found, left, seconds = [], [], [], 0, [], []
+    hits, scores, widths, spoiled_found, left, seconds = [], [], [], 0, [], []
     for seed in range(seeds):
         start = time.perf_counter()
         fit, true, spoiled = bench.fit(seed)
@@ -152,20 +152,20 @@ def main(seeds: int) -> None:
         scores.append(off / half)
         widths.append(half)
         left.append(len(fit.left_out))
-        found += int(np.isin(spoiled, fit.left_out).all())
+        spoiled_found += int(np.isin(spoiled, fit.left_out).all())
         print(f"seed {seed}: {np.round(off / half, 2)}, {seconds[-1]:.0f} s", flush=True)
     within = np.array(hits).sum(axis=0)
     write(
         "fit_covers_the_truth",
         {
             "seeds": seeds,
-            "parameters": [one.parameter for one in bench.unknowns],
+            "parameters": [unknown.parameter for unknown in bench.unknowns],
             "within": within.tolist(),
             "least_allowed": int(binom.ppf(CHANCE, seeds, 0.95)),
             "chance": CHANCE,
             "half_width_median": np.nanmedian(widths, axis=0).tolist(),
             "off_over_half_rms": np.sqrt(np.nanmean(np.square(scores), axis=0)).tolist(),
-            "spoiled_points_found": found,
+            "spoiled_points_found": spoiled_found,
             "left_out_largest": max(left),
             "points": len(bench.points),
             "lines": len(bench.frequency),

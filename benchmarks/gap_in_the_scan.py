@@ -41,18 +41,18 @@ def main() -> None:
     """A folder may be named that holds responses, computed before, as NAME.nc."""
     warnings.simplefilter("ignore", haptonic.HaptonicWarning)  # periods are shorter than the ring-down
     kept = Path(sys.argv[1]) if len(sys.argv) > 1 else None
-    found = [told("prototype", haptonic.load(STUDY), kept)]
+    plates = [compare_edges("prototype", haptonic.load(STUDY), kept)]
     for name, numbers in DESIGNS.items():
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "study.toml"
             path.write_text(study_of(*numbers), "utf-8")
-            found.append(told(name, haptonic.load(path), kept))
+            plates.append(compare_edges(name, haptonic.load(path), kept))
     write(
-        "gap_in_the_scan", {"plates": found, "held_out": HELD_OUT, "responses_from_files": kept is not None}
+        "gap_in_the_scan", {"plates": plates, "held_out": HELD_OUT, "responses_from_files": kept is not None}
     )
 
 
-def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
+def compare_edges(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
     """Computed and reported edges, Hz, and the error of the contrast of a simulated scan."""
     store = Store.default()
     asked = response_for(
@@ -65,11 +65,11 @@ def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
         response = read(kept / f"{name}.nc")
     else:
         response = study.plate(settings=asked, store=store).response
-    made = study.simulate_scan(seed=1, response=response)
+    simulated = study.simulate_scan(seed=1, response=response)
     on = scanning.on_plate(study)
-    scan = Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
+    scan = Scan(simulated.records, ReadReport("twin", "memory", len(simulated.records.names)))
     result = compute_scan(scan, Estimation(), on, store=store)
-    truth = made.truth()["contrast_db"]["WG1 over WG2"]
+    truth = simulated.truth()["contrast_db"]["WG1 over WG2"]
     off = np.abs(result.contrasts["WG1 over WG2"].values - np.array(truth))
     lattice, gap = result.lattice, on.gap
     assert lattice is not None
@@ -80,7 +80,7 @@ def told(name: str, study: haptonic.Study, kept: Path | None) -> dict[str, Any]:
         for side, edge in (("lower", lattice.lower), ("upper", lattice.upper))
     }
     return {
-        "name": name, "points": len(made.records.names), "reasons": lattice.reasons, **edges,
+        "name": name, "points": len(simulated.records.names), "reasons": lattice.reasons, **edges,
         "beside_upper": beside(result.dataset["fading"], gap.upper),
         "contrast_db": float(np.nanmax(off)), "hidden_lines": int(np.isnan(off).sum()), "lines": len(off),
     }  # fmt: skip
@@ -91,8 +91,8 @@ def beside(fades: xr.DataArray, edge: float) -> dict[str, list[float]]:
     around = fades.sel(frequency=slice(0.96 * edge, edge)), fades.sel(frequency=slice(edge, 1.04 * edge))
     large = fades["phase"].values > np.pi / 2
     return {
-        "small": [float(np.nanmean(one.values[:, ~large])) for one in around],
-        "large": [float(np.nanmean(one.values[:, large])) for one in around],
+        "small": [float(np.nanmean(decay.values[:, ~large])) for decay in around],
+        "large": [float(np.nanmean(decay.values[:, large])) for decay in around],
     }
 
 
@@ -102,13 +102,13 @@ def study_of(
 ) -> str:  # fmt: skip
     """The prototype's study with other sizes and coarser bands."""
     text = STUDY.read_text("utf-8").partition("# Wider and narrower pillars")[0]
-    mirror, one, two = "o" * int(rows), "1" * int(columns), "2" * int(columns)
+    mirror, first, second = "o" * int(rows), "1" * int(columns), "2" * int(columns)
     for old, new in {
         'carrier = "60 kHz"': f'carrier = "{carrier} kHz"', 'pitch = "7 mm"': f'pitch = "{pitch} mm"',
         'thickness = "1.5 mm"': f'thickness = "{thickness} mm"',
         'diameter = "3.5 mm"': f'diameter = "{diameter} mm"',
         'height = "14.7 mm"': f'height = "{height} mm"', "accuracy = 2e-3": "accuracy = 1e-2",
-        "points = 66": "points = 34", "ooo1111ooo2222ooo": mirror + one + mirror + two + mirror,
+        "points = 66": "points = 34", "ooo1111ooo2222ooo": mirror + first + mirror + second + mirror,
         "rows = 20": f"rows = {cells:g}", 'WG1 = "8 mm"': f'WG1 = "{guide / columns} mm"',
         'WG2 = "8 mm"': f'WG2 = "{guide / columns} mm"', 'width = "32 mm"': f'width = "{guide} mm"',
         "loss_factor = 2e-3": f"loss_factor = {loss}",

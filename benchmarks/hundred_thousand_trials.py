@@ -60,7 +60,7 @@ def made_up(folder: Path) -> pd.DataFrame:
             with h5py.File(folder / name, "w") as file:
                 file.attrs.update(origin="simulated", sample_rate=record.rate)
                 for channel, forces in (("Fz", "normal"), ("Fy", "tangential"), ("position", "position")):
-                    file[channel] = np.concatenate([getattr(one, forces) for one in block]).astype("f4")
+                    file[channel] = np.concatenate([getattr(stroke, forces) for stroke in block]).astype("f4")
             block.clear()
     head = ["participant", "block", "trial", "waveguide", "actuation", "file", "start", "stop", "origin"]
     return pd.DataFrame(rows, columns=head)
@@ -69,11 +69,11 @@ def made_up(folder: Path) -> pd.DataFrame:
 def measured(folder: Path) -> dict[str, object]:
     marks, processor = [time.perf_counter()], time.process_time()
 
-    def told(done: int, planned: int, what: str = "") -> None:
+    def mark(done: int, planned: int, what: str = "") -> None:
         if done == planned:
             marks.append(time.perf_counter())
 
-    result = compute_friction(folder, Sensor(), Rules(), workers=WORKERS, progress=told)
+    result = compute_friction(folder, Sensor(), Rules(), workers=WORKERS, progress=mark)
     marks.append(time.perf_counter())
     assert result.origin == "simulated"
     children = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -87,7 +87,7 @@ def measured(folder: Path) -> dict[str, object]:
         "processor_s": time.process_time() - processor + children.ru_utime + children.ru_stime,
         "peak_bytes": peak_memory(),
         "worker_peak_bytes": 1024.0 * children.ru_maxrss,
-        "reduction": {guide: one.value for guide, one in result.found.reductions.items()},
+        "reduction": {guide: reduction.value for guide, reduction in result.found.reductions.items()},
     }
 
 

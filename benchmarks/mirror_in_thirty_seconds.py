@@ -32,7 +32,7 @@ def main() -> None:
     )
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        found = compute_design(
+        design = compute_design(
             brief,
             study.bands_settings,
             starts=section.starts,
@@ -51,9 +51,9 @@ def main() -> None:
         {
             "carrier_hz": brief.carrier,
             "total_s": total,
-            "designs": int(found.dataset.sizes["visit"]),
-            "values_mm": {path: 1e3 * value for path, value in found.values.items()},
-            "found_hz": [found.gap.lower, found.gap.upper],
+            "designs": int(design.dataset.sizes["visit"]),
+            "values_mm": {path: 1e3 * value for path, value in design.values.items()},
+            "found_hz": [design.gap.lower, design.gap.upper],
             "paper_cell_hz": [own.lower, own.upper],
             "spectrum_s": spectrum,
             "spectrum_points": int(layers.dataset.sizes["frequency"]),

@@ -78,8 +78,8 @@ def survey(cell: UnitCell) -> list[str]:
     exact, lines = truth.frequency[:BANDS], []
     own = float((truth.error[:BANDS] / exact).max())
     for resolution in TRIED:
-        found = BlochModel.of(cell, resolution, BANDS, measured=False).solve(KAPPA)
-        off, stated = np.abs(found.frequency[:BANDS] - exact), found.error[:BANDS]
+        solution = BlochModel.of(cell, resolution, BANDS, measured=False).solve(KAPPA)
+        off, stated = np.abs(solution.frequency[:BANDS] - exact), solution.error[:BANDS]
         plan = resolution.plan(cell)
         lines.append(
             f"  order {resolution.order}, {plan.blocks} blocks of order {plan.order}: "
@@ -93,5 +93,5 @@ def survey(cell: UnitCell) -> list[str]:
 if __name__ == "__main__":
     for name, (lattice, thickness, pillar) in CELLS.items():
         if all(word in name for word in sys.argv[1:]):
-            made = UnitCell(lattice, thickness * MM, material("aluminium-2017a"), pillar)
-            print(name, *survey(made), sep="\n", flush=True)
+            cell = UnitCell(lattice, thickness * MM, material("aluminium-2017a"), pillar)
+            print(name, *survey(cell), sep="\n", flush=True)

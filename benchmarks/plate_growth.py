@@ -38,10 +38,10 @@ def measured(rows: int) -> dict[str, object]:
     plate = plate_of(rows)
     start = time.perf_counter()
     model = PlateModel.of(plate, 1e5)
-    found: dict[str, object] = {"pillars": plate.layout.pillars, "unknowns": model.assembly.size}
+    figures: dict[str, object] = {"pillars": plate.layout.pillars, "unknowns": model.assembly.size}
     tiles = time.perf_counter() - start
     _, line = Band.of(model, ONE, ONE).answer(unit_drives(plate), np.array([ONE]), TOLERANCE)
-    found |= {
+    figures |= {
         "one_seconds": time.perf_counter() - start,
         "one_peak_bytes": peak_memory(),
         "one_bound": float(line.error[0]),
@@ -50,10 +50,10 @@ def measured(rows: int) -> dict[str, object]:
     try:
         band = Band.of(model, 100.0, 1e5)
     except ResourceError as error:
-        return {**found, "refused_after_s": time.perf_counter() - start, "said": error.parts()["cause"]}
+        return {**figures, "refused_after_s": time.perf_counter() - start, "said": error.parts()["cause"]}
     answer = band.reduced.answer(unit_drives(plate), 2 * np.pi * np.linspace(100.0, 1e5, POINTS))
     return {
-        **found,
+        **figures,
         "basis": band.reduced.basis.dimension,
         "seconds": time.perf_counter() - start,
         "peak_bytes": peak_memory(),
@@ -68,12 +68,12 @@ def main() -> None:
 
 def exponents(plates: list[dict[str, float]]) -> dict[str, float]:
     """Of the number of pillars, for every number that is known of two plates at least."""
-    found = {}
+    fitted = {}
     for name in ("seconds", "peak_bytes", "basis", "unknowns", "one_seconds", "one_peak_bytes"):
-        known = [(one["pillars"], one[name]) for one in plates if name in one]
+        known = [(plate["pillars"], plate[name]) for plate in plates if name in plate]
         pillars, value = np.log(np.array(known)).T
-        found[name] = float(np.polyfit(pillars, value, 1)[0])
-    return found
+        fitted[name] = float(np.polyfit(pillars, value, 1)[0])
+    return fitted
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ def machine() -> dict[str, Any]:
         "processor": model,
         "cores": os.cpu_count(),
         "kernels": next(
-            (one["architecture"] for one in threadpool_info() if "architecture" in one), "unknown"
+            (library["architecture"] for library in threadpool_info() if "architecture" in library), "unknown"
         ),
         "load_before": os.getloadavg()[0],
         "python": platform.python_version(),
@@ -93,10 +93,10 @@ def true_error(frequencies: dict[str, np.ndarray]) -> float:
     independent code's; see the tests' data.
     """
     worst = 0.0
-    for corner, found in frequencies.items():
+    for corner, frequency in frequencies.items():
         exact = np.array(REFERENCE[corner][:10], dtype=float)
         moving = exact > 0
-        worst = max(worst, float(np.abs(found[: len(exact)][moving] / exact[moving] - 1).max()))
+        worst = max(worst, float(np.abs(frequency[: len(exact)][moving] / exact[moving] - 1).max()))
     return worst
 
 

@@ -122,9 +122,9 @@ def peer(record: dict[str, Any]) -> str:
     ]
     style.save(race(record), IMAGES, "bench_peer", overwrite=True)
     ratios = ", ".join(
-        f"at {100 * one['accuracy']:.2f} % haptonic takes {one['diagram_s']['haptonic']:.2f} s, NGSolve "
-        f"{one['diagram_s']['ngsolve']:.0f} s, **{one['ratio']:.0f} times** as long"
-        for one in record["compared"]
+        f"at {100 * pair['accuracy']:.2f} % haptonic takes {pair['diagram_s']['haptonic']:.2f} s, NGSolve "
+        f"{pair['diagram_s']['ngsolve']:.0f} s, **{pair['ratio']:.0f} times** as long"
+        for pair in record["compared"]
     )
     return f"""## Against a general finite-element library
 
@@ -429,15 +429,16 @@ True errors in the energy norm, against direct complex answers of the same plate
 
 
 def plate_growth(record: dict[str, Any]) -> str:
-    def row(one: dict[str, Any]) -> list[Any]:
+    def row(plate: dict[str, Any]) -> list[Any]:
         alone = [
-            one["pillars"], one["unknowns"], f"{one['one_seconds']:.0f} s", f"{one['one_peak_bytes'] / 1e9:.1f} GB",
+            plate["pillars"], plate["unknowns"], f"{plate['one_seconds']:.0f} s",
+            f"{plate['one_peak_bytes'] / 1e9:.1f} GB",
         ]  # fmt: skip
-        if "said" in one:
-            return [*alone, "", f"refused after {one['refused_after_s']:.0f} s", one["said"], ""]
+        if "said" in plate:
+            return [*alone, "", f"refused after {plate['refused_after_s']:.0f} s", plate["said"], ""]
         return [
-            *alone, one["basis"], f"{one['seconds']:.0f} s",
-            f"{one['peak_bytes'] / 1e9:.1f} GB", f"{one['largest_bound']:.0e}",
+            *alone, plate["basis"], f"{plate['seconds']:.0f} s",
+            f"{plate['peak_bytes'] / 1e9:.1f} GB", f"{plate['largest_bound']:.0e}",
         ]  # fmt: skip
 
     fit = record["exponents"]
@@ -451,7 +452,7 @@ answered without a basis, and the band from zero to 100 kHz, {record["lines"]} l
 number of pillars: one frequency, time {fit["one_seconds"]:.2f}, peak memory {fit["one_peak_bytes"]:.2f}; band, time
 {fit["seconds"]:.2f}, peak memory {fit["peak_bytes"]:.2f}, vectors {fit["basis"]:.2f}.
 
-{table(heads, [row(one) for one in record["plates"]])}
+{table(heads, [row(plate) for plate in record["plates"]])}
 
 {measured_on(record)}
 """
@@ -483,11 +484,11 @@ and the decay of the guide's own mode in them.
 def many_trials(record: dict[str, Any]) -> str:
     rows = [
         [
-            f"{one['trials']:,}".replace(",", " "), one["participants"], f"{one['total_s']:.0f} s",
-            f"{one['records_s']:.0f} s", f"{one['statistics_s']:.0f} s", f"{one['processor_s']:.0f} s",
-            f"{one['peak_bytes'] / 1e6:.0f} MB", f"{one['worker_peak_bytes'] / 1e6:.0f} MB",
+            f"{run['trials']:,}".replace(",", " "), run["participants"], f"{run['total_s']:.0f} s",
+            f"{run['records_s']:.0f} s", f"{run['statistics_s']:.0f} s", f"{run['processor_s']:.0f} s",
+            f"{run['peak_bytes'] / 1e6:.0f} MB", f"{run['worker_peak_bytes'] / 1e6:.0f} MB",
         ]
-        for one in record["runs"]
+        for run in record["runs"]
     ]  # fmt: skip
     heads = [
         "trials",
@@ -515,15 +516,15 @@ trial, which is its row in the tables; no record is kept.
 
 
 def true_trials(record: dict[str, Any]) -> str:
-    def count(one: dict[str, Any]) -> str:
-        low, high = one["expected"]
-        return f"{one['held']} of {one['of']} ({low} to {high})"
+    def count(tally: dict[str, Any]) -> str:
+        low, high = tally["expected"]
+        return f"{tally['held']} of {tally['of']} ({low} to {high})"
 
     covered = dict(record["covered"])
     true = covered.pop("true")
     held = [
-        [name, count(one), f"{100 * one['bias']:+.1f} %", f"{100 * one['spread']:.1f} %"]
-        for name, one in covered.items()
+        [name, count(tally), f"{100 * tally['bias']:+.1f} %", f"{100 * tally['spread']:.1f} %"]
+        for name, tally in covered.items()
     ]
     more = [
         [
@@ -534,8 +535,8 @@ def true_trials(record: dict[str, Any]) -> str:
         for row in record["more_people"]
     ]
     alarms = [
-        [name, f"{100 * one['rate']:.1f} ± {100 * one['error']:.1f} %", one["computed"]]
-        for name, one in record["alarms"].items()
+        [name, f"{100 * alarm['rate']:.1f} ± {100 * alarm['error']:.1f} %", alarm["computed"]]
+        for name, alarm in record["alarms"].items()
     ]
     return f"""## Simulated trials
 
@@ -597,13 +598,13 @@ def edges(record: dict[str, Any]) -> str:
     rows = []
     for plate in record["plates"]:
         lower, upper, beside = plate["lower"], plate["upper"], plate["beside_upper"]
-        told = "not determined"
+        determined = "not determined"
         off = ""
         if "told" in lower:
-            told = f"{lower['told'] / 1e3:.2f} ± {lower['error'] / 1e3:.2f} kHz"
+            determined = f"{lower['told'] / 1e3:.2f} ± {lower['error'] / 1e3:.2f} kHz"
             off = f"{(lower['told'] - lower['computed']) / lower['error']:+.1f}"
         rows.append([
-            plate["name"], plate["points"], f"{lower['computed'] / 1e3:.2f} kHz", told, off,
+            plate["name"], plate["points"], f"{lower['computed'] / 1e3:.2f} kHz", determined, off,
             f"{upper['computed'] / 1e3:.2f} kHz", "determined" if "told" in upper else "not determined",
             *(f"{before:.1f}, {after:.1f}" for before, after in (beside["small"], beside["large"])),
         ])  # fmt: skip

@@ -37,8 +37,8 @@ def with_rows(plate: Plate, first: str, second: str, rows: int) -> Plate:
     return replace(
         plate,
         layout=Layout(tiles, x, layout.y, layout.cells, layout.thickness, layout.material),
-        actuators=tuple(one for one in plate.actuators if one.centre[0] < border),
-        forces=tuple(one for one in plate.forces if one.centre[0] < border),
+        actuators=tuple(actuator for actuator in plate.actuators if actuator.centre[0] < border),
+        forces=tuple(force for force in plate.forces if force.centre[0] < border),
         finger=None,
     )
 
@@ -64,10 +64,10 @@ def main() -> None:
     assert section is not None
     first, second = plate.layout.regions
     asked = section.response
-    found, seconds = [], []
+    resonances, seconds = [], []
     for rows in ROWS:
         start, varied = time.perf_counter(), with_rows(plate, first, second, rows)
-        found.append(resonance(varied, BETWEEN, asked.grid, asked.tolerance, first, second))
+        resonances.append(resonance(varied, BETWEEN, asked.grid, asked.tolerance, first, second))
         seconds.append(time.perf_counter() - start)
     mirror = study.layers()
     family = mirror.families[0]
@@ -76,8 +76,8 @@ def main() -> None:
         "rows_keep_it_there",
         {
             "rows": list(ROWS),
-            "resonance_hz": [frequency for frequency, _ in found],
-            "contrast_db": [level for _, level in found],
+            "resonance_hz": [frequency for frequency, _ in resonances],
+            "contrast_db": [level for _, level in resonances],
             "seconds": seconds,
             "family": family,
             "mirror_db": [0.0, *mirror.insulation(family)[: max(ROWS)].tolist()],

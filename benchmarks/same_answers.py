@@ -202,11 +202,11 @@ def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         yield path, tree
 
 
-def alike(one: Any, other: Any) -> bool:
+def alike(value: Any, other: Any) -> bool:
     """Whether two leaves are the same to rounding."""
-    if isinstance(one, float) and isinstance(other, int | float):
-        return math.isclose(one, other, rel_tol=TOLERANCE, abs_tol=1e-12)
-    return bool(one == other)
+    if isinstance(value, float) and isinstance(other, int | float):
+        return math.isclose(value, other, rel_tol=TOLERANCE, abs_tol=1e-12)
+    return bool(value == other)
 
 
 def differences(before: dict[str, Any], after: dict[str, Any]) -> Iterator[str]:
@@ -218,13 +218,13 @@ def differences(before: dict[str, Any], after: dict[str, Any]) -> Iterator[str]:
             yield f"{name}: only {'after' if name in after else 'before'}"
             continue
         folders = (before["folder"], after["folder"])
-        one, other = (
+        first, second = (
             dict(leaves(json.loads(json.dumps(each[name]).replace(folder, "FOLDER"))))
             for each, folder in zip((before, after), folders, strict=True)
         )
-        for path in sorted(one.keys() | other.keys()):
-            if path not in one or path not in other or not alike(one[path], other[path]):
-                yield f"{name}: {path}: {one.get(path, 'nothing')} -> {other.get(path, 'nothing')}"
+        for path in sorted(first.keys() | second.keys()):
+            if path not in first or path not in second or not alike(first[path], second[path]):
+                yield f"{name}: {path}: {first.get(path, 'nothing')} -> {second.get(path, 'nothing')}"
 
 
 def main() -> None:
@@ -236,9 +236,9 @@ def main() -> None:
         record(given.records[0])
         return
     before, after = (json.loads(path.read_text("utf-8")) for path in given.records)
-    found = sorted(differences(before, after))
-    print(*found, f"{len(found)} differences in {len(before) - 1} answers", sep="\n")
-    raise SystemExit(bool(found))
+    changes = sorted(differences(before, after))
+    print(*changes, f"{len(changes)} differences in {len(before) - 1} answers", sep="\n")
+    raise SystemExit(bool(changes))
 
 
 if __name__ == "__main__":

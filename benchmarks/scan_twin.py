@@ -58,18 +58,18 @@ def main() -> None:
     start = time.perf_counter()
     response = study.plate(settings=asked, store=store).response
     computing = time.perf_counter() - start
-    on, found = scanning.on_plate(study), []
+    on, results = scanning.on_plate(study), []
     for seed in SEEDS:
-        made = study.simulate_scan(seed=seed, response=response)
-        scan = Scan(made.records, ReadReport("twin", "memory", len(made.records.names)))
-        found.append(errors(compute_scan(scan, Estimation(), on, store=store), made, on))
+        simulated = study.simulate_scan(seed=seed, response=response)
+        scan = Scan(simulated.records, ReadReport("twin", "memory", len(simulated.records.names)))
+        results.append(errors(compute_scan(scan, Estimation(), on, store=store), simulated, on))
     figures = {
-        "points": len(made.records.names),
+        "points": len(simulated.records.names),
         "computing_s": computing,
-        "seeds": len(found),
+        "seeds": len(results),
         "computed_gap_hz": [on.gap.lower, on.gap.upper] if on.gap else None,
-        "contrast_range": made.truth()["contrast_range"],
-        **{name: [one[name] for one in found] for name in found[0]},
+        "contrast_range": simulated.truth()["contrast_range"],
+        **{name: [result[name] for result in results] for name in results[0]},
     }
     write("scan_twin", figures | stream(response))
 

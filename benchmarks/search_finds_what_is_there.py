@@ -78,7 +78,7 @@ def scanned(brief: Brief) -> list[tuple[float, int, list[float]]]:
     # heights last, so that neighbours share a foot
     paths = sorted(brief.paths, key=lambda path: path == HEIGHT)
     axes = [np.linspace(0.0, 1.0, HEIGHTS if path == HEIGHT else lines) for path in paths]
-    found = []
+    designs = []
     for place in itertools.product(*axes):
         share = np.array([place[paths.index(path)] for path in brief.paths])
         if brief.allows(share):
@@ -86,13 +86,13 @@ def scanned(brief: Brief) -> list[tuple[float, int, list[float]]]:
             margins = np.minimum(brief.carrier - lower, upper - brief.carrier) / brief.carrier
             best = int(np.where(upper > lower, margins, -np.inf).argmax())
             if upper[best] > lower[best]:
-                found.append((float(margins[best]), best + 1, brief.values(share)))
-    return sorted(found, reverse=True)
+                designs.append((float(margins[best]), best + 1, brief.values(share)))
+    return sorted(designs, reverse=True)
 
 
-def confirmed(brief: Brief, found: list[tuple[float, int, list[float]]], runner: Runner) -> float | None:
+def confirmed(brief: Brief, designs: list[tuple[float, int, list[float]]], runner: Runner) -> float | None:
     """Margin (of the carrier) of the scan's best at the accuracy of the search; None if nothing holds it."""
-    for margin, _, values in found[:CONFIRMED]:
+    for margin, _, values in designs[:CONFIRMED]:
         if margin <= 0:
             return None
         try:
@@ -137,14 +137,14 @@ def compared(brief: Brief) -> dict[str, Any]:
         runner = Runner(Store(Path(folder)))
         search = searched(brief, runner)
         start = time.process_time()
-        found = scanned(brief)
-        best = confirmed(brief, found, runner)
+        designs = scanned(brief)
+        best = confirmed(brief, designs, runner)
     return {
         "carrier_hz": brief.carrier,
         "material": brief.cell.material.name,
         "varied": len(brief.paths),
         "slenderness": brief.allowed.slenderness,
-        "scan": {"designs": len(found), "margin": best, "cpu_s": time.process_time() - start},
+        "scan": {"designs": len(designs), "margin": best, "cpu_s": time.process_time() - start},
         "search": search,
         "as_good": best is None or bool((search["margin"] or -1.0) >= best - TOLERANCE),
     }

@@ -44,13 +44,13 @@ def ours(resolution: Resolution) -> dict[str, float]:
     with threadpool_limits(1):  # as in the commands; symmetry classes use all cores
         whole()  # the index work of the topology
         seconds, model = timed(whole, repeats=3)
-    found = {name: model.solve(np.array(kappa)).frequency for name, kappa in CORNERS.items()}
+    at_corners = {name: model.solve(np.array(kappa)).frequency for name, kappa in CORNERS.items()}
     return {
         "order": resolution.order,
         "foot_rings": resolution.foot_rings,
         "unknowns": model.fine.tiling.meshes[0].unknowns,
         "diagram_s": seconds,
-        "true_error": true_error(found),
+        "true_error": true_error(at_corners),
     }
 
 

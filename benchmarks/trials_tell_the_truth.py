@@ -42,8 +42,8 @@ MORE = 5  # times as many experiments for the quick tests as for the mixed model
 
 def processed(truth: Truth, protocol: Protocol, seed: int) -> tuple[Pairs, Pairs]:
     """Pairs of both waveguides, from force records."""
-    made = strokes(truth, protocol, GROUP, seed)
-    trials = measured((label, record) for label, record, _ in made)
+    simulated = strokes(truth, protocol, GROUP, seed)
+    trials = measured((label, record) for label, record, _ in simulated)
     driven, idle = (paired(trials, guide) for guide in protocol.waveguides)
     return driven, idle
 
@@ -53,7 +53,7 @@ def as_they_are(truth: Truth, protocol: Protocol, number: int, *seed: int) -> tu
     rows = list(coefficients(truth, protocol, number, np.random.default_rng(seed)))
     names = ("participant", "block", "trial", "waveguide", "actuation")
     table = {name: np.array([getattr(label, name) for label, _ in rows]) for name in names}
-    table |= {"friction": np.array([one for _, one in rows]), "excluded": np.full(len(rows), "")}
+    table |= {"friction": np.array([friction for _, friction in rows]), "excluded": np.full(len(rows), "")}
     trials = xr.Dataset({name: ("stroke", values) for name, values in table.items()})
     driven, idle = (paired(trials, guide) for guide in protocol.waveguides)
     return driven, idle
@@ -81,7 +81,7 @@ def covered(truth: Truth, protocol: Protocol, seeds: int) -> dict[str, Any]:
             for guide in guides
         ]
         own = {"driven": here[0], "idle": here[1], "stopped": 1 - here[1] / here[0]}
-        found = {
+        estimates = {
             "people": {
                 "driven": reduction(pairs[0]),
                 "idle": reduction(pairs[1]),
@@ -94,13 +94,15 @@ def covered(truth: Truth, protocol: Protocol, seeds: int) -> dict[str, Any]:
             },
         }
         for about, true in (("people", population), ("these participants", own)):
-            for name, one in found[about].items():
-                hits.setdefault(f"{name}, {about}", []).append(bool(one.low < true[name] < one.high))
-                off.setdefault(f"{name}, {about}", []).append(one.value - true[name])
+            for name, estimate in estimates[about].items():
+                hits.setdefault(f"{name}, {about}", []).append(
+                    bool(estimate.low < true[name] < estimate.high)
+                )
+                off.setdefault(f"{name}, {about}", []).append(estimate.value - true[name])
         print(f"seed {seed + 1} of {seeds}", flush=True)
     return {
-        name: within(one) | {"bias": float(np.mean(off[name])), "spread": float(np.std(off[name]))}
-        for name, one in hits.items()
+        name: within(held) | {"bias": float(np.mean(off[name])), "spread": float(np.std(off[name]))}
+        for name, held in hits.items()
     } | {"true": population}
 
 
@@ -113,13 +115,13 @@ def with_more_people(truth: Truth, protocol: Protocol, experiments: int) -> list
         widths = []
         for seed in range(experiments):
             pairs = as_they_are(truth, protocol, number, number, seed)
-            found = (reduction(pairs[0]), reduction(pairs[1]), stopped(*pairs))
-            for name, one, value in zip(hits, found, (*true, 1 - true[1] / true[0]), strict=True):
-                hits[name].append(bool(one.low < value < one.high))
-            widths.append(found[1].high - found[1].low)
+            reductions = (reduction(pairs[0]), reduction(pairs[1]), stopped(*pairs))
+            for name, estimate, value in zip(hits, reductions, (*true, 1 - true[1] / true[0]), strict=True):
+                hits[name].append(bool(estimate.low < value < estimate.high))
+            widths.append(reductions[1].high - reductions[1].low)
         rows.append(
             {"people": number, "width_idle": float(np.median(widths))}
-            | {name: within(one) for name, one in hits.items()}
+            | {name: within(held) for name, held in hits.items()}
         )
         print(f"{number} people", flush=True)
     return rows
@@ -128,14 +130,14 @@ def with_more_people(truth: Truth, protocol: Protocol, experiments: int) -> list
 def alarms(truth: Truth, protocol: Protocol, experiments: int) -> dict[str, dict[str, float]]:
     """How often each test finds a difference on the idle waveguide where the population has none."""
     still = replace(truth, remaining=dict.fromkeys(protocol.waveguides, 1.0), film=None)
-    found: dict[str, list[float]] = {}
+    p_values: dict[str, list[float]] = {}
     for seed in range(MORE * experiments):
         _, idle = as_they_are(still, protocol, GROUP, 0, seed)
         slow = (by_mixed_model(idle),) if seed < experiments else ()
         for test in (by_trials(idle), by_participants(idle), *slow):
-            found.setdefault(test.name, []).append(test.p)
+            p_values.setdefault(test.name, []).append(test.p)
     rates = {}
-    for name, values in found.items():
+    for name, values in p_values.items():
         computed = [p for p in values if np.isfinite(p)]
         rate = float(np.mean([p < LEVEL for p in computed]))
         error = float(np.sqrt(max(rate * (1 - rate), LEVEL * (1 - LEVEL)) / len(computed)))
@@ -146,7 +148,7 @@ def alarms(truth: Truth, protocol: Protocol, experiments: int) -> dict[str, dict
 def main(seeds: int, experiments: int) -> None:
     study = haptonic.load(STUDY)
     truth, protocol = truth_of(study), protocol_of(study)
-    seconds, found = timed(lambda: covered(truth, protocol, seeds))
+    seconds, figures = timed(lambda: covered(truth, protocol, seeds))
     write(
         "trials_tell_the_truth",
         {
@@ -154,7 +156,7 @@ def main(seeds: int, experiments: int) -> None:
             "people": GROUP,
             "strokes": protocol.blocks * protocol.trials * GROUP,
             "amplitude_m": dict(truth.film.amplitude) if truth.film else {},
-            "covered": found,
+            "covered": figures,
             "covered_s": seconds,
             "more_people": with_more_people(truth, protocol, experiments),
             "level": LEVEL,

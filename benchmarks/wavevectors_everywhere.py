@@ -99,9 +99,9 @@ def measured(
     largest, ratios, errors = 0.0, [], []
     for kappa in drawn:
         exact = hertz(eigenpairs(reference, kappa, model.count)[0])
-        found = model.solve(kappa)
+        solution = model.solve(kappa)
         moving = exact > 2 * REST * model.highest
-        away, error = np.abs(found.frequency - exact)[moving], found.error[moving]
+        away, error = np.abs(solution.frequency - exact)[moving], solution.error[moving]
         compared += int(moving.sum())
         beyond += int((away > error).sum())
         outside += int(cell.zone.depth(kappa[None])[0] < -BESIDE)

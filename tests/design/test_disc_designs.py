@@ -32,9 +32,9 @@ def cell(*discs, **more):
     return UnitCell(SQUARE, 1.5 * MM, ALUMINIUM, disc=discs, **more)
 
 
-def sizes(one):
+def sizes(design):
     """Numbers of discs that can vary, and what moves with them, without the constants of materials."""
-    return {path: others for path, others in moving_together(one).items() if ".material." not in path}
+    return {path: others for path, others in moving_together(design).items() if ".material." not in path}
 
 
 class TestNumbersThatMoveTogether:
@@ -58,10 +58,10 @@ class TestNumbersThatMoveTogether:
             assert set(sizes(mirrored)) == {"cell.disc[1].diameter", "cell.disc[1].high"}
 
     def test_a_material_of_two_discs_is_one(self):
-        one = cell(
+        design = cell(
             above(3, 0, 1, material=STEEL), above(2, 1, 2, material=EPOXY), above(1, 2, 3, material=STEEL)
         )
-        together = moving_together(one)
+        together = moving_together(design)
         assert together["cell.disc[1].material.density"] == ("cell.disc[3].material.density",)
         assert together["cell.disc[2].material.density"] == ()
 
@@ -89,12 +89,12 @@ class TestNumbersThatMoveTogether:
     @pytest.mark.parametrize("name", STACKS | DRAFTED)
     def test_every_number_leaves_the_grid_of_the_stack(self, name):
         """Little changes of each, in both directions; the equal numbers alone would divide it anew."""
-        one = cell(*(STACKS | DRAFTED)[name])
-        for path, others in moving_together(one).items():
-            value = one.numbers()[path]
+        design = cell(*(STACKS | DRAFTED)[name])
+        for path, others in moving_together(design).items():
+            value = design.numbers()[path]
             for factor in (0.999, 1.001):
-                moved = one.with_numbers(with_shared(one, {path: factor * value}))
-                assert moved.stack.grid == one.stack.grid
+                moved = design.with_numbers(with_shared(design, {path: factor * value}))
+                assert moved.stack.grid == design.stack.grid
                 assert {moved.numbers()[other] for other in (path, *others)} == {factor * value}
 
     def test_sites_are_apart(self):
@@ -168,9 +168,9 @@ SPREADS = (
 DRAWN = 12  # plates
 
 
-def gap_of(one):
+def gap_of(design):
     """Its complete gap at 100 kHz, of a mesh that no fit uses."""
-    dataset = design_gaps((one, BandSettings(10, 13, 2e-2, MeshSettings(3, 2))))
+    dataset = design_gaps((design, BandSettings(10, 13, 2e-2, MeshSettings(3, 2))))
     return next(gap for gap in gaps_of(dataset) if gap.complete and gap.lower < 100e3 < gap.upper)
 
 
@@ -191,7 +191,7 @@ def test_edges_of_drawn_plates_are_those_of_the_fit():
         COATED.with_numbers(dict(zip((s.parameter for s in SPREADS), at_rest + row * widths, strict=True)))
         for row in drawn
     ]
-    direct = np.array([[found.lower, found.upper] for found in map(gap_of, plates)]) - [gap.lower, gap.upper]
+    direct = np.array([[other.lower, other.upper] for other in map(gap_of, plates)]) - [gap.lower, gap.upper]
     fitted = surface.at(drawn) - surface.at(np.zeros((1, 3)))
     assert direct.std(axis=0) == pytest.approx(fitted.std(axis=0), rel=0.03)
     assert np.abs(direct - fitted).max() < 0.1 * direct.std(axis=0).min()
@@ -208,7 +208,7 @@ def test_a_search_varies_equal_numbers_together():
     brief = Brief(start, 95e3, 10, bounds)
     settings = BandSettings(10, 13, 2e-2, MeshSettings(3, 1))
     design = compute_design(brief, settings, starts=4, climbs=1, steps=4, inputs={}, runner=Runner())
-    made = brief.made(design.values)
-    assert made.disc[0].high == made.disc[1].high == design.values["cell.disc[1].high"]
-    found = design_gaps((made, settings))
-    assert any(gap.complete and gap.lower < 95e3 < gap.upper for gap in gaps_of(found))
+    best_cell = brief.made(design.values)
+    assert best_cell.disc[0].high == best_cell.disc[1].high == design.values["cell.disc[1].high"]
+    dataset = design_gaps((best_cell, settings))
+    assert any(gap.complete and gap.lower < 95e3 < gap.upper for gap in gaps_of(dataset))

@@ -29,9 +29,9 @@ def test_slopes_are_differences_of_the_bands_even_if_the_gap_is_from_a_coarse_me
     slopes = edge_slopes(cell, gap, PATHS)
     own = values_of(cell)
     assert abs(gap.lower - band_frequency(cell, np.array(gap.lower_kappa), 6)) > 1e3
-    for path, found in zip(PATHS, slopes, strict=True):
+    for path, pair in zip(PATHS, slopes, strict=True):
         step = 1e-3 * own[path]  # eigenvalues at the zone's centre are right to some 1e-7
-        for kappa, number, slope in ((gap.lower_kappa, 6, found[0]), (gap.upper_kappa, 7, found[1])):
+        for kappa, number, slope in ((gap.lower_kappa, 6, pair[0]), (gap.upper_kappa, 7, pair[1])):
             below, above = (
                 band_frequency(cell.with_numbers({path: own[path] + d}), np.array(kappa), number)
                 for d in (-step, step)

@@ -74,8 +74,8 @@ def start(text):
 def slope_of(text):
     study, _, shared, modes = start(text)
     links = links_of(study)
-    found = sensitivity(shared, modes, [A], links.directions({A: float(links.own(A))}))
-    return float(found.slopes[A][0])
+    result = sensitivity(shared, modes, [A], links.directions({A: float(links.own(A))}))
+    return float(result.slopes[A][0])
 
 
 def hertz(text, value):
@@ -112,8 +112,8 @@ def test_slopes_of_the_search_are_sums_over_the_numbers():
     quick = QuickDesign.of(brief.at(share), 8)
     together = quick.sides(6, [A], {A: moving})
     apart = quick.sides(6, list(moving))
-    for one, each in zip(together, apart, strict=True):
-        assert one.slopes[:, 0] == pytest.approx(each.slopes @ list(moving.values()), rel=1e-6)
+    for side, each in zip(together, apart, strict=True):
+        assert side.slopes[:, 0] == pytest.approx(each.slopes @ list(moving.values()), rel=1e-6)
 
 
 def test_designs_of_a_brief_are_those_of_the_study():

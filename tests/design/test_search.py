@@ -159,11 +159,11 @@ class TestBounds:
     def test_feasible_places_meet_the_limits_and_good_ones_are_left_alone(self, share):
         brief = brief_of(CELL, slenderness=2.4, tool=3 * MM, reach=9 * MM)
         place = np.array(share)
-        found = brief.feasible(place)
-        assert ((found >= 0) & (found <= 1)).all()
-        assert min(brief.limits(found).values()) >= 0
+        feasible = brief.feasible(place)
+        assert ((feasible >= 0) & (feasible <= 1)).all()
+        assert min(brief.limits(feasible).values()) >= 0
         if min(brief.limits(place).values()) >= 0:
-            assert np.array_equal(found, place)
+            assert np.array_equal(feasible, place)
 
     def test_shares_and_values_are_each_others_inverse(self):
         brief = brief_of(CELL)
@@ -304,10 +304,10 @@ class TestStarts:
     def test_bands_that_touch_at_the_carrier_come_after_every_gap(self):
         touching = self.column(0.2, [(100, 100), (140, 120)])
         narrow = self.column(0.8, [(150, 120), (40, 42)])
-        found = starts_of([touching, narrow], 100.0)
-        assert (found[0].share[0], found[0].band) == (0.8, 2)
-        assert found[0].is_open(100.0)
-        assert not any(visit.is_open(100.0) for visit in found[1:])
+        starts = starts_of([touching, narrow], 100.0)
+        assert (starts[0].share[0], starts[0].band) == (0.8, 2)
+        assert starts[0].is_open(100.0)
+        assert not any(visit.is_open(100.0) for visit in starts[1:])
 
     def test_a_gap_between_two_heights_that_were_looked_at_is_seen(self):
         (first, *_) = starts_of([self.column(0.5, [(150, 180)], [(60, 72)])], 100.0)
@@ -392,16 +392,16 @@ def test_a_search_is_at_least_as_good_as_a_scan(cheap, seed, kept):
     scan = [
         HeightRow.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)
     ]
-    visit = max((one for one in scan if one.is_open(brief.carrier)), key=lambda one: one.margin)
+    visit = max((seen for seen in scan if seen.is_open(brief.carrier)), key=lambda seen: seen.margin)
     gaps = gaps_of(tasks.gap_dataset((brief.at(visit.share), ASKED, visit.band)))
     (best,) = (gap for gap in gaps if gap.between[0] == visit.band)
-    found = searched(brief, kept)
+    design = searched(brief, kept)
     assert min(brief.carrier - best.lower, best.upper - brief.carrier) > 0.01 * brief.carrier
-    reached = min(brief.carrier - found.gap.lower, found.gap.upper - brief.carrier)
+    reached = min(brief.carrier - design.gap.lower, design.gap.upper - brief.carrier)
     assert reached > min(brief.carrier - best.lower, best.upper - brief.carrier) - 2e-3 * brief.carrier
-    inside = brief.share(brief.cell.with_numbers(found.values))
+    inside = brief.share(brief.cell.with_numbers(design.values))
     assert brief.allows(inside)
-    assert all(low <= found.values[path] <= high for path, (low, high) in brief.bounds.items())
+    assert all(low <= design.values[path] <= high for path, (low, high) in brief.bounds.items())
 
 
 @settings(max_examples=200)
@@ -447,16 +447,16 @@ class TestWhatCannotBeComputed:
     @pytest.mark.nightly
     def test_one_is_left_out_and_named(self, cheap, monkeypatch, kept):
         tried = self.refusing(monkeypatch, lambda tried: len(tried) == 1)
-        found = searched(
+        design = searched(
             glass(), kept, replace(ASKED, accuracy=0.03), starts=48
         )  # not what another test has kept
         assert len(tried) >= 2
-        assert found.margin > 0
-        (left,) = found.left_out
+        assert design.margin > 0
+        (left,) = design.left_out
         assert left["cause"] == "37 GB would be needed"
-        assert left["values"].keys() == found.values.keys()
+        assert left["values"].keys() == design.values.keys()
         assert left["values"]["cell.pillar.height"] == pytest.approx(tried[0][0].pillar.height, abs=1e-6)
-        assert found.to_json()["left_out"] == [left]
+        assert design.to_json()["left_out"] == [left]
 
     @pytest.mark.nightly
     def test_without_an_accurate_design_the_best_one_is_named(self, cheap, monkeypatch, kept):
@@ -494,7 +494,11 @@ class TestRefusal:
         values = dict(zip(brief.paths, brief.values(share), strict=True))
         slender = values[HEIGHT] / values["cell.pillar.diameter"] > 0.992 * 9
         assert ("slenderness" in refusal.cause) == slender
-        at_bounds = [path for path, one in zip(brief.paths, share, strict=True) if not 0.005 < one < 0.995]
+        at_bounds = [
+            path
+            for path, coordinate in zip(brief.paths, share, strict=True)
+            if not 0.005 < coordinate < 0.995
+        ]
         assert all(f"{path} = " in refusal.cause for path in at_bounds)
         held = "limited by" in refusal.cause
         assert held == ("widen" in refusal.next_step)

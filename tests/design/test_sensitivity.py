@@ -130,7 +130,7 @@ def five_points(f, at, step):
 @cases
 def test_slopes_together_are_those_of_exact_frequencies(name, kappa, band, together):
     """All numbers change at once, each by the step that it has alone in the next test, up or down."""
-    modes, found = solved(name, kappa, band)
+    modes, result = solved(name, kappa, band)
     values, rng = values_of(CELLS[name]), np.random.default_rng(2)
     assert modes.fields.shape[2] == together
     steps = {path: rng.choice([-1.0, 1.0]) * step_of(name, path) for path in values}
@@ -139,7 +139,7 @@ def test_slopes_together_are_those_of_exact_frequencies(name, kappa, band, toget
         return exact_hertz(name, {p: values[p] + t * step for p, step in steps.items()}, kappa, modes.omega)
 
     expected = five_points(moved, 0.0, 1.0)
-    slope = sum(found.slopes[path] * step for path, step in steps.items())
+    slope = sum(result.slopes[path] * step for path, step in steps.items())
     assert slope == pytest.approx(np.full(together, expected), rel=2e-6)
 
 
@@ -152,16 +152,16 @@ def step_of(name, path):
 @pytest.mark.nightly
 @pytest.mark.parametrize(("name", "kappa", "band", "together"), CASES)
 def test_slopes_are_those_of_exact_frequencies(name, kappa, band, together):
-    modes, found = solved(name, kappa, band)
+    modes, result = solved(name, kappa, band)
     assert modes.fields.shape[2] == together
-    assert found.frequency == pytest.approx(modes.omega / (2 * np.pi))
-    assert list(found.slopes) == list(values_of(CELLS[name]))
-    for path, slope in found.slopes.items():
+    assert result.frequency == pytest.approx(modes.omega / (2 * np.pi))
+    assert list(result.slopes) == list(values_of(CELLS[name]))
+    for path, slope in result.slopes.items():
         here = values_of(CELLS[name])[path]
         step = step_of(name, path)
         expected = five_points(lambda x, p=path: exact_hertz(name, {p: x}, kappa, modes.omega), here, step)
         # where a length hardly counts, rounding of the frequency is what limits the difference
-        floor = 1e-11 * found.frequency / step
+        floor = 1e-11 * result.frequency / step
         assert slope == pytest.approx(np.full(together, expected), rel=2e-6, abs=floor), path
 
 
@@ -196,24 +196,24 @@ def test_a_pair_parts_when_the_lattice_loses_its_diagonal(path):
 @cases
 def test_sizes_and_constants_scale_as_they_must(name, kappa, band, together):
     """With fixed phases a cell twice as large has half the frequency; angles do not count."""
-    _, found = solved(name, kappa, band)
+    _, result = solved(name, kappa, band)
     values = values_of(CELLS[name])
-    lengths = sum(values[path] * slope for path, slope in found.slopes.items() if UNITS[path] == "m")
-    assert lengths == pytest.approx(np.full(together, -found.frequency), rel=1e-7)
+    lengths = sum(values[path] * slope for path, slope in result.slopes.items() if UNITS[path] == "m")
+    assert lengths == pytest.approx(np.full(together, -result.frequency), rel=1e-7)
     for constant, exponent in (("youngs_modulus", 0.5), ("density", -0.5)):
         # of all materials together
         paths = [path for path in values if path.endswith(f"material.{constant}")]
         assert len(paths) == MATERIALS.get(name, 1)
-        shares = sum(values[path] * found.slopes[path] for path in paths)
-        assert shares == pytest.approx(np.full(together, exponent * found.frequency), rel=1e-9)
+        shares = sum(values[path] * result.slopes[path] for path in paths)
+        assert shares == pytest.approx(np.full(together, exponent * result.frequency), rel=1e-9)
 
 
 def test_only_the_paths_asked_for():
-    modes, found = solved("reference", GENERIC, 5)
+    modes, result = solved("reference", GENERIC, 5)
     some = ["cell.thickness", "material.poisson_ratio"]
     fewer = sensitivity(start("reference")[0], modes, some)
     assert list(fewer.slopes) == some
-    assert all(fewer.slopes[path] == pytest.approx(found.slopes[path], rel=1e-12) for path in some)
+    assert all(fewer.slopes[path] == pytest.approx(result.slopes[path], rel=1e-12) for path in some)
 
 
 @pytest.mark.parametrize("name", CELLS)

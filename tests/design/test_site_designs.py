@@ -34,7 +34,7 @@ def cell_of(lattice, *pillars, at=(), thickness=0.8 * MM):
     places = [{"position": place} if 0 < max(place) < 0.1 else {"at": place} for place in at] or [{}] * len(
         pillars
     )
-    sites = tuple(Site(pillar=one, **place) for one, place in zip(pillars, places, strict=True))
+    sites = tuple(Site(pillar=pillar, **place) for pillar, place in zip(pillars, places, strict=True))
     return UnitCell(lattice, thickness, ALUMINIUM, site=sites)
 
 
@@ -94,7 +94,7 @@ def test_the_tool_passes_between_the_outlines_of_all_pillars(name):
     """Half a hundredth more than the narrowest way, between points of the outlines, breaks a limit."""
     rng = np.random.default_rng(3)
     places = (near(brief_of(name), rng, 0.15) for _ in range(200))
-    for place in [one for one in places if brief_of(name).allows(one)][:3]:
+    for place in [each for each in places if brief_of(name).allows(each)][:3]:
         way = narrowest(brief_of(name).at(place))
         assert brief_of(name, tool=0.99 * way).allows(place)
         room = brief_of(name, tool=1.005 * way).limits(place)
@@ -125,18 +125,20 @@ def narrowest(cell):
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     square = circle / np.abs(circle).max(axis=1)[:, None]
     steps = np.array([(n, m) for n in range(-2, 3) for m in range(-2, 3)])
-    places, found = cell.shares @ cell.vectors, []
-    for i, one in enumerate(cell.pillars):
+    places, distances = cell.shares @ cell.vectors, []
+    for i, pillar in enumerate(cell.pillars):
         for j, other in enumerate(cell.pillars):
-            if one is None or other is None:
+            if pillar is None or other is None:
                 continue
             for step in steps @ cell.vectors:
                 away = places[j] - places[i] + step
                 if away.any() and np.linalg.norm(away) < 2 * cell.lattice.pitch:
-                    sides = [p.broadest * (circle if p.section == "round" else square) for p in (one, other)]
+                    sides = [
+                        p.broadest * (circle if p.section == "round" else square) for p in (pillar, other)
+                    ]
                     apart = np.linalg.norm((away + sides[1])[:, None] - sides[0], axis=2)
-                    found.append(apart.min())
-    return min(found)
+                    distances.append(apart.min())
+    return min(distances)
 
 
 def test_limits_are_named_by_the_table_that_gives_the_pillar():
@@ -157,11 +159,11 @@ def test_heights_of_all_pillars_grow_together_upon_the_same_feet():
     columns = spread(brief, 30)
     assert all(brief.allows(place) for column in columns for place in column)
     drawn = [np.array([brief.values(place) for place in column]) for column in columns[1:]]
-    assert len({round(float(np.log(one[0, 0] / one[0, 1])), 6) for one in drawn}) >= 3
-    for one in drawn:
-        assert np.ptp(one[:, 2]) == 0
-        assert np.ptp(one[:, 0] / one[:, 1]) < 1e-9
-        assert (np.diff(one[:, 0]) > 0).all()
+    assert len({round(float(np.log(values[0, 0] / values[0, 1])), 6) for values in drawn}) >= 3
+    for values in drawn:
+        assert np.ptp(values[:, 2]) == 0
+        assert np.ptp(values[:, 0] / values[:, 1]) < 1e-9
+        assert (np.diff(values[:, 0]) > 0).all()
 
 
 def test_a_step_of_a_climb_gives_what_the_tangents_promise(monkeypatch):
@@ -180,8 +182,10 @@ def coarse_scan(brief, lines):
     """The best open gap around the carrier on a grid of the box, in the model of the search."""
     # heights change fastest: their feet are kept
     grid = np.array(list(product(*(np.linspace(0, 1, n) for n in reversed(lines)))))[:, ::-1]
-    seen = [HeightRow.of(brief, one[None]).best(brief.carrier)[0][1] for one in grid if brief.allows(one)]
-    return max((one for one in seen if one.is_open(brief.carrier)), key=lambda one: one.margin)
+    seen = [
+        HeightRow.of(brief, place[None]).best(brief.carrier)[0][1] for place in grid if brief.allows(place)
+    ]
+    return max((visit for visit in seen if visit.is_open(brief.carrier)), key=lambda visit: visit.margin)
 
 
 SEARCHED = {
@@ -213,20 +217,20 @@ def test_a_search_is_at_least_as_good_as_a_scan(name, monkeypatch):
     gaps = gaps_of(tasks.gap_dataset((brief.at(visit.share), asked, visit.band)))
     (best,) = (gap for gap in gaps if gap.between[0] == visit.band)
     margin = min(carrier - best.lower, best.upper - carrier)
-    found = compute_design(brief, asked, starts=24, climbs=2, steps=8, inputs={}, runner=Runner())
-    reached = min(carrier - found.gap.lower, found.gap.upper - carrier)
+    design = compute_design(brief, asked, starts=24, climbs=2, steps=8, inputs={}, runner=Runner())
+    reached = min(carrier - design.gap.lower, design.gap.upper - carrier)
     assert margin > 0
     assert reached > margin - 2e-3 * carrier
-    assert brief.allows(brief.share(cell.with_numbers(found.values)))
+    assert brief.allows(brief.share(cell.with_numbers(design.values)))
 
 
 class Kept(Runner):
     """Notes what it is to compute, and gives back where that starts."""
 
     def run(self, function, asked, done):
-        self.__dict__["asked"] = [one.argument for one in asked]
+        self.__dict__["asked"] = [task.argument for task in asked]
         start = [Visited(share, 6, 80e3, 90e3, 0.05) for _, share, _ in self.__dict__["asked"]]
-        return [tasks.as_dataset([one]) for one in start]
+        return [tasks.as_dataset([visit]) for visit in start]
 
 
 def test_a_front_starts_from_the_best_design_scaled_but_for_its_angles():

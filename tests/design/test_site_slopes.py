@@ -29,7 +29,7 @@ CELLS = {
         Lattice(lattice="honeycomb", pitch=7 * MM),
         1.5 * MM,
         ALUMINIUM,
-        site=tuple(Site(pillar=one) for one in PAIR),
+        site=tuple(Site(pillar=pillar) for pillar in PAIR),
     ),
     "kagome": UnitCell(Lattice(lattice="kagome", pitch=8 * MM), 1.5 * MM, ALUMINIUM, PAIR[0]),
 }
@@ -72,25 +72,25 @@ def hertz(name, changes, omega):
     ),
 )
 def test_slopes_are_those_of_exact_frequencies(name, path):
-    modes, found = solved(name, 4)
+    modes, result = solved(name, 4)
     here = values_of(CELLS[name])[path]
     step = 1e-3 * here
     ahead, behind = (hertz(name, {path: here + sign * step}, modes.omega) for sign in (1, -1))
     slope = (ahead - behind) / (2 * step)
     assert UNITS[path] == "m"
-    assert found.slopes[path] == pytest.approx([slope], rel=2e-4)
+    assert result.slopes[path] == pytest.approx([slope], rel=2e-4)
 
 
 @pytest.mark.parametrize("name", CELLS)
 def test_slopes_add_up_as_dimensions_ask(name):
     """All lengths in proportion are one over the frequency; stiffness and mass are a root each."""
-    modes, found = solved(name, 4)
+    modes, result = solved(name, 4)
     values = values_of(CELLS[name])
-    lengths = sum(found.slopes[path] * values[path] for path in values if path.startswith("cell."))
-    assert lengths == pytest.approx([-found.frequency], rel=1e-6)
-    modulus, _, density = (found.slopes[path] * values[path] for path in MATERIAL)
-    assert modulus == pytest.approx([0.5 * found.frequency], rel=1e-9)
-    assert density == pytest.approx([-0.5 * found.frequency], rel=1e-9)
+    lengths = sum(result.slopes[path] * values[path] for path in values if path.startswith("cell."))
+    assert lengths == pytest.approx([-result.frequency], rel=1e-6)
+    modulus, _, density = (result.slopes[path] * values[path] for path in MATERIAL)
+    assert modulus == pytest.approx([0.5 * result.frequency], rel=1e-9)
+    assert density == pytest.approx([-0.5 * result.frequency], rel=1e-9)
     assert modes.fields.shape[2] == 1
 
 

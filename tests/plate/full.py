@@ -94,11 +94,11 @@ def _with_patch(layout, actuator, tiles, along, through):
     x, y = layout.x[columns[0] : columns[-1] + 2], layout.y[rows[0] : rows[-1] + 2]
     orders = BodyOrders(along, through, 2, 3)
     longest = 1.01 * max(np.diff(x).max(), np.diff(y).max())
-    found = body(x, y, layout.thickness, layout.material, [actuator], orders, longest)
+    mesh = body(x, y, layout.thickness, layout.material, [actuator], orders, longest)
     box = np.array([x[0], y[0]]), np.array([x[-1], y[-1]])
     return Piece(
-        found.points, dict(found.stiffness), found.mass, list(found.faces), box, dict(found.drive),
-        dict(found.capacitance),
+        mesh.points, dict(mesh.stiffness), mesh.mass, list(mesh.faces), box, dict(mesh.drive),
+        dict(mesh.capacitance),
     )  # fmt: skip
 
 
@@ -273,9 +273,9 @@ def answer_by_iteration(whole, load, omega):
         return solve(np.ascontiguousarray(right.real)) + 1j * solve(np.ascontiguousarray(right.imag))
 
     inverse = LinearOperator(Z.shape, precondition, dtype=complex)
-    found, failed = gmres(Z, load.astype(complex), M=inverse, rtol=1e-8, restart=60, maxiter=60)
+    solution, failed = gmres(Z, load.astype(complex), M=inverse, rtol=1e-8, restart=60, maxiter=60)
     assert not failed
-    return found
+    return solution
 
 
 def fields_on(whole, model, vectors):
@@ -283,19 +283,19 @@ def fields_on(whole, model, vectors):
 
     vectors : (size, k) of the model's assembly
     """
-    layout, found = model.plate.layout, {}
+    layout, displaced = model.plate.layout, {}
     for group, share in model.assembly.shares(vectors):
         for number, own in zip(group.blocks, share.swapaxes(0, 1), strict=True):
             block = model.assembly.skeleton.blocks[number]
             corner = np.array([layout.x[block.columns[0]], layout.y[block.rows[0]], 0.0])
             lifted = group.tile.inside.lifted(own)
             for key, value in zip(_rounded(group.tile.inside.points + corner), lifted, strict=True):
-                found[key] = value
+                displaced[key] = value
     everywhere = []
     for piece in whole.pieces:
         keys = _rounded(piece.points)
-        known = all(key in found for key in keys)
-        everywhere.append(np.concatenate([found[key] for key in keys]) if known else None)
+        known = all(key in displaced for key in keys)
+        everywhere.append(np.concatenate([displaced[key] for key in keys]) if known else None)
     return everywhere
 
 

@@ -185,8 +185,8 @@ def test_direct_answers_are_those_of_the_whole_complex_matrix():
     loads = np.stack([busy().drives["A"], 1j * busy().drives["F"]], axis=1)
     for omega in HZ * LINES[[0, 7, 3]]:
         exact = np.linalg.solve(dynamic(busy(), omega), loads)
-        found = direct_answer(busy(), loads, omega)
-        assert np.linalg.norm(found - exact) < 1e-6 * np.linalg.norm(exact)
+        answer = direct_answer(busy(), loads, omega)
+        assert np.linalg.norm(answer - exact) < 1e-6 * np.linalg.norm(exact)
     bare = replace(busy(), plate=replace(busy_plate(), finger=None))
     exact = np.linalg.solve(dynamic(bare, HZ * 9e3), loads)
     assert np.linalg.norm(direct_answer(bare, loads, HZ * 9e3) - exact) < 1e-6 * np.linalg.norm(exact)
@@ -221,8 +221,8 @@ def test_modes_have_the_quality_of_the_complex_eigenvalues():
 def cut_chains(count, kept, low=2e3):
     """Chains of which only the first vectors are there."""
     shifts = (HZ * np.linspace(low, 32e3, count)) ** 2
-    found = chains(busy().assembly, _forces(busy()), shifts.tolist(), 2)
-    return [replace(chain, vectors=chain.vectors[:, :kept]) for chain in found]
+    uncut = chains(busy().assembly, _forces(busy()), shifts.tolist(), 2)
+    return [replace(chain, vectors=chain.vectors[:, :kept]) for chain in uncut]
 
 
 MOVED = Finger((4e-3, 16e-3), 6e-3, 2e-3, 2e4, 3.0)
@@ -339,11 +339,11 @@ def test_many_poor_lines_are_answered_directly_if_no_larger_basis_fits(monkeypat
     lines = np.linspace(20e3, 30e3, 40)
     poor = Band._joined(busy(), 20e3, 30e3, cut_chains(2, 3, 19e3))
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=4e6))
-    told = []
-    band, vibration = poor.answer(BOTH, lines, 1e-2, lambda done, all: told.append((done, all)))
+    progress = []
+    band, vibration = poor.answer(BOTH, lines, 1e-2, lambda done, all: progress.append((done, all)))
     assert band is poor
     count = (poor.reduced.answer(BOTH, HZ * lines).error > 1e-2).sum()
-    assert told == [(k + 1, count) for k in range(count)]
+    assert progress == [(k + 1, count) for k in range(count)]
     assert count > MOST_DIRECT
     assert (true_error(busy(), band, vibration) < np.maximum(vibration.error, 3e-6)).all()
 
@@ -629,7 +629,7 @@ def test_things_that_share_tiles_become_one_block():
     across = Force("F", (17.5e-3, 7e-3), (20e-3, 10e-3))
     plate = Plate(drawn("oppp oppp"), actuators=(NEAR, FAR), forces=(across,))
     carrying = {block: members for block, members in blocks_of(plate).items() if members}
-    assert {block: {one.name for one in members} for block, members in carrying.items()} == {
+    assert {block: {member.name for member in members} for block, members in carrying.items()} == {
         Block((0, 2), (1, 4)): {"A", "B", "F"}
     }
     apart = {block: members for block, members in blocks_of(replace(plate, forces=())).items() if members}

@@ -57,10 +57,10 @@ def test_solutions_and_counts_at_any_shift(frequency):
     shifted = busy().assembly.shifted(shift)
     assert shifted.below == (eigenvalues() < shift).sum()
     right = random(3, 1)
-    found = shifted.solve(right)
-    rest = (K - shift * M) @ found - right
-    assert np.abs(rest).max() < 1e-8 * (np.abs(K) @ np.abs(found)).max()
-    assert np.linalg.norm(found - np.linalg.solve(K - shift * M, right)) < 1e-5 * np.linalg.norm(found)
+    solution = shifted.solve(right)
+    rest = (K - shift * M) @ solution - right
+    assert np.abs(rest).max() < 1e-8 * (np.abs(K) @ np.abs(solution)).max()
+    assert np.linalg.norm(solution - np.linalg.solve(K - shift * M, right)) < 1e-5 * np.linalg.norm(solution)
 
 
 def test_a_shift_between_two_modes_of_a_tile_counts_them():
@@ -88,7 +88,9 @@ def rigid(skeleton):
 def skeleton(text="ppp pp.", shear=0):
     layout = drawn(text)
     tiles = [Block((i, i + 1), (j, j + 1)) for i, j in np.ndindex(layout.rows, layout.columns)]
-    return Skeleton.of(layout, [one for one in tiles if layout.at(one.tiles[0])], TraceOrders(3, 2, shear))
+    return Skeleton.of(
+        layout, [block for block in tiles if layout.at(block.tiles[0])], TraceOrders(3, 2, shear)
+    )
 
 
 @pytest.mark.parametrize("shear", [0, 2])
@@ -220,14 +222,14 @@ def test_free_edges_that_are_condensed_into_their_tiles_change_no_mode(monkeypat
     monkeypatch.setattr(model_module, "OPEN_FROM", 0)
     opened = PlateModel.of(plate, 40e3, COARSE)
     assert opened.assembly.free < closed.assembly.free - 100
-    for one, other in zip(opened.foundations, closed.foundations, strict=True):
-        assert np.array_equal(np.sort(one.stiffness.data), np.sort(other.stiffness.data))
-    one, other = (
+    for foundation, other in zip(opened.foundations, closed.foundations, strict=True):
+        assert np.array_equal(np.sort(foundation.stiffness.data), np.sort(other.stiffness.data))
+    of_closed, of_opened = (
         la.eigh(*lossless(model), eigvals_only=True, subset_by_value=(0, (HZ * 40e3) ** 2))
         for model in (closed, opened)
     )
-    assert len(one) == len(other) > 10
-    assert np.sqrt(other) == pytest.approx(np.sqrt(one), rel=1e-4)
+    assert len(of_closed) == len(of_opened) > 10
+    assert np.sqrt(of_opened) == pytest.approx(np.sqrt(of_closed), rel=1e-4)
     where = np.array([[1e-3, 1e-3], [34e-3, 27e-3], [30e-3, 10e-3]])
     omega = HZ * 17.8e3
     seen = [model.observed(where) @ answered(model, {"F": 1.0}, [omega]) for model in (closed, opened)]
@@ -238,14 +240,14 @@ def test_a_solver_that_is_released_serves_the_next_shift():
     assembly = busy().assembly
     first = assembly.shifted((HZ * 9e3) ** 2)
     right = np.random.default_rng(4).standard_normal((assembly.size, 2))
-    found = first.solve(right)
+    solution = first.solve(right)
     first.release()
     second = assembly.shifted((HZ * 23e3) ** 2)
     assert second.solver is first.solver
     assert assembly.shifted((HZ * 9e3) ** 2).solver is not second.solver, "one that is in use stays so"
     second.release()
     again = assembly.shifted((HZ * 9e3) ** 2)
-    assert again.solve(right) == pytest.approx(found, rel=1e-9, abs=1e-9 * np.abs(found).max())
+    assert again.solve(right) == pytest.approx(solution, rel=1e-9, abs=1e-9 * np.abs(solution).max())
 
 
 def test_holes_and_notches_leave_gaps_in_the_numbers_of_no_one():

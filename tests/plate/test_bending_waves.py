@@ -44,10 +44,10 @@ def repeated(order, components, phase):
         over = np.isclose(place, EDGE)
         number = own.setdefault(tuple(np.round(place - EDGE * over, 9)), len(own))
         rows.append((number, phase if over[0] else 1.0))
-    found = np.zeros((len(rows), len(own)), dtype=complex)
+    matrix = np.zeros((len(rows), len(own)), dtype=complex)
     for k, (number, turn) in enumerate(rows):
-        found[k, number] = turn
-    return np.kron(found, np.eye(components))
+        matrix[k, number] = turn
+    return np.kron(matrix, np.eye(components))
 
 
 def nearest(fineness, frequency):
@@ -62,8 +62,8 @@ def nearest(fineness, frequency):
         np.eye(len(tile.values)),
     )
     forms = (whole.conj().T @ form @ whole for form in (tile.elastic, tile.mass))
-    found = np.sqrt(np.maximum(la.eigh(*forms, eigvals_only=True), 0.0)) / HZ
-    return found[np.abs(found - frequency).argmin()]
+    frequencies = np.sqrt(np.maximum(la.eigh(*forms, eigvals_only=True), 0.0)) / HZ
+    return frequencies[np.abs(frequencies - frequency).argmin()]
 
 
 @pytest.mark.parametrize("order", [3, 4, 5])

@@ -83,8 +83,8 @@ def test_the_whole_has_no_other_free_motion_and_stores_energy():
 
 
 def test_mass_and_its_centre_are_those_of_the_boxes():
-    found = block()
-    mass = found.mass.reshape(-1, 3)
+    mesh = block()
+    mass = mesh.mass.reshape(-1, 3)
     assert (mass == mass[:, :1]).all()
     expected = {part: SOLIDS[part].density * volume for part, volume in VOLUMES.items()}
     centres = {
@@ -95,7 +95,7 @@ def test_mass_and_its_centre_are_those_of_the_boxes():
     }
     assert mass[:, 0].sum() == pytest.approx(sum(expected.values()), rel=1e-12)
     moment = sum(expected[part] * np.array(centres[part]) for part in expected)
-    assert mass[:, 0] @ found.points == pytest.approx(moment, rel=1e-12)
+    assert mass[:, 0] @ mesh.points == pytest.approx(moment, rel=1e-12)
 
 
 def lines(end):
@@ -109,20 +109,20 @@ def lines(end):
 @given(lines(13e-3), lines(8e-3), st.sampled_from([2e-3, 5e-3, 1.0]), st.integers(1, 2))
 def test_linear_fields_are_exact_wherever_the_lines_run(x, y, longest, along):
     """Energy of each part is that of its constants, and inside each part the stress is in balance."""
-    found = block(x, y, replace(ORDERS, along=along), longest)
-    fields = unit_strains(found.points)
+    mesh = block(x, y, replace(ORDERS, along=along), longest)
+    fields = unit_strains(mesh.points)
     ends = {PLATE: (0.0, 2e-3), ceramic("A"): (2.1e-3, 2.8e-3)}
     for part, solid in SOLIDS.items():
-        K = found.stiffness[part]
+        K = mesh.stiffness[part]
         energy = fields @ (K @ fields.T) / VOLUMES[part]
         assert np.abs(energy - solid.stiffness).max() < 1e-9 * solid.stiffness.max()
     for part, (low, high) in ends.items():
-        own = np.unique(found.elements[part])
-        on_skin = np.isclose(found.points[:, 2], low) | np.isclose(found.points[:, 2], high)
+        own = np.unique(mesh.elements[part])
+        on_skin = np.isclose(mesh.points[:, 2], low) | np.isclose(mesh.points[:, 2], high)
         for axis in (0, 1):
-            place = found.points[:, axis]
+            place = mesh.points[:, axis]
             on_skin |= np.isclose(place, place[own].min()) | np.isclose(place, place[own].max())
-        forces = (found.stiffness[part] @ fields.T).reshape(-1, 3, 6)
+        forces = (mesh.stiffness[part] @ fields.T).reshape(-1, 3, 6)
         inside = np.setdiff1d(own, np.flatnonzero(on_skin))
         assert len(inside) or along == 1
         assert np.abs(forces[inside]).max(initial=0) < 1e-9 * np.abs(forces).max()
@@ -132,62 +132,62 @@ def test_linear_fields_are_exact_wherever_the_lines_run(x, y, longest, along):
 @given(lines(13e-3), lines(8e-3))
 def test_charge_of_a_uniform_strain_is_that_of_the_constants(x, y):
     """Strains along the axes make no field between joined electrodes: Q = -(e S)_3 times the area."""
-    found = block(x, y)
-    fields = unit_strains(found.points)[[0, 1, 2, 5]]
+    mesh = block(x, y)
+    fields = unit_strains(mesh.points)[[0, 1, 2, 5]]
     for actuator in (GLUED, BARE):
         e = np.array(actuator.material.coupling)[2, [0, 1, 2, 5]]
         area = actuator.size[0] * actuator.size[1]
-        assert fields @ found.drive[actuator.name] == pytest.approx(-e * area, rel=1e-9, abs=1e-12 * area)
-        field = found.stiffness[electric(actuator.name)]
+        assert fields @ mesh.drive[actuator.name] == pytest.approx(-e * area, rel=1e-9, abs=1e-12 * area)
+        field = mesh.stiffness[electric(actuator.name)]
         assert np.abs(field @ fields.T).max() < 1e-9 * abs(field).max() * np.abs(fields).max()
         eps = actuator.material.permittivity[2][2]
-        assert found.capacitance[actuator.name] == pytest.approx(eps * area / actuator.size[2], rel=1e-9)
+        assert mesh.capacitance[actuator.name] == pytest.approx(eps * area / actuator.size[2], rel=1e-9)
 
 
 def test_nodes_lie_once_at_each_place_and_elements_fill_the_boxes():
     x, y = (0.0, 8e-3, 13e-3), (0.0, 3e-3, 8e-3)
-    found = block(x, y, longest=2.2e-3)
-    assert len(np.unique(found.points.round(9), axis=0)) == len(found.points)
-    used = np.concatenate([nodes.ravel() for nodes in found.elements.values()])
-    assert np.array_equal(np.unique(used), np.arange(len(found.points)))
+    mesh = block(x, y, longest=2.2e-3)
+    assert len(np.unique(mesh.points.round(9), axis=0)) == len(mesh.points)
+    used = np.concatenate([nodes.ravel() for nodes in mesh.elements.values()])
+    assert np.array_equal(np.unique(used), np.arange(len(mesh.points)))
     through = {PLATE: 2, bond("A"): 1, ceramic("A"): 2, ceramic("B"): 2}
-    for part, nodes in found.elements.items():
+    for part, nodes in mesh.elements.items():
         assert nodes.shape[1:] == (3, 3, through[part] + 1)
-        extent = found.points[nodes[:, -1, -1, -1]] - found.points[nodes[:, 0, 0, 0]]
+        extent = mesh.points[nodes[:, -1, -1, -1]] - mesh.points[nodes[:, 0, 0, 0]]
         assert (extent > 0).all()
         assert extent[:, :2].max() <= 2.2e-3 * (1 + 1e-12)
         assert extent.prod(axis=1).sum() == pytest.approx(VOLUMES[part], rel=1e-12)
     for axis, between in ((0, (*x, 2.5e-3, 7.5e-3, 9.5e-3, 12.5e-3)), (1, (*y, 2e-3, 6e-3, 7e-3))):
-        borders = found.points[found.elements[PLATE][:, [0, -1]][:, :, [0, -1], 0], axis]
+        borders = mesh.points[mesh.elements[PLATE][:, [0, -1]][:, :, [0, -1], 0], axis]
         for line in between:
             assert np.isclose(borders, line, atol=1e-12).any()
 
 
 def test_the_flat_face_and_the_rim_are_where_the_plate_ends():
-    found = block()
-    (face,) = found.faces
-    assert (found.points[face, 2] == 0.0).all()
-    corners = found.points[face[:, [0, -1]][:, :, [0, -1]]]
+    mesh = block()
+    (face,) = mesh.faces
+    assert (mesh.points[face, 2] == 0.0).all()
+    corners = mesh.points[face[:, [0, -1]][:, :, [0, -1]]]
     area = np.prod(corners[:, -1, -1, :2] - corners[:, 0, 0, :2], axis=1)
     assert area.sum() == pytest.approx(13e-3 * 8e-3)
-    x, y, z = found.points.T
+    x, y, z = mesh.points.T
     at_side = (np.isin(x, (0.0, 13e-3)) | np.isin(y, (0.0, 8e-3))) & (z <= 2e-3)
-    assert np.array_equal(found.rim, np.flatnonzero(at_side))
+    assert np.array_equal(mesh.rim, np.flatnonzero(at_side))
 
 
 def test_an_edge_on_a_line_is_that_line_whatever_the_rounding():
     x = (0.0, 0.3, 0.9)
     on_line = patch(CERAMIC, (0.2, 0.2, 1e-3), (0.4, 0.5))
     assert on_line.centre[0] - on_line.size[0] / 2 != x[1]
-    found = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (on_line,), BodyOrders(1, 1, 1, 1), longest=1.0)
-    assert len(found.elements[PLATE]) == 3 * 3
-    assert sorted(set(found.points[:, 0])) == [0.0, 0.3, 0.5, 0.9]
+    mesh = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (on_line,), BodyOrders(1, 1, 1, 1), longest=1.0)
+    assert len(mesh.elements[PLATE]) == 3 * 3
+    assert sorted(set(mesh.points[:, 0])) == [0.0, 0.3, 0.5, 0.9]
     assert (0.1 + 0.2) / 0.1 > 3.0  # as computed, yet three elements will do
     evenly = body((0.0, 0.1 + 0.2), (0.0, 0.1), 2e-3, ALUMINIUM, (), BodyOrders(1, 1, 1, 1), longest=0.1)
     assert len(evenly.elements[PLATE]) == 3
     beside = replace(on_line, centre=(0.4 + 1e-6, 0.5))  # a micrometre apart is apart
-    found = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (beside,), BodyOrders(1, 1, 1, 1), longest=1.0)
-    assert len(found.elements[PLATE]) == 4 * 3
+    mesh = body(x, (0.0, 1.0), 2e-3, ALUMINIUM, (beside,), BodyOrders(1, 1, 1, 1), longest=1.0)
+    assert len(mesh.elements[PLATE]) == 4 * 3
 
 
 def test_patches_that_leave_the_block_or_overlap_are_a_mistake_of_the_caller():
@@ -196,8 +196,8 @@ def test_patches_that_leave_the_block_or_overlap_are_a_mistake_of_the_caller():
     with pytest.raises(AssertionError, match="overlap"):
         body((0.0, 13e-3), (0.0, 8e-3), 2e-3, ALUMINIUM, (GLUED, replace(GLUED, name="C")), ORDERS, 4e-3)
     touching = replace(GLUED, name="C", centre=(10e-3, 4e-3))
-    found = body((0.0, 13e-3), (0.0, 8e-3), 2e-3, ALUMINIUM, (GLUED, touching), ORDERS, 4e-3)
-    shared = np.intersect1d(found.elements[ceramic("A")], found.elements[ceramic("C")])
+    mesh = body((0.0, 13e-3), (0.0, 8e-3), 2e-3, ALUMINIUM, (GLUED, touching), ORDERS, 4e-3)
+    shared = np.intersect1d(mesh.elements[ceramic("A")], mesh.elements[ceramic("C")])
     assert len(shared) == 0  # side by side, yet not one piece
 
 
@@ -229,11 +229,11 @@ def test_a_strip_bends_as_a_laminate(glued):
     length, width, plate, bond, thickness = 20e-3, 1e-3, 1.0e-3, 0.05e-3, 0.8e-3
     glue = Bond(bond, GLUE) if glued else None
     actuator = patch(CERAMIC, (length, width, thickness), (length / 2, width / 2), glue)
-    found = body(
+    mesh = body(
         (0.0, length), (0.0, width), plate, ALUMINIUM, (actuator,), BodyOrders(3, 3, 2, 3), longest=1.25e-3
     )
-    u = settled(found, 100.0 * found.drive["A"], 3 * np.arange(len(found.points)) + 1).reshape(-1, 3)
-    x, y, z = found.points.T
+    u = settled(mesh, 100.0 * mesh.drive["A"], 3 * np.arange(len(mesh.points)) + 1).reshape(-1, 3)
+    x, y, z = mesh.points.T
     (lowest,) = np.nonzero((y == 0.0) & (z == 0.0) & (np.abs(x - length / 2) < 2.6e-3))
     bow = 2 * np.polyfit(x[lowest] / length, u[lowest, 2], 2)[0] / length**2
 
@@ -266,11 +266,11 @@ def test_loss_factors_are_those_of_the_constants_they_scale():
     assert all(factor.imag > 0 for factor in factors.values())  # power is lost, not won
     ratio = 1.7
     more = replace(CERAMIC, permittivity=np.array(CERAMIC.permittivity) * ratio)
-    one, other = (free_patch(replace(glued, material=solid), ORDERS, 4e-3) for solid in (CERAMIC, more))
-    scale = abs(one.stiffness[electric("A")]).max()
-    assert abs(other.stiffness[electric("A")] - one.stiffness[electric("A")] / ratio).max() < 1e-12 * scale
-    assert other.capacitance["A"] == pytest.approx(one.capacitance["A"] * ratio, rel=1e-12)
-    assert other.drive["A"] == pytest.approx(one.drive["A"], abs=1e-12 * np.abs(one.drive["A"]).max())
+    usual, other = (free_patch(replace(glued, material=solid), ORDERS, 4e-3) for solid in (CERAMIC, more))
+    scale = abs(usual.stiffness[electric("A")]).max()
+    assert abs(other.stiffness[electric("A")] - usual.stiffness[electric("A")] / ratio).max() < 1e-12 * scale
+    assert other.capacitance["A"] == pytest.approx(usual.capacitance["A"] * ratio, rel=1e-12)
+    assert other.drive["A"] == pytest.approx(usual.drive["A"], abs=1e-12 * np.abs(usual.drive["A"]).max())
 
 
 def test_a_free_patch_is_the_ceramic_of_a_body():
@@ -296,7 +296,7 @@ def test_a_stiffer_plate_moves_less_under_the_same_voltage():
     charges = []
     for young in (1e6, 70e9, 1e13):
         plate = IsotropicMaterial(young, 0.33, 2700.0, name="plate")
-        found = body((2e-3, 8e-3), (1e-3, 7e-3), 2e-3, plate, (GLUED,), ORDERS, 4e-3)
-        u = settled(found, found.drive["A"])
-        charges.append(found.capacitance["A"] + found.drive["A"] @ u)
-    assert charges[0] > charges[1] > charges[2] > found.capacitance["A"]
+        mesh = body((2e-3, 8e-3), (1e-3, 7e-3), 2e-3, plate, (GLUED,), ORDERS, 4e-3)
+        u = settled(mesh, mesh.drive["A"])
+        charges.append(mesh.capacitance["A"] + mesh.drive["A"] @ u)
+    assert charges[0] > charges[1] > charges[2] > mesh.capacitance["A"]

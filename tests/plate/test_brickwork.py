@@ -20,7 +20,8 @@ from haptonic.plate.layout.parts import Force, Plate
 from haptonic.plate.layout.supports import Support
 
 LONG = [
-    pytest.param(one, marks=pytest.mark.nightly) for one in ("askew", "thirds", "kagome", "lieb", "honeycomb")
+    pytest.param(name, marks=pytest.mark.nightly)
+    for name in ("askew", "thirds", "kagome", "lieb", "honeycomb")
 ]
 
 
@@ -31,13 +32,15 @@ def test_pillars_are_at_lattice_points_and_bricks_fill_the_layout(name):
     layout = laid("pppppp pooooo pooooo pooooo pooooo pppppp", cell)
     vectors, sites = cell.lattice.vectors, cell.shares
     here = np.array([(x, y) for x, y, _ in layout.standing])
-    numbers = {pillar: [k for k, one in enumerate(cell.pillars) if one == pillar] for pillar in cell.pillars}
+    numbers = {
+        pillar: [k for k, other in enumerate(cell.pillars) if other == pillar] for pillar in cell.pillars
+    }
     origin = None
     for number in numbers[layout.standing[0][2]]:
         shares = (here - here[0]) @ np.linalg.inv(vectors) + sites[number]
         fits = [
-            any(np.abs((one - sites[k]) - np.round(one - sites[k])).max() < 1e-6 for k in numbers[pillar])
-            for one, (_, _, pillar) in zip(shares, layout.standing, strict=True)
+            any(np.abs((share - sites[k]) - np.round(share - sites[k])).max() < 1e-6 for k in numbers[pillar])
+            for share, (_, _, pillar) in zip(shares, layout.standing, strict=True)
         ]
         if all(fits):
             origin = here[0] - sites[number] @ vectors
@@ -59,7 +62,7 @@ def test_pillars_are_at_lattice_points_and_bricks_fill_the_layout(name):
     covered = sum(np.ptp(x) * np.ptp(y) for x, y in map(layout.lines, layout.blocks))
     assert covered == pytest.approx(layout.x[-1] * layout.y[-1])
     assert layout.left_out == {"square": 0, "rectangular": 0}.get(name, layout.left_out)
-    assert len(layout.standing) + layout.left_out == 20 * sum(one is not None for one in cell.pillars)
+    assert len(layout.standing) + layout.left_out == 20 * sum(pillar is not None for pillar in cell.pillars)
 
 
 def test_a_lattice_of_which_nothing_fits_is_plain_plate():
@@ -79,20 +82,20 @@ def test_modes_are_those_of_the_meshes_glued_together(name):
         loss_factor=LOSS,
     )
     exact = full.frequencies(full.full(plate, 2, 0, 3), 10, 10e3, full.quickly_factorised)
-    found = modes(PlateModel.of(plate, 60e3, SAME), 0.99 * exact[0], 1.003 * exact[-1])
-    assert len(found) == len(exact)
-    assert (found > exact * (1 - 1e-8)).all(), "Rayleigh-Ritz never falls below"
-    assert found == pytest.approx(exact, rel=3e-4)
+    frequencies = modes(PlateModel.of(plate, 60e3, SAME), 0.99 * exact[0], 1.003 * exact[-1])
+    assert len(frequencies) == len(exact)
+    assert (frequencies > exact * (1 - 1e-8)).all(), "Rayleigh-Ritz never falls below"
+    assert frequencies == pytest.approx(exact, rel=3e-4)
 
 
 def test_a_plate_turned_by_a_right_angle_has_the_same_modes():
     """Rows along x, and the map transposed with rows along y: meshes and frequencies agree to rounding."""
-    found = []
+    results = []
     for name, text, held in (("triangular", "ooo ooo", "left"), ("upright", "oo oo oo", "bottom")):
         layout = laid(text, CELLS[name])
         plate = Plate(layout, supports=(Support(held, "clamped"),), loss_factor=LOSS)
-        found.append((layout, modes(PlateModel.of(plate, 60e3, SAME), 1e3, 12e3)))
-    (lying, below), (standing, above) = found
+        results.append((layout, modes(PlateModel.of(plate, 60e3, SAME), 1e3, 12e3)))
+    (lying, below), (standing, above) = results
     assert (lying.x, lying.y) == (pytest.approx(standing.y), pytest.approx(standing.x))
     turned = sorted((y, x) for x, y, _ in lying.standing)
     assert np.array(turned) == pytest.approx(np.array(sorted((x, y) for x, y, _ in standing.standing)))

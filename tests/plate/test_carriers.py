@@ -122,7 +122,7 @@ def test_a_common_gap_is_inside_all():
 
 
 def test_the_chapter_of_the_report_names_each_carrier(study, result):
-    made = chapter(Results(study, {"plate": result}))
-    assert [finding.split(",")[0] for finding in made.findings[:2]] == ["F1 at 20 kHz", "F2 at 30 kHz"]
-    assert [picture.name for picture in made.pictures].count("carriers") == 1
-    assert "each carrier" in made.tables[0].title
+    section = chapter(Results(study, {"plate": result}))
+    assert [finding.split(",")[0] for finding in section.findings[:2]] == ["F1 at 20 kHz", "F2 at 30 kHz"]
+    assert [picture.name for picture in section.pictures].count("carriers") == 1
+    assert "each carrier" in section.tables[0].title

@@ -42,8 +42,8 @@ CELLS = {
 
 @pytest.mark.parametrize("name", CELLS)
 def test_mass_of_a_brick_is_that_of_its_solid(name):
-    one, more = CELLS[name]
-    body = body_of_brick(one, MeshPlan.suited(one, 4, 1), (0.0, PITCH), (0.0, PITCH))
+    unit_cell, more = CELLS[name]
+    body = body_of_brick(unit_cell, MeshPlan.suited(unit_cell, 4, 1), (0.0, PITCH), (0.0, PITCH))
     whole = ALUMINIUM.density * PITCH**2 * THICKNESS + more * np.pi * (2 * MM) ** 2
     assert body.mass[::3].sum() == pytest.approx(whole, rel=1e-6)
 
@@ -54,7 +54,7 @@ def small_plate(of_lattice):
     return Plate(layout, supports=(Support("left", "clamped"),), loss_factor=LOSS)
 
 
-LATTICES = {name: one for name, (one, _) in CELLS.items()} | {"cap": CAP}
+LATTICES = {name: unit_cell for name, (unit_cell, _) in CELLS.items()} | {"cap": CAP}
 
 
 @pytest.mark.parametrize("name", daily(LATTICES, "blind hole"))
@@ -72,5 +72,7 @@ def test_modes_are_those_of_the_whole_plate(name):
 @pytest.mark.nightly
 def test_a_disc_on_the_plate_is_a_pillar():
     pillar, disc = cell(pillar=Pillar(3 * MM, 4 * MM)), cell(Disc(3 * MM, low=0.0, high=4 * MM))
-    one, other = (full.frequencies(full.full(small_plate(each), 3, 1, 4), 6, 10e3) for each in (pillar, disc))
-    assert one == pytest.approx(other, rel=3e-3)
+    of_pillar, of_disc = (
+        full.frequencies(full.full(small_plate(each), 3, 1, 4), 6, 10e3) for each in (pillar, disc)
+    )
+    assert of_pillar == pytest.approx(of_disc, rel=3e-3)

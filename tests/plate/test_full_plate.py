@@ -75,11 +75,11 @@ def model_of(name, highest, fineness):
 
 def test_modes_of_a_notched_plate_on_the_same_mesh():
     exact = full.frequencies(whole_of("notched"), 16, 10e3)
-    found = modes(model_of("notched", 60e3, SAME), 0.99 * exact[0], 1.003 * exact[-1])
+    frequencies = modes(model_of("notched", 60e3, SAME), 0.99 * exact[0], 1.003 * exact[-1])
     assert exact[-1] > 20e3
-    assert len(found) == len(exact)
-    assert (found > exact * (1 - 1e-8)).all(), "Rayleigh-Ritz never falls below"
-    assert found == pytest.approx(exact, rel=1e-5)
+    assert len(frequencies) == len(exact)
+    assert (frequencies > exact * (1 - 1e-8)).all(), "Rayleigh-Ritz never falls below"
+    assert frequencies == pytest.approx(exact, rel=1e-5)
 
 
 @pytest.mark.nightly
@@ -87,10 +87,10 @@ def test_modes_of_a_waveguide_with_a_patch():
     """Also with traces of order 3 where the cells' meshes have 4."""
     exact = full.frequencies(whole_of("driven"), 14, 10e3)
     for fineness, allowed in ((SAME, 1.5e-3), (COARSE, 8e-3)):
-        found = modes(model_of("driven", 40e3, fineness), 0.99 * exact[0], 1.005 * exact[-1])
-        assert len(found) == len(exact)
-        assert found == pytest.approx(exact, rel=allowed)
-        assert (found > exact * (1 - 1e-3)).all()
+        frequencies = modes(model_of("driven", 40e3, fineness), 0.99 * exact[0], 1.005 * exact[-1])
+        assert len(frequencies) == len(exact)
+        assert frequencies == pytest.approx(exact, rel=allowed)
+        assert (frequencies > exact * (1 - 1e-3)).all()
 
 
 def test_a_small_plate_answers_its_patch_as_the_full_model():
@@ -128,8 +128,8 @@ def test_a_force_changes_no_mode():
     """A tile that carries one is a block with a mesh of its own: it has to be as good as the others."""
     plain = modes(model_of("notched", 60e3, Fineness(cell=2, rings=0)), 1e3, 25e3)
     pressed = replace(SMALL, forces=(Force("F", (10e-3, 9e-3), None),))
-    found = modes(PlateModel.of(pressed, 60e3, Fineness(cell=2, rings=0)), 1e3, 25e3)
-    assert found == pytest.approx(plain, rel=1e-3)  # 7e-4; 4e-3 with elements of two orders less
+    frequencies = modes(PlateModel.of(pressed, 60e3, Fineness(cell=2, rings=0)), 1e3, 25e3)
+    assert frequencies == pytest.approx(plain, rel=1e-3)  # 7e-4; 4e-3 with elements of two orders less
 
 
 def force_on_a_cell(size):
@@ -165,11 +165,11 @@ def test_a_force_across_cells_is_the_sum_of_its_parts():
         Force(f"F{k}", tuple(centre + sign * np.array([1.5e-3, 1.25e-3])), (3e-3, 2.5e-3))
         for k, sign in enumerate(signs)
     )
-    one, four = (PlateModel.of(p, 40e3, SAME) for p in (whole, replace(whole, forces=quarters)))
+    of_whole, of_parts = (PlateModel.of(p, 40e3, SAME) for p in (whole, replace(whole, forces=quarters)))
     omega = [HZ * 17.8e3]
     at = np.array([[3.1e-3, 2.2e-3], [12e-3, 7.9e-3], [17.2e-3, 11e-3]])
-    moved = one.observed(at) @ answered(one, {"F": 1.0}, omega)
-    together = four.observed(at) @ answered(four, dict.fromkeys(four.drives, 0.25), omega)
+    moved = of_whole.observed(at) @ answered(of_whole, {"F": 1.0}, omega)
+    together = of_parts.observed(at) @ answered(of_parts, dict.fromkeys(of_parts.drives, 0.25), omega)
     assert moved == pytest.approx(together, rel=1e-6)
 
 
@@ -192,14 +192,14 @@ def test_the_products_own_orders_at_the_carrier_against_the_full_model():
     finer = model_of("prototype", 70e3, Fineness(along=5))
     exact = full.frequencies(whole, 16, 57e3, full.quickly_factorised)
     exact = exact[exact > 53e3]
-    found = modes(model, 53e3, 1.003 * exact[-1])
-    assert len(found) == len(exact) > 5
-    assert found == pytest.approx(exact, rel=3e-3)
-    k = int(np.searchsorted(found, 56e3))
-    first, second = 0.5 * (found[k:-1] + found[k + 1 :])[:2]  # half-way
-    for frequency, allowed in ((found[k], 1e-2), (first, 1.1e-2), (second, 3.2e-2)):
+    frequencies = modes(model, 53e3, 1.003 * exact[-1])
+    assert len(frequencies) == len(exact) > 5
+    assert frequencies == pytest.approx(exact, rel=3e-3)
+    k = int(np.searchsorted(frequencies, 56e3))
+    first, second = 0.5 * (frequencies[k:-1] + frequencies[k + 1 :])[:2]  # half-way
+    for frequency, allowed in ((frequencies[k], 1e-2), (first, 1.1e-2), (second, 3.2e-2)):
         # what a shift of the frequency within 0.3 % does at a resonance is told above
-        shift = exact[k] / found[k] if frequency == found[k] else 1.0
+        shift = exact[k] / frequencies[k] if frequency == frequencies[k] else 1.0
         reference = full.answer_by_iteration(whole, whole.drive["A"], HZ * frequency * shift)
         assert off(whole, model, reference, frequency) < allowed
         if shift == 1.0:  # what is left there is the order of the traces
@@ -232,15 +232,17 @@ def test_a_thick_plate_has_its_exact_frequencies(fineness, allowed):
     traces and interior modes (`SOFT_TRACES`, `BLOCK`) they become 1.7e-5; smaller tiles need less of them.
     """
     model = PlateModel.of(thick_plate(2, 2), 80e3, fineness)
-    found = modes(model, 1e3, 1.002 * EXACT[-1])
-    assert len(found) == len(EXACT)
-    assert found == pytest.approx(EXACT, rel=allowed)
+    frequencies = modes(model, 1e3, 1.002 * EXACT[-1])
+    assert len(frequencies) == len(EXACT)
+    assert frequencies == pytest.approx(EXACT, rel=allowed)
 
 
 @settings(max_examples=2)
 @given(st.floats(0.05, 20.0))
 def test_frequencies_scale_with_the_inverse_of_all_lengths(scale):
     fineness = replace(COARSE, along=2)
-    found = modes(PlateModel.of(thick_plate(2, 2, scale), 60e3 / scale, fineness), 1e3 / scale, 40e3 / scale)
+    frequencies = modes(
+        PlateModel.of(thick_plate(2, 2, scale), 60e3 / scale, fineness), 1e3 / scale, 40e3 / scale
+    )
     once = modes(PlateModel.of(thick_plate(2, 2), 60e3, fineness), 1e3, 40e3)
-    assert scale * found == pytest.approx(once, rel=1e-8)
+    assert scale * frequencies == pytest.approx(once, rel=1e-8)

@@ -105,9 +105,9 @@ QUESTIONS: dict[str, tuple[Callable[..., object], tuple[Any, ...], set[str]]] = 
 
 
 def key_of(ask: Callable[..., object], values: tuple[Any, ...]) -> str:
-    with pytest.raises(FoundError) as found:
+    with pytest.raises(FoundError) as raised:
         ask(*values)
-    return str(found.value)
+    return str(raised.value)
 
 
 def other(value: Any) -> Any:
@@ -134,20 +134,20 @@ def other(value: Any) -> Any:
 
 def with_field(value: Any, name: str, inner: Any) -> Any:
     """A copy with one field replaced, even where the type itself would refuse or derive it."""
-    made = copy.copy(value)
-    for cached in set(made.__dict__) - {one.name for one in fields(made)}:
-        del made.__dict__[cached]
-    object.__setattr__(made, name, inner)
-    return made
+    changed = copy.copy(value)
+    for cached in set(changed.__dict__) - {field.name for field in fields(changed)}:
+        del changed.__dict__[cached]
+    object.__setattr__(changed, name, inner)
+    return changed
 
 
 def neighbours(value: Any, at: str = "") -> Iterator[tuple[str, Any]]:
     """Copies of a value that differ in one field each, however deep, with the path of that field."""
     if is_dataclass(value):
-        for one in fields(value):
-            inner = getattr(value, one.name)
-            for path, changed in neighbours(inner, f"{at}.{one.name}"):
-                yield path, with_field(value, one.name, changed)
+        for field in fields(value):
+            inner = getattr(value, field.name)
+            for path, changed in neighbours(inner, f"{at}.{field.name}"):
+                yield path, with_field(value, field.name, changed)
         return
     yield at, other(value)
     if isinstance(value, tuple):
@@ -198,6 +198,6 @@ def test_results_of_two_questions_that_were_exchanged_are_not_believed(tmp_path)
     with pytest.warns(HaptonicWarning, match="has another key"):
         assert store.get(keys[0]) is None
     assert keys[0] not in store
-    found = store.get(keys[1])
-    assert found is not None
-    assert found.attrs["number"] == 1
+    dataset = store.get(keys[1])
+    assert dataset is not None
+    assert dataset.attrs["number"] == 1

@@ -124,13 +124,13 @@ def bar_frequencies(width, thickness):
     unit = np.sqrt(body.mass)
     scaled = (K / unit[:, None] / unit[None, :]).toarray()
     force = drive / unit
-    found = []
+    frequencies = []
     for stiffness in open_and_short(scaled, force, body.capacitance["A"]):
         start = np.random.default_rng(1).standard_normal(len(unit))
         squared, modes = eigsh(stiffness, 8, sigma=(2 * np.pi * 71e3) ** 2, v0=start)
         driven = np.argmax((force @ modes) ** 2)  # bending and twisting do not answer to the voltage
-        found.append(np.sqrt(squared[driven]) / (2 * np.pi))
-    return np.array(found)
+        frequencies.append(np.sqrt(squared[driven]) / (2 * np.pi))
+    return np.array(frequencies)
 
 
 def sideways_inertia(frequency, width, thickness):

@@ -123,7 +123,7 @@ def shown_whole(result, regions, drives, folder: Path):
         frequency, result.impedance(drives[0]), None, origin="simulated"
     )
     shown = figures["velocity"].findobj(Legend)
-    assert sum(len(one.get_texts()) for one in shown) >= len(regions)
+    assert sum(len(legend.get_texts()) for legend in shown) >= len(regions)
     for name, figure in figures.items():
         plots.save(figure, out, name)
     written = sorted(path for path in folder.rglob("*.*") if "store" not in path.relative_to(folder).parts)
@@ -133,12 +133,12 @@ def shown_whole(result, regions, drives, folder: Path):
     voice.out.file, voice.out.width = io.StringIO(), 4000
     for table in result.tables():
         voice.show(table)
-    said = "".join(voice.out.file.getvalue().split())
-    assert all("".join(name.split()) in said for name in (*regions, drives[0]))
-    told = result.to_json()["maps"][0]
+    text = "".join(voice.out.file.getvalue().split())
+    assert all("".join(name.split()) in text for name in (*regions, drives[0]))
+    answer = result.to_json()["maps"][0]
     parts = {*(f"region {name}" for name in regions), f"actuator {drives[0]}"}
-    assert set(told["strain_energy_j"]) == parts
-    assert set(told["impedance_ohm"]) == {drives[0]}
+    assert set(answer["strain_energy_j"]) == parts
+    assert set(answer["impedance_ohm"]) == {drives[0]}
 
 
 def test_a_name_that_goes_up_writes_nothing_above():
@@ -148,7 +148,7 @@ def test_a_name_that_goes_up_writes_nothing_above():
 
 
 @given(st.sampled_from(NASTY), st.sampled_from(NASTY))
-def test_the_names_of_parts_are_unique(one, other):
+def test_the_names_of_parts_are_unique(first, second):
     keys = [PLATE, SUPPORTS, FINGER]
-    keys += [part(name) for name in {one, other} for part in (bond, ceramic, dielectric, electric)]
+    keys += [part(name) for name in {first, second} for part in (bond, ceramic, dielectric, electric)]
     assert len({str(key) for key in keys}) == len(keys)

@@ -21,7 +21,7 @@ MAPS = {
 
 def tiles(layout):
     every = [Block((i, i + 1), (j, j + 1)) for i, j in np.ndindex(layout.rows, layout.columns)]
-    return [one for one in every if layout.at(one.tiles[0])]
+    return [block for block in every if layout.at(block.tiles[0])]
 
 
 def made(name, order=3, blocks=None):
@@ -150,7 +150,7 @@ def _lagrange(order, at):
     nodes = 0.5 * (1 + _lobatto(order))
     shapes = [np.poly(np.delete(nodes, k)) for k in range(order + 1)]
     return np.stack(
-        [np.polyval(one, at) / np.polyval(one, node) for one, node in zip(shapes, nodes, strict=True)],
+        [np.polyval(shape, at) / np.polyval(shape, node) for shape, node in zip(shapes, nodes, strict=True)],
         axis=-1,
     )
 
@@ -167,8 +167,8 @@ def _edge(share, height, shear):
 
 
 @given(st.floats(0, 1), st.floats(0, 1), st.sampled_from([0, 1, 2]))
-def test_products_of_polynomials_are_integrated_exactly(one, other, shear):
-    low, high = min(one, other), max(one, other)
+def test_products_of_polynomials_are_integrated_exactly(first, second, shear):
+    low, high = min(first, second), max(first, second)
     orders = TraceOrders(3, 2, shear)
     points, weights = leggauss(12)
     points, weights = 0.5 * (1 + points), 0.5 * weights
@@ -196,12 +196,12 @@ def test_the_further_profile_is_shared_by_neighbours_and_moves_in_the_plane_only
         assert len(set(trace)) == len(trace) == 4 * (27 + 2 * shear)
         for k in range(4):
             there = share if k < 2 else 1 - share  # anticlockwise: top and left run the other way
-            found = rim_fields(4, orders, k + there, height) @ values[trace]
+            field = rim_fields(4, orders, k + there, height) @ values[trace]
             key = tuple(np.round(corners(places, block)[[k, (k + 1) % 4]].mean(axis=0), 9))
-            seen.setdefault(key, []).append(found)
-    assert sorted(len(found) for found in seen.values()) == [1] * 8 + [2] * 4
-    for one, *others in seen.values():
-        assert all(other == pytest.approx(one, abs=1e-12) for other in others)
+            seen.setdefault(key, []).append(field)
+    assert sorted(len(fields) for fields in seen.values()) == [1] * 8 + [2] * 4
+    for first, *others in seen.values():
+        assert all(other == pytest.approx(first, abs=1e-12) for other in others)
     values[: 9 * len(places.points)] = 0.0
     moved = (rim_fields(4, orders, 4 * share, height) @ values[places.traces[0]]).reshape(-1, 3)
     assert np.abs(moved[:, :2]).max() > 0
@@ -222,13 +222,13 @@ def test_what_a_block_has_for_itself_no_other_touches():
         *places.traces[1], places.traces[0][0]
     } & set(places.traces[0])  # fmt: skip
     assert len(right) == len(places.traces[1]) - len(set(places.traces[0]) & set(places.traces[1]))
-    assert [len(one) for one in places.alone(np.zeros(0, int), places.blocks[:1])] == [0, len(right)]
+    assert [len(numbers) for numbers in places.alone(np.zeros(0, int), places.blocks[:1])] == [0, len(right)]
 
 
 def test_blocks_meet_only_where_they_share_a_tile():
-    one = Block((0, 2), (0, 2))
-    assert one.meets(Block((1, 3), (1, 3)))
-    assert not one.meets(Block((2, 3), (0, 2)))
-    assert not one.meets(Block((0, 2), (2, 3)))
-    assert one.joined(Block((3, 4), (0, 1))) == Block((0, 4), (0, 2))
+    block = Block((0, 2), (0, 2))
+    assert block.meets(Block((1, 3), (1, 3)))
+    assert not block.meets(Block((2, 3), (0, 2)))
+    assert not block.meets(Block((0, 2), (2, 3)))
+    assert block.joined(Block((3, 4), (0, 1))) == Block((0, 4), (0, 2))
     assert Block((1, 3), (0, 1)).tiles == [(1, 0), (2, 0)]

@@ -108,13 +108,13 @@ def test_drawn_pillars_have_the_resonances_and_answers_of_pillars_of_blocks(tmp_
     parts = tuple(SolidPart(name=name, material=solid) for name, solid in names.items())
     drawn = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(path), part=parts))
     force, omega = Force("F", (10 * MM, 2 * MM)), HZ * np.array([4e3, 13e3])
-    found = []
+    results = []
     for cell in (drawn, blocks):
         model = model_of(plate_of("o1o", cell, forces=(force,)), 3)
         resonances = np.sqrt(la.eigh(*lossless(model), eigvals_only=True))[:5] / HZ
-        found.append((resonances, model.observed(ON_CELL) @ answered(model, {"F": 1.0}, omega)))
-    assert found[0][0] == pytest.approx(found[1][0], rel=3e-3)
-    assert found[0][1] == pytest.approx(found[1][1], rel=3e-2, abs=5e-3 * np.abs(found[1][1]).max())
+        results.append((resonances, model.observed(ON_CELL) @ answered(model, {"F": 1.0}, omega)))
+    assert results[0][0] == pytest.approx(results[1][0], rel=3e-3)
+    assert results[0][1] == pytest.approx(results[1][1], rel=3e-2, abs=5e-3 * np.abs(results[1][1]).max())
 
 
 @pytest.mark.nightly

@@ -180,8 +180,8 @@ def test_a_block_has_the_dynamic_stiffness_and_the_drives_of_its_body():
             for name in ("A", "F"):
                 load = {**whole.drive, "F": point_force()}[name]
                 felt = onto.T @ load[rim] - follow.T @ load[inner]
-                found = tile.drive[name][:t] + left.follow.T @ tile.drive[name][t:]
-                assert np.linalg.norm(found - felt) < max(1e-4, 3 * missed) * np.linalg.norm(felt)
+                drive = tile.drive[name][:t] + left.follow.T @ tile.drive[name][t:]
+                assert np.linalg.norm(drive - felt) < max(1e-4, 3 * missed) * np.linalg.norm(felt)
                 own = load[inner] @ np.linalg.solve(Z[np.ix_(inner, inner)], load[inner])
                 ours_own = (tile.drive[name][t:] ** 2 / (tile.values - (HZ * frequency) ** 2)).sum()
                 assert ours_own == pytest.approx(own, rel=max(1e-4, 10 * missed))
@@ -230,7 +230,7 @@ def test_tiles_joined_twice_are_those_joined_once(name):
     four = joined_tile(single(name), size, (2, 2), ORDERS, HIGHEST)
     twice = joined_tile(four, (2 * size[0], 2 * size[1]), (2, 2), ORDERS, HIGHEST, (2, 2))
     once = joined_tile(single(name), size, (4, 4), ORDERS, HIGHEST)
-    solved = [la.eigh(one.elastic, one.mass, subset_by_index=[6, 17]) for one in (twice, once)]
+    solved = [la.eigh(tile.elastic, tile.mass, subset_by_index=[6, 17]) for tile in (twice, once)]
     (values, modes), (others, meant) = solved
     assert np.sqrt(values) == pytest.approx(np.sqrt(others), rel=1e-4)
     assert np.sqrt(others[-1]) > 0.1 * HZ * HIGHEST

@@ -61,11 +61,11 @@ def with_a_finger(place, places, omega, stiffness):
 def test_a_finger_anywhere_is_as_in_the_whole_matrix(frequency, which, damping, stiffness):
     omega = HZ * frequency
     places, stiff = Sites(grid(), 8e-3), stiffness + 1j * omega * damping
-    found = below_finger(bare_band().reduced, places, free_field(omega), omega, [0.0, stiff])
+    amplitude = below_finger(bare_band().reduced, places, free_field(omega), omega, [0.0, stiff])
     place = np.linspace(0, len(grid()) - 1, 6).astype(int)[which]
     for row, value in enumerate((0.0, stiff)):
         exact = with_a_finger(place, places, omega, value)
-        assert found[row, place] == pytest.approx(exact, rel=5e-3)
+        assert amplitude[row, place] == pytest.approx(exact, rel=5e-3)
 
 
 def test_compliance_is_the_inverse_of_the_reduced_matrix():
@@ -76,8 +76,8 @@ def test_compliance_is_the_inverse_of_the_reduced_matrix():
         impedance = extra.unreduced.impedance(line)[0]
         matrix += impedance * (extra.kept @ extra.kept.T + np.diag(extra.alone[:, 0]))
     seen = bare().displaced(grid()[:9], reduced.basis.raw) @ reduced.basis.turn
-    found = _Compliance(reduced, seen, omega).among(np.array([[0, 4, 8], [1, 2, 3]]))
-    for points, block in zip(([0, 4, 8], [1, 2, 3]), found, strict=True):
+    compliance = _Compliance(reduced, seen, omega).among(np.array([[0, 4, 8], [1, 2, 3]]))
+    for points, block in zip(([0, 4, 8], [1, 2, 3]), compliance, strict=True):
         np.testing.assert_allclose(block, seen[points] @ np.linalg.solve(matrix, seen[points].T), rtol=1e-7)
 
 
@@ -106,8 +106,8 @@ def test_without_a_finger_it_is_the_average_over_the_disc():
         field[None, :, None], frequency=np.array([21e3]), x=grid()[:, 0], y=grid()[:, 1],
         reference="A, V", origin="simulated", quantity="displacement",
     )  # fmt: skip
-    found = below_finger(bare_band().reduced, Sites(grid(), 8e-3), field, omega, [0.0])
-    np.testing.assert_allclose(found[0], disc_average(response, 8e-3).values[0], rtol=1e-5)
+    amplitude = below_finger(bare_band().reduced, Sites(grid(), 8e-3), field, omega, [0.0])
+    np.testing.assert_allclose(amplitude[0], disc_average(response, 8e-3).values[0], rtol=1e-5)
 
 
 def test_a_finger_that_does_not_give_way_stops_the_plate():
@@ -119,12 +119,14 @@ def test_a_finger_that_does_not_give_way_stops_the_plate():
 def test_the_grid_of_a_disc_is_fine_enough():
     """Another grid of points below the same finger, the one that a plate with a finger of its own has."""
     omega, place = HZ * 21e3, len(grid()) // 2 + 5
-    found = below_finger(bare_band().reduced, Sites(grid(), 8e-3), free_field(omega), omega, [10j * omega])
+    amplitude = below_finger(
+        bare_band().reduced, Sites(grid(), 8e-3), free_field(omega), omega, [10j * omega]
+    )
     finger = Finger(tuple(grid()[place]), 8e-3, mass=None, stiffness=0.0, damping=10.0)
     _, vibration = bare_band().touched(finger).answer(DRIVES, np.array([21e3]), 1e-2)
     disc = Sites(grid(), 8e-3).discs[place]
     moved = bare().displaced(grid()[disc], vibration.vectors) @ vibration.amplitudes
-    assert found[0, place] == pytest.approx(np.sqrt((np.abs(moved) ** 2).mean()), rel=0.05)
+    assert amplitude[0, place] == pytest.approx(np.sqrt((np.abs(moved) ** 2).mean()), rel=0.05)
 
 
 # -- a basis that misses nothing ----------------------------------------------------------------------
@@ -157,5 +159,5 @@ def test_crowded_modes_are_parted_and_missing_ones_found(monkeypatch):
 
 
 def test_modes_of_a_band_are_all_modes():
-    found = modes_between(bare_band(), 1e3, 40e3)
-    assert (found.error < 1e-3).all()
+    modes = modes_between(bare_band(), 1e3, 40e3)
+    assert (modes.error < 1e-3).all()

@@ -49,8 +49,8 @@ def displacement(of, vectors):
     return (of.observed(POINTS) @ vectors).T
 
 
-def apart(one, other):
-    return np.linalg.norm(one - other) / np.linalg.norm(other)
+def apart(value, reference):
+    return np.linalg.norm(value - reference) / np.linalg.norm(reference)
 
 
 def test_three_thicknesses_of_a_bond_give_every_other():
@@ -70,8 +70,8 @@ def test_three_thicknesses_of_a_bond_give_every_other():
     for thickness in (30e-6, 40e-6, 110e-6):
         exact = of(thickness)
         stiffness = basis.T @ (exact.stiffness[bond_of("A")] @ basis)
-        found = np.tensordot(glue.shares(thickness), glue.stiffness, 1)
-        assert apart(found, stiffness) < 1e-9
+        interpolated = np.tensordot(glue.shares(thickness), glue.stiffness, 1)
+        assert apart(interpolated, stiffness) < 1e-9
         own = basis.T @ (of(40e-6).mass[:, None] * basis) + (thickness - 40e-6) * glue.slope
         assert apart(own, basis.T @ (exact.mass[:, None] * basis)) < 1e-12
         for part in (PLATE, ceramic("A"), electric("A")):
@@ -82,12 +82,12 @@ def test_three_thicknesses_of_a_bond_give_every_other():
 def test_answers_are_those_of_new_tiles():
     plate = patched(**OTHER)
     new = PlateModel.of(plate, HIGHEST, COARSE)
-    found = updated(model(), plate).model
+    changed = updated(model(), plate).model
     omegas = 2 * np.pi * LINES[::8]
-    one, other = (displacement(of, answered(of, {"A": 1.0}, omegas)) for of in (found, new))
+    moved, expected = (displacement(of, answered(of, {"A": 1.0}, omegas)) for of in (changed, new))
     before = displacement(model(), answered(model(), {"A": 1.0}, omegas))
-    assert apart(one, other) < 4e-3
-    assert apart(before, other) > 0.5, "the numbers matter"
+    assert apart(moved, expected) < 4e-3
+    assert apart(before, expected) > 0.5, "the numbers matter"
 
 
 def test_vectors_come_back_to_the_old_unknowns():
@@ -113,10 +113,10 @@ def whole_stiffness(vectors):
         for name, bond in group.tile.bonds.items():
             parts[bond_of(name)] = np.tensordot(bond.shares(OTHER["bond"]), bond.stiffness, 1)
         pieces.append(np.einsum("ij,jbk->ibk", sum(parts.values()), share))
-    found = assembly.gathered(pieces)
+    forces = assembly.gathered(pieces)
     ratio = plate.supports[0].stiffness / model().plate.supports[0].stiffness
-    found[: assembly.free] += ratio * (assembly.foundations @ vectors[: assembly.free])
-    return found
+    forces[: assembly.free] += ratio * (assembly.foundations @ vectors[: assembly.free])
+    return forces
 
 
 @pytest.mark.parametrize("factor", [0.8, 1.3])
@@ -128,8 +128,8 @@ def test_a_stiffer_plate_is_a_faster_one(factor):
     old = PlateModel.of(plate, HIGHEST, COARSE)
     new = updated(old, replace(stiffer(plate, factor), supports=springs)).model
     omegas = 2 * np.pi * np.array([4e3, 11e3, 23e3])
-    one = answered(new, {"F": 1.0}, omegas * np.sqrt(factor))
-    assert apart(factor * one, answered(old, {"F": 1.0}, omegas)) < 1e-9
+    answer = answered(new, {"F": 1.0}, omegas * np.sqrt(factor))
+    assert apart(factor * answer, answered(old, {"F": 1.0}, omegas)) < 1e-9
 
 
 def test_a_family_answers_as_the_whole_plate():

@@ -52,12 +52,12 @@ def test_a_mode_is_found_by_its_name():
     for name, frequency in zip(("0x1", "0x2"), expected, strict=True):
         low, high = 0.7 * frequency, 1.3 * frequency
         model = PlateModel.of(strip(), high, COARSE)
-        found = modes_between(Band.of(model, low, high), low, high)
+        modes = modes_between(Band.of(model, low, high), low, high)
         points, regions = grid_points(strip(), 1e-3)
-        shapes = model.displaced(points, found.vectors)
-        called = mode_names(strip(), model, found, shapes, points, regions)
+        shapes = model.displaced(points, modes.vectors)
+        called = mode_names(strip(), model, modes, shapes, points, regions)
         assert called.count(name) == 1
-        assert found.frequency[called.index(name)] == pytest.approx(frequency, rel=0.025)
+        assert modes.frequency[called.index(name)] == pytest.approx(frequency, rel=0.025)
 
 
 def test_a_driven_guide_resonates_at_its_peak(bench):

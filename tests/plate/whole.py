@@ -29,11 +29,11 @@ def forms(assembly):
 
 def foundations(model: PlateModel):
     """(size, size) of every support."""
-    found = []
+    matrices = []
     for foundation in model.foundations:
-        found.append(np.zeros((model.assembly.size,) * 2))
-        found[-1][: model.assembly.free, : model.assembly.free] = foundation.stiffness.toarray()
-    return found
+        matrices.append(np.zeros((model.assembly.size,) * 2))
+        matrices[-1][: model.assembly.free, : model.assembly.free] = foundation.stiffness.toarray()
+    return matrices
 
 
 def lossless(model: PlateModel):
