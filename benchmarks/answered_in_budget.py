@@ -1,8 +1,8 @@
 """Claim: a study as users write it is answered at default settings, or refused for a reason to be mended.
 
 Designs are drawn over all lattices (``tests/user_designs.py``). Each is computed by its own process,
-which says the accuracy it reached, its processor time and its peak memory; these stand beside the estimates.
-Every design is a line of a CSV file, so a run that was stopped goes on where it ended.
+which prints the accuracy it reached, its processor time and its peak memory; these are stored with the
+estimates. Every design is a line of a CSV file, so a run that was stopped goes on where it ended.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def peak() -> float:
 
 
 def decided(seed: int, number: int, memory: float) -> dict[str, Any]:
-    """What the decision says of a design with so much memory (bytes), without computing anything."""
+    """The decision about a design with so much memory (bytes), without computing anything."""
     study = study_of(seed, number)
     cell, asked = study.cell, study.bands_settings
     row = {"seed": seed, "number": number, "kind": study_text(seed, number)[0], "asked": asked.accuracy}
@@ -154,7 +154,7 @@ if __name__ == "__main__":
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--one", type=int, help="Compute this design here and print its row.")
     parser.add_argument("--memory", type=float, default=8.0, metavar="GB", help="That meshes may take.")
-    parser.add_argument("--decide", action="store_true", help="Only say what is begun, compute nothing.")
+    parser.add_argument("--decide", action="store_true", help="Only print what is begun, compute nothing.")
     given = parser.parse_args()
     warnings.simplefilter("ignore")
     if given.one is not None:

@@ -1,8 +1,8 @@
 """Claim: the error printed with a frequency is never below the true one, and seldom far above it.
 
-Cells are drawn over all that a study can say (``tests/core/truth.py``): each is asked as a user would, for
-some bands at some accuracy, and compared with frequencies found by another route. Every design is a line of
-a CSV file, so a run that was stopped goes on where it ended; another ``--seed`` draws other designs.
+Cells are drawn over all that a study can describe (``tests/core/truth.py``): each is asked as a user would,
+for some bands at some accuracy, and compared with frequencies found by another route. Every design is a line
+of a CSV file, so a run that was stopped goes on where it ended; another ``--seed`` draws other designs.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ CLASSES = (*dict.fromkeys(KINDS), "stout", *TILES)
 class Row:
     """One design: what was asked, what came out; errors are relative, seconds are the processor's.
 
-    reached : largest error that the model tells over the zone; above the accuracy where no mesh reached it
+    reached : largest error estimate of the model over the zone; above the accuracy where no mesh reached it
     unsure : largest uncertainty of a reference, as a share of the estimate that it judges
     unjudged : frequencies of which the reference is less sure than the estimate; the ratios leave them out
     """
@@ -73,7 +73,7 @@ class Row:
 
 @dataclass
 class Answer:
-    """What the product says: frequency, error (wavevectors, bands), Hz, its mesh; or why none. See `Row`."""
+    """Answer of the product: frequency, error (wavevectors, bands), Hz, its mesh; or why none. See `Row`."""
 
     seconds: float
     frequency: Array | None = None
@@ -182,7 +182,7 @@ def at_once(row: Row) -> bool:
 
 
 def of_class(rows: list[Row], name: str) -> dict[str, Any]:
-    """The figures of one class; a design's median ratio stands for its frequencies."""
+    """The figures of one class; a design's median ratio represents its frequencies."""
     good = [row for row in rows if row.frequencies]
     ratios = [row.median_ratio for row in good]
     return {
@@ -237,7 +237,7 @@ def _limits() -> MeshLimits:
 
 
 def numbers(count: int, stout: int, tiles: int, seed: int) -> list[int]:
-    """Of the designs, those first that are foreseen to take least: a run may be stopped."""
+    """Numbers of the designs, those first that are estimated to take least: a run may be stopped."""
 
     def seconds(number: int) -> float:
         question = drawn(seed, number)
@@ -346,7 +346,7 @@ if __name__ == "__main__":
         "--references", action="store_true", help="only compute what answers are judged by, and keep it"
     )
     parser.add_argument(
-        "--stored", action="store_true", help="leave out designs that have no reference yet, and say which"
+        "--stored", action="store_true", help="leave out designs that have no reference yet, and name them"
     )
     parser.add_argument(
         "--part",

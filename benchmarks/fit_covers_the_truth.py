@@ -108,7 +108,7 @@ class Bench:
         )  # fmt: skip
 
     def scan(self, x: np.ndarray, chance: np.random.Generator) -> tuple[MeasuredResponse, np.ndarray]:
-        """Of the plate with numbers given as logarithms over the start; also the points that were spoiled."""
+        """Scan of the plate with numbers given as logarithms over the start; also its spoiled points."""
         plate = self.small.space.plate_at(x)
         model = PlateModel.of(plate, BAND[1], self.fineness)
         band = Band.of(model, *BAND)

@@ -1,4 +1,4 @@
-"""Claim: the edges of a lattice's gap that the scan of a plate tells lie within two of their standard errors
+"""Claim: the edges of a lattice's gap that the scan of a plate shows lie within two of their standard errors
 of the computed ones, for plates of other cells, guides and rows. Two of them had no part in the choice of
 that error."""
 
@@ -87,7 +87,7 @@ def compare_edges(name: str, study: haptonic.Study, kept: Path | None) -> dict[s
 
 
 def beside(fades: xr.DataArray, edge: float) -> dict[str, list[float]]:
-    """How waves of small and of large phase fade within 4 % below and above an edge, dB per row."""
+    """Decay of waves of small and of large phase within 4 % below and above an edge, dB per row."""
     around = fades.sel(frequency=slice(0.96 * edge, edge)), fades.sel(frequency=slice(edge, 1.04 * edge))
     large = fades["phase"].values > np.pi / 2
     return {

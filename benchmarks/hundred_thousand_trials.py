@@ -1,10 +1,10 @@
 """Claim: 100 000 trials are analysed in under a minute on two cores, and memory does not grow with them.
 
-The records are made up: 10 080 simulated strokes, in HDF5 files of a block of 30 each, on the disk before
-the clock starts. The larger experiment reads every file ten times, under the names of ten groups of people,
+The records are simulated: 10 080 strokes, in HDF5 files of a block of 30 each, on the disk before the clock
+starts. The larger experiment reads every file ten times, under the names of ten groups of people,
 so that the disk's cache helps. Timed is all of `compute_friction`: table, files, filters, statistics; not the
-pictures and not the start of Python. Processor time is that of all processes: on a shared machine it says
-more.
+pictures and not the start of Python. Processor time is that of all processes: on a shared machine it
+is the better measure.
 """
 
 from __future__ import annotations

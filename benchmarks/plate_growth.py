@@ -67,7 +67,7 @@ def main() -> None:
 
 
 def exponents(plates: list[dict[str, float]]) -> dict[str, float]:
-    """Of the number of pillars, for every number that is known of two plates at least."""
+    """Exponents over the number of pillars, for every figure that is known of two plates at least."""
     fitted = {}
     for name in ("seconds", "peak_bytes", "basis", "unknowns", "one_seconds", "one_peak_bytes"):
         known = [(plate["pillars"], plate[name]) for plate in plates if name in plate]

@@ -1,6 +1,6 @@
-"""Claim: the analysis of a made-up experiment returns its truth within the intervals that it states.
+"""Claim: the analysis of a simulated experiment returns its truth within the intervals that it states.
 
-For each of a number of seeds, three people are made up who stroke the prototype's two waveguides 240 times
+For each of a number of seeds, three people are simulated who stroke the prototype's two waveguides 240 times
 each, with friction by load sharing; their force records are processed and analysed as measured ones would be.
 With more people the coefficients are taken as they are, without force records, which makes many experiments
 cheap. With amplitudes of zero nobody's friction changes on average: alarms of each test are counted.

@@ -30,5 +30,5 @@ def single(tile: Superelement, along: tuple[int, int] = (0, 1)) -> CondensedRows
 
 @cache
 def rows(*, pillars: bool = True) -> CondensedRows:
-    """Of the one or the other, along y."""
+    """Condensed rows along y, of cells with pillars or of plain ones."""
     return single(lattice() if pillars else plain())

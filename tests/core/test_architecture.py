@@ -30,7 +30,7 @@ BASE = {
 LATTICES = {"translations", "lattice", "brillouin"}
 CORE = BASE | LATTICES | {"materials", "cell", "elements", "solvers", "superelement", "bloch"}
 LOWER = CORE | {"atomic", "design", "friction", "plate", "response", "store", "updating", "vibrometry"}
-EVERYWHERE = {"later"}  # stands for libraries of others
+EVERYWHERE = {"later"}  # imports libraries of others
 ALLOWED: dict[str, set[str]] = {
     "arrays": set(),
     "later": set(),
@@ -79,7 +79,7 @@ ALLOWED: dict[str, set[str]] = {
     "plots": CORE | {"atomic", "friction", "plate", "response", "updating", "vibrometry"},
     "workshop": BASE | {"atomic", "cell", "materials", "plate", "plots"},
     "pages": {"plots"},
-    # from here on down to the command line: what is told, what is asked, what is computed, what shows it
+    # from here on down to the command line: what is reported, what is asked, what is computed, what shows it
     "views": {"gate", "pages", "progress"},
     "results": LOWER | {"pages", "plots", "views", "vtu"},
     "description": LOWER - {"atomic", "store"} | {"results"},

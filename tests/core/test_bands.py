@@ -283,7 +283,7 @@ def test_forms_of_the_errors_are_equal_in_the_small_basis_and_in_the_tiling():
 
 @pytest.mark.parametrize("kappa", [(0.47, 0.16), (0.14, 0.4), (0.37, 0.02), (2.4, 0.9)])
 def test_the_small_basis_holds_near_rest_too(kappa):
-    """Between rest and the first wavevectors that it was checked at it was 0.6 % off, and told 0.0008 %."""
+    """Between rest and the first wavevectors checked it was 0.6 % off; its estimate was 0.0008 %."""
     reduced = ReducedCell.of(thin_steel(), 10, 4e-5)
     small, whole = (eigenpairs(pencil, np.array(kappa), 10)[0] for pencil in (reduced.pencil, reduced.whole))
     assert (np.sqrt(small / whole) - 1).max() < 4e-5

@@ -1,4 +1,4 @@
-"""The real pencil seen from the cell's centre, against the Laurent pencil that it stands for."""
+"""The real pencil seen from the cell's centre, against the Laurent pencil that it represents."""
 
 from functools import cache
 

@@ -88,7 +88,7 @@ def test_the_error_at_crossing_gaps_beside_square_pillars_is_bounded():
 
 @pytest.mark.nightly
 def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
-    """A slender pillar has many modes of its own; finer meshes with as short an interior tell none."""
+    """A slender pillar has many modes of its own; finer meshes with as short an interior show none."""
     pillar = Pillar(1.5e-3, 38e-3)
     cell = UnitCell(Lattice.rectangular(7e-3, 8.9e-3), 0.7e-3, material("aluminium-2017a"), pillar)
     model = bloch_model(cell, BandSettings(24, accuracy=5e-3))
@@ -115,7 +115,10 @@ def share_of_estimate(cell, resolution: Resolution, **finer: int) -> np.ndarray:
 
 
 def assert_less_is_left_along_a_tapered_pillar(height, draft, fillet):
-    """Else the estimate is the lower mesh's error along the pillar, tens of times that of the finer mesh."""
+    """A lower order along the pillar changes frequencies less than lower orders in all other directions.
+
+    If not, the estimate is the lower mesh's error along the pillar, tens of times that of the finer mesh.
+    """
     width = 3e-3
     pillar = Pillar(width, height * width, draft=np.radians(draft), fillet=fillet * width)
     cell = UnitCell(Lattice.triangular(7e-3), 1.7e-3, material("brass"), pillar)
@@ -148,8 +151,8 @@ def test_a_lower_mesh_is_not_judged_by_what_it_leaves_along_any_tapered_pillar(h
 def test_polynomials_along_a_tapered_pillar_are_not_what_limits_a_mesh(seed, number, order):
     """Three orders more along z alone change less than half of the estimate.
 
-    Of number 67 they changed three times of it, when there was one order less and one less again in the mesh
-    that tells the error: bending of one parity gains nothing from every other order.
+    For number 67 they changed three times the estimate when the mesh had one order less, and the mesh for the
+    error one less again: bending of one parity gains nothing from every other order.
     """
     cell, resolution = drawn(seed, number).cell, Resolution(order, 1)
     assert cell.pillar.draft
@@ -234,7 +237,7 @@ def test_a_plain_plate_is_answered_within_its_estimate(number, count, accuracy):
 
 @pytest.mark.nightly
 def test_the_rim_resolves_what_a_foot_near_it_does():
-    """Of a thick plate whose pillars nearly touch: no other direction, and no lower order, saw this."""
+    """A thick plate whose pillars nearly touch: no other direction, and no lower order, showed this error."""
     cell = UnitCell(Lattice.square(7e-3), 3.5e-3, material("aluminium-2017a"), Pillar(6.35e-3, 2.8e-3))
     plan = Resolution(3, 1).plan(cell)
     levels = (plan.near_rim, plan.near_rim + 2, 0)
@@ -244,7 +247,7 @@ def test_the_rim_resolves_what_a_foot_near_it_does():
 
 
 def assert_the_truth_is_within(question: Drawn, model: BlochModel | None = None) -> None:
-    """Of the model that is chosen, or of one that need not reach the accuracy asked for."""
+    """Check the model that is chosen, or one that need not reach the accuracy asked for."""
     exact = truth(question)
     assert exact is not None, "no reference fits"
     if model is None:
@@ -272,7 +275,7 @@ def assert_the_truth_is_within(question: Drawn, model: BlochModel | None = None)
     ],
 )
 def test_estimates_hold_of_a_first_mesh(seed, number, order):
-    """Another accuracy would have been answered by it; of these designs it told 0.3 to 0.9 of the error."""
+    """The mesh would have answered another accuracy; its estimate was 0.3 to 0.9 of these designs' error."""
     question = drawn(seed, number)
     first = BlochModel.of(question.cell, Resolution(order, 1, 4, 24), question.count, measured=False)
     assert_the_truth_is_within(question, first)

@@ -139,7 +139,7 @@ def test_the_forces_are_those_of_the_slab(phase, kilohertz):
     face = slab("square", phase).at(omega)
     scale = np.abs(face.LL).max()
     for side, far in zip(bloch_waves(face, omega), (1, -1), strict=True):
-        u, step = side.displacement, np.exp(side.exponent * far)  # fades, whichever side it goes to
+        u, step = side.displacement, np.exp(side.exponent * far)  # decays, whichever side it goes to
         here, there = (face.LL, face.LR) if far > 0 else (face.RR, face.RL)
         assert np.abs(here @ u + (there @ u) * step - far * side.force).max() < 1e-9 * scale * np.abs(u).max()
         balance = face.RL @ u + (face.LL + face.RR) @ u * step + face.LR @ u * step**2

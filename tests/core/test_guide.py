@@ -82,7 +82,7 @@ def test_modes_have_the_nodal_lines_that_were_asked_for(nodal_lines):
 
 @pytest.mark.parametrize(("width", "nodal_lines"), [(22e-3, 0), (47e-3, 1)])
 def test_a_mode_is_a_fixed_point_of_crossing_the_strip_and_coming_back(width, nodal_lines):
-    """With all fading waves: R P x = x for even fields, -x for odd ones."""
+    """With all decaying waves: R P x = x for even fields, -x for odd ones."""
     mode = guide().mode(width, nodal_lines, GAP)
     wall = guide().wall(mode.omega)
     factors = np.linalg.eigvals(wall.reflection * np.exp(1j * wall.plate.wavenumber * width))
@@ -95,7 +95,7 @@ def test_the_width_of_a_mode_and_its_frequency_are_one_relation(nodal_lines):
     width = guide().width(omega, nodal_lines)
     assert guide().mode(width, nodal_lines, GAP).omega == pytest.approx(omega, rel=1e-9)
     wall = guide().wall(omega)
-    # a fixed line on either side and a whole number of half waves between: fading waves hardly matter
+    # a fixed line on either side and a whole number of half waves between: decaying waves hardly matter
     assert width + 2 * wall.fixed_line == pytest.approx((nodal_lines + 1) * np.pi / wall.wavenumber, rel=1e-3)
 
 

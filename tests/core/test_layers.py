@@ -91,7 +91,7 @@ def test_energy_is_conserved_and_every_conversion_goes_both_ways(kilohertz, k_y)
         assert (share >= 0).all()
         own = share[:, :, : len(FAMILIES)]
         assert own == pytest.approx(own.swapaxes(1, 2), abs=1e-9)
-    assert scattering.reflected[2, 0, 1] > 1e-4  # A0 to S0: the pillars stand on one side only
+    assert scattering.reflected[2, 0, 1] > 1e-4  # A0 to S0: there are pillars on one side only
 
 
 def test_diffracted_waves_take_their_share():
@@ -147,10 +147,10 @@ def test_a_layer_more_takes_what_the_farthest_reaching_wave_loses():
     right, _ = bloch_waves(interface(0.0).slab.at(omega), omega)
     slope = np.diff(scattering.insulation, axis=0)[-1]
     assert slope[:2] == pytest.approx(decibels(right), rel=1e-3)
-    # SH0 is odd in the mirror along the layers: it couples to another, faster fading wave
-    fading = -20 / np.log(10) * right.exponent.real
+    # SH0 is odd in the mirror along the layers: it couples to another wave, which decays faster
+    decay = -20 / np.log(10) * right.exponent.real
     assert slope[2] > 1.2 * decibels(right)
-    assert np.abs(fading - slope[2]).min() < 1e-3 * slope[2]
+    assert np.abs(decay - slope[2]).min() < 1e-3 * slope[2]
 
 
 def test_many_layers_are_a_mirror():

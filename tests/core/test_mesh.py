@@ -19,7 +19,7 @@ from haptonic.superelement import repeated
 
 
 def volumes_of(mesh: HexMesh):
-    """Shares of the volume that the quadrature points stand for, m^3, of the plate and of the pillar."""
+    """Shares of the volume that the quadrature points represent, m^3, of the plate and of the pillar."""
     plate, pillar = [np.empty(0)], [np.empty(0)]
     for family in mesh.topology.families:
         (_, w1, D1), (_, w2, D2), (_, w3, D3) = (lobatto(n - 1) for n in family.nodes.shape[1:])

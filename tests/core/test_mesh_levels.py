@@ -1,4 +1,4 @@
-"""What a cell takes is estimated before it is computed: what fits is answered, a refusal says what works."""
+"""A cell's cost is estimated before it is computed: what fits is answered, a refusal names what works."""
 
 import json
 import math
@@ -131,7 +131,7 @@ def test_a_refusal_names_time_or_memory_and_its_next_step_is_accepted(
 
 
 def follow_a_drawn_design(number):
-    """Refuse a design as users write them by time and by memory, and ask again as the refusal says."""
+    """Refuse a design as users write them by time and by memory, and ask again as the refusal advises."""
     cell = study_of(3, number).cell
     lowest = LADDER[0].for_bands(cell, 10)
     seconds, memory = lowest.seconds(cell), lowest.memory(cell)

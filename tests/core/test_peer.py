@@ -76,7 +76,7 @@ def shape_of(pillar: Pillar) -> dict[str, Any]:
 @pytest.mark.nightly
 @pytest.mark.parametrize("pillar", MEMBERS.values(), ids=MEMBERS)
 def test_members_of_the_pillar_family_agree_with_the_peer(pillar):
-    """Within what the peer's last order changed and what our own error estimate says."""
+    """Within the change by the peer's last order plus our own error estimate."""
     metal = IsotropicMaterial(70e9, 0.33, 2700.0, name="metal")
     cell = UnitCell(Lattice.square(7 * MM), 1.5 * MM, metal, pillar)
     model = BlochModel.of(cell, Resolution(4, 1), COUNT, measured=False)

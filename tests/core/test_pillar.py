@@ -190,7 +190,7 @@ def test_a_step_needs_to_be_a_step(pillar):
 
 
 class _Waisted(Pillar):
-    """A body with a number that no other has: what is told of a pillar follows its widths at all heights."""
+    """A body with a number that no other has: reports on a pillar follow its widths at all heights."""
 
     def half_width(self, height: float, stage: int) -> float:
         share = height / self.height

@@ -147,7 +147,7 @@ def test_the_prototypes_guide_holds_one_mode_without_nodal_lines_at_17_intervals
 
 
 def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
-    """Of a wide ribbon at a phase without a guided wave nearby."""
+    """A wide ribbon at a phase without a guided wave nearby."""
     bulk = bulk_bands(BlochModel.of(CRYSTAL, COARSE, 8, measured=False), prototype().ribbon, [ALONG])[0]
     low, high = bulk[5] - [20.0, -20.0]
     modes = prototype().solve(ALONG, float(low), float(high))

@@ -78,7 +78,7 @@ def test_faces_never_turn_back_and_trapezoids_fit_between_them_and_a_straight_li
 
 @everywhere
 def test_rows_and_what_leads_to_them_fill_a_strip_of_plate(name, along):
-    """`Tiling.of` refuses what does not meet edge to edge; the areas say that nothing overlaps."""
+    """`Tiling.of` refuses what does not meet edge to edge; the areas show that nothing overlaps."""
     here = rows(CELLS[name], along)
     for period, tiling in (*here.blocks, *here.fillers):
         assert isinstance(tiling, Tiling)

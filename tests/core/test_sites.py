@@ -359,7 +359,7 @@ def test_no_band_is_missing(name):
     ["unequal honeycomb", "kagome", "lieb"],
 )
 def test_a_tile_needs_its_share_of_the_bands_inside(name):
-    """With an interior for all of them in each tile 24 bands of a Lieb lattice were foreseen to take 96 s."""
+    """With an interior for all of them in each tile 24 bands of a Lieb lattice were estimated at 96 s."""
     cell, count = CELLS[name], 20
     asked = COARSE.for_bands(cell, count)
     the_model = BlochModel.of(cell, asked, count, measured=False)

@@ -96,7 +96,7 @@ def test_pardiso_eliminates_in_the_order_that_is_given(name):
     seen = {}
     for head, order in {"first": np.arange(size), "last": np.arange(size)[::-1]}.items():
         solver = analysed(name, replace(pattern, order=order.astype(np.int32)))
-        solver._settings[17] = -1  # tell the entries of the factor
+        solver._settings[17] = -1  # report the entries of the factor
         solver.factorise(data)
         seen[head] = solver._settings[17]
     assert seen["first"] > 5 * seen["last"]
@@ -251,7 +251,7 @@ def test_a_solver_can_be_left_to_the_end_of_the_process():
 
 @every_solver
 def test_an_analysis_for_any_sign_serves_definite_matrices_and_refuses_others(name):
-    """In this order nothing but the count of signs tells: the diagonal of the last one is positive."""
+    """In this order only the count of signs shows it: the diagonal of the last one is positive."""
     pattern = Pattern(np.array([0, 2, 3], np.int32), np.array([0, 1, 1], np.int32))
     solver = SOLVERS[name][1](pattern)
     assert solver.factorise(np.array([1.0, 0.5, -1.0]), definite=False) == 1

@@ -165,7 +165,7 @@ def test_errors_of_cones_bound_the_distance_to_a_finer_mesh(name):
 
 
 class TestIdentities:
-    """Two ways to say one thing have frequencies that differ by less than both errors."""
+    """Two descriptions of one cell have frequencies that differ by less than both errors."""
 
     @staticmethod
     def agree(cell, other, share=1.0):

@@ -216,8 +216,8 @@ def test_the_omission_estimates_what_the_reduction_loses(case):
     lost, estimate = losses(case, 2)
     rounding = 2e-9
     assert (lost <= 1.2 * estimate + rounding).all()
-    # First order tells too much where the omitted field is much of what is left out at all: of a cell in one
-    # class, with as many directions as elsewhere a quarter of the cell has, the tenth band by 1.29.
+    # First order estimates too much where the omitted field is much of what is left out at all: for a cell in
+    # one class, with as many directions as elsewhere a quarter of the cell has, the tenth band by 1.29.
     most = 1.4 if case == "without mirrors" else 1.2
     assert (estimate <= most * lost + rounding).all()
 

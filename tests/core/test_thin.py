@@ -1,4 +1,4 @@
-"""Thin plates: plain ones against Kirchhoff's, and what a mesh is foreseen to cost."""
+"""Thin plates: plain ones against Kirchhoff's, and the estimated cost of a mesh."""
 
 from dataclasses import replace
 from types import SimpleNamespace

@@ -55,7 +55,7 @@ def banned_in(module: str, tree: ast.Module) -> set[str]:
 
 
 def defined_twice(trees: Mapping[str, ast.Module]) -> dict[str, list[str]]:
-    """Names of classes, private ones too, that stand in several modules, with these modules."""
+    """Names of classes, private ones too, that several modules define, with these modules."""
     modules_by_class = defaultdict(list)
     for module, tree in trees.items():
         for node in tree.body:

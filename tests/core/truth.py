@@ -1,4 +1,4 @@
-"""Cells drawn over all that a study can say, and their frequencies by a route that shares no estimate.
+"""Cells drawn over all that a study can describe, and their frequencies by a route that shares no estimate.
 
 A cell with a pillar is computed on two meshes or more, each finer than the last, until what they differ by is
 little beside the accuracy asked for; that difference, with what the interior space of several hundred fields
@@ -233,7 +233,7 @@ def truth(question: Drawn) -> Truth | None:
 
 
 def foreseen(question: Drawn) -> float:
-    """Processor time of a truth as it is foreseen, s, for want of a better measure by the product."""
+    """Estimated processor time of a truth, s, for want of a better measure by the product."""
     if not question.cell.has_features:
         return 0.0
     used = [
@@ -254,7 +254,7 @@ def pillars_of(cell: UnitCell) -> list[Pillar]:
 
 
 def _unknowns(cell: UnitCell, used: Resolution) -> int:
-    """Of a mesh, straight pillars' bodies left out, which can be condensed apart."""
+    """Unknowns of a mesh, straight pillars' bodies left out, which can be condensed apart."""
     return sum(
         3 * sum((replace(plan, pillar_layers=1) if placed.tile.pillar.is_prism else plan).level_sizes)
         for placed, plan in zip(cell.tiles, used.plans(cell), strict=True)

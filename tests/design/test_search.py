@@ -65,9 +65,9 @@ class TestLimits:
     )
 
     def room(self, **changes):
-        """Of the cell with everything, some numbers (of its pillar, or others by their path) changed.
+        """Limits of the cell with everything, some numbers (of its pillar, or others by their path) changed.
 
-        A place in a box, since some of these cells could not be made.
+        The cell is a place in a box, since some of these cells could not be made.
         """
         values = {
             path if path.startswith("cell") else f"cell.pillar.{path}": v for path, v in changes.items()

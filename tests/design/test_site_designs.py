@@ -1,4 +1,4 @@
-"""Searches of cells with several pillars: what their limits say, and that they find what a scan finds."""
+"""Searches of cells with several pillars: the values of limits, and that they find what a scan finds."""
 
 from dataclasses import replace
 from itertools import product
@@ -167,7 +167,7 @@ def test_heights_of_all_pillars_grow_together_upon_the_same_feet():
 
 
 def test_a_step_of_a_climb_gives_what_the_tangents_promise(monkeypatch):
-    """Of the diameter of one pillar and the height of the other."""
+    """The diameter of one pillar and the height of the other vary."""
     monkeypatch.setattr(quick, "QUICK", CHEAP)
     cell = cell_of(Lattice(lattice="honeycomb", pitch=7 * MM), THIN, Pillar(2.2 * MM, 3 * MM))
     bounds = {

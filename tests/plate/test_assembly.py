@@ -113,7 +113,7 @@ def test_springs_store_what_a_rigid_motion_takes(where, edges, shear):
 
 
 def _integral(edge, axis):
-    """Of the square of a coordinate along an edge."""
+    """Integral of the square of a coordinate along an edge."""
     a, b = edge.start[axis], edge.end[axis]
     return edge.length * (a * a + a * b + b * b) / 3
 

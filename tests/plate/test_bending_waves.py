@@ -51,7 +51,7 @@ def repeated(order, components, phase):
 
 
 def nearest(fineness, frequency):
-    """Of the waves that a tile has at the wavenumber of the bending wave, the one nearest to it, Hz."""
+    """Nearest frequency, Hz, of the waves that a tile has at the wavenumber of the bending wave."""
     wavenumber = plain_plate().wavenumber(HZ * frequency, 0.0, "A0")
     cell, orders = UnitCell(Lattice.square(EDGE), THICKNESS, ALUMINIUM), fineness.trace
     tile = cell_tile(cell, MeshPlan.suited(cell, fineness.plain, 0), ((EDGE,), (EDGE,)), orders, frequency)

@@ -44,7 +44,7 @@ def test_pillars_are_at_lattice_points_and_bricks_fill_the_layout(name):
         ]
         if all(fits):
             origin = here[0] - sites[number] @ vectors
-    assert origin is not None, "one of the sites is where the first pillar stands"
+    assert origin is not None, "one of the sites is where the first pillar is"
     # all points of the lattice that are a period of its rows away from the border of the lattice's letters
     work = Brickwork.of(cell)
     size, away = np.array([work.width, work.height]), np.array([0, 1] if work.offset[1] else [1, 0])

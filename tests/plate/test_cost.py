@@ -1,4 +1,4 @@
-"""What cannot be computed here is said before anything is computed."""
+"""What cannot be computed here is reported before anything is computed."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from haptonic.plate.layout.grid import Block
 
 
 def entries(size, blocks, order):
-    """Of the factor of a matrix in which the unknowns of each block are coupled, its diagonal among them."""
+    """Entries of the factor, diagonal included, of a matrix that couples the unknowns of each block."""
     coupled = np.eye(size, dtype=bool)
     for block in blocks:
         coupled[np.ix_(block, block)] = True

@@ -198,7 +198,7 @@ def test_the_products_own_orders_at_the_carrier_against_the_full_model():
     k = int(np.searchsorted(frequencies, 56e3))
     first, second = 0.5 * (frequencies[k:-1] + frequencies[k + 1 :])[:2]  # half-way
     for frequency, allowed in ((frequencies[k], 1e-2), (first, 1.1e-2), (second, 3.2e-2)):
-        # what a shift of the frequency within 0.3 % does at a resonance is told above
+        # shifts of the frequencies are checked above, to 0.3 %; what one does at a resonance is left out
         shift = exact[k] / frequencies[k] if frequency == frequencies[k] else 1.0
         reference = full.answer_by_iteration(whole, whole.drive["A"], HZ * frequency * shift)
         assert off(whole, model, reference, frequency) < allowed

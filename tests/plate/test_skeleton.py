@@ -182,7 +182,7 @@ def test_products_of_polynomials_are_integrated_exactly(first, second, shear):
 
 @given(st.sampled_from([1, 2, 3]), st.integers(0, 10_000))
 def test_the_further_profile_is_shared_by_neighbours_and_moves_in_the_plane_only(shear, seed):
-    """Along every edge of a rim as the polynomial on that edge alone says, from whichever side it is seen."""
+    """Along every edge of a rim it is the polynomial on that edge alone, from whichever side it is seen."""
     layout = drawn("pp pp")
     orders = TraceOrders(3, 2, shear)
     places = Skeleton.of(layout, tiles(layout), orders)

@@ -102,7 +102,7 @@ def test_vectors_come_back_to_the_old_unknowns():
 
 
 def whole_stiffness(vectors):
-    """Of the other numbers on the old unknowns, tile by tile."""
+    """Forces on the old unknowns by the stiffness of the other numbers, tile by tile."""
     plate, assembly = patched(**OTHER), model().assembly
     pieces = []
     for group, share in assembly.shares(vectors):

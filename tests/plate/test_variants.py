@@ -1,4 +1,4 @@
-"""Plates with one thing changed, and what the report says of them."""
+"""Plates with one thing changed, and what the report contains of them."""
 
 import runpy
 from dataclasses import replace
