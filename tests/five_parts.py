@@ -27,7 +27,7 @@ def assert_five_parts(ran, *words: str, code: str = "", argument: str = "") -> N
         assert word in ran.err, (word, ran.err)
 
 
-def assert_told(error: HaptonicError, *words: str, code: str = "", argument: str = "") -> None:
+def assert_explained(error: HaptonicError, *words: str, code: str = "", argument: str = "") -> None:
     """Five parts, none of them empty, code and argument, and the words among them."""
     parts = error.parts()
     assert all(parts.values()), parts
@@ -54,10 +54,10 @@ def refused(
 def refusing(
     kind: type[HaptonicError], code: str, argument: str = "", *words: str
 ) -> Iterator[pytest.ExceptionInfo[HaptonicError]]:
-    """A block that ends with an error of this kind, with code, argument and words as in `assert_told`."""
+    """A block that ends with an error of this kind, with code, argument and words as in `assert_explained`."""
     with pytest.raises(kind) as caught:
         yield caught
-    assert_told(caught.value, *words, code=code, argument=argument)
+    assert_explained(caught.value, *words, code=code, argument=argument)
 
 
 def refused_study(text: str, origin: str = "touchpad.toml") -> StudyError:

@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from daily import daily
-from five_parts import assert_five_parts, assert_told
+from five_parts import assert_explained, assert_five_parts
 from haptonic import analyses
 from haptonic.cli import commands
 from haptonic.cli.commands import keys, materials, new
@@ -87,7 +87,7 @@ class TestTemplates:
         slip = name[:at] + name[at + 1 :]
         with pytest.raises(StudyError) as refused:
             new.resolved(slip, "my.toml", TEMPLATES)
-        assert_told(refused.value, slip, code="unknown", argument="TEMPLATE")
+        assert_explained(refused.value, slip, code="unknown", argument="TEMPLATE")
         assert refused.value.next_step == f"haptonic new {name} my.toml"
 
     @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from strategies import ALUMINIUM, reference_cell
 from test_superelement import SKEWED
 
 from daily import daily
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.bloch import BlochModel, Resolution, bands_dataset, gaps_of
 from haptonic.bloch.gaps import complete_gaps, parity_gaps
 from haptonic.bloch.guide import Guide, Wall
@@ -217,4 +217,4 @@ def test_a_strip_guides_flexural_waves_whatever_runs_in_its_plane():
     assert both.width(omega, 0) + 2 * wall.fixed_line == pytest.approx(np.pi / wall.wavenumber, rel=0.2)
     with pytest.raises(StudyError) as caught:
         one_face.width(omega, 0)
-    assert_told(caught.value, "in-plane waves", argument="waveguide.mode")
+    assert_explained(caught.value, "in-plane waves", argument="waveguide.mode")

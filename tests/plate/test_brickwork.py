@@ -11,7 +11,7 @@ from test_full_plate import SAME, modes
 from whole import answered
 
 from bricks import ALUMINIUM, CELLS, PITCH, THICKNESS, THIN, laid
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.cell import Brickwork, Pillar, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
@@ -149,7 +149,7 @@ def test_any_lattice_is_laid_or_refused_in_five_parts(name, wide, second, angle)
         refused = None
     if refused is not None:
         assert refused.code in {"unsupported", "out-of-range"}
-        assert_told(refused)
+        assert_explained(refused)
         return
     for (x, y, pillar), (corner, laid_there) in zip(layout.standing, layout.bricks.items(), strict=True):
         (left, *_, right), (low, *_, top) = layout.lines(layout.block(corner))
@@ -176,4 +176,4 @@ def test_what_cannot_be_laid_is_refused(name):
     cell = UnitCell(lattice, THICKNESS, ALUMINIUM, pillar, site=sites)
     with pytest.raises(GeometryError) as caught:
         laid("oop ooo", cell)
-    assert_told(caught.value, words, argument=argument)
+    assert_explained(caught.value, words, argument=argument)

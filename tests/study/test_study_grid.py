@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.errors import StudyError
 from haptonic.study import loads
 from quick import QUICK_CELL
@@ -64,7 +64,7 @@ def test_it_comes_back_from_its_file():
 def test_a_grid_that_cannot_be_is_refused(first, second, code, at):
     with pytest.raises(StudyError) as caught:
         swept(first, second)
-    assert_told(caught.value, code=code, argument=at)
+    assert_explained(caught.value, code=code, argument=at)
 
 
 def test_a_column_of_the_grid_is_a_sweep_along_one_expression():

@@ -10,7 +10,7 @@ from dataclasses import fields
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.options import option_of
 from haptonic.analyses.tables import settings_of
@@ -53,19 +53,19 @@ def test_a_setting_given_as_an_option_is_answered_with_where_it_belongs(name, da
     key = data.draw(st.sampled_from([setting for setting in settings_of(name) if setting not in options]))
     with pytest.raises(StudyError) as caught:
         getattr(STUDY, name.replace(" ", "_"))(**{key: 3})
-    assert_told(caught.value, f"table [{name}]", f'"{key}": 3', f"{name}.{key}", argument=key)
+    assert_explained(caught.value, f"table [{name}]", f'"{key}": 3', f"{name}.{key}", argument=key)
 
 
 def test_a_sweep_by_place_is_answered_with_where_sweeps_are_declared():
     with pytest.raises(StudyError) as caught:
         STUDY.sweep("cell.pillar.height", [10e-3, 12e-3])
-    assert_told(caught.value, 'sweep=[{"vary": "cell.pillar.height", "from": ...', "table [sweep]")
+    assert_explained(caught.value, 'sweep=[{"vary": "cell.pillar.height", "from": ...', "table [sweep]")
 
 
 def test_what_is_no_number_is_changed_by_its_key():
     with pytest.raises(StudyError) as caught:
         STUDY.with_parameter("cell.lattice", "triangular")
-    assert_told(caught.value, "with_keys", "cell.lattice")
+    assert_explained(caught.value, "with_keys", "cell.lattice")
     changed = STUDY.with_keys({"cell.lattice": "hexagonal", "bands.count": 20, "material": "brass"})
     assert changed.cell.lattice == Lattice.triangular(7e-3)
     assert changed.bands_settings.count == 20

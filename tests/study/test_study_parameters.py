@@ -13,7 +13,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
-from five_parts import assert_told, refused
+from five_parts import assert_explained, refused
 from haptonic import Study
 from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicError, StudyError
@@ -207,7 +207,7 @@ class TestRefusals:
             'pitch = "a"', f'pitch = "{text}"'
         )
         error = refused(lambda: loads(study), code=code, argument="cell.pitch")
-        assert_told(error, words)
+        assert_explained(error, words)
 
     @pytest.mark.parametrize(
         ("old", "new", "code", "argument", "words"),
@@ -253,7 +253,7 @@ class TestRefusals:
         try:
             study = Study(parameters=given_texts, material="steel", cell=cell)
         except HaptonicError as error:
-            assert_told(error)
+            assert_explained(error)
         else:
             assert all(math.isfinite(value) for value in study.parameters().values())
             assert loads(study.to_toml()) == study
@@ -266,7 +266,7 @@ class TestRefusals:
                 parameters={name: "7 mm"}, material="steel", cell={"pitch": name, "thickness": "1 mm"}
             )
         except HaptonicError as error:
-            assert_told(error)
+            assert_explained(error)
         else:
             assert study.cell.lattice.pitch == 7e-3
 

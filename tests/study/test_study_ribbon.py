@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.analyses import ribbon
 from haptonic.analyses.options import NoOptions
 from haptonic.errors import HaptonicError
@@ -170,10 +170,10 @@ def changed(*pairs, text=STUDY + RIBBON):
 def test_what_is_no_ribbon_is_refused_in_five_parts(text, code, argument, words):
     with pytest.raises(HaptonicError) as caught:
         loads(text)
-    assert_told(caught.value, words, code=code, argument=argument)
+    assert_explained(caught.value, words, code=code, argument=argument)
 
 
 def test_the_error_for_a_missing_ribbon_names_the_table():
     with pytest.raises(HaptonicError) as caught:
         ribbon.check(loads(STUDY), NoOptions())
-    assert_told(caught.value, "[ribbon.tiles]", code="missing", argument="ribbon")
+    assert_explained(caught.value, "[ribbon.tiles]", code="missing", argument="ribbon")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from five_parts import assert_told, refused
+from five_parts import assert_explained, refused
 from haptonic.analyses import design, export, waveguide
 from haptonic.cell import Pillar, Site, Step, UnitCell
 from haptonic.design.parameters import values_of
@@ -129,7 +129,7 @@ def test_a_lattice_misspelt_is_refused(name, guess):
     with pytest.raises(HaptonicError) as caught:
         loads(STUDY.replace("honeycomb", name) + EQUAL)
     assert caught.value.argument.endswith("cell.lattice")
-    assert_told(caught.value, name, guess, code="unknown", argument="study: cell.lattice")
+    assert_explained(caught.value, name, guess, code="unknown", argument="study: cell.lattice")
 
 
 FILLETED = '\n[[design.vary]]\nparameter = "cell.site[2].pillar.fillet"\nfrom = 0\nto = "0.3 mm"\n'
@@ -206,7 +206,7 @@ def test_any_sites_make_a_cell_or_are_refused_in_five_parts(places, lattice):
         refusal = None
     if refusal is not None:
         assert refusal.argument.startswith("cell.site")
-        assert_told(refusal)
+        assert_explained(refusal)
         return
     assert all(0 <= value < 1 for x, y, _ in places for value in (x, y))
     positions = cell.shares @ cell.lattice.vectors
@@ -239,4 +239,4 @@ def test_a_strip_that_runs_along_no_translation_is_refused(along, code):
 
     with pytest.raises(HaptonicError) as caught:
         asked()
-    assert_told(caught.value, code=code, argument="waveguide.along")
+    assert_explained(caught.value, code=code, argument="waveguide.along")

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from five_parts import assert_told, refusing
+from five_parts import assert_explained, refusing
 from haptonic.analyses import NAMES
 from haptonic.analyses.export import ExportOptions
 from haptonic.cell import Disc, Pillar, Site, Solid, UnitCell
@@ -86,7 +86,7 @@ def test_each_analysis_answers_for_discs_or_refuses_them(feature, faces):
             options = ExportOptions() if name == "export" else None
             refusal = analysis.supports(each, options)
             if refusal is not None:
-                assert_told(refusal, refusal.code, refusal.argument)
+                assert_explained(refusal, refusal.code, refusal.argument)
                 refused.add(name)
         through = feature in ("hole", "countersunk hole", "square cone in a round hole")
         opens_below = through or (feature == "blind hole" and each.faces == "both")
@@ -114,7 +114,7 @@ def refusing_solids(path):
         options = ExportOptions() if name == "export" else None
         refusal = analysis.supports(solids, options)
         if refusal is not None:
-            assert_told(refusal, "unsupported", "cell.solid")
+            assert_explained(refusal, "unsupported", "cell.solid")
             refused[name] = refusal
     return set(refused)
 
@@ -145,5 +145,5 @@ def test_a_plan_lists_analyses_that_refuse_the_cell():
     losses = Pillar(3 * MM, 6 * MM, material=material("epoxy"))
     study = Study(cell=cell(losses), carrier=60e3)
     costs = ANALYSES["plan"].compute(study, None, None).costs
-    assert_told(costs["layers"].refusal, code="unsupported", argument="cell.pillar.material")
+    assert_explained(costs["layers"].refusal, code="unsupported", argument="cell.pillar.material")
     assert costs["bands"].refusal is None

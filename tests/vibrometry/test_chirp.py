@@ -10,7 +10,7 @@ import pytest
 import scipy.io.wavfile
 from hypothesis import given, strategies as st
 
-from five_parts import assert_told, refusing
+from five_parts import assert_explained, refusing
 from haptonic.errors import HaptonicWarning, ScanError
 from haptonic.vibrometry import Rectangle, RoundRegion, drive, drive_notes, scan_plan, write_drive
 
@@ -97,7 +97,7 @@ def test_the_band_stays_within_what_was_asked(low, ratio, samples):
 def test_signals_that_cannot_be(change, code, argument):
     with pytest.raises(ScanError) as caught:
         drive(**USUAL | change)
-    assert_told(caught.value, code=code, argument=argument)
+    assert_explained(caught.value, code=code, argument=argument)
 
 
 class TestFiles:
@@ -196,7 +196,7 @@ class TestPlan:
     def test_refused(self, area, step, excluded, code, argument, given):
         with pytest.raises(ScanError) as caught:
             scan_plan(area, step, excluded)
-        assert_told(caught.value, given, code=code, argument=argument)
+        assert_explained(caught.value, given, code=code, argument=argument)
 
 
 def test_a_disc_has_its_rim_and_nothing_beyond():

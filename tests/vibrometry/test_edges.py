@@ -10,7 +10,7 @@ import xarray as xr
 from hypothesis import given, settings, strategies as st
 from test_estimation import LINES as HALVES, recorded
 
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.errors import ScanError
 from haptonic.gate import passed
 from haptonic.response import FrequencyResponse, Reference
@@ -188,18 +188,18 @@ class TestEdges:
         shallow = replace(OFFSET, rows=4)
         with pytest.raises(ScanError) as caught:
             decay_along(seen, [shallow])
-        assert_told(caught.value, "five where each is offset by half a period", code="too-few")
+        assert_explained(caught.value, "five where each is offset by half a period", code="too-few")
 
     def test_what_cannot_be_done_is_refused(self):
         two = replace(STRIP, rows=2)
         with pytest.raises(ScanError) as caught:
             decay_along(field(whole), [two])
-        assert_told(caught.value, "fewer than three rows", code="too-few", argument="strips")
+        assert_explained(caught.value, "fewer than three rows", code="too-few", argument="strips")
         plain = field(whole)
         holes = np.flatnonzero((np.arange(len(X)) % 7 != 3) | (X > 0.05))
         with pytest.raises(ScanError) as caught:
             decay_along(FrequencyResponse(plain.dataset.isel(point=holes)), [STRIP])
-        assert_told(caught.value, "without a missing point", code="too-few", argument="strips")
+        assert_explained(caught.value, "without a missing point", code="too-few", argument="strips")
 
 
 def noisy(level, repeats=6, points=400, seed=2):

@@ -11,7 +11,7 @@ import scipy.signal
 from hypothesis import given, strategies as st
 from scans import X, Y
 
-from five_parts import assert_told, refusing
+from five_parts import assert_explained, refusing
 from haptonic.errors import ScanError
 from haptonic.response import Reference
 from haptonic.vibrometry import InMemory, TimeScan, estimate
@@ -307,7 +307,7 @@ class TestQuality:
         few = estimate(recorded(drive, np.clip(moved, -1e-3, 1e-3)), band=(19e3, 21e3))
         with pytest.raises(ScanError) as caught:
             few.repaired("saturated")
-        assert_told(caught.value, code="too-few", argument="repair")
+        assert_explained(caught.value, code="too-few", argument="repair")
 
 
 class TestStream:
@@ -346,7 +346,7 @@ class TestStream:
         assert found.quality.flags == whole.quality.flags
         with pytest.raises(ScanError) as caught:
             estimate(recorded(drive, moved), band=(2e3, 50e3), state=tmp_path / "state")
-        assert_told(caught.value, code="conflict", argument="state")
+        assert_explained(caught.value, code="conflict", argument="state")
         with refusing(ScanError, "conflict", "state"):
             estimate(recorded(drive, 2 * moved), band=(1e3, 50e3), state=tmp_path / "state")
 
@@ -391,7 +391,7 @@ class TestStream:
 def test_settings_that_do_not_fit(settings, code, argument, given):
     with pytest.raises(ScanError) as caught:
         estimate(recorded(*periodic()), **settings)
-    assert_told(caught.value, given, code=code, argument=argument)
+    assert_explained(caught.value, given, code=code, argument=argument)
 
 
 def test_no_drive_at_all():

@@ -13,7 +13,7 @@ from scans import VALUES, X, Y, nodes, response, uff, units
 
 import haptonic
 import haptonic.foreign.process as process
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.channels import Notebook, matlab
 from haptonic.channels.uff import READERS
 from haptonic.errors import ResourceError
@@ -153,7 +153,7 @@ class TestNoFaultOfTheFile:
         monkeypatch.setattr(Path, "open", raising(PermissionError))
         with pytest.raises(ResourceError) as caught:
             read_scan(path)
-        assert_told(caught.value, code="forbidden", argument="path")
+        assert_explained(caught.value, code="forbidden", argument="path")
 
     @pytest.mark.parametrize("form", ["mat", "h5", "uff"])
     def test_too_little_memory(self, tmp_path, monkeypatch, form):
@@ -174,7 +174,7 @@ class TestNoFaultOfTheFile:
             monkeypatch.setitem(READERS, 2411, hiding(MemoryError))
         with pytest.raises(ResourceError) as caught:
             read_scan(path)
-        assert_told(caught.value, code="too-large")
+        assert_explained(caught.value, code="too-large")
 
     def test_records_that_announce_more_than_there_is(self, tmp_path):
         path = self.written(tmp_path, "h5")
@@ -186,7 +186,7 @@ class TestNoFaultOfTheFile:
         for use in (lambda: next(scan.chunks(1)), lambda: estimate(scan)):
             with pytest.raises(ResourceError) as caught:
                 use()
-            assert_told(caught.value, code="too-large", argument="records")
+            assert_explained(caught.value, code="too-large", argument="records")
 
     def test_an_interrupt_is_not_swallowed_by_pyuff(self, tmp_path, monkeypatch):
         path = self.written(tmp_path, "uff")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from five_parts import assert_told
+from five_parts import assert_explained
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry import drive, estimate
@@ -91,4 +91,4 @@ def test_what_goes_wrong_is_flagged():
 def test_a_response_at_other_lines_is_refused():
     with pytest.raises(ScanError) as caught:
         recorded(resonant().between(6e3, 20e3), SIGNAL, ideal(), averages=1, seed=0)
-    assert_told(caught.value, code="mismatch", argument="response")
+    assert_explained(caught.value, code="mismatch", argument="response")

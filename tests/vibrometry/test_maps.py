@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, strategies as st
 from scipy.stats import linregress
 
-from five_parts import assert_told, refusing
+from five_parts import assert_explained, refusing
 from haptonic.errors import HaptonicWarning, ResponseError, ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry import (
@@ -108,7 +108,7 @@ class TestRegistration:
         fit = register_by_corners(moved(CORNERS, 1.0, 0.2, [0, 0]), CORNERS)
         with pytest.raises(ScanError) as caught:
             fit.registered(response)
-        assert_told(caught.value, "11.46 deg", code="unsupported", argument="registration")
+        assert_explained(caught.value, "11.46 deg", code="unsupported", argument="registration")
 
     @pytest.mark.parametrize(
         ("scan", "plate"),
@@ -123,7 +123,7 @@ class TestRegistration:
     def test_bad_corners(self, scan, plate):
         with pytest.raises(ScanError) as caught:
             register_by_corners(scan, plate)
-        assert_told(caught.value, code="malformed", argument="registration.corners")
+        assert_explained(caught.value, code="malformed", argument="registration.corners")
 
     def test_bad_fits(self):
         line = np.column_stack([np.arange(9.0), np.arange(9.0)])
@@ -169,7 +169,7 @@ class TestGap:
     def test_a_gap_that_is_not_there(self):
         with pytest.raises(ScanError) as caught:
             measured_gap(gapped(depth=2.0), "WG1", "lattice")
-        assert_told(caught.value, code="no-answer", argument="measured_gap")
+        assert_explained(caught.value, code="no-answer", argument="measured_gap")
 
     def test_a_gap_that_ends_outside_of_the_range(self):
         found = measured_gap(gapped(lower=70e3, upper=90e3), "WG1", "lattice")
@@ -180,7 +180,7 @@ class TestGap:
         for bad in ({"smoothing": -1.0}, {"smoothing": np.nan}, {"resamples": 1}):
             with pytest.raises(ScanError) as caught:
                 measured_gap(gapped(), "WG1", "lattice", **bad)
-            assert_told(caught.value)
+            assert_explained(caught.value)
         with pytest.raises(ResponseError):
             measured_gap(gapped(), "WG1", "lattic")
         with refusing(ScanError, "out-of-range", "measured_gap", "5 lines"):
@@ -240,7 +240,7 @@ class TestWaves:
         with pytest.raises(ScanError) as caught:
             # a column without a point at all is no hole of the rows when the place is not known
             wavenumber_map(response, "WG1", "x")
-        assert_told(caught.value, "0 rows", code="too-few", argument='region "WG1"')
+        assert_explained(caught.value, "0 rows", code="too-few", argument='region "WG1"')
         with refusing(ScanError, "too-few", 'region "WG1"', "5 points along y"):
             wavenumber_map(self.guide()[1], "WG1", "y")
 
@@ -319,7 +319,7 @@ class TestDecay:
         settings = {"depth": "x", "start": 0.021, "pitch": 7e-3} | change
         with pytest.raises(ScanError) as caught:
             lattice_decay(self.lattice(), "lattice", **settings)
-        assert_told(caught.value, code="out-of-range")
+        assert_explained(caught.value, code="out-of-range")
 
     def test_silence(self):
         response = made(np.zeros((1, 4)), np.array([1.0]), np.arange(4.0), np.zeros(4), region=["L"] * 4)

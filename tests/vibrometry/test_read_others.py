@@ -12,7 +12,7 @@ import scipy.io
 from nptdms import ChannelObject, GroupObject, RootObject, TdmsWriter
 from scans import LINES, VALUES, X, Y, response
 
-from five_parts import assert_told, refusing
+from five_parts import assert_explained, refusing
 from haptonic.channels import opened
 from haptonic.errors import HaptonicError, HaptonicWarning, ScanError
 from haptonic.response import Reference, write
@@ -108,7 +108,7 @@ class TestMatlab:
         save(tmp_path / "a.mat", h=VALUES, f=LINES, x=X, y=Y)
         with pytest.raises(HaptonicError) as caught:
             read_scan(tmp_path / "a.mat", length_unit=unit)
-        assert_told(caught.value, code="malformed", argument="length_unit")
+        assert_explained(caught.value, code="malformed", argument="length_unit")
 
     def test_a_structure(self, tmp_path):
         scipy.io.savemat(tmp_path / "a.mat", {"s": {"h": VALUES.T, "f": LINES}, "x": X, "y": Y})
@@ -157,7 +157,7 @@ class TestMatlab:
         save(tmp_path / "a.mat", **arrays)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.mat")
-        assert_told(caught.value, *words)
+        assert_explained(caught.value, *words)
 
     def test_a_wrong_mapping(self, tmp_path, save):
         save(tmp_path / "a.mat", frf=VALUES, f=LINES, x=X, y=Y)
@@ -173,7 +173,7 @@ class TestMatlab:
         (tmp_path / "a.mat").write_bytes(content)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.mat")
-        assert_told(caught.value)
+        assert_explained(caught.value)
 
 
 def save_tdms(path, *, rate=200e3, offset=2e-3, lost=(), short=()) -> None:
@@ -213,13 +213,13 @@ class TestTdms:
         monkeypatch.setitem(sys.modules, "nptdms", None)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.tdms")
-        assert_told(caught.value, "haptonic[tdms]", code="not-installed", argument="TDMS file")
+        assert_explained(caught.value, "haptonic[tdms]", code="not-installed", argument="TDMS file")
 
     def test_damaged(self, tmp_path):
         (tmp_path / "a.tdms").write_bytes(b"TDSm" + bytes(40))
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.tdms")
-        assert_told(caught.value)
+        assert_explained(caught.value)
 
     def test_no_point(self, tmp_path):
         save_tdms(tmp_path / "a.tdms", lost=range(12))
@@ -261,7 +261,9 @@ class TestHdf5:
             del (file.attrs if lost in file.attrs else file)[lost]
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.h5")
-        assert_told(caught.value, "missing or damaged", code="unreadable", argument="file of time records")
+        assert_explained(
+            caught.value, "missing or damaged", code="unreadable", argument="file of time records"
+        )
 
     @pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
     def test_a_number_of_measured_points_that_is_none(self, tmp_path, value):
@@ -288,7 +290,7 @@ class TestHdf5:
         (tmp_path / "a.h5").write_bytes(content[: len(content) // 2])
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.h5")
-        assert_told(caught.value)
+        assert_explained(caught.value)
 
 
 def save_folder(path, head="frequency (Hz),real (mm/s/V),imaginary (mm/s/V),coherence", cells=None):
@@ -349,7 +351,7 @@ class TestFolder:
     def test_no_geometry(self, tmp_path):
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path)
-        assert_told(caught.value, code="missing", argument="folder of a scan")
+        assert_explained(caught.value, code="missing", argument="folder of a scan")
 
     def test_nothing_left(self, tmp_path):
         path = save_folder(tmp_path / "scan")
@@ -357,7 +359,7 @@ class TestFolder:
             (path / f"p{i}.csv").write_text("")
         with pytest.raises(ScanError) as caught:
             read_scan(path)
-        assert_told(caught.value, "no line with a number", code="missing", argument="scan")
+        assert_explained(caught.value, "no line with a number", code="missing", argument="scan")
 
 
 class TestOtherFiles:
@@ -365,14 +367,14 @@ class TestOtherFiles:
         (tmp_path / "a.svd").write_bytes(bytes(100))
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.svd")
-        assert_told(caught.value, "Polytec", code="unreadable", argument="path")
+        assert_explained(caught.value, "Polytec", code="unreadable", argument="path")
 
     @pytest.mark.parametrize("name", ["a.txt", "a.nc", "a.h5", "a.csv"])
     def test_unknown(self, tmp_path, name):
         (tmp_path / name).write_bytes(b"hello")
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / name)
-        assert_told(caught.value, name, code="unreadable")
+        assert_explained(caught.value, name, code="unreadable")
 
     def test_nothing_there(self, tmp_path):
         with refusing(ScanError, "not-found", "path", "a.uff"):
@@ -384,7 +386,7 @@ class TestTimeScan:
     def test_impossible_scales(self, change):
         with pytest.raises(ScanError) as caught:
             time_scan(**change)
-        assert_told(caught.value, next(iter(change)), code="out-of-range")
+        assert_explained(caught.value, next(iter(change)), code="out-of-range")
 
     def test_names_and_places_belong_together(self):
         with refusing(ScanError, "mismatch", "records.names", "12 and 11 coordinates"):

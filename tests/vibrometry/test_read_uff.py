@@ -24,7 +24,7 @@ from scans import (
 )
 from sdypy import EMA
 
-from five_parts import assert_told, refusing
+from five_parts import assert_explained, refusing
 from haptonic.channels.labels import label_of, ratio_of
 from haptonic.errors import ScanError
 from haptonic.response import read, write
@@ -73,7 +73,7 @@ class TestFilesOfOthers:
     def test_what_is_no_scan_is_refused_with_the_reason(self, name):
         with pytest.raises(ScanError) as caught:
             read_scan(DATA / name)
-        assert_told(caught.value, name, REFUSED[name], code="missing", argument="scan")
+        assert_explained(caught.value, name, REFUSED[name], code="missing", argument="scan")
 
     def test_all_samples_are_tested(self):
         assert {path.name for path in SAMPLES} == set(REFUSED)
@@ -254,7 +254,7 @@ class TestAWholeScan:
         path = uff(tmp_path / "a.uff", units(), nodes(), *curves)
         with pytest.raises(ScanError) as caught:
             read_scan(path)
-        assert_told(caught.value, code="unknown", argument="reference")
+        assert_explained(caught.value, code="unknown", argument="reference")
         with refusing(ScanError, "unknown", "reference"):
             read_scan(path, reference="A3")
         assert read_scan(path, reference="A2").response.values[..., 0] == pytest.approx(2 * VALUES)
@@ -283,7 +283,7 @@ class TestBrokenFiles:
             try:
                 scan = read_scan(path)
             except ScanError as error:
-                assert_told(error)
+                assert_explained(error)
                 continue
             points = scan.response.dataset.sizes["point"]
             counts.add(points)
@@ -391,7 +391,7 @@ class TestBrokenFiles:
         (tmp_path / "a.uff").write_bytes(content)
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.uff")
-        assert_told(caught.value)
+        assert_explained(caught.value)
 
     @given(st.binary(max_size=300), st.integers(0, 4000))
     def test_anything_in_the_middle(self, tmp_path_factory, rubbish, at):
@@ -402,7 +402,7 @@ class TestBrokenFiles:
         try:
             scan = read_scan(folder / "a.uff")
         except ScanError as error:
-            assert_told(error)
+            assert_explained(error)
         else:
             assert scan.report.points <= 12
 
@@ -440,7 +440,7 @@ class TestTimeRecords:
         path = uff(tmp_path / "a.uff", units(), nodes(), *moving, *driven[:5])
         with pytest.raises(ScanError) as caught:
             read_scan(path)
-        assert_told(caught.value, "5 records", code="mismatch", argument="reference channel")
+        assert_explained(caught.value, "5 records", code="mismatch", argument="reference channel")
 
     def test_the_wrong_part_is_asked_for(self, tmp_path):
         _, moving, driven = self.records(tmp_path)
@@ -523,7 +523,7 @@ class TestWriter:
     def test_a_folder_that_is_not_there(self, tmp_path):
         with pytest.raises(ScanError) as caught:
             write_uff(response(), tmp_path / "no" / "a.uff")
-        assert_told(caught.value, code="unwritable", argument="output file")
+        assert_explained(caught.value, code="unwritable", argument="output file")
 
 
 @pytest.mark.parametrize(
