@@ -1,4 +1,4 @@
-"""A small plate on springs with a force, quick to compute, and made-up measurements of it."""
+"""A small plate on springs with a force, quick to compute, and simulated measurements of it."""
 
 from functools import cache
 

@@ -22,33 +22,33 @@ def changed(scan, values=None, *, frequency=None, shift=0.0, keep=slice(None), *
 
 
 def test_equal_responses_agree_in_everything():
-    found = agreement(response(), response(), "operating shapes")
-    assert found.frac == pytest.approx(np.ones(len(found.frac)))
-    assert found.unexplained == 0
-    assert len(found.pairs) == len(found.measured.frequency) >= 3
-    assert np.diag(found.mac) == pytest.approx(np.ones(len(found.mac)))
+    compared = agreement(response(), response(), "operating shapes")
+    assert compared.frac == pytest.approx(np.ones(len(compared.frac)))
+    assert compared.unexplained == 0
+    assert len(compared.pairs) == len(compared.measured.frequency) >= 3
+    assert np.diag(compared.mac) == pytest.approx(np.ones(len(compared.mac)))
 
 
 def test_a_factor_for_each_point_is_not_seen_by_the_criterion_but_by_the_energy():
     """FRAC is blind to it, shapes and energies are not."""
     factors = np.random.default_rng(0).uniform(0.5, 2, len(response().points)) * np.exp(1j)
     scaled = changed(response(), response().values * factors[:, None])
-    found = agreement(scaled, response(), "operating shapes")
-    assert found.frac == pytest.approx(np.ones(len(factors)))
-    assert found.unexplained > 0.1
-    assert (np.diag(found.mac) < 0.99).any()
+    compared = agreement(scaled, response(), "operating shapes")
+    assert compared.frac == pytest.approx(np.ones(len(factors)))
+    assert compared.unexplained > 0.1
+    assert (np.diag(compared.mac) < 0.99).any()
 
 
 def test_displacement_is_compared_as_displacement():
-    found = agreement(response().displacement(), response(), "operating shapes")
-    assert found.unexplained == pytest.approx(0, abs=1e-12)
+    compared = agreement(response().displacement(), response(), "operating shapes")
+    assert compared.unexplained == pytest.approx(0, abs=1e-12)
 
 
 def test_a_point_at_rest_has_no_criterion():
     values = response().values.copy()
     values[:, 3] = 0
-    found = agreement(changed(response(), values), response(), "operating shapes")
-    assert np.flatnonzero(np.isnan(found.frac)).tolist() == [3]
+    compared = agreement(changed(response(), values), response(), "operating shapes")
+    assert np.flatnonzero(np.isnan(compared.frac)).tolist() == [3]
 
 
 def test_common_lines_and_points_are_found():

@@ -19,6 +19,6 @@ def test_a_fit_to_a_noisy_scan_covers_the_truth(monkeypatch):
         fit, true, spoiled = bench.fit(seed)
         assert set(spoiled) <= set(fit.left_out.tolist())
         assert len(fit.left_out) <= 3
-        ends = np.array([one.interval_95 for one in fit.numbers])
+        ends = np.array([number.interval_95 for number in fit.numbers])
         hits += int(((ends[:, 0] <= true) & (true <= ends[:, 1])).sum())
     assert hits >= 10

@@ -1,4 +1,4 @@
-"""Numbers of a small plate from made-up measurements of it."""
+"""Numbers of a small plate from simulated measurements of it."""
 
 from dataclasses import replace
 
@@ -37,13 +37,13 @@ def test_a_fit_finds_the_numbers_and_the_spoiled_point():
     spoiled[:, 4] *= 0.3
     fit = fitted(small(), replace(data, response=spoiled))
     assert fit.left_out.tolist() == [4]
-    for one in fit.numbers:
-        assert one.interval_95[0] < TRUE[one.name] < one.interval_95[1], one
-        assert one.interval_95[1] < 1.02 * one.interval_95[0]
+    for number in fit.numbers:
+        assert number.interval_95[0] < TRUE[number.name] < number.interval_95[1], number
+        assert number.interval_95[1] < 1.02 * number.interval_95[0]
     assert fit.unexplained == pytest.approx(1e-4, rel=0.1), "what is left is the noise"
     assert fit.unexplained_before > 0.5
     assert fit.uncertainty.independent
-    assert values_of(fit.plate) == {one.name: one.value for one in fit.numbers}
+    assert values_of(fit.plate) == {number.name: number.value for number in fit.numbers}
 
 
 def test_slopes_of_the_residuals_are_their_derivatives():
@@ -99,19 +99,21 @@ def test_noise_is_weighed_by_line_and_by_point():
     lines, points = chance.uniform(0.5, 2, len(data.frequency)), chance.uniform(0.5, 2, len(data.points))
     noise = 0.1 * np.abs(data.response).mean() * np.outer(lines, points)
     power = np.abs(data.response) ** 2
-    found = MeasuredResponse.of(
+    weight = MeasuredResponse.of(
         data.frequency, data.points, data.response, True, data.drives, power / (power + noise**2)
     ).weight
-    assert found * noise == pytest.approx(np.full(noise.shape, (found * noise).mean()), rel=1e-3)
+    assert weight * noise == pytest.approx(np.full(noise.shape, (weight * noise).mean()), rel=1e-3)
 
 
 def test_points_without_weight_do_not_count():
     data = measured(*TRUE.values())
     broken = data.response.copy()
     broken[:, 2] = 1e3
-    found, same = (small().match(one) for one in (replace(data, response=broken).without(np.array([2])),
-                                                  data.without(np.array([2]))))  # fmt: skip
+    match, expected = (
+        small().match(response)
+        for response in (replace(data, response=broken).without(np.array([2])), data.without(np.array([2])))
+    )
     x = np.array([0.02, 0.1, 0.1])
     for residual in (Match.of_complex, Match.of_magnitudes, Match.of_spectra):
-        assert residual(found, x) == pytest.approx(residual(same, x), rel=1e-9)
-    assert found.unexplained(x) == pytest.approx(same.unexplained(x))
+        assert residual(match, x) == pytest.approx(residual(expected, x), rel=1e-9)
+    assert match.unexplained(x) == pytest.approx(expected.unexplained(x))

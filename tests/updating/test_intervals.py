@@ -35,19 +35,19 @@ def errors(kind, seed):
     def drawn(*shape):
         return chance.standard_normal(shape) + 1j * chance.standard_normal(shape)
 
-    found = drawn(LINES, POINTS)
+    noise = drawn(LINES, POINTS)
     if kind == "alike along lines":
-        return correlated(chance, LINES, 0.8) @ found
+        return correlated(chance, LINES, 0.8) @ noise
     if kind == "alike among points":
-        return found @ correlated(chance, POINTS, 0.9).T
+        return noise @ correlated(chance, POINTS, 0.9).T
     if kind == "of the reference":
         response = slopes()[..., 0]
-        return 0.3 * found + 10 * response / np.abs(response).max() * drawn(LINES, 1)
-    return found
+        return 0.3 * noise + 10 * response / np.abs(response).max() * drawn(LINES, 1)
+    return noise
 
 
 def solved(error):
-    """Estimates whose truth is zero, and what is told of them."""
+    """Estimates whose truth is zero, and their uncertainty."""
     J = slopes().reshape(-1, COUNT)
     both = np.vstack([J.real, J.imag])
     x = np.linalg.lstsq(both, np.concatenate([error.real.ravel(), error.imag.ravel()]), rcond=None)[0]
@@ -70,10 +70,10 @@ def test_intervals_contain_the_truth_and_follow_the_scatter(kind, widest):
     """
     estimates, halves = [], []
     for seed in range(SEEDS):
-        x, said = solved(errors(kind, seed))
-        assert said.independent == (kind == "independent")
+        x, estimate = solved(errors(kind, seed))
+        assert estimate.independent == (kind == "independent")
         estimates.append(x)
-        halves.append(said.half)
+        halves.append(estimate.half)
     hits = (np.abs(estimates) <= halves).sum(axis=0)
     assert (hits >= binom.ppf(1e-3, SEEDS, 0.95)).all(), hits
     scatter = 1.96 * np.std(estimates, axis=0)
@@ -91,20 +91,20 @@ def test_errors_that_are_alike_count_less():
 def test_a_parameter_without_effect_is_not_determined():
     error = errors("independent", 0)
     unmoved = np.concatenate([slopes(), np.zeros((LINES, POINTS, 1))], axis=-1)
-    said = uncertainty(unmoved, error)
-    assert np.isinf(said.half).tolist() == [False, False, True]
-    assert said.half[:2] == pytest.approx(uncertainty(slopes(), error).half, rel=1e-3)
+    estimate = uncertainty(unmoved, error)
+    assert np.isinf(estimate.half).tolist() == [False, False, True]
+    assert estimate.half[:2] == pytest.approx(uncertainty(slopes(), error).half, rel=1e-3)
 
 
 def test_two_parameters_with_the_same_effect_are_not_determined():
     twice = np.concatenate([slopes(), 2 * slopes()[..., :1]], axis=-1)
-    said = uncertainty(twice, errors("independent", 0))
-    assert np.isinf(said.half).tolist() == [True, False, True]
+    estimate = uncertainty(twice, errors("independent", 0))
+    assert np.isinf(estimate.half).tolist() == [True, False, True]
     near = twice + 1e-4 * errors("independent", 1)[..., None] * np.array([0, 0, 1.0])
-    said = uncertainty(near, errors("independent", 0))
-    assert said.tied(0) == [2]
-    assert said.tied(2) == [0]
-    assert said.tied(1) == []
+    estimate = uncertainty(near, errors("independent", 0))
+    assert estimate.tied(0) == [2]
+    assert estimate.tied(2) == [0]
+    assert estimate.tied(1) == []
 
 
 def test_units_of_a_parameter_do_not_matter():

@@ -28,10 +28,10 @@ CORNERS = [(0, 0), (21e-3, 0), (0, 14e-3), (21e-3, 14e-3)]
 def test_points_get_the_names_of_their_regions_and_those_on_a_lattice_none():
     """The plate's border belongs to it, a border between tiles to the right and the upper one."""
     inside = [*CORNERS, (5e-3, 5e-3), (14e-3, 7e-3)]
-    found, left_out = _on_plate(plate(), scan([*inside, (21.1e-3, 5e-3), (5e-3, -1e-6)]))
+    located, left_out = _on_plate(plate(), scan([*inside, (21.1e-3, 5e-3), (5e-3, -1e-6)]))
     assert left_out == 2
-    assert found.points == pytest.approx(np.array(inside))
-    assert found.dataset["region"].values.tolist() == ["p", "", "p", "", "p", ""]
+    assert located.points == pytest.approx(np.array(inside))
+    assert located.dataset["region"].values.tolist() == ["p", "", "p", "", "p", ""]
 
 
 def test_a_scan_of_another_place_is_refused():
@@ -46,11 +46,11 @@ def test_a_plate_its_scan_and_a_verdict_mean_the_same_by_contrast():
     values = measured.dataset["response"] * louder[:, None]
     measured = FrequencyResponse(measured.dataset.assign(response=values))
     measured, computed = together(measured, scan(POINTS))
-    made = Verdict(
+    verdict = Verdict(
         plate=on, responses={MEASURED: measured, BEFORE: computed}, agreements={}, ranges={}, fit=None,
         recomputed=None, left_out=0, study=None, inputs={},
     )  # fmt: skip
-    of_plate, (of_scan, _), both = contrasts(measured, "p"), region_levels(measured, "p"), made.contrasts()
+    of_plate, (of_scan, _), both = contrasts(measured, "p"), region_levels(measured, "p"), verdict.contrasts()
     (pair,) = of_plate.keys() & both.keys() & set(of_scan["pair"].values)
     assert pair == "p over the rest"
     for levels in (of_plate[pair].values, of_scan["contrast"].values[0], both[pair][MEASURED]):

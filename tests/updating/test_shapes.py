@@ -24,11 +24,11 @@ def receptance(frequency=FREQUENCY, damping=DAMPING):
 def test_modes_are_identified(velocity):
     assert can_identify()
     response = receptance() * (2j * np.pi * LINES[:, None] if velocity else 1)
-    found = shapes_of(LINES, response, "modes")
-    assert found.how == "modes"
-    assert found.frequency == pytest.approx(FREQUENCY, rel=1e-4)
-    assert found.damping == pytest.approx(DAMPING, rel=0.02)
-    assert np.diag(mac(found.shape, SHAPE)) == pytest.approx(np.ones(4), abs=2e-3)
+    shapes = shapes_of(LINES, response, "modes")
+    assert shapes.how == "modes"
+    assert shapes.frequency == pytest.approx(FREQUENCY, rel=1e-4)
+    assert shapes.damping == pytest.approx(DAMPING, rel=0.02)
+    assert np.diag(mac(shapes.shape, SHAPE)) == pytest.approx(np.ones(4), abs=2e-3)
 
 
 def test_modes_of_a_narrow_band_far_from_zero_are_identified():
@@ -40,35 +40,35 @@ def test_modes_of_a_narrow_band_far_from_zero_are_identified():
     velocity = (s / ((2 * np.pi * own) ** 2 + s**2 + 2 * 1.3e-3 * (2 * np.pi * own) * s)) @ shape
     noise = np.random.default_rng(2).standard_normal((2, *velocity.shape))
     noisy = velocity + 1e-3 * np.abs(velocity).max() * (noise[0] + 1j * noise[1])
-    found = shapes_of(lines, noisy, "modes")
-    assert found.frequency == pytest.approx(own, abs=10)
-    assert found.damping == pytest.approx(np.full(6, 1.3e-3), rel=0.1)
-    assert (np.diag(mac(found.shape, shape)) > 0.98).all()
+    shapes = shapes_of(lines, noisy, "modes")
+    assert shapes.frequency == pytest.approx(own, abs=10)
+    assert shapes.damping == pytest.approx(np.full(6, 1.3e-3), rel=0.1)
+    assert (np.diag(mac(shapes.shape, shape)) > 0.98).all()
 
 
 def test_operating_shapes_are_the_response_at_its_peaks():
-    found = shapes_of(LINES, receptance(), "operating shapes")
-    assert found.how == "operating shapes"
-    assert found.frequency == pytest.approx(FREQUENCY, rel=1e-3)
-    assert (np.diag(mac(found.shape, SHAPE)) > 0.95).all()
+    shapes = shapes_of(LINES, receptance(), "operating shapes")
+    assert shapes.how == "operating shapes"
+    assert shapes.frequency == pytest.approx(FREQUENCY, rel=1e-3)
+    assert (np.diag(mac(shapes.shape, SHAPE)) > 0.95).all()
 
 
 def test_width_of_a_lone_peak_is_its_damping():
     """The energy of one mode near its resonance: half of it at f (1 +- damping)."""
-    found = shapes_of(LINES, receptance(FREQUENCY[:1], DAMPING[:1]), "operating shapes")
-    assert found.frequency == pytest.approx([3e3], rel=1e-4)
-    assert found.damping == pytest.approx([0.004], rel=0.02)
+    shapes = shapes_of(LINES, receptance(FREQUENCY[:1], DAMPING[:1]), "operating shapes")
+    assert shapes.frequency == pytest.approx([3e3], rel=1e-4)
+    assert shapes.damping == pytest.approx([0.004], rel=0.02)
 
 
 def test_a_peak_narrower_than_the_lines_has_no_width():
-    found = shapes_of(LINES, receptance(FREQUENCY[:1], np.array([2e-4])), "operating shapes")
-    assert np.isnan(found.damping).all()
+    shapes = shapes_of(LINES, receptance(FREQUENCY[:1], np.array([2e-4])), "operating shapes")
+    assert np.isnan(shapes.damping).all()
 
 
 def test_a_flat_response_has_no_shapes():
-    found = shapes_of(LINES, np.ones((len(LINES), 3), complex), "modes")
-    assert not len(found.frequency)
-    assert pairs(found, found) == []
+    shapes = shapes_of(LINES, np.ones((len(LINES), 3), complex), "modes")
+    assert not len(shapes.frequency)
+    assert pairs(shapes, shapes) == []
 
 
 complex_numbers = st.complex_numbers(min_magnitude=0.1, max_magnitude=10, allow_nan=False)
@@ -94,11 +94,11 @@ def made(frequency, shape):
 @given(st.permutations(range(4)), st.floats(-0.05, 0.05))
 def test_pairs_are_found_in_any_order(order, shift):
     """Also where the frequencies are all off alike, and two of them have crossed."""
-    one = made(FREQUENCY, SHAPE)
-    other = made((1 + shift) * FREQUENCY[list(order)], -2j * SHAPE[list(order)])
-    found = pairs(one, other)
-    assert [(pair.first, pair.second) for pair in found] == [(k, order.index(k)) for k in range(4)]
-    assert [pair.mac for pair in found] == pytest.approx([1.0] * 4)
+    shapes = made(FREQUENCY, SHAPE)
+    shifted = made((1 + shift) * FREQUENCY[list(order)], -2j * SHAPE[list(order)])
+    paired = pairs(shapes, shifted)
+    assert [(pair.first, pair.second) for pair in paired] == [(k, order.index(k)) for k in range(4)]
+    assert [pair.mac for pair in paired] == pytest.approx([1.0] * 4)
 
 
 def test_what_has_no_partner_stays_alone():
@@ -111,5 +111,5 @@ def test_what_has_no_partner_stays_alone():
 def test_each_shape_has_one_partner():
     """Two shapes that are both like one: the nearer one gets it."""
     twice = made([2.9e3, 3.01e3], SHAPE[[0, 0]])
-    found = pairs(made(FREQUENCY, SHAPE), twice)
-    assert [(pair.first, pair.second) for pair in found] == [(0, 1)]
+    paired = pairs(made(FREQUENCY, SHAPE), twice)
+    assert [(pair.first, pair.second) for pair in paired] == [(0, 1)]

@@ -1,4 +1,4 @@
-"""Scans that are made up, and files of them written by others than haptonic."""
+"""Simulated scans, and files of them written by others than haptonic."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def units(length: float = 1.0, force: float = 1.0) -> dict:
 
 
 def uff(path: Path, *sets: dict) -> Path:
-    pyuff.UFF(str(path)).write_sets([dict(one) for one in sets], "overwrite")
+    pyuff.UFF(str(path)).write_sets([dict(data_set) for data_set in sets], "overwrite")
     return path
 
 

@@ -50,11 +50,11 @@ TABLES = ("folder",)
 
 @dataclass(frozen=True)
 class Stranger:
-    """A scan of a field as somebody has stored it, and the options that say what the file does not.
+    """A scan of a field as somebody has stored it, and the options that give what the file lacks.
 
     values : (line, point) response in SI units of ``unit``; read back as velocity or displacement
     options : of `haptonic.read_scan`
-    complete : True if file and options say all, so that it must be read
+    complete : True if file and options give everything, so that the scan must be read
     """
 
     container: str
@@ -88,19 +88,19 @@ def strangers(draw, containers=(*ARRAYS, *TABLES, "uff")) -> Stranger:
     grid = np.array([(i % 3, i // 3) for i in range(points)], float).reshape(-1, 2)
     x, y = 4e-3 + 5e-3 * grid[:, 0], 2e-3 + 5e-3 * grid[:, 1]
     values = chance.normal(size=(lines, points)) + 1j * chance.normal(size=(lines, points))
-    language = draw(st.sampled_from([one for one in LANGUAGES if container in TABLES or ASCII[one]]))
+    language = draw(st.sampled_from([name for name in LANGUAGES if container in TABLES or ASCII[name]]))
     part = draw(st.sampled_from(sorted(PARTS))) if container not in TABLES else draw(
         st.sampled_from(["parts", "polar"]))  # fmt: skip
     units = {
         "length": draw(st.sampled_from(sorted(LENGTHS))), "frequency": draw(st.sampled_from(sorted(HERTZ))),
         "phase": draw(st.sampled_from(sorted(ANGLES))), "response": draw(st.sampled_from(sorted(MOTIONS))),
     }  # fmt: skip
-    said = draw(st.booleans())  # whether names or attributes hold the units
+    has_units = draw(st.booleans())  # in names or attributes
     if container not in (*TABLES, "hdf5", "hdf5 group"):
-        said = False
+        has_units = False
     options: dict[str, Any] = {}
-    told = draw(st.integers(0, 3)) > 0  # whether the user gives what the file does not
-    if not said and told and container != "uff":
+    user_gives_units = draw(st.integers(0, 3)) > 0  # if the file has none
+    if not has_units and user_gives_units and container != "uff":
         options = {"length_unit": LENGTHS[units["length"]], "frequency_unit": HERTZ[units["frequency"]],
                    "unit": units["response"]}  # fmt: skip
         if part == "polar":
@@ -132,9 +132,9 @@ def strangers(draw, containers=(*ARRAYS, *TABLES, "uff")) -> Stranger:
     }  # fmt: skip
     if style["separator"] == ",":
         style["decimal"] = "."
-    made = Stranger(
+    stranger = Stranger(
         container=container, frequency=frequency, x=x, y=y, values=values, unit=units["response"], part=part,
-        language=language, turned=turned, shuffled=draw(st.booleans()), units=units, said=said,
+        language=language, turned=turned, shuffled=draw(st.booleans()), units=units, said=has_units,
         options=options, complete=True, style=style,
     )  # fmt: skip
     if not usual and named:
@@ -142,18 +142,18 @@ def strangers(draw, containers=(*ARRAYS, *TABLES, "uff")) -> Stranger:
         wanted += ["file"] if container in TABLES and placed != "at" else []
         prefix = {"mat5 structure": "scan.", "mat5 structures": "scan.", "mat73 structure": "scan.",
                   "hdf5 group": "scan/"}.get(container, "")  # fmt: skip
-        options["variables"] = {one: prefix + made.names[one] for one in wanted}
+        options["variables"] = {meaning: prefix + stranger.names[meaning] for meaning in wanted}
         if "cells" in container or "structures" in container:
-            options["variables"] |= {one: options["variables"][one] for one in wanted}
+            options["variables"] |= {meaning: options["variables"][meaning] for meaning in wanted}
     if placed == "at" or (container == "uff" and style["empty"]):
         options["at"] = list(zip(x, y, strict=True))
     complete = (
-        (said or told or container == "uff")
+        (has_units or user_gives_units or container == "uff")
         and (named or container == "uff")
         and (sided or not square)
         and not (both_sides and square and axes == 2)
     )
-    return Stranger(**{**vars(made), "complete": complete, "options": options})
+    return Stranger(**{**vars(stranger), "complete": complete, "options": options})
 
 
 def written(stranger: Stranger, folder: Path) -> Path:
@@ -194,7 +194,7 @@ def _arrays(stranger: Stranger, folder: Path) -> Path:
     frequency, x, y, parts = numbers(stranger)
     names, placed = stranger.names, stranger.style["placed"]
     table = {names["frequency"]: frequency}
-    table |= {names[one]: values if stranger.turned else values.T for one, values in parts.items()}
+    table |= {names[part]: values if stranger.turned else values.T for part, values in parts.items()}
     if placed == "xy":
         table |= {names["x"]: x, names["y"]: y}
     elif placed == "points":
@@ -203,10 +203,10 @@ def _arrays(stranger: Stranger, folder: Path) -> Path:
         table[names["points"]] = places.T if style["places_turned"] else places
     kind = stranger.container
     if "cells" in kind or "structures" in kind:
-        for one in parts:
-            table[names[one]] = list(parts[one].T)
+        for part in parts:
+            table[names[part]] = list(parts[part].T)
     of_units = {"frequency": "frequency", "x": "length", "y": "length", "points": "length", "phase": "phase"}
-    units = {names[one]: stranger.units[of_units.get(one, "response")] for one in names}
+    units = {names[meaning]: stranger.units[of_units.get(meaning, "response")] for meaning in names}
     if kind.startswith("mat5"):
         return _mat5(kind, table, names, folder / "scan.mat")
     if kind.startswith("mat73"):
@@ -238,8 +238,8 @@ def _mat5(kind: str, table: dict[str, Any], names: dict[str, str], path: Path) -
     for name, value in table.items():
         if isinstance(value, list):
             cells = np.empty((len(value), 1), dtype=object)
-            for i, one in enumerate(value):
-                cells[i, 0] = one
+            for i, entry in enumerate(value):
+                cells[i, 0] = entry
             table[name] = cells
     scipy.io.savemat(path, {"scan": table} if kind == "mat5 structure" else table)
     return path
@@ -258,8 +258,8 @@ def _mat73(kind: str, table: dict[str, Any], path: Path) -> Path:
         place = file.create_group("scan") if kind == "mat73 structure" else file
         for name, value in table.items():
             if isinstance(value, list):
-                for i, one in enumerate(value):
-                    file[f"#refs#/{name}{i}"] = stored(one)
+                for i, entry in enumerate(value):
+                    file[f"#refs#/{name}{i}"] = stored(entry)
                 references = [[file[f"#refs#/{name}{i}"].ref for i in range(len(value))]]
                 place.create_dataset(
                     name, data=np.array(references, dtype=h5py.ref_dtype), dtype=h5py.ref_dtype
@@ -302,10 +302,16 @@ def _folder(stranger: Stranger, folder: Path) -> Path:
         (folder / "geometry.csv").write_text(content + "\n", encoding=plain["encoding"])
     of_unit = {"real": "response", "imaginary": "response", "amplitude": "response", "phase": "phase"}
     for i in range(len(x)):
-        columns = [head("frequency", units["frequency"]), *(head(one, units[of_unit[one]]) for one in parts)]
-        rows = [[text(f), *(text(parts[one][k, i]) for one in parts)] for k, f in enumerate(frequency)]
+        columns = [
+            head("frequency", units["frequency"]),
+            *(head(part, units[of_unit[part]]) for part in parts),
+        ]
+        rows = [[text(f), *(text(parts[part][k, i]) for part in parts)] for k, f in enumerate(frequency)]
         save(
-            folder / f"p{i}.csv", rows, columns, [units["frequency"], *(units[of_unit[one]] for one in parts)]
+            folder / f"p{i}.csv",
+            rows,
+            columns,
+            [units["frequency"], *(units[of_unit[part]] for part in parts)],
         )
     return folder
 
@@ -346,7 +352,7 @@ def _uff(stranger: Stranger, path: Path) -> Path:
     sets += {"": h1, "after": h1 + h2, "before": h2 + h1}[style["h2"]]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # pyuff's binary writer leaves files open
-        pyuff.UFF(str(path)).write_sets([dict(one) for one in sets], "overwrite")
+        pyuff.UFF(str(path)).write_sets([dict(data_set) for data_set in sets], "overwrite")
     # pyuff writes no spectra: function 12 in place of 0
     spectrum = rb"(Response Linear Spectrum[^\n]*\n(?:[^\n]*\n){4})    0"
     path.write_bytes(re.sub(spectrum, rb"\1   12", path.read_bytes()))

@@ -1,4 +1,4 @@
-"""Edges of a gap from fields whose fading is prescribed; levels without noise against plain statistics."""
+"""Edges of a gap from fields whose decay is prescribed; levels without noise against plain statistics."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ WAVES = np.pi * np.arange(1, CELLS) / CELLS
 
 
 def exponent(lines, lower, upper, deep=1.6):
-    """Of a wave, per cell: i k in the bands, and in the gap a decay that rises from the edges as a root."""
+    """Exponent of a wave per cell: i k in a band, in the gap a decay that rises from the edges as a root."""
     depth = np.clip((lines - lower) * (upper - lines), 0, None) / (0.25 * (upper - lower)) ** 2
     return np.where(depth > 0, deep * np.minimum(np.sqrt(depth), 1.0) + 0j, 1j * (0.4 + lines / 60e3))
 
@@ -113,9 +113,9 @@ class TestEdges:
     @pytest.mark.parametrize("gap", [(52e3, 62e3), (47.3e3, 55.9e3)])
     @pytest.mark.parametrize("reflected", [0.0, 1.0])
     def test_both_edges_are_found_where_all_waves_stop(self, gap, reflected):
-        found = gap_edges(decay_along(field(lambda phase: gap, reflected=reflected), [STRIP]))
-        assert found.reasons == ()
-        for edge, true in ((found.lower, gap[0]), (found.upper, gap[1])):
+        edges = gap_edges(decay_along(field(lambda phase: gap, reflected=reflected), [STRIP]))
+        assert edges.reasons == ()
+        for edge, true in ((edges.lower, gap[0]), (edges.upper, gap[1])):
             assert abs(edge.frequency - true) < edge.error
             # these rise within some hundred hertz: of the error nearly all is that of rows that are few
             assert METHOD * true < edge.error < 1.1 * METHOD * true
@@ -149,18 +149,18 @@ class TestEdges:
 
     @pytest.mark.parametrize("small", [True, False])
     def test_a_gap_for_some_phases_only_is_no_gap(self, small):
-        found = gap_edges(
+        edges = gap_edges(
             decay_along(field(lambda q: (52e3, 62e3) if (q < np.pi / 2) == small else None), [STRIP])
         )
-        assert found.lower is None
-        assert found.upper is None
-        assert any(("waves do not decay" if small else "nearly in phase") in text for text in found.reasons)
+        assert edges.lower is None
+        assert edges.upper is None
+        assert any(("waves do not decay" if small else "nearly in phase") in text for text in edges.reasons)
 
     def test_an_edge_beyond_the_lines_is_not_determined(self):
-        found = gap_edges(decay_along(field(lambda phase: (60e3, 90e3)), [STRIP]))
-        assert abs(found.lower.frequency - 60e3) < found.lower.error
-        assert found.upper is None
-        assert "end of the scanned range" in found.reasons[0]
+        edges = gap_edges(decay_along(field(lambda phase: (60e3, 90e3)), [STRIP]))
+        assert abs(edges.lower.frequency - 60e3) < edges.lower.error
+        assert edges.upper is None
+        assert "end of the scanned range" in edges.reasons[0]
 
     def test_noise_is_removed_or_reported(self):
         true = decay_along(field(whole), [STRIP]).sel(frequency=slice(55e3, 59e3))
@@ -168,7 +168,7 @@ class TestEdges:
         kept = decay_along(loud, [STRIP]).sel(frequency=slice(55e3, 59e3))
         silent = loud.dataset.drop_vars("coherence")
         fooled = decay_along(FrequencyResponse(silent), [STRIP]).sel(frequency=slice(55e3, 59e3))
-        off = [float(np.abs(np.nanmedian(one.values - true.values))) for one in (kept, fooled)]
+        off = [float(np.abs(np.nanmedian(decay.values - true.values))) for decay in (kept, fooled)]
         assert off[0] < 0.3 * off[1] > 0.15
         nothing = gap_edges(decay_along(field(whole, noise=300.0, averages=8), [STRIP]))
         assert (nothing.lower, nothing.upper) == (None, None)
@@ -176,15 +176,15 @@ class TestEdges:
 
     @pytest.mark.parametrize("deep", [0.8, 1.6])
     def test_rows_half_a_pitch_deep_give_the_same_edges(self, monkeypatch, deep):
-        """The same pillars counted in rows of half the depth: half the fading in each, the same gap."""
+        """The same pillars counted in rows of half the depth: half the decay in each, the same gap."""
         prescribed = exponent
         monkeypatch.setitem(globals(), "exponent", lambda lines, *ends: prescribed(lines, *ends, deep))
         seen = field(whole, grain=2.0)
-        one = gap_edges(decay_along(field(whole), [STRIP]))
-        other = gap_edges(decay_along(seen, [OFFSET]), 0.5)
-        assert one.reasons == other.reasons == ()
-        for mine, same in ((one.lower, other.lower), (one.upper, other.upper)):
-            assert same.frequency == pytest.approx(mine.frequency, rel=1e-3)
+        whole_rows = gap_edges(decay_along(field(whole), [STRIP]))
+        half_rows = gap_edges(decay_along(seen, [OFFSET]), 0.5)
+        assert whole_rows.reasons == half_rows.reasons == ()
+        for expected, edge in ((whole_rows.lower, half_rows.lower), (whole_rows.upper, half_rows.upper)):
+            assert edge.frequency == pytest.approx(expected.frequency, rel=1e-3)
         shallow = replace(OFFSET, rows=4)
         with pytest.raises(ScanError) as caught:
             decay_along(seen, [shallow])
@@ -224,41 +224,41 @@ def noisy(level, repeats=6, points=400, seed=2):
 class TestNoise:
     @pytest.mark.parametrize("level", [0.0, 3.0, 300.0])
     def test_values_hidden_by_noise_pass_the_gate_with_their_reason(self, level):
-        found, loud = noisy(level=level, repeats=3)
-        told = passed(clean_contrast(found, loud, ~loud))
-        assert np.isnan(told["level"].values).any() == (level > 0)
+        response, loud = noisy(level=level, repeats=3)
+        result = passed(clean_contrast(response, loud, ~loud))
+        assert np.isnan(result["level"].values).any() == (level > 0)
 
     def test_its_power_is_the_scatter_of_the_repeats(self):
-        """Every record by itself is an estimate; the variance of their mean is what the coherence says."""
+        """Every record by itself is an estimate; the coherence gives the variance of their mean."""
         chance = np.random.default_rng(4)
         drive = np.tile(chance.normal(size=(1, 1, 2000)), (1, 5, 1))
         moved = np.repeat(drive, 8, axis=0) + 0.5 * chance.normal(size=(8, 5, 2000))
-        found = estimate(recorded(drive, moved), band=(1e3, 50e3)).response
+        response = estimate(recorded(drive, moved), band=(1e3, 50e3)).response
         each = (np.fft.rfft(moved, axis=2) / np.fft.rfft(drive, axis=2))[..., 10:501]
         expected = each.var(axis=1, ddof=1).T / 5
         every = np.ones(8, bool)
-        assert noise_power(found, every, slice(None), 5) == pytest.approx(expected, rel=1e-8)
+        assert noise_power(response, every, slice(None), 5) == pytest.approx(expected, rel=1e-8)
 
     def test_levels_are_right_where_the_plain_ones_are_not(self):
         response, loud = noisy(3.0)
         plain = [
-            10 * np.log10((np.abs(response.values[:, one, 0]) ** 2).mean(axis=1)) for one in (loud, ~loud)
+            10 * np.log10((np.abs(response.values[:, mask, 0]) ** 2).mean(axis=1)) for mask in (loud, ~loud)
         ]
         assert np.abs(plain[0] - plain[1] - 20 * np.log10(2)).min() > 1.0
-        for one, true in ((loud, 4.0), (~loud, 1.0)):
-            power, error = region_power(response, one)
+        for mask, true in ((loud, 4.0), (~loud, 1.0)):
+            power, error = region_power(response, mask)
             assert np.abs(power / true - 1).max() < 0.6
             assert np.sqrt((((power - true) / error) ** 2).mean()) == pytest.approx(1.0, abs=0.35)
             assert power.mean() == pytest.approx(true, rel=0.05)
 
     def test_values_left_uncertain_by_noise_are_not_reported(self):
-        for level, told in ((0.1, True), (3.0, False), (300.0, False)):
+        for level, reported in ((0.1, True), (3.0, False), (300.0, False)):
             response, loud = noisy(level)
-            found = clean_contrast(response, loud, ~loud)
-            assert np.isfinite(found["level"].values).all() == told
-            assert ((found["error"].values <= TRUSTED) == np.isfinite(found["level"].values)).all()
-            if told:
-                assert np.abs(found["level"].values - 20 * np.log10(2)).max() < 0.5
+            result = clean_contrast(response, loud, ~loud)
+            assert np.isfinite(result["level"].values).all() == reported
+            assert ((result["error"].values <= TRUSTED) == np.isfinite(result["level"].values)).all()
+            if reported:
+                assert np.abs(result["level"].values - 20 * np.log10(2)).max() < 0.5
 
     @given(st.floats(0.01, 1000.0), st.integers(0, 1000))
     @settings(max_examples=10)

@@ -49,20 +49,20 @@ def periodic(repeats=6, points=2, seed=1):
 class TestExact:
     @pytest.mark.parametrize("estimator", ["H1", "H2", "Hv"])
     def test_without_noise_all_estimators_give_the_oscillator(self, estimator):
-        found = estimate(recorded(*periodic()), estimator=estimator, band=(1e3, 90e3))
-        expected = mobility(found.response.frequency)
-        assert found.response.values[..., 0] == pytest.approx(np.stack([expected] * 2, axis=1), rel=1e-9)
-        assert found.response.dataset["coherence"].values.min() > 1 - 1e-9
-        assert found.response.units == "m/s/V"
-        assert (found.averages, found.quality.flags) == (6, ((), ()))
+        estimated = estimate(recorded(*periodic()), estimator=estimator, band=(1e3, 90e3))
+        expected = mobility(estimated.response.frequency)
+        assert estimated.response.values[..., 0] == pytest.approx(np.stack([expected] * 2, axis=1), rel=1e-9)
+        assert estimated.response.dataset["coherence"].values.min() > 1 - 1e-9
+        assert estimated.response.units == "m/s/V"
+        assert (estimated.averages, estimated.quality.flags) == (6, ((), ()))
 
     def test_band_and_lines_without_a_drive(self):
-        found = estimate(recorded(*periodic())).response
+        estimated = estimate(recorded(*periodic())).response
         # 0 Hz never, and half the rate is not driven here
-        assert found.frequency == pytest.approx(LINES[1:-1])
-        found = estimate(recorded(*periodic()), band=(10e3, 30e3))
-        assert found.response.frequency == pytest.approx(LINES[100:301])
-        assert found.report.remarks == ()
+        assert estimated.frequency == pytest.approx(LINES[1:-1])
+        estimated = estimate(recorded(*periodic()), band=(10e3, 30e3))
+        assert estimated.response.frequency == pytest.approx(LINES[100:301])
+        assert estimated.report.remarks == ()
 
     def test_scales_and_motions(self):
         drive, moved = periodic()
@@ -81,27 +81,28 @@ class TestExact:
 
     def test_integers_and_single_precision(self):
         drive, moved = periodic()
-        steps = [np.abs(one).max() / 32000 for one in (drive, moved)]
+        steps = [np.abs(signal).max() / 32000 for signal in (drive, moved)]
         whole = [
-            np.rint(one / step).astype(np.int16) for one, step in zip((drive, moved), steps, strict=True)
+            np.rint(signal / step).astype(np.int16)
+            for signal, step in zip((drive, moved), steps, strict=True)
         ]
         scan = recorded(*whole, reference_scale=steps[0], response_scale=steps[1], full_scale=32767.0)
-        found = estimate(scan, band=(15e3, 25e3))
-        assert found.response.values.dtype == np.complex64
-        exact = mobility(found.response.frequency)[:, None, None]
+        estimated = estimate(scan, band=(15e3, 25e3))
+        assert estimated.response.values.dtype == np.complex64
+        exact = mobility(estimated.response.frequency)[:, None, None]
         # the noise of 16 bits over 6 averages
-        assert np.abs(found.response.values - exact).max() < 2e-3 * np.abs(exact).max()
+        assert np.abs(estimated.response.values - exact).max() < 2e-3 * np.abs(exact).max()
 
     def test_one_average_has_no_coherence(self):
         drive, moved = periodic(repeats=1)
-        found = estimate(recorded(drive, moved), band=(1e3, 90e3))
-        assert "coherence" not in found.response.dataset
-        assert "one average only" in found.report.remarks[0]
+        estimated = estimate(recorded(drive, moved), band=(1e3, 90e3))
+        assert "coherence" not in estimated.response.dataset
+        assert "one average only" in estimated.report.remarks[0]
 
     def test_one_reference_for_all_points(self):
         drive, moved = periodic(points=1)
-        found = estimate(recorded(drive, np.repeat(moved, 3, axis=0)), band=(1e3, 90e3)).response
-        assert found.values[:, 2, 0] == pytest.approx(mobility(found.frequency), rel=1e-9)
+        estimated = estimate(recorded(drive, np.repeat(moved, 3, axis=0)), band=(1e3, 90e3)).response
+        assert estimated.values[:, 2, 0] == pytest.approx(mobility(estimated.frequency), rel=1e-9)
 
     def test_the_response_of_others(self):
         """Hann, half overlap, random drive: the numbers of scipy.signal."""
@@ -125,7 +126,7 @@ class TestExact:
         """Whole periods with noise on both channels."""
         drive, moved = periodic(repeats=12, points=1, seed=7)
         chance = np.random.default_rng(8)
-        return [one + 0.2 * one.std() * chance.normal(size=one.shape) for one in (drive, moved)]
+        return [signal + 0.2 * signal.std() * chance.normal(size=signal.shape) for signal in (drive, moved)]
 
     def of_pyfrf(self, drive, moved, estimator):
         return pyFRF.FRF(
@@ -137,10 +138,10 @@ class TestExact:
     def test_the_response_of_pyfrf(self, estimator):
         drive, moved = self.noisy_pair()
         theirs, band = self.of_pyfrf(drive, moved, estimator), slice(1, SAMPLES // 2)
-        found = estimate(recorded(drive, moved), estimator=estimator, band=(LINES[1], LINES[-2])).response
-        assert found.frequency == pytest.approx(theirs.get_f_axis()[band])
-        assert np.abs(found.values[:, 0, 0] / theirs.get_FRF()[0, 0, band] - 1).max() < 1e-10
-        coherence = found.dataset["coherence"].values[:, 0]
+        response = estimate(recorded(drive, moved), estimator=estimator, band=(LINES[1], LINES[-2])).response
+        assert response.frequency == pytest.approx(theirs.get_f_axis()[band])
+        assert np.abs(response.values[:, 0, 0] / theirs.get_FRF()[0, 0, band] - 1).max() < 1e-10
+        coherence = response.dataset["coherence"].values[:, 0]
         assert np.abs(coherence / theirs.get_coherence()[0, band] - 1).max() < 1e-10
         assert coherence.mean() < 0.95
 
@@ -150,12 +151,12 @@ class TestExact:
         So a line is the same where the units give the channels the same power at that line.
         """
         drive, moved = self.noisy_pair()
-        found = estimate(recorded(drive, moved), estimator="Hv", band=(LINES[1], LINES[-2])).response
+        response = estimate(recorded(drive, moved), estimator="Hv", band=(LINES[1], LINES[-2])).response
         h1, h2 = (self.of_pyfrf(drive, moved, name).get_FRF()[0, 0] for name in ("H1", "H2"))
         for line in (3, 30, 99, 100, 101, 170):
             gain = 1 / np.sqrt(np.abs(h1[line] * h2[line]))
             theirs = self.of_pyfrf(drive, gain * moved, "Hv").get_FRF()[0, 0, line] / gain
-            assert abs(found.values[line - 1, 0, 0] / theirs - 1) < 1e-10
+            assert abs(response.values[line - 1, 0, 0] / theirs - 1) < 1e-10
 
 
 class TestNoise:
@@ -167,13 +168,13 @@ class TestNoise:
         rms = {"response": moved.std(), "reference": drive.std()}[on]
         noise = level * rms * chance.normal(size=drive.shape)
         pair = (drive, moved + noise) if on == "response" else (drive + noise, moved)
-        found = {
+        responses = {
             name: estimate(recorded(*pair), estimator=name, band=(18e3, 22e3)).response
             for name in ("H1", "H2", "Hv")
         }
-        true = mobility(found["H1"].frequency)
-        ratios = {name: np.abs(one.values[:, 0, 0] / true) for name, one in found.items()}
-        return ratios, found["H1"].dataset["coherence"].values[:, 0]
+        true = mobility(responses["H1"].frequency)
+        ratios = {name: np.abs(response.values[:, 0, 0] / true) for name, response in responses.items()}
+        return ratios, responses["H1"].dataset["coherence"].values[:, 0]
 
     def test_on_the_response(self):
         ratio, coherence = self.noisy("response")
@@ -197,8 +198,10 @@ class TestNoise:
         for repeats in (8, 32, 128, 512):
             drive, moved = periodic(repeats=repeats, points=1, seed=repeats)
             moved = moved + 0.3 * moved.std() * np.random.default_rng(repeats).normal(size=moved.shape)
-            found = estimate(recorded(drive, moved), band=(5e3, 50e3)).response
-            errors.append(np.sqrt(np.mean(np.abs(found.values[:, 0, 0] - mobility(found.frequency)) ** 2)))
+            response = estimate(recorded(drive, moved), band=(5e3, 50e3)).response
+            errors.append(
+                np.sqrt(np.mean(np.abs(response.values[:, 0, 0] - mobility(response.frequency)) ** 2))
+            )
         slope = np.polyfit(np.log([8, 32, 128, 512]), np.log(errors), 1)[0]
         assert slope == pytest.approx(-0.5, abs=0.05)
 
@@ -212,15 +215,15 @@ class TestBursts:
         click[10:13] = (0.5, 1.0, 0.5)
         lines = np.fft.rfftfreq(longer, 1 / RATE)
         answer = np.fft.irfft(np.fft.rfft(click) * mobility(lines), n=longer)
-        return tuple(np.roll(one, delay)[:SAMPLES][None, None] for one in (click, answer))
+        return tuple(np.roll(signal, delay)[:SAMPLES][None, None] for signal in (click, answer))
 
     def test_the_exponential_window_moves_the_pole_exactly(self):
         decay = SAMPLES / RATE / 8
-        found = estimate(
+        response = estimate(
             recorded(*self.ringing()), window="exponential", decay=decay, band=(5e3, 60e3)
         ).response
-        expected = mobility(found.frequency, extra=1 / decay)
-        error = np.abs(found.values[:, 0, 0] - expected).max() / np.abs(expected).max()
+        expected = mobility(response.frequency, extra=1 / decay)
+        error = np.abs(response.values[:, 0, 0] - expected).max() / np.abs(expected).max()
         assert error < 1e-5  # of the ring-down exp(-13) is left at the end
         plain = estimate(recorded(*self.ringing()), band=(5e3, 60e3)).response
         leaky = np.abs(plain.values[:, 0, 0] - mobility(plain.frequency)).max()
@@ -232,11 +235,11 @@ class TestBursts:
         drive = np.concatenate([pair[0] for pair in pairs])
         answer = np.concatenate([pair[1] for pair in pairs])
         settings = {"window": "exponential", "decay": decay, "band": (15e3, 25e3)}
-        found = estimate(recorded(drive, answer), align=True, **settings).response
-        first = found.values[:, 0, 0]
+        response = estimate(recorded(drive, answer), align=True, **settings).response
+        first = response.values[:, 0, 0]
         # around the end comes what was lost before the trigger: nothing but silence
-        assert found.values[:, 1, 0] == pytest.approx(first, rel=1e-3)
-        assert found.values[:, 2, 0] == pytest.approx(first, rel=1e-3)
+        assert response.values[:, 1, 0] == pytest.approx(first, rel=1e-3)
+        assert response.values[:, 2, 0] == pytest.approx(first, rel=1e-3)
 
     def test_the_lag_is_that_of_the_reference(self):
         from haptonic.vibrometry.estimation.spectra import rolled, shifts
@@ -259,20 +262,20 @@ class TestQuality:
         return recorded(drive, moved, full_scale=full_scale)
 
     def test_flags(self):
-        found = estimate(self.scan(), band=(19e3, 21e3))
-        flags = dict(zip(found.quality.names, found.quality.flags, strict=True))
+        estimated = estimate(self.scan(), band=(19e3, 21e3))
+        flags = dict(zip(estimated.quality.names, estimated.quality.flags, strict=True))
         assert flags["1"] == ("saturated",)
         assert flags["2"] == ("dropout",)
         assert flags["3"] == ("low coherence",)
         assert all(flags[name] == () for name in ("0", "6", "11"))
-        assert [one.what for one in found.report.dropped] == ["point 4", "point 5"]
-        assert found.quality.frozen[2] == pytest.approx(100 / SAMPLES)
-        assert found.response.dataset.sizes["point"] == 10
+        assert [point.what for point in estimated.report.dropped] == ["point 4", "point 5"]
+        assert estimated.quality.frozen[2] == pytest.approx(100 / SAMPLES)
+        assert estimated.response.dataset.sizes["point"] == 10
 
     def test_the_full_scale_decides_where_it_is_known(self):
-        found = estimate(self.scan(full_scale=0.3), band=(19e3, 21e3))
-        assert found.quality.clipped[1] > 0
-        assert "saturated" in found.quality.flags[1]
+        estimated = estimate(self.scan(full_scale=0.3), band=(19e3, 21e3))
+        assert estimated.quality.clipped[1] > 0
+        assert "saturated" in estimated.quality.flags[1]
         assert "saturated" not in estimate(self.scan(full_scale=5.0), band=(19e3, 21e3)).quality.flags[1]
 
     @pytest.mark.parametrize("sign", [1, -1])
@@ -300,9 +303,9 @@ class TestQuality:
         assert before.repaired("repaired") is not None
 
     def test_repair_refuses(self):
-        found = estimate(self.scan(), band=(19e3, 21e3))
+        estimated = estimate(self.scan(), band=(19e3, 21e3))
         with refusing(ScanError, "unknown", "flags", "dropout"):
-            found.repaired("dropouts")
+            estimated.repaired("dropouts")
         drive, moved = periodic(points=4)
         few = estimate(recorded(drive, np.clip(moved, -1e-3, 1e-3)), band=(19e3, 21e3))
         with pytest.raises(ScanError) as caught:
@@ -339,11 +342,11 @@ class TestStream:
 
         with pytest.raises(KeyboardInterrupt):
             run(stop=8)
-        found, asked = run(stop=99)
+        estimated, asked = run(stop=99)
         assert (0, 3) not in asked
         assert (6, 9) in asked
-        assert np.array_equal(found.response.values, whole.response.values)
-        assert found.quality.flags == whole.quality.flags
+        assert np.array_equal(estimated.response.values, whole.response.values)
+        assert estimated.quality.flags == whole.quality.flags
         with pytest.raises(ScanError) as caught:
             estimate(recorded(drive, moved), band=(2e3, 50e3), state=tmp_path / "state")
         assert_explained(caught.value, code="conflict", argument="state")
@@ -368,8 +371,8 @@ class TestStream:
         whole = estimate(recorded(drive, moved), band=(19e3, 21e3)).response.values
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(estimation, "WORKING_MEMORY", 48.0 * 2000 * 2 * size)
-            found = estimate(recorded(drive, moved), band=(19e3, 21e3)).response.values
-        assert np.array_equal(found, whole)
+            values = estimate(recorded(drive, moved), band=(19e3, 21e3)).response.values
+        assert np.array_equal(values, whole)
 
 
 @pytest.mark.parametrize(

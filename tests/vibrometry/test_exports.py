@@ -50,14 +50,14 @@ def test_records_come_back(tmp_path, monkeypatch, shared, suffix, writer):
     monkeypatch.setattr(module, "WRITTEN", 5)
     path = tmp_path / f"a.{suffix}"
     writer(records(shared), path)
-    found = read_scan(path, unit="m/s", reference="A1, V").records
-    assert (found.origin, found.motion, found.sample_rate) == ("simulated", "velocity", pytest.approx(200e3))
-    assert np.column_stack([found.x, found.y]) == pytest.approx(np.column_stack([X, Y]))
+    scan = read_scan(path, unit="m/s", reference="A1, V").records
+    assert (scan.origin, scan.motion, scan.sample_rate) == ("simulated", "velocity", pytest.approx(200e3))
+    assert np.column_stack([scan.x, scan.y]) == pytest.approx(np.column_stack([X, Y]))
     for start, stop in ((0, 12), (3, 7)):
-        reference, moved = found.source.load(start, stop)
-        assert moved * found.response_scale == pytest.approx(1e-3 * MOVED[start:stop], rel=2e-5, abs=1e-9)
+        reference, moved = scan.source.load(start, stop)
+        assert moved * scan.response_scale == pytest.approx(1e-3 * MOVED[start:stop], rel=2e-5, abs=1e-9)
         expected = 2.0 * (DRIVEN[:1] if shared else DRIVEN[start:stop])
-        assert reference * found.reference_scale == pytest.approx(expected, rel=2e-5, abs=1e-6)
+        assert reference * scan.reference_scale == pytest.approx(expected, rel=2e-5, abs=1e-6)
 
 
 @pytest.mark.parametrize("shared", [True, False])
@@ -65,15 +65,15 @@ def test_records_come_back_from_tdms(tmp_path, monkeypatch, shared):
     monkeypatch.setattr(module, "WRITTEN", 2)
     write_tdms(records(shared), tmp_path / "a.tdms")
     scan = read_scan(tmp_path / "a.tdms")
-    found = scan.records
-    assert (found.origin, found.samples) == ("simulated", 120)
-    assert found.reference == Reference("reference", "V")
-    reference, moved = found.source.load(2, 5)
+    stored = scan.records
+    assert (stored.origin, stored.samples) == ("simulated", 120)
+    assert stored.reference == Reference("reference", "V")
+    reference, moved = stored.source.load(2, 5)
     assert moved.reshape(3, 3, 40) == pytest.approx(1e-3 * MOVED[2:5], rel=1e-6)
     expected = np.broadcast_to(DRIVEN[:1], (3, 3, 40)) if shared else DRIVEN[2:5]
     assert reference.reshape(3, 3, 40) == pytest.approx(2.0 * expected, rel=1e-6)
     # cut into the periods again, the estimate is that of the records themselves
-    same = estimate(found, segment=40).response
+    same = estimate(stored, segment=40).response
     assert same.values == pytest.approx(estimate(records(shared)).response.values, rel=1e-4)
 
 
@@ -85,10 +85,10 @@ def test_large_records_of_matlab_stay_in_the_file(tmp_path):
         how = Mapped({}, "m/s", file=notes.path)
         return scan_of_groups(matlab.read(notes.path, notes, large=1000), how, notes, "measured", "", ".")
 
-    found = read()
-    assert found.source.response.streamed
-    assert found.source.reference.streamed
-    streamed = [piece for _, _, piece in found.chunks(5)]
+    stored = read()
+    assert stored.source.response.streamed
+    assert stored.source.reference.streamed
+    streamed = [piece for _, _, piece in stored.chunks(5)]
     assert np.concatenate(streamed) == pytest.approx(1e-3 * MOVED, rel=1e-6)
     # the other way round, with the samples first, it is read whole
     with h5py.File(tmp_path / "a.mat", "r+") as file:
@@ -104,7 +104,11 @@ def test_large_records_of_matlab_stay_in_the_file(tmp_path):
 def test_our_uff_records_are_read_by_pyuff(tmp_path):
     write_uff_records(records(True), tmp_path / "a.uff")
     sets = pyuff.UFF(str(tmp_path / "a.uff")).read_sets()
-    times = [one for one in sets if one["type"] == 58 and one["ordinate_axis_units_lab"].strip() == "m/s"]
+    times = [
+        data_set
+        for data_set in sets
+        if data_set["type"] == 58 and data_set["ordinate_axis_units_lab"].strip() == "m/s"
+    ]
     assert len(times) == 36
     assert times[4]["rsp_node"] == 2
     assert times[4]["data"] == pytest.approx(1e-3 * MOVED[1, 1], rel=2e-5)
@@ -145,7 +149,7 @@ def test_read_scan_is_at_the_top():
 
 
 class TestNoFaultOfTheFile:
-    """Too little memory and a missing right are told as such, and not as a damaged file."""
+    """Too little memory and a missing right are reported as such, and not as a damaged file."""
 
     @pytest.mark.parametrize("form", ["mat", "tdms", "h5", "uff"])
     def test_a_missing_right(self, tmp_path, monkeypatch, form):

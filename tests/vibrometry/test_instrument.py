@@ -38,13 +38,13 @@ def measured(instrument: Instrument, averages: int = 4, seed: int = 1):
 
 def test_without_noise_the_estimate_is_the_response_through_the_path():
     instrument = ideal(bits=24, delay=7e-6, bandwidth=30e3)
-    found = measured(instrument).response
+    estimated = measured(instrument).response
     # by hand: a delay turns the phase, a first-order low-pass is 3 dB down at its frequency
     path = np.exp(-1j * 2 * np.pi * LINES * 7e-6) * (1 - 1j * LINES / 30e3) / (1 + (LINES / 30e3) ** 2)
     expected = resonant().values * path[:, None, None]
-    assert np.array_equal(found.frequency, LINES)
-    assert np.abs(found.values - expected).max() < 2e-5 * np.abs(expected).max()
-    assert found.dataset.attrs["origin"] == "simulated"
+    assert np.array_equal(estimated.frequency, LINES)
+    assert np.abs(estimated.values - expected).max() < 2e-5 * np.abs(expected).max()
+    assert estimated.dataset.attrs["origin"] == "simulated"
 
 
 def test_sixteen_bits_are_coarser_than_twenty_four_and_a_few_bits_are_worse():
@@ -57,8 +57,8 @@ def test_sixteen_bits_are_coarser_than_twenty_four_and_a_few_bits_are_worse():
 
 def test_the_error_of_the_estimate_is_that_of_the_noise():
     noise, averages = 2e-3, 16
-    found = measured(ideal(bits=24, noise=noise), averages).response.values
-    error = found - resonant().values
+    values = measured(ideal(bits=24, noise=noise), averages).response.values
+    error = values - resonant().values
     # white noise of variance s^2 has E|N_k|^2 = n s^2 in each line of a transform of n samples
     drive_lines = np.abs(np.fft.rfft(SIGNAL.samples))[25:101]
     expected = noise * np.sqrt(len(SIGNAL.samples) / averages) / drive_lines

@@ -1,4 +1,4 @@
-"""Maps of made-up fields whose gap, waves and decay are known."""
+"""Maps of simulated fields whose gap, waves and decay are known."""
 
 from __future__ import annotations
 
@@ -47,22 +47,22 @@ def moved(points, scale, angle, shift, mirrored=False):
 class TestRegistration:
     @given(st.floats(0.1, 10), st.floats(-3, 3), st.floats(-1, 1), st.floats(-1, 1), st.booleans())
     def test_corners_give_the_motion_back(self, scale, angle, dx, dy, mirrored):
-        found = register_by_corners(
+        fit = register_by_corners(
             moved(CORNERS, scale, angle, [dx, dy], mirrored), CORNERS, mirrored=mirrored
         )
-        assert found.scale == pytest.approx(scale)
-        assert np.exp(1j * found.angle) == pytest.approx(np.exp(1j * angle))
-        assert found.shift == pytest.approx([dx, dy], abs=1e-9)
-        assert found.misfit < 1e-9
+        assert fit.scale == pytest.approx(scale)
+        assert np.exp(1j * fit.angle) == pytest.approx(np.exp(1j * angle))
+        assert fit.shift == pytest.approx([dx, dy], abs=1e-9)
+        assert fit.misfit < 1e-9
         places = np.array([[0.03, 0.05], [0.1, 0.02]])
-        assert found.of(moved(places, scale, angle, [dx, dy], mirrored)) == pytest.approx(places, abs=1e-9)
+        assert fit.of(moved(places, scale, angle, [dx, dy], mirrored)) == pytest.approx(places, abs=1e-9)
 
     def test_the_misfit_measures_the_scatter(self):
         off = CORNERS + np.array([[1e-3, 0], [-1e-3, 0], [1e-3, 0], [-1e-3, 0]])
-        found = register_by_corners(CORNERS, off, scaled=False)
+        fit = register_by_corners(CORNERS, off, scaled=False)
         # neither a shift nor a turn has a part in this, so all of it is left
-        assert found.misfit == pytest.approx(1e-3)
-        assert found.scale == 1.0
+        assert fit.misfit == pytest.approx(1e-3)
+        assert fit.scale == 1.0
 
     def test_a_view_from_behind_fits_only_with_the_option(self):
         seen = moved(CORNERS, 1.0, 0.3, [0, 0], mirrored=True)
@@ -77,26 +77,26 @@ class TestRegistration:
         scale = 1.03 if scaled else 1.0
         noise = 2e-4 * np.random.default_rng(2).normal(size=plan.shape)
         seen = moved(plan + noise, scale, angle, [0.3, -0.2])[keep]
-        found = register_by_fit(seen, plan, scaled=scaled)
-        assert found.angle == pytest.approx(angle, abs=2e-3)
-        assert found.scale == pytest.approx(scale, abs=2e-3)
-        assert found.of(seen) == pytest.approx(plan[keep], abs=1.5e-3)
-        assert found.misfit == pytest.approx(2e-4 * np.sqrt(2), rel=0.2)
+        fit = register_by_fit(seen, plan, scaled=scaled)
+        assert fit.angle == pytest.approx(angle, abs=2e-3)
+        assert fit.scale == pytest.approx(scale, abs=2e-3)
+        assert fit.of(seen) == pytest.approx(plan[keep], abs=1.5e-3)
+        assert fit.misfit == pytest.approx(2e-4 * np.sqrt(2), rel=0.2)
 
     def test_the_response_moves_and_gets_regions(self):
         plan = scan_plan(PLATE, 8e-3).points
         seen = moved(plan, 1.0, 0.2, [0.1, 0.0])
         response = made(np.ones((2, len(plan))), np.array([1.0, 2.0]), *seen.T, title="twin")
         fit = register_by_corners(moved(CORNERS, 1.0, 0.2, [0.1, 0.0]), CORNERS)
-        found = fit.registered(
+        registered = fit.registered(
             response, {"hole": RoundRegion(0.07, 0.06, 0.02), "WG1": Rectangle(0, 0.021, 0.14, 0.032)}
         )
-        assert found.points == pytest.approx(plan, abs=1e-12)
+        assert registered.points == pytest.approx(plan, abs=1e-12)
         inside = Rectangle(0, 0.021, 0.14, 0.032).holds(plan)
         hole = RoundRegion(0.07, 0.06, 0.02).holds(plan)
-        assert np.array_equal(found.inside("hole"), hole)
-        assert np.array_equal(found.inside("WG1"), inside & ~hole)
-        notes = found.dataset.attrs
+        assert np.array_equal(registered.inside("hole"), hole)
+        assert np.array_equal(registered.inside("WG1"), inside & ~hole)
+        notes = registered.dataset.attrs
         assert json.loads(notes["inputs"])["registration"]["angle"] == pytest.approx(0.2)
         assert (notes["title"], notes["origin"]) == ("twin", "simulated")
 
@@ -152,13 +152,13 @@ def gapped(lower=52e3, upper=60e3, depth=30.0, slope=300.0, seed=0):
 class TestGap:
     @pytest.mark.parametrize(("lower", "upper"), [(52e3, 60e3), (45.03e3, 57.77e3)])
     def test_the_edges_are_found_within_their_errors(self, lower, upper):
-        found = measured_gap(gapped(lower, upper), "WG1", "lattice", smoothing=200.0)
-        assert abs(found.lower - lower) < 3 * found.lower_error
-        assert abs(found.upper - upper) < 3 * found.upper_error
-        assert found.inside - found.outside == pytest.approx(30, abs=1.5)
-        assert 30 < found.lower_error < 300
+        gap = measured_gap(gapped(lower, upper), "WG1", "lattice", smoothing=200.0)
+        assert abs(gap.lower - lower) < 3 * gap.lower_error
+        assert abs(gap.upper - upper) < 3 * gap.upper_error
+        assert gap.inside - gap.outside == pytest.approx(30, abs=1.5)
+        assert 30 < gap.lower_error < 300
         # tanh goes from a quarter to three quarters of its step within 2 atanh(1/2) widths
-        assert found.lower_transition == pytest.approx(2 * np.arctanh(0.5) * 300, rel=0.2)
+        assert gap.lower_transition == pytest.approx(2 * np.arctanh(0.5) * 300, rel=0.2)
 
     def test_a_sharper_edge_has_a_smaller_error(self):
         sharp, soft = (
@@ -172,9 +172,9 @@ class TestGap:
         assert_explained(caught.value, code="no-answer", argument="measured_gap")
 
     def test_a_gap_that_ends_outside_of_the_range(self):
-        found = measured_gap(gapped(lower=70e3, upper=90e3), "WG1", "lattice")
-        assert found.upper == LINES[-1]
-        assert found.lower == pytest.approx(70e3, abs=300)
+        gap = measured_gap(gapped(lower=70e3, upper=90e3), "WG1", "lattice")
+        assert gap.upper == LINES[-1]
+        assert gap.lower == pytest.approx(70e3, abs=300)
 
     def test_refused(self):
         for bad in ({"smoothing": -1.0}, {"smoothing": np.nan}, {"resamples": 1}):
@@ -188,16 +188,16 @@ class TestGap:
 
     def test_statistics_of_regions(self):
         response = gapped()
-        found = region_statistics(response, 54e3, 58e3)
+        statistics = region_statistics(response, 54e3, 58e3)
         amplitude = np.abs(response.between(54e3, 58e3).values[..., 0])
         of_point = np.sqrt((amplitude**2).mean(axis=0))
         mask = np.array(REGION) == "lattice"
-        assert found.sel(region="lattice")["rms"].item() == pytest.approx(
+        assert statistics.sel(region="lattice")["rms"].item() == pytest.approx(
             np.sqrt((amplitude[:, mask] ** 2).mean())
         )
-        assert found.sel(region="lattice")["largest"].item() == pytest.approx(of_point[mask].max())
-        assert found.sel(region="WG1")["mean"].item() == pytest.approx(of_point[~mask].mean())
-        assert found["points"].values.tolist() == [int((~mask).sum()), int(mask.sum())]
+        assert statistics.sel(region="lattice")["largest"].item() == pytest.approx(of_point[mask].max())
+        assert statistics.sel(region="WG1")["mean"].item() == pytest.approx(of_point[~mask].mean())
+        assert statistics["points"].values.tolist() == [int((~mask).sum()), int(mask.sum())]
         with refusing(ScanError, "missing", "region"):
             region_statistics(made(np.ones((1, 2)), np.array([1.0]), np.zeros(2), np.arange(2.0)), 0, 2)
 
@@ -218,21 +218,21 @@ class TestWaves:
     @pytest.mark.parametrize("turned", [False, True])
     def test_the_wavenumber_of_a_travelling_wave(self, sign, turned):
         k, response = self.guide(sign=sign, turned=turned)
-        found = wavenumber_map(response, "WG1", "y" if turned else "x")
-        peaks = found["wavenumber"].values[found.values.argmax(axis=1)]
+        spectrum = wavenumber_map(response, "WG1", "y" if turned else "x")
+        peaks = spectrum["wavenumber"].values[spectrum.values.argmax(axis=1)]
         # a length of 142 mm, padded four times
         assert peaks == pytest.approx(sign * k, abs=2 * np.pi / (4 * 0.142) / 2 * 1.01)
         rows = np.sqrt((9 * np.cos(200 * np.arange(5) * 2e-3) ** 2).mean())
-        assert found.values.max(axis=1) == pytest.approx(np.full(26, rows), rel=0.02)
-        assert found.attrs["rows"] == 5
+        assert spectrum.values.max(axis=1) == pytest.approx(np.full(26, rows), rel=0.02)
+        assert spectrum.attrs["rows"] == 5
 
     def test_a_row_with_a_hole_is_left_out(self):
         keep = np.arange(len(self.x)) != 100
         k, response = self.guide(keep=keep)
-        found = wavenumber_map(response, "WG1", "x")
-        assert (found.attrs["rows"], found.attrs["rows_left_out"]) == (4, 1)
-        assert np.isfinite(found.values).all()
-        assert found["wavenumber"].values[found.values.argmax(axis=1)] == pytest.approx(k, abs=6)
+        spectrum = wavenumber_map(response, "WG1", "x")
+        assert (spectrum.attrs["rows"], spectrum.attrs["rows_left_out"]) == (4, 1)
+        assert np.isfinite(spectrum.values).all()
+        assert spectrum["wavenumber"].values[spectrum.values.argmax(axis=1)] == pytest.approx(k, abs=6)
 
     def test_no_whole_row(self):
         keep = ~np.isin(np.arange(len(self.x)), [10 + 71 * i for i in range(5)])
@@ -266,41 +266,41 @@ class TestDecay:
     def lattice(self, db=(5.0, 15.0, 0.0), ripple=0.0, inwards=1, seed=1):
         """Weaker by so many dB for each cell of 7 mm, with a structure inside of the cells."""
         chance = np.random.default_rng(seed)
-        fade = 10 ** (-np.outer(db, self.x / 7e-3) / 20)
+        attenuation = 10 ** (-np.outer(db, self.x / 7e-3) / 20)
         inner = 10 ** (ripple * np.sin(2 * np.pi * self.x / 7e-3) / 20)
         wave = np.exp(1j * 2 * np.pi * chance.random(len(self.x)))
-        values = fade * inner * wave
+        values = attenuation * inner * wave
         return made(values, self.lines, 0.021 + inwards * self.x, self.y, region=["lattice"] * len(self.x))
 
     @pytest.mark.parametrize("inwards", [1, -1])
     def test_an_exact_decay(self, inwards):
         response = self.lattice(inwards=inwards)
-        found = lattice_decay(response, "lattice", depth="x", start=0.021, pitch=7e-3, inwards=inwards)
-        assert found["decay"].values == pytest.approx([5, 15, 0], abs=1e-9)
-        assert found["error"].values.max() < 1e-9
-        assert found["decay"].attrs["units"] == "dB/row"
-        assert found.attrs["depths"] == 11
+        decay = lattice_decay(response, "lattice", depth="x", start=0.021, pitch=7e-3, inwards=inwards)
+        assert decay["decay"].values == pytest.approx([5, 15, 0], abs=1e-9)
+        assert decay["error"].values.max() < 1e-9
+        assert decay["decay"].attrs["units"] == "dB/row"
+        assert decay.attrs["depths"] == 11
 
     def test_the_interval_has_its_nominal_coverage(self):
         held = []
         for seed in range(200):
             chance = np.random.default_rng(seed)
             rough = 10 ** (chance.normal(0, 1, size=(3, 11)) / 20)[:, (self.x / 2e-3).round().astype(int)]
-            fade = 10 ** (-np.outer((5, 15, 0), self.x / 7e-3) / 20)
-            response = made(fade * rough, self.lines, self.x, self.y, region=["lattice"] * len(self.x))
-            found = lattice_decay(response, "lattice", depth="x", start=0.0, pitch=7e-3)
-            held += ((found["low"] < [5, 15, 0]) & (found["high"] > [5, 15, 0])).values.tolist()
+            attenuation = 10 ** (-np.outer((5, 15, 0), self.x / 7e-3) / 20)
+            response = made(attenuation * rough, self.lines, self.x, self.y, region=["lattice"] * len(self.x))
+            decay = lattice_decay(response, "lattice", depth="x", start=0.0, pitch=7e-3)
+            held += ((decay["low"] < [5, 15, 0]) & (decay["high"] > [5, 15, 0])).values.tolist()
         # 600 trials at 95 %: a standard error of 0.9 %
         assert np.mean(held) == pytest.approx(0.95, abs=0.027)
 
     def test_slope_and_error_are_those_of_scipy(self):
         response = self.lattice(ripple=4.0)
-        found = lattice_decay(response, "lattice", depth="x", start=0.021, pitch=7e-3)
+        decay = lattice_decay(response, "lattice", depth="x", start=0.021, pitch=7e-3)
         row = response.values[:, :11, 0]  # all rows have the same levels
         for line in range(3):
             other = linregress(self.x[:11] / 7e-3, 20 * np.log10(np.abs(row[line])))
-            assert found["decay"].values[line] == pytest.approx(-other.slope, abs=1e-9)
-            assert found["error"].values[line] == pytest.approx(other.stderr)
+            assert decay["decay"].values[line] == pytest.approx(-other.slope, abs=1e-9)
+            assert decay["error"].values[line] == pytest.approx(other.stderr)
 
     def test_structure_in_the_cells_widens_the_interval(self):
         plain, rippled = (
@@ -330,8 +330,8 @@ class TestDecay:
 def test_among_equal_fits_the_smallest_turn():
     """A whole grid looks the same after half a turn."""
     plan = scan_plan(PLATE, 4e-3).points
-    found = register_by_fit(moved(plan, 1.0, 0.03, [0.1, 0.0]), plan)
-    assert found.angle == pytest.approx(0.03, abs=1e-6)
+    fit = register_by_fit(moved(plan, 1.0, 0.03, [0.1, 0.0]), plan)
+    assert fit.angle == pytest.approx(0.03, abs=1e-6)
 
 
 def test_edges_lie_between_the_lines_and_the_widest_range_counts():
@@ -347,11 +347,13 @@ def test_edges_lie_between_the_lines_and_the_widest_range_counts():
 def test_without_scatter_the_error_is_that_of_lines_and_transition():
     pair = [0, -1]
     response = gapped(slope=800.0)
-    one = made(response.values[:, pair, 0], LINES, GRID_X[pair], GRID_Y[pair], region=[REGION[0], REGION[-1]])
-    found = measured_gap(one, "WG1", "lattice", smoothing=0.0)
+    pair_of_points = made(
+        response.values[:, pair, 0], LINES, GRID_X[pair], GRID_Y[pair], region=[REGION[0], REGION[-1]]
+    )
+    gap = measured_gap(pair_of_points, "WG1", "lattice", smoothing=0.0)
     for error, width in (
-        (found.lower_error, found.lower_transition),
-        (found.upper_error, found.upper_transition),
+        (gap.lower_error, gap.lower_transition),
+        (gap.upper_error, gap.upper_transition),
     ):
         assert width > 500
         assert error == pytest.approx(np.sqrt((100.0**2 + width**2) / 12))

@@ -60,27 +60,27 @@ class TestMatlab:
             tmp_path / "a.mat", FRF=frf, freq=LINES, X=X * 1e3, Y=Y * 1e3, coh=np.full((8, 12), 0.5), junk=1.0
         )
         scan = read_scan(tmp_path / "a.mat", unit="mm/s/V", length_unit=1e-3, reference="A1, V")
-        found = scan.response
-        assert found.values[..., 0] == pytest.approx(1e-3 * VALUES)
-        assert found.points == pytest.approx(np.column_stack([X, Y]))
-        assert found.dataset["coherence"].values == pytest.approx(np.full((8, 12), 0.5))
-        assert found.units == "m/s/V"
+        response = scan.response
+        assert response.values[..., 0] == pytest.approx(1e-3 * VALUES)
+        assert response.points == pytest.approx(np.column_stack([X, Y]))
+        assert response.dataset["coherence"].values == pytest.approx(np.full((8, 12), 0.5))
+        assert response.units == "m/s/V"
         assert 'the variable "FRF" was used as response' in scan.report.remarks
         assert 'the variable "junk" was not used' in scan.report.remarks
 
     def test_named_variables_and_points_in_one_table(self, tmp_path, save):
         save(tmp_path / "a.mat", Q=VALUES, omega=LINES, P=np.column_stack([X, Y, 0 * X]))
         names = {"response": "Q", "frequency": "omega", "points": "P"}
-        found = read_scan(tmp_path / "a.mat", variables=names, reference="A1, V").response
-        assert found.values[..., 0] == pytest.approx(VALUES)
-        assert found.points == pytest.approx(np.column_stack([X, Y]))
+        response = read_scan(tmp_path / "a.mat", variables=names, reference="A1, V").response
+        assert response.values[..., 0] == pytest.approx(VALUES)
+        assert response.points == pytest.approx(np.column_stack([X, Y]))
 
     def test_arrays_have_the_shape_that_matlab_shows(self, tmp_path, save):
         table = np.arange(6.0).reshape(2, 3)
         save(tmp_path / "a.mat", a=table, z=table * 1j)
-        found = opened(tmp_path / "a.mat").group("").channels
-        assert np.array_equal(found["a"], table)
-        assert np.array_equal(found["z"], table * 1j)
+        arrays = opened(tmp_path / "a.mat").group("").channels
+        assert np.array_equal(arrays["a"], table)
+        assert np.array_equal(arrays["z"], table * 1j)
 
     @pytest.mark.parametrize(
         ("lengths", "frequencies"),
@@ -97,9 +97,9 @@ class TestMatlab:
 
     def test_numbers_in_unlikely_units_cause_warnings(self, tmp_path, save):
         save(tmp_path / "a.mat", h=VALUES, f=0.1 * LINES, x=1e4 * X, y=1e4 * Y)
-        with pytest.warns(HaptonicWarning) as said:
+        with pytest.warns(HaptonicWarning) as caught:
             read_scan(tmp_path / "a.mat")
-        words = [re.findall(r'(\w+)="(\w+)"', str(one.message)) for one in said]
+        words = [re.findall(r'(\w+)="(\w+)"', str(warning.message)) for warning in caught]
         assert words == [[("length_unit", "mm")], [("frequency_unit", "kHz")]]
         read_scan(tmp_path / "a.mat", length_unit="m", frequency_unit="Hz")  # asked for: no doubt
 
@@ -133,7 +133,7 @@ class TestMatlab:
         save(tmp_path / "a.mat", frf=values, f=LINES, x=x, y=Y)
         scan = read_scan(tmp_path / "a.mat")
         assert scan.report.points == 10
-        assert [str(one) for one in scan.report.dropped] == [
+        assert [str(point) for point in scan.report.dropped] == [
             "point 4 (row 4): 1 of its 8 numbers are not finite",
             "point 8 (row 8): no coordinates",
         ]
@@ -205,7 +205,7 @@ class TestTdms:
         _, reference, moved = next(records.chunks(12))
         assert np.array_equal(moved[:, 0], RECORDS[keep, 0])
         assert np.array_equal(reference[:, 0], DRIVE[keep, 0])
-        assert [one.what for one in scan.report.dropped] == ["point P3", "point P5"]
+        assert [point.what for point in scan.report.dropped] == ["point P3", "point P5"]
         assert "40 samples" in scan.report.dropped[1].reason
 
     def test_without_the_package(self, tmp_path, monkeypatch):
@@ -248,7 +248,7 @@ class TestHdf5:
             file["response"].attrs["measured"] = 7
         scan = read_scan(tmp_path / "a.h5")
         assert scan.records.names == tuple(f"P{i}" for i in range(7))
-        assert [one.what for one in scan.report.dropped] == [f"point P{i}" for i in range(7, 12)]
+        assert [point.what for point in scan.report.dropped] == [f"point P{i}" for i in range(7, 12)]
 
     def test_responses_in_netcdf_are_recognised(self, tmp_path):
         write(response(), tmp_path / "a.h5")
@@ -317,10 +317,10 @@ class TestFolder:
     def test_amplitude_and_phase_in_khz(self, tmp_path):
         cells = [LINES / 1e3, np.full(8, 2.0), np.full(8, 90.0)]
         path = save_folder(tmp_path / "scan", "freq (kHz),amplitude (m/s),phase_deg", cells)
-        found = read_scan(path).response
-        assert found.values == pytest.approx(np.full((8, 12, 1), 2j))
-        assert found.frequency == pytest.approx(LINES)
-        assert found.units == "m/s"
+        response = read_scan(path).response
+        assert response.values == pytest.approx(np.full((8, 12, 1), 2j))
+        assert response.frequency == pytest.approx(LINES)
+        assert response.units == "m/s"
 
     def test_what_is_broken_is_named(self, tmp_path):
         path = save_folder(tmp_path / "scan")
@@ -340,7 +340,7 @@ class TestFolder:
         keep = [0, 8, 9, 10, 11]
         assert scan.response.values[..., 0] == pytest.approx(VALUES[:, keep])
         assert scan.report.missing == ("p1.csv",)
-        named = {one.what: one.reason for one in scan.report.dropped}
+        named = {part.what: part.reason for part in scan.report.dropped}
         assert set(named) == {f"file p{i}.csv" for i in range(2, 8)} | {
             "file stray.csv", "line 14 of geometry.csv", "line 15 of geometry.csv", "point lost.csv"
         }  # fmt: skip

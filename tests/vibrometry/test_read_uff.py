@@ -51,7 +51,7 @@ REFUSED = {  # none of them is a scan, and why
 class TestFilesOfOthers:
     @pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.name)
     def test_the_curves_are_those_that_pyuff_reads(self, path):
-        theirs = [one for one in _sets(path) if one["type"] == 58]
+        theirs = [data_set for data_set in _sets(path) if data_set["type"] == 58]
         ours = uff_contents(path).functions
         assert len(ours) == len(theirs)
         for mine, other in zip(ours, theirs, strict=True):
@@ -84,17 +84,17 @@ class TestFilesOfOthers:
 
     def test_a_measured_response_comes_back(self, tmp_path):
         text = (DATA / "meas_point_1.txt").read_text().split()
-        measured = np.array([complex(one) for one in text])
+        measured = np.array([complex(number) for number in text])
         lines = 0.5 * np.arange(1, len(measured) + 1)
         path = uff(tmp_path / "a.uff", units(), nodes(count=1), curve(1, measured, x=lines))
-        found = read_scan(path).response
-        assert found.frequency == pytest.approx(lines, rel=1e-6)
-        assert found.values[:, 0, 0] == pytest.approx(measured, rel=1e-11)
+        response = read_scan(path).response
+        assert response.frequency == pytest.approx(lines, rel=1e-6)
+        assert response.values[:, 0, 0] == pytest.approx(measured, rel=1e-11)
 
 
 def _sets(path):
-    found = pyuff.UFF(str(path)).read_sets()
-    return found if isinstance(found, list) else [found]
+    data_sets = pyuff.UFF(str(path)).read_sets()
+    return data_sets if isinstance(data_sets, list) else [data_sets]
 
 
 class TestAWholeScan:
@@ -106,7 +106,7 @@ class TestAWholeScan:
             curve(i + 1, VALUES[:, i], binary=binary, abscissa_spacing=spacing, n_bytes=0) for i in range(12)
         ]
         if binary:
-            curves = [{k: v for k, v in one.items() if k != "n_bytes"} | {"n_bytes": 128} for one in curves]
+            curves = [{k: v for k, v in data.items() if k != "n_bytes"} | {"n_bytes": 128} for data in curves]
         scan = read_scan(uff(tmp_path / "a.uff", units(), nodes(kind=kind), *curves))
         assert scan.report.complete, str(scan.report)
         assert scan.response.values[..., 0] == pytest.approx(VALUES, rel=1e-11)
@@ -142,15 +142,15 @@ class TestAWholeScan:
         notes = scan.response.dataset.attrs
         assert notes["title"] == "touchpad"
         assert json.loads(notes["inputs"])["lines"] == [[1, 4, 12, 9]]
-        assert [str(one) for one in scan.report.dropped if "mode shape" in str(one)]
+        assert [str(part) for part in scan.report.dropped if "mode shape" in str(part)]
 
     def test_the_binary_values_may_contain_the_mark_of_an_end(self, tmp_path):
         trap = np.frombuffer(b"\n    -1\n" * 16, dtype="<f8").view(complex)
         path = uff(tmp_path / "a.uff", nodes(count=2), *(curve(i, trap, binary=1, n_bytes=0) for i in (1, 2)))
         content = path.read_bytes().replace(b"%12i%12i" % (11, 64), b"%12i%12i" % (11, 128))
         path.write_bytes(content)
-        found = read_scan(path).response
-        assert np.array_equal(found.values[:, 1, 0], trap)
+        response = read_scan(path).response
+        assert np.array_equal(response.values[:, 1, 0], trap)
 
     def test_the_other_order_of_bytes(self, tmp_path):
         path = uff(tmp_path / "a.uff", nodes(count=1), curve(1, VALUES[:, 0], binary=1))
@@ -169,14 +169,14 @@ class TestAWholeScan:
             real = float(line[13:33])
             text = text.replace(line, f"{line[:13]}{real:20.13E}{'-0.0000000000000D-00':>20}")
         path.write_text(text)
-        found = read_scan(path).response
-        assert found.frequency == pytest.approx(LINES)
-        assert found.values[:, 0, 0] == pytest.approx(-np.abs(VALUES[:, 0]), rel=1e-10)
+        response = read_scan(path).response
+        assert response.frequency == pytest.approx(LINES)
+        assert response.values[:, 0, 0] == pytest.approx(-np.abs(VALUES[:, 0]), rel=1e-10)
 
     def test_a_drive_against_the_axis(self, tmp_path):
-        found = read_scan(whole(tmp_path / "a.uff", ref_dir=-3, ref_node=4)).response
-        assert found.values[..., 0] == pytest.approx(-VALUES, rel=1e-10)
-        assert found.dataset.attrs["reference"] == "4z, V"
+        response = read_scan(whole(tmp_path / "a.uff", ref_dir=-3, ref_node=4)).response
+        assert response.values[..., 0] == pytest.approx(-VALUES, rel=1e-10)
+        assert response.dataset.attrs["reference"] == "4z, V"
 
     def test_single_precision_and_fortran_numbers(self, tmp_path):
         path = whole(tmp_path / "a.uff")
@@ -194,11 +194,11 @@ class TestAWholeScan:
             "orddenom_spec_data_type": 13,
         }
         curves = [curve(i + 1, VALUES[:, i], **changes) for i in range(12)]
-        found = read_scan(uff(tmp_path / "a.uff", units(1e3, 1e3), nodes(1e3), *curves)).response
-        assert found.points == pytest.approx(np.column_stack([X, Y]), abs=1e-12)
+        response = read_scan(uff(tmp_path / "a.uff", units(1e3, 1e3), nodes(1e3), *curves)).response
+        assert response.points == pytest.approx(np.column_stack([X, Y]), abs=1e-12)
         # (mm/s)/mN is (m/s)/N
-        assert found.values[..., 0] == pytest.approx(VALUES, rel=1e-10)
-        assert found.units == "m/s/N"
+        assert response.values[..., 0] == pytest.approx(VALUES, rel=1e-10)
+        assert response.units == "m/s/N"
 
     def test_a_contradicting_label_is_used_and_reported(self, tmp_path):
         scan = read_scan(uff(tmp_path / "a.uff", units(1e3), nodes(1e3, count=1), curve(1, VALUES[:, 0])))
@@ -214,14 +214,14 @@ class TestAWholeScan:
 
     def test_accelerations_become_velocities(self, tmp_path):
         changes = {"ordinate_spec_data_type": 12, "ordinate_axis_units_lab": "g"}
-        found = read_scan(whole(tmp_path / "a.uff", **changes)).response
+        response = read_scan(whole(tmp_path / "a.uff", **changes)).response
         expected = 9.80665 * VALUES / (2j * np.pi * LINES[:, None])
-        assert found.values[..., 0] == pytest.approx(expected, rel=1e-10)
-        assert found.units == "m/s/V"
+        assert response.values[..., 0] == pytest.approx(expected, rel=1e-10)
+        assert response.units == "m/s/V"
 
     def test_a_direction_against_the_axis(self, tmp_path):
-        found = read_scan(whole(tmp_path / "a.uff", rsp_dir=-3)).response
-        assert found.values[..., 0] == pytest.approx(-VALUES, rel=1e-10)
+        response = read_scan(whole(tmp_path / "a.uff", rsp_dir=-3)).response
+        assert response.values[..., 0] == pytest.approx(-VALUES, rel=1e-10)
 
     def test_three_directions(self, tmp_path):
         more = [curve(i + 1, (k + 1) * VALUES[:, i], rsp_dir=k + 1) for i in range(12) for k in range(3)]
@@ -229,7 +229,7 @@ class TestAWholeScan:
         scan = read_scan(path)
         assert list(scan.response.dataset["direction"].values) == ["x", "y", "z"]
         assert scan.response.values[:, 0, 1] == pytest.approx(2 * VALUES[:, 0])
-        assert [str(one) for one in scan.report.dropped] == [
+        assert [str(point) for point in scan.report.dropped] == [
             "point 12: directions differ from those of the scan: z"
         ]
 
@@ -239,8 +239,8 @@ class TestAWholeScan:
             curve(i + 1, level * (i + 1) / 12, func_type=6, ordinate_axis_units_lab="NONE") for i in range(12)
         ]
         curves = [curve(i + 1, VALUES[:, i]) for i in range(12)]
-        found = read_scan(uff(tmp_path / "a.uff", units(), nodes(), *curves, *more)).response
-        assert found.dataset["coherence"].values[:, 5] == pytest.approx(level / 2)
+        response = read_scan(uff(tmp_path / "a.uff", units(), nodes(), *curves, *more)).response
+        assert response.dataset["coherence"].values[:, 5] == pytest.approx(level / 2)
         less = read_scan(uff(tmp_path / "b.uff", units(), nodes(), *curves, *more[:5]))
         assert "coherence" not in less.response.dataset
         assert any("5 of 12" in remark for remark in less.report.remarks)
@@ -268,9 +268,9 @@ class TestAWholeScan:
              "data_type": 5}
             for k in range(8)
         ]  # fmt: skip
-        found = read_scan(uff(tmp_path / "a.uff", units(), nodes(), *shapes[::-1])).response
-        assert found.values[..., 0] == pytest.approx(VALUES, abs=1e-4)
-        assert found.units == "m/s"
+        response = read_scan(uff(tmp_path / "a.uff", units(), nodes(), *shapes[::-1])).response
+        assert response.values[..., 0] == pytest.approx(VALUES, abs=1e-4)
+        assert response.units == "m/s"
 
 
 class TestBrokenFiles:
@@ -341,7 +341,7 @@ class TestBrokenFiles:
         scan = read_scan(path)
         keep = [i for i in range(12) if i != 4]
         assert scan.response.points == pytest.approx(np.column_stack([X, Y])[keep], abs=1e-9)
-        assert [str(one) for one in scan.report.dropped] == [
+        assert [str(part) for part in scan.report.dropped] == [
             "points (geometry): 1 that are cut short or not numbers",
             "point 5 (data set 7 (type 58)): no coordinates",
         ]
@@ -372,7 +372,7 @@ class TestBrokenFiles:
         table["x"], table["y"] = np.append(X[:11], X[0]), np.append(Y[:11], Y[0])
         path = uff(tmp_path / "a.uff", units(), table, *(curve(i + 1, VALUES[:, i]) for i in range(12)))
         scan = read_scan(path)
-        assert [str(one) for one in scan.report.dropped] == [
+        assert [str(point) for point in scan.report.dropped] == [
             "point 12 (data set 14 (type 58)): lies at the position of point 1"
         ]
 
@@ -456,13 +456,13 @@ class TestWriter:
         coherence = np.linspace(0, 1, 96).reshape(8, 12)
         write_uff(response(coherence=coherence, title="Größe"), tmp_path / "a.uff")
         sets = _sets(tmp_path / "a.uff")
-        assert [one["type"] for one in sets] == [164, 2411] + [58] * 24
+        assert [data_set["type"] for data_set in sets] == [164, 2411] + [58] * 24
         assert sets[1]["x"].tolist() == X.tolist()
-        for i, one in enumerate(sets[2:14]):
-            assert (one["func_type"], one["rsp_node"], one["rsp_dir"]) == (4, i + 1, 3)
-            assert one["data"] == pytest.approx(VALUES[:, i], rel=1e-11, abs=1e-300)
-            assert one["x"].tolist() == LINES.tolist()
-            assert (one["ordinate_axis_units_lab"], one["orddenom_axis_units_lab"]) == ("m/s", "V")
+        for i, data_set in enumerate(sets[2:14]):
+            assert (data_set["func_type"], data_set["rsp_node"], data_set["rsp_dir"]) == (4, i + 1, 3)
+            assert data_set["data"] == pytest.approx(VALUES[:, i], rel=1e-11, abs=1e-300)
+            assert data_set["x"].tolist() == LINES.tolist()
+            assert (data_set["ordinate_axis_units_lab"], data_set["orddenom_axis_units_lab"]) == ("m/s", "V")
         assert sets[14]["data"] == pytest.approx(coherence[:, 0], rel=1e-11)
 
     def test_sdypy_reads_what_was_written(self, tmp_path):
@@ -502,15 +502,15 @@ class TestWriter:
 
     def test_evenly_spaced_lines_are_written_by_their_spacing(self, tmp_path):
         write_uff(response(), tmp_path / "a.uff")
-        assert all(one["abscissa_spacing"] == 1 for one in _sets(tmp_path / "a.uff")[2:])
+        assert all(data_set["abscissa_spacing"] == 1 for data_set in _sets(tmp_path / "a.uff")[2:])
         lines = np.array([100.0, 207.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0])
         write_uff(response(frequency=lines), tmp_path / "b.uff")
-        assert all(one["abscissa_spacing"] == 0 for one in _sets(tmp_path / "b.uff")[2:])
+        assert all(data_set["abscissa_spacing"] == 0 for data_set in _sets(tmp_path / "b.uff")[2:])
 
     def test_points_keep_their_numbers(self, tmp_path):
         numbers = [str(7 * i + 3) for i in range(12)]
         write_uff(response(inputs={"points": numbers}), tmp_path / "a.uff")
-        assert [f"{one['rsp_node']}" for one in _sets(tmp_path / "a.uff")[2:]] == numbers
+        assert [f"{data_set['rsp_node']}" for data_set in _sets(tmp_path / "a.uff")[2:]] == numbers
         again = read_scan(tmp_path / "a.uff").response
         assert json.loads(again.dataset.attrs["inputs"])["points"] == numbers
 
@@ -535,9 +535,9 @@ class TestWriter:
      ("NONE", None, "", 1), ("Pa", None, "Pa", 1), ("min", None, "min", 1), ("furlong", None, "furlong", 1)],
 )  # fmt: skip
 def test_labels(text, motion, unit, factor):
-    found = label_of(text)
-    assert (found.motion, found.unit) == (motion, unit)
-    assert found.factor == pytest.approx(factor)
+    label = label_of(text)
+    assert (label.motion, label.unit) == (motion, unit)
+    assert label.factor == pytest.approx(factor)
 
 
 @pytest.mark.parametrize(
@@ -548,9 +548,9 @@ def test_labels(text, motion, unit, factor):
      ("g²/Hz", None, "", 1), ("V/V", None, "", 1)],
 )  # fmt: skip
 def test_ratios(text, motion, under, factor):
-    found = ratio_of(text)
-    assert (found.over.motion, found.under.unit) == (motion, under)
-    assert found.factor == pytest.approx(factor)
+    ratio = ratio_of(text)
+    assert (ratio.over.motion, ratio.under.unit) == (motion, under)
+    assert ratio.factor == pytest.approx(factor)
 
 
 def test_noise_is_not_constant():

@@ -53,8 +53,8 @@ class TestUnits:
         path = folder(tmp_path / "scan", ["frequency [Hz]", "amplitude [m/s/V]", "phase"], self.ROWS)
         error = refused(lambda: read_scan(path), code="missing", argument="phase_unit")
         assert "--phase-unit rad" in error.command
-        found = read_scan(path, phase_unit="rad").response.values[0, 0, 0]
-        assert found == pytest.approx(np.exp(1.5j))
+        value = read_scan(path, phase_unit="rad").response.values[0, 0, 0]
+        assert value == pytest.approx(np.exp(1.5j))
 
     @pytest.mark.parametrize(
         "head",
@@ -94,8 +94,8 @@ class TestUniversalFiles:
         error = refused(lambda: read_scan(path), "no coordinates", code="missing", argument="scan")
         assert "--at" in error.command
         assert "(path, at=" in error.next_step
-        found = read_scan(path, at="1 mm, 2 mm; 3 mm, 2 mm").response
-        assert found.points == pytest.approx(np.array([[1e-3, 2e-3], [3e-3, 2e-3]]))
+        response = read_scan(path, at="1 mm, 2 mm; 3 mm, 2 mm").response
+        assert response.points == pytest.approx(np.array([[1e-3, 2e-3], [3e-3, 2e-3]]))
         refused(lambda: read_scan(path, at="1 mm, 2 mm"), "for 2 points", code="mismatch", argument="at")
 
     def test_what_is_dropped_is_counted_by_kind(self, tmp_path):
@@ -181,8 +181,8 @@ def test_places_of_two_points_at_two_frequencies(tmp_path):
     error = refused(lambda: read_scan(tmp_path / "a.h5", points_in="rows"), code="conflict")
     assert "--at" in error.command
     at = f"{X[0]} m, {Y[0]} m; {X[1]} m, {Y[1]} m"
-    found = read_scan(tmp_path / "a.h5", points_in="columns", at=at).response
-    assert found.values[..., 0] == pytest.approx(VALUES[:2, :2])
+    response = read_scan(tmp_path / "a.h5", points_in="columns", at=at).response
+    assert response.values[..., 0] == pytest.approx(VALUES[:2, :2])
 
 
 @pytest.mark.parametrize("word", ["units", "unit", "Unit"])
@@ -193,10 +193,10 @@ def test_units_are_attributes_of_hdf5_data_sets(tmp_path, word):
         for name, (values, unit) in sets.items():
             file[name] = values
             file[name].attrs[word] = unit
-    found = read_scan(tmp_path / "a.h5").response
-    assert found.values[..., 0] == pytest.approx(VALUES)
-    assert found.frequency == pytest.approx(LINES)
-    assert found.points == pytest.approx(np.column_stack([X, Y]))
+    response = read_scan(tmp_path / "a.h5").response
+    assert response.values[..., 0] == pytest.approx(VALUES)
+    assert response.frequency == pytest.approx(LINES)
+    assert response.points == pytest.approx(np.column_stack([X, Y]))
 
 
 @pytest.mark.parametrize("side", ["rows", "columns"])
@@ -207,5 +207,5 @@ def test_as_many_points_as_frequencies(tmp_path, side):
         file["frequency"], file["x"], file["y"] = LINES, X[few], Y[few]
     error = refused(lambda: read_scan(tmp_path / "a.h5"), code="conflict", argument="frf")
     assert "--points-in rows" in error.command
-    found = read_scan(tmp_path / "a.h5", points_in=side).response
-    assert found.values[..., 0] == pytest.approx(square)
+    response = read_scan(tmp_path / "a.h5", points_in=side).response
+    assert response.values[..., 0] == pytest.approx(square)

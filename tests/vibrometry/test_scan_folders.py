@@ -1,4 +1,4 @@
-"""A folder that is no scan: what is said of it."""
+"""Errors of folders that are no scan."""
 
 from __future__ import annotations
 
@@ -57,14 +57,14 @@ def test_a_folder_as_some_logger_writes_it(tmp_path_factory, form, unit, order, 
         for name, (x, y) in places.items()
     ]
     (folder / table).write_text(
-        rows([heads[one] for one in order], *([row[one] for one in order] for row in cells))
+        rows([heads[column] for column in order], *([row[column] for column in order] for row in cells))
     )
     for number, name in enumerate(places, start=1):
         lines = [[text(f), text(number), text(-0.5)] for f in (1e3, 2e3, 3e3)]
         (folder / name).write_text(rows(["f [Hz]", "Re [(mm/s)/V]", "Im [(mm/s)/V]"], *lines))
-    found = read_scan(folder).response
-    assert found.points == pytest.approx(np.array([*places.values()]))
-    assert found.values[0, :, 0] == pytest.approx(1e-3 * np.array([1 - 0.5j, 2 - 0.5j, 3 - 0.5j]))
+    response = read_scan(folder).response
+    assert response.points == pytest.approx(np.array([*places.values()]))
+    assert response.values[0, :, 0] == pytest.approx(1e-3 * np.array([1 - 0.5j, 2 - 0.5j, 3 - 0.5j]))
 
 
 @pytest.mark.parametrize("heads", ["file,x", "datei,x,y", "1,2,3"])

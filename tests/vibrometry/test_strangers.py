@@ -21,33 +21,33 @@ LONG = settings(max_examples=3000, deadline=None, suppress_health_check=list(Hea
 
 
 def outcome(stranger) -> str:
-    """ "right", "refused", "warned" or "wrong"; a scan of which file and options say all must be read."""
-    with tempfile.TemporaryDirectory() as place, warnings.catch_warnings(record=True) as said:
+    """ "right", "refused", "warned" or "wrong"; a scan whose file and options are complete must be read."""
+    with tempfile.TemporaryDirectory() as place, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         path = written(stranger, Path(place))
-        said.clear()
+        caught.clear()
         try:
             scan = read_scan(path, **stranger.options)
         except HaptonicError as error:
             if stranger.complete or not all(error.parts().values()):
                 raise
             return "refused"
-    found = scan.response
+    response = scan.response
     values, quantity = expected(stranger)
     size = np.abs(values).max()
     right = (
-        found.dataset.attrs["quantity"] == quantity
-        and found.values[..., 0].shape == values.shape
-        and np.abs(found.values[..., 0] - values).max() <= SLACK * size
-        and np.allclose(found.points, np.column_stack([stranger.x, stranger.y]), rtol=0, atol=1e-9)
-        and np.allclose(found.frequency, stranger.frequency, rtol=1e-6)
+        response.dataset.attrs["quantity"] == quantity
+        and response.values[..., 0].shape == values.shape
+        and np.abs(response.values[..., 0] - values).max() <= SLACK * size
+        and np.allclose(response.points, np.column_stack([stranger.x, stranger.y]), rtol=0, atol=1e-9)
+        and np.allclose(response.frequency, stranger.frequency, rtol=1e-6)
     )
     if right:
         return "right"
     if stranger.said or stranger.container == "uff" or "unit" in stranger.options:
         return "wrong"
     # A file without units, read by somebody who gives none: a warning, or a remark on the assumed unit.
-    if any(issubclass(one.category, HaptonicWarning) for one in said):
+    if any(issubclass(warning.category, HaptonicWarning) for warning in caught):
         return "warned"
     assumed = [
         remark
