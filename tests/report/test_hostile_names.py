@@ -52,11 +52,11 @@ def trials(request, tmp_path_factory):
     """Trials of four people on two guides, all of them called badly."""
     *people, first, second = GROUPS[request.param]
     guides = {"WG1": first, "WG2": second}
-    made = [
+    labelled = [
         (replace(label, waveguide=guides[label.waveguide], participant=label.participant), record)
         for label, record in made_up(len(people), 2, 4)
     ]
-    folder = written(tmp_path_factory.mktemp("trials"), made)
+    folder = written(tmp_path_factory.mktemp("trials"), labelled)
     table = folder / "trials.csv"
     numbers = {f"P{k}": name for k, name in enumerate(people, start=1)}
     rows = rows_of(table)
@@ -75,11 +75,11 @@ def test_tables_hold_the_names_and_no_formula(trials, tmp_path):
         write(tmp_path / name)
     for name in ("trials.csv", "conditions.csv"):
         rows = rows_of(tmp_path / name)
-        found = {from_cell(row["participant"]) for row in rows} - {"all participants"}
-        assert found == set(people)
+        participants = {from_cell(row["participant"]) for row in rows} - {"all participants"}
+        assert participants == set(people)
         assert {from_cell(row["waveguide"]) for row in rows} == set(guides)
         cells = [row[column] for row in rows for column in ("participant", "waveguide")]
-        assert not [one for one in cells if re.match(r"[=+\-@](?![\d.]+$)", one)]
+        assert not [text for text in cells if re.match(r"[=+\-@](?![\d.]+$)", text)]
     with xr.open_dataset(tmp_path / "trials.nc", engine="h5netcdf") as file:
         assert set(file["participant"].values.tolist()) == set(people)
 
@@ -100,8 +100,8 @@ def test_pictures_and_terminal_show_them(trials, tmp_path):
     voice = Voice(machine=False)
     voice.out.file, voice.out.width = io.StringIO(), 4000
     show(result, voice, every=True)
-    said = "".join(voice.out.file.getvalue().split())
-    assert all("".join(name.split()) in said for name in guides)
+    printed = "".join(voice.out.file.getvalue().split())
+    assert all("".join(name.split()) in printed for name in guides)
     assert len(people) == 4
 
 

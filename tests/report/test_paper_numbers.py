@@ -1,4 +1,4 @@
-"""Every number of the publication is in one file, and each row is compared with ours or says why not."""
+"""The numbers of the publication are in one file; each is compared with ours, or a reason is given."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ NUMBERS = (
 
 
 def test_every_number_of_the_publication_is_a_row():
-    there = {number for one in PAPER.value for number in re.findall(r"-?\d+\.?\d*", one.value)}
-    assert [one for one in NUMBERS.split() if one not in there] == []
+    there = {number for value in PAPER.value for number in re.findall(r"-?\d+\.?\d*", value.value)}
+    assert [value for value in NUMBERS.split() if value not in there] == []
     assert PAPER.friction == pytest.approx({"driven": 0.55, "idle": 0.11, "stopped": 0.80})
     for pair in ("M7 and M8", "M3, M4, M5 and M6"):
-        assert pair in {one.value for one in PAPER.value}
+        assert pair in {value.value for value in PAPER.value}
 
 
 def test_every_input_is_a_key_of_the_study_and_derived_numbers_are_found():
@@ -70,7 +70,7 @@ def test_words_that_mean_the_same_agree_and_others_differ():
         quantity="M1 and M2", value="paired", analysis="a", path="m.0", to="m.1", means=("bending",)
     )
     words = {"same": ["bending", "bending"], "other": ["bending", "torsion"]}
-    same, other = (compared(References(value=(value,)), {"a": {"m": one}})[0] for one in words.values())
+    same, other = (compared(References(value=(value,)), {"a": {"m": means}})[0] for means in words.values())
     assert (same.difference, same.agrees) == ("none", True)
     assert (other.difference, other.agrees) == ("differs", False)
 

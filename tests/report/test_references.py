@@ -18,8 +18,9 @@ from hostile import names
 
 @given(st.lists(names, min_size=2, max_size=2, unique=True), names)
 def test_a_path_reaches_whatever_it_is_called(two, mode):
-    one, other = two
-    assume(not one.startswith(f"{other}.") and not other.startswith(f"{one}."))  # else the longer is meant
+    first, second = two
+    # otherwise the longer one is meant
+    assume(not first.startswith(f"{second}.") and not second.startswith(f"{first}."))
     answer = {"guides": {name: {mode: number} for number, name in enumerate(two)},
               "pairs": [{"pair": name, "contrast": number} for number, name in enumerate(two)]}  # fmt: skip
     for number, name in enumerate(two):
@@ -52,9 +53,9 @@ def test_a_variant_changes_what_its_file_gives_by_keys():
     site = tuple({"at": (at, at), "pillar": Pillar(2e-3, high)} for at, high in ((0.0, 5e-3), (0.5, 6e-3)))
     lattice = Lattice.rectangular(7e-3, 6e-3)
     study = Study(cell=UnitCell(lattice, 1.5e-3, material("aluminium-paper"), site=site))
-    found = changed(study, {"cell.site[2].pillar.height": "7 mm", "material": "steel"}, "variant")
-    assert [pillar.height for pillar in found.cell.pillars] == [5e-3, 7e-3]
-    assert found.cell.material == material("steel")
+    variant = changed(study, {"cell.site[2].pillar.height": "7 mm", "material": "steel"}, "variant")
+    assert [pillar.height for pillar in variant.cell.pillars] == [5e-3, 7e-3]
+    assert variant.cell.material == material("steel")
     assert changed(study, {}, "variant").cell == study.cell
     with refusing(StudyError, "unknown", "cell.thicknes"):
         changed(study, {"cell.thicknes": "1 mm"}, "variant")

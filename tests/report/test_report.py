@@ -1,4 +1,4 @@
-"""The report: one file that stands alone, says what is missing, and shows the numbers that it was given."""
+"""The report: a self-contained file that names what is missing, and shows the numbers that it was given."""
 
 from __future__ import annotations
 
@@ -156,9 +156,9 @@ class TestOneFile:
     def test_findings_lead_to_the_picture_that_shows_them(self, whole):
         figures = dict(re.findall(r'<figure id="([^"]*)">.*?<figcaption>(.*?)</figcaption>', whole, re.S))
         assert list(figures) == [f"picture-{k}" for k in range(1, 10)]
-        said = {text: re.findall(r'<a href="#([^"]*)">(.*?)</a>', text)
+        findings = {text: re.findall(r'<a href="#([^"]*)">(.*?)</a>', text)
                 for text in re.findall(r"<li>(.*?)</li>", whole.split("</nav>")[1])}  # fmt: skip
-        for text, links in said.items():
+        for text, links in findings.items():
             for anchor, words in links:
                 assert figures[anchor].startswith(f"<strong>{words}.</strong>")
             shown = "dispersion" if "omplete gap from" in text else "energy" if "energy" in text else ""
@@ -181,7 +181,7 @@ class TestOneFile:
         assert len(set(identifiers)) == len(identifiers)
         past_the_contents, *targets = [link["href"].removeprefix("#") for link in reader.of("a")]
         assert past_the_contents == "dispersion"
-        chapters = [one for one in targets if not one.startswith("picture-")]
+        chapters = [anchor for anchor in targets if not anchor.startswith("picture-")]
         assert chapters == ["dispersion", "modes", "sweeps", "mirror", "comparison", "appendix"]
         assert set(targets) <= set(identifiers)
 
@@ -209,7 +209,7 @@ class TestOneFile:
         with refusing(ResourceError, "repeated", "output file"):
             write_report(results(), path)
         assert path.read_text() == "mine"
-        assert [one.name for one in tmp_path.iterdir()] == ["report.html"]
+        assert [path.name for path in tmp_path.iterdir()] == ["report.html"]
 
 
 @pytest.mark.usefixtures("empty_pictures")
@@ -274,16 +274,18 @@ class TestChaptersLeftOut:
 
     def test_a_plate_without_a_pillar_has_a_report(self):
         cell = reference_study().cell.without_pillar()
-        made = read(page(results(study=study_with(cell=cell, sweep_settings=()), sweeps=())))
-        assert "pitch 7 mm; plate 1.5 mm" in made.text
+        report = read(page(results(study=study_with(cell=cell, sweep_settings=()), sweeps=())))
+        assert "pitch 7 mm; plate 1.5 mm" in report.text
 
     def test_every_chapter_is_present_or_gives_a_reason(self):
-        left_out = [one.title for one in (c(mirrored()) for c in IN_ORDER) if isinstance(one, Absent)]
+        left_out = [
+            chapter.title for chapter in (c(mirrored()) for c in IN_ORDER) if isinstance(chapter, Absent)
+        ]
         without = ["Plate", "Simulated scan", "Friction at a fingertip", "Friction trials"]
         assert left_out == without, "no plate was computed here"
         for chapter in IN_ORDER:
-            made = chapter(results(study=study_with(sweep_settings=()), sweeps=()))
-            assert isinstance(made, Chapter | Absent)
+            answer = chapter(results(study=study_with(sweep_settings=()), sweeps=()))
+            assert isinstance(answer, Chapter | Absent)
 
 
 @pytest.mark.usefixtures("empty_pictures")
@@ -341,14 +343,14 @@ class TestWords:
         assert "http" not in text
 
     @pytest.mark.parametrize(
-        ("carrier", "said"),
+        ("carrier", "words"),
         [(56e3, "lies inside the gap"), (40e3, "lies in no complete gap"), (60.0e3, "close enough")],
     )
-    def test_the_carrier_is_judged(self, carrier, said):
+    def test_the_carrier_is_judged(self, carrier, words):
         bands = reference_bands()
         bands["gap_upper_error"][0] = 30.0
-        made = dispersion.chapter(results(bands=bands.assign_attrs(carrier_hz=carrier)))
-        assert said in " ".join(made.findings)
+        chapter = dispersion.chapter(results(bands=bands.assign_attrs(carrier_hz=carrier)))
+        assert words in " ".join(chapter.findings)
 
     @pytest.mark.parametrize(
         ("carrier", "step"),
@@ -368,8 +370,8 @@ class TestWords:
     def test_a_carrier_within_the_error_of_an_edge_is_not_called_safe(self):
         bands = reference_bands()
         carrier = float(bands["gap_upper"][0]) - 0.5 * float(bands["gap_upper_error"][0])
-        made = dispersion.chapter(results(bands=bands.assign_attrs(carrier_hz=carrier)))
-        assert "within the error of that edge" in made.findings[-2]
+        chapter = dispersion.chapter(results(bands=bands.assign_attrs(carrier_hz=carrier)))
+        assert "within the error of that edge" in chapter.findings[-2]
 
 
 class TestComparison:
@@ -437,14 +439,14 @@ def test_a_key_is_broken_at_its_dots_and_nowhere_else(whole):
 
 
 def test_every_number_of_a_mesh_has_words_and_every_tile_its_column():
-    assert set(MESH) == {one.name for one in fields(MeshPlan)}
+    assert set(MESH) == {field.name for field in fields(MeshPlan)}
     bands = reference_bands()
     plan = json.loads(bands.attrs["mesh"])
     bands.attrs["mesh"] = json.dumps([plan, plan | {"pillar_layers": 17}])
-    (told,) = (one for one in _appendix(results(bands=bands)).tables if one.title.startswith("Mesh"))
-    assert told.head == ("What", "Tile 1", "Tile 2")
+    (table,) = (table for table in _appendix(results(bands=bands)).tables if table.title.startswith("Mesh"))
+    assert table.head == ("What", "Tile 1", "Tile 2")
     layers = str(plan["pillar_layers"])
-    assert [row[1:] for row in told.texts if row[0] == MESH["pillar_layers"]] == [(layers, "17")]
+    assert [row[1:] for row in table.texts if row[0] == MESH["pillar_layers"]] == [(layers, "17")]
 
 
 def test_a_mesh_of_discs_is_described_by_its_layers_and_rings():
@@ -460,9 +462,9 @@ def test_a_mesh_of_discs_is_described_by_its_layers_and_rings():
 
 def test_an_accuracy_that_was_not_reached_is_a_finding():
     bands = reference_bands()
-    for told, said in ((0.0312, True), (0.002, False)):
-        made = dispersion.chapter(results(bands=bands.assign_attrs(largest_error=told, accuracy=2e-3)))
-        assert ("errors go up to 0.032 of a frequency" in str(made.findings[-1])) == said
+    for error, reported in ((0.0312, True), (0.002, False)):
+        chapter = dispersion.chapter(results(bands=bands.assign_attrs(largest_error=error, accuracy=2e-3)))
+        assert ("errors go up to 0.032 of a frequency" in str(chapter.findings[-1])) == reported
 
 
 def test_a_result_that_no_chapter_knows_has_a_plain_one(empty_pictures):
@@ -473,7 +475,7 @@ def test_a_result_that_no_chapter_knows_has_a_plain_one(empty_pictures):
 
 @pytest.mark.usefixtures("undrawn_mirror")
 class TestMirror:
-    """With A0 at normal incidence a row more takes so many dB more, made up: 7 dB are 21 dB in three rows."""
+    """Simulated: with A0 at normal incidence a row adds so many dB, and three rows of 7 dB give 21 dB."""
 
     def mirror(self, per_row: float = 7.0, own: float = 0.25, **changes) -> Results:
         layers = reference_layers()
@@ -488,7 +490,7 @@ class TestMirror:
         return " ".join(mirror.chapter(self.mirror(per_row, **changes)).findings)
 
     def decaying(self, per_row: float, **changes):
-        """The prototype's waveguide, its mode fading by so many dB per row."""
+        """The prototype's waveguide, whose mode decays by so many dB per row."""
         guides = reference_guides()
         (strip,) = guides.strips
         return replace(guides, strips=(replace(strip, decay=per_row, **changes),))
@@ -497,11 +499,11 @@ class TestMirror:
         ("per_row", "verdict"), [(6.6, "no total"), (6.7, "almost total"), (25.0, "almost total")]
     )
     def test_three_rows_are_judged_by_their_insulation(self, per_row, verdict):
-        said = self.said(per_row)
-        assert f"insertion loss {3 * per_row:.1f} dB, {verdict} reflection" in said
-        assert f"transmit {100 * 10 ** (-0.3 * per_row):.1f} % of the energy" in said
+        text = self.said(per_row)
+        assert f"insertion loss {3 * per_row:.1f} dB, {verdict} reflection" in text
+        assert f"transmit {100 * 10 ** (-0.3 * per_row):.1f} % of the energy" in text
         assert (
-            f"other kinds of waves the insertion loss is {3 * per_row - 10 * np.log10(0.25):.1f} dB" in said
+            f"other kinds of waves the insertion loss is {3 * per_row - 10 * np.log10(0.25):.1f} dB" in text
         )
 
     def test_the_best_frequency_lies_in_the_gap(self):
@@ -513,8 +515,8 @@ class TestMirror:
         passed.loc[{"frequency": layers.dataset["frequency"][2], "rows": 4}] = (
             1e-9  # of another number of rows
         )
-        said = " ".join(mirror.chapter(mirrored(layers=layers)).findings)
-        assert "Within the gap the insertion loss of three rows is largest at 54.0 kHz: 24 dB." in said
+        text = " ".join(mirror.chapter(mirrored(layers=layers)).findings)
+        assert "Within the gap the insertion loss of three rows is largest at 54.0 kHz: 24 dB." in text
         without = replace(layers, gap=None)
         assert "Within the gap" not in " ".join(mirror.chapter(mirrored(layers=without)).findings)
         few = replace(layers, dataset=layers.dataset.isel(rows=slice(2)))
@@ -524,11 +526,11 @@ class TestMirror:
         layers = reference_layers()
         for name in ("transmitted", "reflected"):
             layers.dataset[f"carrier_{name}"].loc[{"incident": "A0"}] = np.nan
-        made = mirror.chapter(mirrored(layers=layers))
-        assert len(made.findings) == 1
-        assert made.findings[0].startswith("The waves of the waveguide's mode")
+        chapter = mirror.chapter(mirrored(layers=layers))
+        assert len(chapter.findings) == 1
+        assert chapter.findings[0].startswith("The waves of the waveguide's mode")
         heads = "incident S0 / dB", "incident SH0 / dB", "S0 alone / dB", "SH0 alone / dB"
-        assert made.tables[0].head == ("rows", *heads)
+        assert chapter.tables[0].head == ("rows", *heads)
 
     def test_the_angle_of_the_mode_is_that_of_its_two_wavenumbers(self):
         (strip,) = reference_guides().strips
@@ -562,7 +564,7 @@ class TestTrend:
         assert (trend.below, len(trend.value)) == (6, 9)
 
     def test_the_standard_error_is_that_of_the_textbook(self):
-        """Slopes of many noisy samples scatter as much as the fit says."""
+        """The slopes of many noisy samples scatter by the standard error of the fit."""
         random = np.random.default_rng(1)
         value = np.linspace(1, 2, 12)
         fits = [fitted_power(value, value**1.5 * np.exp(0.01 * random.normal(size=12))) for _ in range(800)]
@@ -575,11 +577,11 @@ class TestTrend:
         assert trend_of(made_up_sweep(exponent=2.0)).straightness > 1e3
 
     @pytest.mark.parametrize(
-        ("exponent", "said"), [(0.8, "is a straight line"), (3.0, "deviates from a straight line")]
+        ("exponent", "words"), [(0.8, "is a straight line"), (3.0, "deviates from a straight line")]
     )
-    def test_a_bent_edge_is_not_called_straight(self, exponent, said):
-        made = sweeps.chapter(results(sweeps=(made_up_sweep(exponent=exponent),)))
-        assert said in made.findings[1]
+    def test_a_bent_edge_is_not_called_straight(self, exponent, words):
+        chapter = sweeps.chapter(results(sweeps=(made_up_sweep(exponent=exponent),)))
+        assert words in chapter.findings[1]
 
     def test_the_gap_is_followed_without_a_break(self):
         sweep = made_up_sweep()
@@ -663,8 +665,8 @@ class TestFirstScreen:
             assert seen.count("<li>") <= 3
             assert "<figure" not in seen
             assert "<table" not in seen
-            told = re.findall(r"<li>(.*?)</li>", section)
-            assert len(set(told)) == len(told)
+            findings = re.findall(r"<li>(.*?)</li>", section)
+            assert len(set(findings)) == len(findings)
             more = re.search(r"(\d+) more finding", folded)
             assert (int(more[1]) if more else 0) == folded.count("<li>")
 
@@ -675,5 +677,5 @@ class TestFirstScreen:
 
 
 def svgs(content: str) -> str:
-    found = re.findall(r"data:image/svg\+xml;base64,([^\"]*)", content)
-    return "".join(base64.b64decode(one).decode() for one in found)
+    pictures = re.findall(r"data:image/svg\+xml;base64,([^\"]*)", content)
+    return "".join(base64.b64decode(picture).decode() for picture in pictures)

@@ -60,14 +60,14 @@ def test_the_scan_returns_the_plate_that_it_was_made_of(plate, scan):
 
 @pytest.mark.parametrize("known", [References(title="the paper", figures={"scan": "Fig. 5D"}), None])
 def test_the_chapter_sets_scan_and_plate_side_by_side(study, plate, scan, known):
-    made = chapter(Results(study, {"plate": plate, "scan": scan}, references=known))
-    assert isinstance(made, Chapter)
-    assert "The records are simulated" in made.paragraphs[0]
-    assert "126 lines 400 Hz apart" in made.paragraphs[0]
-    assert all(picture.caption.startswith("Simulated") for picture in made.pictures)
-    assert ("(Fig. 5D of the paper)" in made.pictures[0].caption) == (known is not None)
-    assert len([axes for axes in made.pictures[0].figure.axes if axes.images]) == 2 * len(scan.shapes)
-    levels, gaps = made.tables
+    written = chapter(Results(study, {"plate": plate, "scan": scan}, references=known))
+    assert isinstance(written, Chapter)
+    assert "The records are simulated" in written.paragraphs[0]
+    assert "126 lines 400 Hz apart" in written.paragraphs[0]
+    assert all(picture.caption.startswith("Simulated") for picture in written.pictures)
+    assert ("(Fig. 5D of the paper)" in written.pictures[0].caption) == (known is not None)
+    assert len([axes for axes in written.pictures[0].figure.axes if axes.images]) == 2 * len(scan.shapes)
+    levels, gaps = written.tables
     frequency = scan.shapes[0]
     ours = plate.contrasts(plate.response.at(frequency))["WG1 over WG2"]
     seen = float(scan.contrasts["WG1 over WG2"].sel(frequency=frequency))
@@ -76,8 +76,8 @@ def test_the_chapter_sets_scan_and_plate_side_by_side(study, plate, scan, known)
     assert named["high contrast, simulated scan"][0].startswith(
         uncertain(scan.measured.lower / 1e3, scan.measured.lower_error / 1e3)
     )
-    assert "at 126 of 126 frequencies" in made.findings[0]
-    assert "at 126 of them" in made.findings[0]
+    assert "at 126 of 126 frequencies" in written.findings[0]
+    assert "at 126 of them" in written.findings[0]
 
 
 def test_without_a_scan_there_is_no_chapter(study, plate):

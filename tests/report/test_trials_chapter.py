@@ -1,4 +1,4 @@
-"""The report's chapter on friction trials, from made-up records."""
+"""The report's chapter on friction trials, from simulated records."""
 
 import re
 from types import SimpleNamespace
@@ -26,16 +26,16 @@ KNOWN = References(friction={"driven": 0.55, "idle": 0.11, "stopped": 0.8})
 
 @pytest.mark.parametrize("known", [KNOWN, None])
 def test_known_measured_numbers_are_printed_next_to_ours(result, known):
-    made = chapter(Results(SimpleNamespace(), {"friction": result}, references=known))
-    assert isinstance(made, Chapter)
-    words = " ".join(made.findings)
+    written = chapter(Results(SimpleNamespace(), {"friction": result}, references=known))
+    assert isinstance(written, Chapter)
+    words = " ".join(written.findings)
     for share in KNOWN.friction.values():
         assert (f"measured: {100 * share:.0f} %" in words) == (known is not None)
     first = re.search(r"WG1: friction falls by (\d+) %", words)
     assert float(first[1]) == pytest.approx(100 * result.found.reductions["WG1"].value, abs=0.51)
-    assert len(made.tables[0].rows) == 6
-    assert result.found.conclusions[0] in made.findings
-    assert averages() in made.paragraphs
+    assert len(written.tables[0].rows) == 6
+    assert result.found.conclusions[0] in written.findings
+    assert averages() in written.paragraphs
 
 
 def test_simulated_results_are_marked(result):

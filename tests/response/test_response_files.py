@@ -14,13 +14,13 @@ from haptonic.errors import ResourceError, ResponseError
 from haptonic.response import read, write
 
 
-def assert_same(found, response):
-    xr.testing.assert_identical(found.dataset, response.dataset)
+def assert_same(loaded, response):
+    xr.testing.assert_identical(loaded.dataset, response.dataset)
     for name, variable in response.dataset.variables.items():
-        assert found.dataset[name].dtype.kind == variable.dtype.kind
+        assert loaded.dataset[name].dtype.kind == variable.dtype.kind
         if variable.dtype.kind != "U":
-            assert found.dataset[name].dtype == variable.dtype
-            assert found.dataset[name].values.tobytes() == variable.values.tobytes()
+            assert loaded.dataset[name].dtype == variable.dtype
+            assert loaded.dataset[name].values.tobytes() == variable.values.tobytes()
 
 
 @pytest.mark.parametrize("precision", [np.complex64, np.complex128])
@@ -39,9 +39,9 @@ def test_round_trip_of_everything(tmp_path, precision):
 def test_round_trip_of_the_least(tmp_path):
     response = made(region=None, title="", inputs=None, reference="", origin="measured").at(40e3)
     write(response, tmp_path / "a.nc")
-    found = read(tmp_path / "a.nc")
-    assert_same(found, response)
-    assert found.regions == ()
+    loaded = read(tmp_path / "a.nc")
+    assert_same(loaded, response)
+    assert loaded.regions == ()
 
 
 @given(

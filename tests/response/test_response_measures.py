@@ -28,19 +28,19 @@ class TestMac:
         assert mac(there, there.conj()) == pytest.approx(np.array([[0.0]]), abs=1e-30)
 
     @given(seeds, factors, factors)
-    def test_neither_size_nor_phase_counts(self, seed, one, other):
+    def test_neither_size_nor_phase_counts(self, seed, factor, other_factor):
         a, b = numbers((3, 7), seed), numbers((2, 7), seed + 1)
-        assert mac(one * a, other * b) == pytest.approx(mac(a, b), rel=1e-9, abs=1e-12)
+        assert mac(factor * a, other_factor * b) == pytest.approx(mac(a, b), rel=1e-9, abs=1e-12)
 
     @given(seeds, st.integers(1, 6))
     def test_between_0_and_1_unity_on_itself_and_symmetric(self, seed, points):
         a, b = numbers((3, points), seed), numbers((4, points), seed + 1)
-        found = mac(a, b)
-        assert found.shape == (3, 4)
-        assert found.min() >= 0
-        assert found.max() <= 1
+        criterion = mac(a, b)
+        assert criterion.shape == (3, 4)
+        assert criterion.min() >= 0
+        assert criterion.max() <= 1
         assert np.diag(mac(a, a)) == pytest.approx(np.ones(3))
-        assert mac(b, a) == pytest.approx(found.T)
+        assert mac(b, a) == pytest.approx(criterion.T)
 
     @given(seeds)
     def test_a_rotation_of_all_shapes_changes_nothing(self, seed):
@@ -88,11 +88,11 @@ class TestRegions:
         x = np.arange(32) / 32
         shape = (1 + LINES[:, None] / 100e3) * np.sin(2 * np.pi * 3 * x) * np.exp(0.7j)
         response = made(response=shape[..., None], x=x, y=np.zeros(32), region=["WG1"] * 32)
-        found = rms(response, "WG1")
-        assert found.values == pytest.approx((1 + LINES / 100e3) / np.sqrt(2))
-        assert found["frequency"].values == pytest.approx(LINES)
-        assert found.attrs["units"] == "m/s/V"
-        assert average_spectrum(response).values == pytest.approx(found.values)
+        spectrum = rms(response, "WG1")
+        assert spectrum.values == pytest.approx((1 + LINES / 100e3) / np.sqrt(2))
+        assert spectrum["frequency"].values == pytest.approx(LINES)
+        assert spectrum.attrs["units"] == "m/s/V"
+        assert average_spectrum(response).values == pytest.approx(spectrum.values)
 
     def test_rms_of_a_region_is_that_of_its_points(self):
         response = made()
@@ -153,20 +153,20 @@ class TestRegions:
 class TestDisc:
     def test_an_even_amplitude_stays(self):
         values = np.full((6, 20, 1), 3.0) * np.exp(1j * np.arange(20))[:, None]
-        found = disc_average(made(response=values), 5e-3)
-        assert found.dims == ("frequency", "point")
-        assert found.values == pytest.approx(np.full((6, 20), 3.0))
-        assert found.attrs["units"] == "m/s/V"
-        assert list(found["region"].values) == list(made().dataset["region"].values)
+        average = disc_average(made(response=values), 5e-3)
+        assert average.dims == ("frequency", "point")
+        assert average.values == pytest.approx(np.full((6, 20), 3.0))
+        assert average.attrs["units"] == "m/s/V"
+        assert list(average["region"].values) == list(made().dataset["region"].values)
 
     @given(seeds, st.floats(1e-3, 12e-3))
     def test_it_is_the_mean_square_of_the_points_in_reach(self, seed, diameter):
         response = made(response=numbers((6, 20, 1), seed))
-        found = disc_average(response, diameter).values
+        average = disc_average(response, diameter).values
         for number, centre in enumerate(response.points):
             near = np.hypot(*(response.points - centre).T) <= diameter / 2 * (1 + 1e-12)
             by_hand = np.sqrt((np.abs(response.values[:, near, 0]) ** 2).mean(axis=1))
-            assert found[:, number] == pytest.approx(by_hand)
+            assert average[:, number] == pytest.approx(by_hand)
 
     def test_lobes_of_opposite_sign_do_not_cancel(self):
         """A wide disc over a standing wave sees its amplitude over the root of two, at every place."""
@@ -174,12 +174,12 @@ class TestDisc:
         x, y = (along.ravel() for along in np.meshgrid(side, side))
         wave = np.broadcast_to(np.cos(2 * np.pi * x / 8e-3)[None, :, None] + 0j, (1, 3600, 1))
         response = made(response=wave.copy(), frequency=np.array([58e3]), x=x, y=y, region=None)
-        found = disc_average(response, 20e-3).values[0]
+        average = disc_average(response, 20e-3).values[0]
         inner = (np.abs(x - 0.03) < 0.01) & (np.abs(y - 0.03) < 0.01)
-        assert found[inner] == pytest.approx(np.full(inner.sum(), 2**-0.5), rel=0.05)
+        assert average[inner] == pytest.approx(np.full(inner.sum(), 2**-0.5), rel=0.05)
 
     def test_the_rim_belongs_to_the_disc(self):
-        """Of a row of five, the middle one reaches its neighbours at 2 mm with a disc of just 4 mm."""
+        """The middle point of a row of five reaches its neighbours at 2 mm with a disc of just 4 mm."""
         values = np.array([1.0, 0, 0, 0, 0]) + 0j
         response = made(
             response=np.broadcast_to(values[None, :, None], (6, 5, 1)).copy(),
@@ -199,11 +199,11 @@ class TestDisc:
 class TestCmif:
     def test_one_reference_gives_the_sum_of_squares(self):
         response = made()
-        found = cmif([response])
-        assert found.dims == ("frequency", "value")
-        assert found.values[:, 0] == pytest.approx((np.abs(response.values) ** 2).sum(axis=(1, 2)))
-        assert found.values[:, 0] == pytest.approx(20 * average_spectrum(response).values ** 2)
-        assert found.attrs["units"] == "(m/s/V)^2"
+        values = cmif([response])
+        assert values.dims == ("frequency", "value")
+        assert values.values[:, 0] == pytest.approx((np.abs(response.values) ** 2).sum(axis=(1, 2)))
+        assert values.values[:, 0] == pytest.approx(20 * average_spectrum(response).values ** 2)
+        assert values.attrs["units"] == "(m/s/V)^2"
 
     @given(seeds)
     def test_they_are_the_eigenvalues_of_the_gram_matrix(self, seed):
@@ -214,11 +214,11 @@ class TestCmif:
 
     def test_two_modes_in_one_peak_are_distinguished_from_one(self):
         """Two references that see one mode alike leave one value; two modes leave two."""
-        one, other = numbers((1, 20), 1), numbers((1, 20), 2)
+        bending, torsion = numbers((1, 20), 1), numbers((1, 20), 2)
         force = np.ones((6, 1))
-        alike = [made(response=(force * factor * one)[..., None]) for factor in (1.0, 0.3j)]
+        alike = [made(response=(force * factor * bending)[..., None]) for factor in (1.0, 0.3j)]
         assert (cmif(alike).values[:, 1] < 1e-25 * cmif(alike).values[:, 0]).all()
-        both = [made(response=(force * shape)[..., None]) for shape in (one, other)]
+        both = [made(response=(force * shape)[..., None]) for shape in (bending, torsion)]
         assert (cmif(both).values[:, 1] > 0.1 * cmif(both).values[:, 0]).all()
 
     def test_responses_that_do_not_fit_are_refused(self):

@@ -51,9 +51,9 @@ def test_arrays_are_neither_copied_nor_open_to_changes():
 class TestLines:
     @pytest.mark.parametrize(("asked", "line"), [(0, 0), (9.9e3, 0), (10.1e3, 1), (59e3, 3), (100e3, 5)])
     def test_the_nearest_line(self, asked, line):
-        found = made().at(asked)
-        assert found.frequency == pytest.approx([LINES[line]])
-        assert np.array_equal(found.values, made().values[line : line + 1])
+        part = made().at(asked)
+        assert part.frequency == pytest.approx([LINES[line]])
+        assert np.array_equal(part.values, made().values[line : line + 1])
 
     @pytest.mark.parametrize("asked", [-1.0, 100.1e3, np.nan])
     def test_nothing_outside_of_the_range(self, asked):
@@ -155,8 +155,8 @@ class TestGrid:
         response = made(x=shaken[0], y=shaken[1], region=None)
         grid = response.grid()[:, 0].values
         assert np.isfinite(grid[0]).sum() == len(order)
-        found = grid[:, y[kept][order], x[kept][order]]
-        assert np.array_equal(found, response.values[:, :, 0])
+        placed = grid[:, y[kept][order], x[kept][order]]
+        assert np.array_equal(placed, response.values[:, :, 0])
 
     def test_one_row_and_one_point(self):
         assert made(x=X, y=np.zeros(5), region=None).grid().shape == (6, 1, 1, 5)

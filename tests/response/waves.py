@@ -1,4 +1,4 @@
-"""Responses that are made up, on a small grid of points."""
+"""Simulated responses on a small grid of points."""
 
 import numpy as np
 
