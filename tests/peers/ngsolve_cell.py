@@ -63,7 +63,7 @@ FOOT_RATIO = 0.08
 class PeerCell:
     """A rectangular plate cell with a pillar at its centre, isotropic and lossless; SI units, draft in rad.
 
-    The pillar is round or square, wide at its foot as `diameter` says; `fillet` is the radius of an arc that
+    The pillar is round or square and `diameter` wide at its foot; `fillet` is the radius of an arc that
     touches the plate's top and the pillar's side, for round pillars only. An upright pillar of another
     section has the corners (x, y) of a polygon, m, or an ellipse's half-axes and the angle of the first, rad.
     """
@@ -220,14 +220,14 @@ def meshed_sites(
 ) -> CellModel:
     """The same of a cell of any translations (2, 2), rows in m, with round pillars of the cell's diameter.
 
-    They stand on places (n, 2), m, inside the parallelogram of the translations; ``heights`` in m.
+    They are at the places (n, 2), m, inside the parallelogram of the translations; ``heights`` in m.
     """
     start = perf_counter()
     unit = cell.pitch_x
-    one, other = (gp_Vec(*(float(v) for v in row / unit), 0.0) for row in vectors)
+    first, second = (gp_Vec(*(float(v) for v in row / unit), 0.0) for row in vectors)
     thickness, radius = cell.thickness / unit, cell.diameter / 2 / unit
     origin = gp_Pnt(0.0, 0.0, 0.0)
-    corners = [origin, origin + one, origin + one + other, origin + other]
+    corners = [origin, origin + first, origin + first + second, origin + second]
     sides = [Segment(a, b) for a, b in pairwise([*corners, origin])]
     body = Face(Wire(sides)).Extrude(thickness * Z)
     for (x, y), height in zip(places / unit, heights, strict=True):
@@ -239,7 +239,7 @@ def meshed_sites(
             foot.maxh = 0.2 * cell.diameter / unit
             foot.hpref = 1
     middle = 0.5 * vectors.sum(axis=0) / unit
-    for name, row, shift in (("a1", 0, one), ("a2", 1, other)):
+    for name, row, shift in (("a1", 0, first), ("a2", 1, second)):
         near = middle - 0.5 * vectors[row] / unit
         low, high = (
             min(body.faces, key=lambda face, at=at: np.linalg.norm(_centre(face) - [*at, 0.5 * thickness]))

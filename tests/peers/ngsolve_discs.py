@@ -86,7 +86,7 @@ def frequencies(
 
     first, mu, cubic = (of_part(number) / modulus for number in range(3))
     heavy = of_part(3) / density
-    found = []
+    lowest = []
     for kappa in kappas:
         space = ng.Periodic(
             ng.VectorH1(mesh, order=order, complex=True), phase=[complex(np.exp(1j * k)) for k in kappa]
@@ -99,8 +99,8 @@ def frequencies(
         mass = ng.BilinearForm(heavy * u * v * ng.dx).Assemble().mat
         squares = _arpack(stiffness, mass, _shifted_inverse(space, stiffness, mass), count)
         unit = np.sqrt(modulus / density) / (2 * np.pi * pitch)
-        found.append(np.sqrt(np.maximum(np.sort(squares)[:count], 0.0)) * unit)
-    return np.array(found)
+        lowest.append(np.sqrt(np.maximum(np.sort(squares)[:count], 0.0)) * unit)
+    return np.array(lowest)
 
 
 def _constants(solid: Solid) -> tuple[float, float, float, float]:

@@ -1,4 +1,4 @@
-"""A plate like the prototype and its vibration, made up: sines in WG1, or everywhere outside of the gap."""
+"""A plate like the prototype and its simulated vibration: sines in WG1, or everywhere outside of the gap."""
 
 from __future__ import annotations
 

@@ -33,20 +33,20 @@ def artists(figure: Figure, gid: str) -> list:
 def shown_texts(figure: Figure) -> list:
     """(text, box in pixels) of everything that is written in a figure."""
     FigureCanvasAgg(figure).draw()
-    found = [text for legend in figure.legends for text in legend.get_texts()]
+    artists = [text for legend in figure.legends for text in legend.get_texts()]
     for axes in figure.axes:
-        found += [*axes.texts]
+        artists += [*axes.texts]
         if not axes.axison:
-            found.append(axes.title)
+            artists.append(axes.title)
             continue
-        found += [axes.title, axes.xaxis.label, axes.yaxis.label]
+        artists += [axes.title, axes.xaxis.label, axes.yaxis.label]
         for axis in (axes.xaxis, axes.yaxis):
             low, high = sorted(axis.get_view_interval())
             slack = 1e-9 * (high - low)
             for tick in axis.get_major_ticks():
                 if low - slack <= tick.get_loc() <= high + slack:
-                    found += [tick.label1, tick.label2]
-    seen = [text for text in found if text.get_visible() and text.get_text().strip()]
+                    artists += [tick.label1, tick.label2]
+    seen = [text for text in artists if text.get_visible() and text.get_text().strip()]
     return [(text.get_text(), text.get_window_extent()) for text in seen]
 
 
@@ -63,7 +63,7 @@ def assert_readable(figure: Figure) -> None:
         assert box.y0 >= -1, text
         assert box.x1 <= width + 1, text
         assert box.y1 <= height + 1, text
-    for (one, a), (other, b) in combinations(texts, 2):
+    for (first, a), (second, b) in combinations(texts, 2):
         across = min(a.x1, b.x1) - max(a.x0, b.x0)
         up = min(a.y1, b.y1) - max(a.y0, b.y0)
-        assert across < 1 or up < 1, (one, other)
+        assert across < 1 or up < 1, (first, second)

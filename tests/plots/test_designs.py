@@ -110,7 +110,7 @@ class TestEveryPicture:
             for bar in data:
                 assert low_x - 1e-9 <= bar.get_x() <= bar.get_x() + bar.get_width() <= high_x + 1e-9
                 assert low <= bar.get_y() <= bar.get_y() + bar.get_height() <= high
-                assert bar.get_y() > low or "tolerance" in name  # only a histogram stands on the frame
+                assert bar.get_y() > low or "tolerance" in name  # only a histogram starts at the frame
             assert data or axes.get_ylabel() != "frequency (kHz)" or "holds" in name or "two" in name
 
     def test_it_is_written(self, drawn, name, tmp_path):
@@ -143,8 +143,8 @@ class TestSearch:
         assert set(in_legend(drawn["search of one design"])) == {"starts", "best, margin -8.0 %"}
 
     def test_of_one_size_the_margin_is_the_height_and_of_many_each_has_a_panel(self):
-        one = made_up_search().isel(parameter=[0])
-        axes = plots.search(one, UNITS).axes[0]
+        search = made_up_search().isel(parameter=[0])
+        axes = plots.search(search, UNITS).axes[0]
         assert (axes.get_xlabel(), axes.get_ylabel()) == ("pillar height (mm)", "margin (%)")
         three = made_up_search().isel(parameter=[0, 1, 1])
         three = three.assign_coords(parameter=["cell.pillar.height", "cell.pillar.diameter", "cell.pitch"])
@@ -156,10 +156,10 @@ class TestFront:
         data = made_up_front()
         held = data["margin"].values > 0
         assert held.tolist() == [False, False, True, True, True, True]
-        found = bars(drawn["front"].axes[0], style.GAP)
-        middles = [bar.get_x() + 0.5 * bar.get_width() for bar in found]
+        shown = bars(drawn["front"].axes[0], style.GAP)
+        middles = [bar.get_x() + 0.5 * bar.get_width() for bar in shown]
         assert middles == pytest.approx(data["pitch"].values[held] * 1e3)
-        ends = [(bar.get_y(), bar.get_y() + bar.get_height()) for bar in found]
+        ends = [(bar.get_y(), bar.get_y() + bar.get_height()) for bar in shown]
         wanted = np.stack([data["lower"].values, data["upper"].values], axis=1)[held] / 1e3
         assert np.array(ends) == pytest.approx(wanted)
 
@@ -195,12 +195,12 @@ class TestTolerance:
     def test_the_histograms_hold_all_plates(self, drawn):
         data = made_up_tolerance(FOUR)
         for side, name in enumerate(("lower edge", "upper edge")):
-            found = [bar for bar in by_gid(drawn["tolerance"], name) if bar.get_height() > 0]
-            assert sum(bar.get_height() for bar in found) == data.sizes["plate"]
+            filled = [bar for bar in by_gid(drawn["tolerance"], name) if bar.get_height() > 0]
+            assert sum(bar.get_height() for bar in filled) == data.sizes["plate"]
             edges = data["drawn"].values[:, side] / 1e3
-            assert min(bar.get_x() for bar in found) <= edges.min()
-            assert max(bar.get_x() + bar.get_width() for bar in found) >= edges.max() - 1e-9
-            assert to_hex(found[0].get_facecolor()) == (style.BLUE, style.ORANGE)[side].lower()
+            assert min(bar.get_x() for bar in filled) <= edges.min()
+            assert max(bar.get_x() + bar.get_width() for bar in filled) >= edges.max() - 1e-9
+            assert to_hex(filled[0].get_facecolor()) == (style.BLUE, style.ORANGE)[side].lower()
 
     def test_the_margin_is_shaded_if_there_is_one(self, drawn):
         (span,) = by_gid(drawn["tolerance"], "margin")

@@ -26,23 +26,23 @@ def result(tmp_path_factory):
 
 
 def texts(figure):
-    return [text.get_text() for text in figure.findobj(lambda one: hasattr(one, "get_text"))]
+    return [text.get_text() for text in figure.findobj(lambda artist: hasattr(artist, "get_text"))]
 
 
 def test_a_mean_for_every_condition_and_a_line_from_off_to_on(result):
     figure = result.figures["conditions"]
     (axes,) = figure.axes
     points = {line.get_gid(): line for line in axes.lines if len((line.get_gid() or "").split()) >= 3}
-    found = {f"{c.participant} {c.waveguide} {c.actuation}": c.friction[0] for c in result.found.conditions}
-    assert {name: float(line.get_ydata()[0]) for name, line in points.items()} == pytest.approx(found)
+    means = {f"{c.participant} {c.waveguide} {c.actuation}": c.friction[0] for c in result.found.conditions}
+    assert {name: float(line.get_ydata()[0]) for name, line in points.items()} == pytest.approx(means)
     for name, line in points.items():
         hollow = line.get_markerfacecolor() == "white"
         assert hollow == name.endswith("off")
     joins = [line for line in axes.lines if len(line.get_xdata()) == 2 and line.get_linestyle() == "-"]
     pairs = {tuple(np.round(line.get_ydata(), 9)) for line in joins}
-    for name, mean in found.items():
+    for name, mean in means.items():
         if name.endswith("off"):
-            assert (round(mean, 9), round(found[f"{name[:-3]}on"], 9)) in pairs
+            assert (round(mean, 9), round(means[f"{name[:-3]}on"], 9)) in pairs
     assert axes.get_ylim()[1] > max(sum(c.friction) for c in result.found.conditions)
     assert axes.get_ylim()[0] == 0
     assert "simulated" in axes.get_ylabel()
@@ -61,11 +61,11 @@ def test_reductions_with_their_intervals(result):
     (axes,) = figure.axes
     points = {line.get_gid(): line.get_xdata()[0] for line in axes.lines if line.get_gid()}
     assert points["weber"] == 11
-    for (guide, person), one in result.found.own.items():
-        assert points[f"{guide} {person}"] == pytest.approx(100 * one.value)
+    for (guide, person), reduction in result.found.own.items():
+        assert points[f"{guide} {person}"] == pytest.approx(100 * reduction.value)
     ends = {tuple(np.round(line.get_xdata(), 6)) for line in axes.lines if line.get_gid() is None}
-    one = result.found.own["WG1", "P2"]
-    assert tuple(np.round([100 * one.low, 100 * one.high], 6)) in ends
+    reduction = result.found.own["WG1", "P2"]
+    assert tuple(np.round([100 * reduction.low, 100 * reduction.high], 6)) in ends
     assert "simulated" in axes.get_xlabel()
 
 
@@ -78,13 +78,13 @@ def test_every_trial_of_a_block_is_on_its_sheet(result):
     marked = type(result)(result.source, result.sensor, result.rules, trials, (), result.found)
     ((person, block, figure),) = marked.sheets([("P1", 1)])
     assert (person, block) == ("P1", 1)
-    said = texts(figure)
-    assert [text for text in said if text[:2] in ("1:", "2:", "3:", "4:")] == [
+    written = texts(figure)
+    assert [text for text in written if text[:2] in ("1:", "2:", "3:", "4:")] == [
         f"{n + 1}: WG2 {side}" + (f"  {trials['friction'].values[n]:.2f}" if n != 1 else "")
         for n, side in enumerate(["on", "off"] * 2)
     ]
-    assert "no contact" in said
-    assert "P1, block 1, simulated" in said
+    assert "no contact" in written
+    assert "P1, block 1, simulated" in written
 
 
 def test_of_too_many_blocks_those_with_most_exclusions_are_drawn(result):

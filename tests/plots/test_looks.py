@@ -55,8 +55,8 @@ def texts_over_data(figure: Figure) -> list[str]:
             continue
         box = axes.get_window_extent()
         for text in axes.texts:
-            one = text.get_window_extent()
-            middle = 0.5 * (one.x0 + one.x1), 0.5 * (one.y0 + one.y1)
+            extent = text.get_window_extent()
+            middle = 0.5 * (extent.x0 + extent.x1), 0.5 * (extent.y0 + extent.y1)
             if text.get_text() and text.get_gid() not in ON_DATA and box.contains(*middle):
                 over.append(text.get_text())
         for legend in figure.legends:

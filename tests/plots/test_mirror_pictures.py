@@ -122,7 +122,7 @@ class TestDecay:
         (others,) = artists(drawn["decay, usual"], "others")
         assert others.axes is depth
         decibels = {round(float(10 * np.log10(np.exp(2 * depth))), 9) for depth in (0.5, 2.0)}
-        assert {round(float(one), 9) for one in others.get_ydata()} <= decibels
+        assert {round(float(level), 9) for level in others.get_ydata()} <= decibels
 
     def test_normal_incidence_is_a_curve_and_all_directions_a_band(self, drawn):
         data = made_up_mirror()
@@ -155,7 +155,7 @@ class TestLayers:
 
     @pytest.mark.parametrize(("name", "rows"), [("one row", 1), ("usual", 6), ("twelve rows", 12)])
     def test_a_curve_for_each_number_of_rows(self, drawn, name, rows):
-        """All kinds of transmitted waves together: the n-th kind fades by 5 n dB per row within the gap."""
+        """All kinds of transmitted waves together: the n-th kind decays by 5 n dB per row within the gap."""
         figure = drawn[f"layers, {name}"]
         for number, (axes, beside) in enumerate(zip(figure.axes[::2], figure.axes[1::2], strict=True)):
             curves = [line for line in axes.lines if line.get_gid() == "rows"]

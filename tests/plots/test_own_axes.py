@@ -38,13 +38,13 @@ ALONE.remove("checked")
 def on(axes: Axes, draw, monkeypatch) -> Figure:
     """Draw as always, but on these axes."""
     with monkeypatch.context() as patch:
-        for one in ALONE:
-            patch.setattr(plots, one, partial(getattr(plots, one), ax=axes))
+        for name in ALONE:
+            patch.setattr(plots, name, partial(getattr(plots, name), ax=axes))
         return draw()
 
 
 def drawn_in(axes: Axes) -> list[str]:
-    return [str(one) for one in axes.get_children()]
+    return [str(artist) for artist in axes.get_children()]
 
 
 @pytest.mark.parametrize("name", PICTURES)
@@ -105,11 +105,11 @@ def test_latex_reads_no_command_in_what_is_written(name, monkeypatch):
         axes.set_title("mine: $x$")
         on(axes, PICTURES[name], monkeypatch)
         figure = axes.get_figure()
-        said = [text.get_text() for one in figure.axes for text in one.findobj(Text)]
-        for one in (axes.xaxis, axes.yaxis):
-            said += [str(one.get_major_formatter()(place, 0)) for place in one.get_majorticklocs()]
-    assert said
-    for text in said:
+        texts = [text.get_text() for part in figure.axes for text in part.findobj(Text)]
+        for axis in (axes.xaxis, axes.yaxis):
+            texts += [str(axis.get_major_formatter()(place, 0)) for place in axis.get_majorticklocs()]
+    assert texts
+    for text in texts:
         bare = re.sub(r"\\[%&_$#{}]|\\text[a-z]+\{\}|\$[^$]*\$", "", text)
         assert bare.isascii(), text
         assert not set(bare) & set("%&_$#{}\\^~<>|"), text
@@ -141,8 +141,8 @@ def test_an_axis_that_is_no_axis(what, picture):
     given, cause = NO_AXES[what]
     asked = [lambda: Bands(reference_bands()).plot(picture, ax=given)]
     asked += [lambda: plots.dispersion(reference_bands(), ax=given)]
-    for one in asked:
-        refused(one, cause, code="malformed", argument="ax")
+    for call in asked:
+        refused(call, cause, code="malformed", argument="ax")
 
 
 @pytest.mark.parametrize(

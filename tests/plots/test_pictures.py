@@ -94,8 +94,8 @@ def test_a_picture_does_not_replace_a_file_unasked(drawn, tmp_path):
 def test_the_same_result_is_the_same_file(tmp_path):
     for folder in ("one", "two"):
         plots.save(plots.sweep(made_up_sweep()), tmp_path / folder, "sweep")
-    one, two = (sorted((tmp_path / folder).iterdir()) for folder in ("one", "two"))
-    for a, b in zip(one, two, strict=True):
+    first, second = (sorted((tmp_path / folder).iterdir()) for folder in ("one", "two"))
+    for a, b in zip(first, second, strict=True):
         assert a.read_bytes() == b.read_bytes()
 
 
@@ -231,9 +231,9 @@ class TestColours:
 
     @pytest.mark.parametrize("vision", VISION)
     def test_any_two_curves_differ_for_all_readers(self, vision):
-        for (one, a), (other, b) in combinations(CURVE_STYLES.items(), 2):
+        for (name, a), (other_name, b) in combinations(CURVE_STYLES.items(), 2):
             difference = np.linalg.norm(self.lab(a.colour, vision) - self.lab(b.colour, vision))
-            assert difference > (30 if a.dashes == b.dashes else 10), (one, other, difference)
+            assert difference > (30 if a.dashes == b.dashes else 10), (name, other_name, difference)
 
     def test_curves_in_grey_differ_in_dashes_or_markers(self):
         assert len({(stroke.dashes, stroke.marker) for stroke in CURVE_STYLES.values()}) == len(CURVE_STYLES)
@@ -251,8 +251,8 @@ class TestColours:
 class TestSweep:
     def points(self, figure, gid):
         """(value, kHz) of all points of this kind, sorted."""
-        found = [line.get_xydata() for line in artists(figure, gid)]
-        return sorted(map(tuple, np.concatenate(found))) if found else []
+        points = [line.get_xydata() for line in artists(figure, gid)]
+        return sorted(map(tuple, np.concatenate(points))) if points else []
 
     def test_edges_are_points_and_the_gap_between_them_is_shaded(self, drawn):
         data = made_up_sweep()
@@ -264,7 +264,7 @@ class TestSweep:
         )
         assert np.array(self.points(drawn["sweep"], "certain gap")) == pytest.approx(np.array(wanted))
         shades = [
-            one.get_paths()[0].get_extents() for one in artists(drawn["sweep"], "gap") if one.get_paths()
+            area.get_paths()[0].get_extents() for area in artists(drawn["sweep"], "gap") if area.get_paths()
         ]
         low, high = data["gap_lower"].values[:, 0] / 1e3, data["gap_upper"].values[:, 0] / 1e3
         assert any((box.y0, box.y1) == pytest.approx((low.min(), high.max())) for box in shades)

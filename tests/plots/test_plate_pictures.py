@@ -165,8 +165,8 @@ class TestMaps:
         largest = 60 * np.abs(vibration().at(58.8e3).values).max() / (2 * np.pi * 58.8e3)
         assert driven.images[0].norm.vmax == pytest.approx(1e9 * largest)
         assert bar.get_xlabel() == "simulated normal displacement (nm) at 60 V"
-        said = float(re.search(r"up to ([\d.]+) nm", driven.get_title())[1])
-        assert said == pytest.approx(1e9 * largest, rel=5e-3)
+        largest_nm = float(re.search(r"up to ([\d.]+) nm", driven.get_title())[1])
+        assert largest_nm == pytest.approx(1e9 * largest, rel=5e-3)
 
     def test_points_lie_where_they_were_seen(self, drawn):
         """Pixels of 2 mm, their middles on the points; only WG1 moves in the gap."""
@@ -182,7 +182,7 @@ class TestMaps:
         assert image.axes.get_aspect() == 1.0
 
     def test_a_plate_with_a_hole_is_smooth_up_to_its_edge(self):
-        """Of a field that is even at the hole, nothing of the hole is seen beside it."""
+        """A field that is even at the hole shows nothing of the hole beside it."""
         layout, step = notched(), 0.5
         x, y = (m.ravel() for m in np.meshgrid(step * (np.arange(80) + 0.5), step * (np.arange(60) + 0.5)))
         on = ~((x > 20) & (y > 20))
@@ -390,9 +390,9 @@ class TestPlan:
     )
     def test_a_side_is_every_face_that_looks_there(self, side, axis, places):
         figure = plots.plate_plan(held(Support(side, "simple"), layout=notched()))
-        found = segments(figure, "held simple")
-        assert {end[axis] for line in found for end in line} == places
-        total = sum(np.hypot(b[0] - a[0], b[1] - a[1]) for a, b in found)
+        sides = segments(figure, "held simple")
+        assert {end[axis] for line in sides for end in line} == places
+        total = sum(np.hypot(b[0] - a[0], b[1] - a[1]) for a, b in sides)
         assert total == pytest.approx(30 if axis == 0 else 40)
 
     def test_names_of_regions_lie_in_them_and_away_from_what_is_drawn_there(self, drawn):
@@ -434,11 +434,11 @@ class TestAnimation:
     @staticmethod
     def frames(path) -> np.ndarray:
         with Image.open(path) as picture:
-            found = []
+            frames = []
             for number in range(picture.n_frames):
                 picture.seek(number)
-                found.append(np.asarray(picture.convert("RGB"), dtype=float))
-        return np.array(found)
+                frames.append(np.asarray(picture.convert("RGB"), dtype=float))
+        return np.array(frames)
 
     def test_one_cycle_that_repeats_in_a_small_file(self, moving):
         with Image.open(moving) as picture:

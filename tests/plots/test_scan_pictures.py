@@ -1,4 +1,4 @@
-"""Pictures of scans: what is drawn stands for what was given."""
+"""Pictures of scans show the numbers that were given."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ def test_the_contrast_and_the_gap_s_uncertainty():
         (51.5, 52.5),
         (58.5, 61.5),
     ]
-    (found,) = artists(figure, "range")
-    assert tuple(found.get_xdata()) == (52, 60)
+    (line,) = artists(figure, "range")
+    assert tuple(line.get_xdata()) == (52, 60)
     (shade,) = artists(figure, "gap")
     assert (shade.get_x(), shade.get_x() + shade.get_width()) == (53, 59)
     assert "simulated contrast" in texts(figure)
@@ -49,8 +49,8 @@ def test_a_decay_map_marks_the_gap_edge():
         np.outer(LINES / 10e3, [1.0, 2.0, 3.0]), dims=("frequency", "phase"),
         coords={"frequency": LINES, "phase": [0.0, np.pi / 2, np.pi]},
     )  # fmt: skip
-    found = LatticeGap(Edge(53e3, 600.0), None, ("no upper edge: why",))
-    figure = plots.decay_map(fades, found, (52.5e3, 60e3), origin="simulated")
+    gap = LatticeGap(Edge(53e3, 600.0), None, ("no upper edge: why",))
+    figure = plots.decay_map(fades, gap, (52.5e3, 60e3), origin="simulated")
     (least,) = artists(figure, "least")
     assert least.get_ydata()[5:-5] == pytest.approx(LINES[5:-5] / 10e3)  # the phase that decays least
     (half,) = artists(figure, "half")
@@ -79,9 +79,9 @@ def test_waves_and_dispersion():
     assert "along WG1" in texts(figure)
     assert "simulated" in texts(figure)
     bar = figure.axes[-1]
-    named = [one.get_text() for one in bar.get_yticklabels()]
+    named = [label.get_text() for label in bar.get_yticklabels()]
     assert {"10⁻²", "10⁻¹", "10⁰"} <= set(named)
-    assert not any("$" in one for one in named)
+    assert not any("$" in label for label in named)
 
 
 def test_a_loud_line_among_very_many_is_drawn():

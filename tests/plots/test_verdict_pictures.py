@@ -23,9 +23,16 @@ def agreement(count):
     chance = np.random.default_rng(0)
     shape = chance.standard_normal((count, 60)) + 0j
     frequency = 8e3 + 2.5e3 * np.arange(count)
-    one = Shapes(frequency, np.full(count, 0.01), shape, "modes")
-    other = Shapes(1.01 * frequency[1:], np.full(count - 1, 0.01), shape[1:] + 0.3, "modes")
-    return Agreement(np.ones(3), 0.1, one, other, mac(one.shape, other.shape), tuple(pairs(one, other)))
+    measured = Shapes(frequency, np.full(count, 0.01), shape, "modes")
+    computed = Shapes(1.01 * frequency[1:], np.full(count - 1, 0.01), shape[1:] + 0.3, "modes")
+    return Agreement(
+        np.ones(3),
+        0.1,
+        measured,
+        computed,
+        mac(measured.shape, computed.shape),
+        tuple(pairs(measured, computed)),
+    )
 
 
 def spectra():

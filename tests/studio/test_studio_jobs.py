@@ -61,12 +61,12 @@ def test_bands_have_their_view_and_pictures_and_again_from_the_store(studio):
 
 
 def test_the_latest_job_wins_and_every_page_hears_of_it(studio):
-    with studio.listening() as one, studio.listening() as two:
+    with studio.listening() as page_1, studio.listening() as page_2:
         first = start(studio, "bands", SLOW)
         second = start(studio, "plan")
         assert studio.finished(first)["state"] == "cancelled"
         assert studio.finished(second)["state"] == "done"
-        for page in (one, two):
+        for page in (page_1, page_2):
             states: dict[int, str] = {}
             end = time.monotonic() + 20
             while states.get(second) != "done" and time.monotonic() < end:

@@ -32,8 +32,8 @@ def test_the_view_has_every_estimate_with_its_interval(result):
     quantity, name = data["quantity"].values, data["name"].values
     for region, estimate in result.found.reductions.items():
         (row,) = np.flatnonzero((quantity == REDUCTION) & (name == f"{region}, all participants"))
-        found = [float(data[part][row]) for part in ("value", "low", "high")]
-        np.testing.assert_allclose(found, [estimate.value, estimate.low, estimate.high])
+        interval = [float(data[part][row]) for part in ("value", "low", "high")]
+        np.testing.assert_allclose(interval, [estimate.value, estimate.low, estimate.high])
     assert (quantity == REDUCTION).sum() == 2 * (1 + 3)
     assert (quantity == FRICTION).sum() == len(result.found.conditions)
     assert data.sizes["trial"] == int((result.trials["excluded"].values == "").sum())

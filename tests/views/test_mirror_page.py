@@ -58,20 +58,20 @@ def test_the_page_shows_what_the_keyboard_and_the_mouse_select(browser, view, tm
                 f"{kind} at {data['frequency'].values[line] / 1e3:g} kHz, {many}: {uncertain(loss, error)} dB"
             )
 
-        said = page.locator("#point")
-        assert said.inner_text() == words(9, 6, "A0")  # the carrier, and all rows
+        point = page.locator("#point")
+        assert point.inner_text() == words(9, 6, "A0")  # the carrier, and all rows
         page.keyboard.press("Tab")
         for key in ("ArrowLeft", "ArrowDown", "ArrowDown", "i"):
             page.keyboard.press(key)
-        assert said.inner_text() == words(8, 4, "SH0")
+        assert point.inner_text() == words(8, 4, "SH0")
         page.keyboard.press("c")
         over = page.locator(".u-over").nth(0)
         box = over.bounding_box()
         over.click(position={"x": box["width"] * 6 / 20, "y": 50})
-        assert said.inner_text() == words(6, 4, "SH0")
+        assert point.inner_text() == words(6, 4, "SH0")
         rows = page.locator(".u-over").nth(1)
         rows.click(position={"x": rows.bounding_box()["width"] * 1.5 / 6, "y": 50})
-        assert said.inner_text() == words(6, 2, "SH0")
+        assert point.inner_text() == words(6, 2, "SH0")
         page.keyboard.press("t")
         cells = page.get_by_role("table", name="Insertion loss").locator("tbody tr").nth(1).inner_text()
         assert cells.split("\t")[1:] == [words(6, 2, kind).split(": ")[1] for kind in ("A0", "SH0")]

@@ -30,7 +30,7 @@ def test_a_wave_in_rows_is_the_mode_of_the_lattice_at_its_phases(text, along, ph
     right, _ = bloch_waves(fields.slab.slab.at(omega), omega)
     waves = right.chosen(np.flatnonzero(right.propagates))
     assert len(waves), "nothing would be compared"
-    found, position = fields.field(omega, waves), fields.grid
+    drawn, position = fields.field(omega, waves), fields.grid
     per_row = rows.exponents(waves, phase)
     face = FlatFace.of(model.fine.tiling, lattice.turn)
     vectors = study.cell.lattice.vectors @ lattice.turn.T
@@ -46,8 +46,8 @@ def test_a_wave_in_rows_is_the_mode_of_the_lattice_at_its_phases(text, along, ph
         motion = model.displacement(solution)[face.nodes][..., [mode]]
         motion[:, :2] = np.einsum("xy,nyk->nxk", lattice.turn, motion[:, :2])
         chosen, component = strongest(motion)
-        assert component[0] == found.component[number]
-        other, own = grid.values(chosen, 1j * kappa)[0], found.field[number]
+        assert component[0] == drawn.component[number]
+        other, own = grid.values(chosen, 1j * kappa)[0], drawn.field[number]
         factor = np.vdot(own, other) / np.vdot(own, own)
         assert np.abs(other - factor * own).max() < 0.02 * np.abs(other).max()
 

@@ -169,12 +169,12 @@ def test_a_picked_wavevector_moves_in_the_mode_of_the_model(browser, study, band
             step = 1e-5 * np.array([[1, 0], [0, 1]])
             slopes = [float(model.frequencies(kappa + d)[0] - model.frequencies(kappa - d)[0]) for d in step]
             velocity = np.pi * np.array(slopes) / 1e-5 * pitch
-            said = page.locator("dl", has_text="group velocity").last.inner_text()
-            speed, error, angle = re.search(r"([\d.]+) ± ([\d.]+) m/s at (-?\d+)°", said).groups()
+            text = page.locator("dl", has_text="group velocity").last.inner_text()
+            speed, error, angle = re.search(r"([\d.]+) ± ([\d.]+) m/s at (-?\d+)°", text).groups()
             assert float(speed) == pytest.approx(np.linalg.norm(velocity), abs=0.6 * float(error))
             assert float(error) < 0.1 * float(speed)
             assert float(angle) == pytest.approx(np.degrees(np.arctan2(velocity[1], velocity[0])), abs=0.6)
-            assert "pillar bending 1" in said
+            assert "pillar bending 1" in text
         before = pixels(page, MODE)
         walk.press("PageUp")
         page.wait_for_selector(f"{MODE}[data-shown$=',1']")

@@ -88,7 +88,7 @@ def plate(
         tuple(side * k for k in range(n + 1)) for side, n in ((7 * MM, len(tiles[0])), (9 * MM, len(tiles)))
     )
     used = {name for row in tiles for name in row}
-    cells = {name: one for name, one in LATTICES.items() if name in used}
+    cells = {name: cell for name, cell in LATTICES.items() if name in used}
     return Plate(kind(tiles, x, y, cells, 1.5 * MM, METAL), supports, actuators)
 
 

@@ -1,4 +1,4 @@
-"""The drawing: what it says, that it can be read, and that it is one reproducible page."""
+"""The drawing: its words, that it can be read, and that it is one reproducible page."""
 
 import datetime
 import io
@@ -84,7 +84,7 @@ def sheet_of(name):
 
 
 def written(entity):
-    """What a dimension says, as its picture in the file does."""
+    """Text of a dimension, as it is drawn in the file."""
     return "".join(e.plain_text() for e in entity.virtual_entities() if e.dxftype() == "MTEXT")
 
 
@@ -144,8 +144,8 @@ def test_no_text_lies_on_another_or_on_a_line_or_leaves_the_frame(name):
         assert 10 < x0 < x1 < right, text
         assert 10 < y0 < y1 < top, text
         assert not len(crossing((x0, y0, x1, y1), lines)), (text, crossing((x0, y0, x1, y1), lines))
-    for (one, a), (other, b) in combinations(texts, 2):
-        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1], (one, other)
+    for (first, a), (second, b) in combinations(texts, 2):
+        assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1], (first, second)
 
 
 def test_a_line_through_a_text_is_noticed():
@@ -170,7 +170,7 @@ def test_every_dimension_is_given_with_its_tolerance_and_lengths_are_measured(na
         value = dimension.get_measurement() * style.get("dimlfac")
         tolerance = style.get("dimtp", 0.0) if style.get("dimtol", 0) else 0.0
         measured.append((value, tolerance, written(dimension)))
-    if the_cell.pillar is None:  # nothing stands at a pitch
+    if the_cell.pillar is None:  # no pillar, no pitch
         assert any("1.500 ±0.020" in word for word in shown)
         return
     for key, value in dimensions_of(the_cell).items():
@@ -210,8 +210,8 @@ def test_the_words_beside_the_views():
 
 def scale_of(sheet, title):
     (shown,) = [word for word in words(sheet) if word.startswith(title)]
-    one, other = re.search(r"(\d+) : (\d+)$", shown).groups()
-    return int(one) / int(other)
+    size, true_size = re.search(r"(\d+) : (\d+)$", shown).groups()
+    return int(size) / int(true_size)
 
 
 def extent(points):
@@ -295,12 +295,12 @@ class TestWholePlate:
             lines = [np.array([line.dxf.start, line.dxf.end])[:, :2]
                      for line in sheet.space.query(f'LINE[layer=="{name.upper()}"]')]  # fmt: skip
             *beside, sample = sorted(lines, key=lambda line: -line[0, 1])  # the legend is below the plan
-            found = np.array(sorted(np.sort((line - origin) / scale, axis=0).tolist() for line in beside))
-            for line in found:
+            placed = np.array(sorted(np.sort((line - origin) / scale, axis=0).tolist() for line in beside))
+            for line in placed:
                 apart = scale * min(np.abs(line - end).max() for end in np.array(ends))
                 assert apart == pytest.approx(1.2), name
-            assert len(found) == len(ends)
-            at = [one.dxf.insert.x for one in sheet.space.query("TEXT") if one.dxf.text.startswith(name)]
+            assert len(placed) == len(ends)
+            at = [text.dxf.insert.x for text in sheet.space.query("TEXT") if text.dxf.text.startswith(name)]
             assert at == [pytest.approx(sample.max(axis=0)[0] + 2)]
         assert "clamped, 8 from the corners" in words(sheet)
         left = min(line.dxf.start.x for line in sheet.space.query('LINE[layer=="SIMPLE SUPPORT"]')[:2])
@@ -319,8 +319,8 @@ class TestWholePlate:
 
 
 def test_a_fine_tolerance_is_not_shown_as_zero():
-    found = words(part_drawing(Part.piece(STEPPED), "Plate", tolerances={"cell.thickness": 2e-7}))
-    assert "1.5000 ±0.0002" in found
+    texts = words(part_drawing(Part.piece(STEPPED), "Plate", tolerances={"cell.thickness": 2e-7}))
+    assert "1.5000 ±0.0002" in texts
 
 
 @pytest.mark.parametrize(
@@ -339,7 +339,7 @@ def test_tolerances_that_mean_nothing_are_refused(tolerances, code):
 
 def test_a_piece_of_other_cells_has_a_plan_with_every_pillar_and_lists_of_their_kinds():
     sheet = sheet_of("honeycomb")
-    model, found = sheet.document.modelspace(), words(sheet)
+    model, texts = sheet.document.modelspace(), words(sheet)
     assert len(model.query('*[layer=="PILLAR"]')) == 24
     assert nearest(part_of("honeycomb").standing[0][1], 0)[1] == pytest.approx(7)
     for text in (
@@ -347,17 +347,17 @@ def test_a_piece_of_other_cells_has_a_plan_with_every_pillar_and_lists_of_their_
         "fillet 0.300 ±0.020", "next along x 7.000 ±0.020, next along y 12.1243",
         "24 pillars", "Section along x   5 : 1",
     ):  # fmt: skip
-        assert any(text in word for word in found), text
+        assert any(text in word for word in texts), text
     way = 7 / 3**0.5 - 1.9  # between axes of neighbours, less half the sum of their diameters
-    assert any(f"side to side, {way:.3f}: tool radius at most {way / 2:.3f}" in word for word in found)
-    assert any("repeat after (7, 0) and (3.5, 6.062)" in word for word in found)
+    assert any(f"side to side, {way:.3f}: tool radius at most {way / 2:.3f}" in word for word in texts)
+    assert any("repeat after (7, 0) and (3.5, 6.062)" in word for word in texts)
 
 
 def test_a_tolerance_is_that_of_the_table_which_gives_the_pillar():
     part = Part.piece(OTHERS["honeycomb"], 2, 2)
-    found = words(part_drawing(part, "Plate", tolerances={"cell.site[2].pillar.height": 2e-5}))
-    assert any("height 5.000 ±0.020" in word for word in found)
-    assert any("height 4," in word for word in found)
+    texts = words(part_drawing(part, "Plate", tolerances={"cell.site[2].pillar.height": 2e-5}))
+    assert any("height 5.000 ±0.020" in word for word in texts)
+    assert any("height 4," in word for word in texts)
     with refusing(StudyError, "unknown", "tolerances.cell.pillar.height"):
         part_drawing(part, "Plate", tolerances={"cell.pillar.height": 2e-5})
     assert set(dimensions_of(OTHERS["oblique"])) >= {"cell.pitch", "cell.pitch_2", "cell.angle"}
@@ -398,11 +398,11 @@ def test_a_title_means_itself_and_breaks_nothing(title):
 
 
 def test_the_pdf_is_one_a3_page_and_the_same_every_time(tmp_path):
-    one, other = (
+    first, second = (
         write_drawing(tmp_path / f"{name}.pdf", part_drawing(Part.piece(STEPPED), "Plate")) for name in "ab"
     )
-    content = one.read_bytes()
-    assert content == other.read_bytes()
+    content = first.read_bytes()
+    assert content == second.read_bytes()
     assert content.startswith(b"%PDF")
     assert len(re.findall(rb"/Type /Page\b", content)) == 1
     box = re.search(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
@@ -417,9 +417,9 @@ def test_the_pdf_is_one_a3_page_and_the_same_every_time(tmp_path):
 @pytest.mark.parametrize(("kind", "start"), [("dxf", b"  0\n"), ("svg", b"<?xml"), ("png", b"\x89PNG")])
 def test_the_ending_of_the_path_chooses_the_kind(kind, start, tmp_path):
     part = Part.piece(cell(None))
-    one, other = (write_drawing(tmp_path / f"{name}.{kind}", part_drawing(part, "Plate")) for name in "ab")
-    assert one.read_bytes() == other.read_bytes()
-    assert one.read_bytes().startswith(start)
+    first, second = (write_drawing(tmp_path / f"{name}.{kind}", part_drawing(part, "Plate")) for name in "ab")
+    assert first.read_bytes() == second.read_bytes()
+    assert first.read_bytes().startswith(start)
 
 
 def test_a_file_is_not_replaced_unasked(tmp_path):

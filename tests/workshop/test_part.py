@@ -20,7 +20,7 @@ CHORD = 20e-6
 
 
 class Shifted(Layout):
-    """Pillars that stand across the sides of tiles, as those of other lattices may."""
+    """Pillars across the sides of tiles, as other lattices may have them."""
 
     @property
     def features(self):
@@ -57,8 +57,8 @@ def reach(layout):
     return sum(2 * math.pi * p.widest * (p.height + p.fillet) for _, _, p in layout.standing)
 
 
-def check_surface(made, layout):
-    skin = surface(made, chord=CHORD)
+def check_surface(part, layout):
+    skin = surface(part, chord=CHORD)
     triangles = skin.cells_dict["triangle"]
     assert is_watertight(triangles)
     exact = volume_of(layout)
@@ -83,9 +83,9 @@ def test_every_map_is_a_watertight_surface_of_its_volume_or_is_refused(lines):
         with refusing(GeometryError, "unsupported", "plate.map"):
             Part.whole(mounted, OWN)
         return
-    made = Part.whole(mounted, OWN)
-    assert made.volume == pytest.approx(volume_of(mounted.layout) / MM**3, rel=1e-9)
-    check_surface(made, mounted.layout)
+    part = Part.whole(mounted, OWN)
+    assert part.volume == pytest.approx(volume_of(mounted.layout) / MM**3, rel=1e-9)
+    check_surface(part, mounted.layout)
 
 
 @pytest.mark.parametrize("name", PLATES)
@@ -114,14 +114,14 @@ def test_the_dxf_file_has_every_pillar_at_its_position_and_marks_patches(name, t
         for c in space.query('CIRCLE[layer=="PILLAR"]')
     }
     squares = [np.array(line.get_points("xy")) for line in space.query('LWPOLYLINE[layer=="PILLAR"]')]
-    found = circles | {
+    drawn = circles | {
         (*np.round(p.mean(axis=0), 6).tolist(), round(np.ptp(p[:, 0]) / 2, 6)) for p in squares
     }
     wanted = {
         (round(x / MM, 6), round(y / MM, 6), round(pillar.radius / MM, 6))
         for x, y, pillar in mounted.layout.standing
     }
-    assert found == wanted
+    assert drawn == wanted
     assert len(circles) + len(squares) == mounted.layout.pillars
     assert len(space.query('LINE[layer=="CENTRE"]')) == 2 * mounted.layout.pillars
     patches = [np.array(line.get_points("xy")) for line in space.query('LWPOLYLINE[layer=="PATCH"]')]
@@ -140,23 +140,23 @@ def test_holes_turn_the_other_way_and_corners_only_are_kept():
 
 
 def test_pillars_may_lie_across_the_sides_of_tiles(tmp_path):
-    """Only `Layout.features` says where they are."""
+    """Only `Layout.features` gives their places."""
     mounted = plate("1111111 1111111 1111111 1111111", kind=Shifted)
-    made = Part.whole(mounted, OWN)
-    check_surface(made, mounted.layout)
+    part = Part.whole(mounted, OWN)
+    check_surface(part, mounted.layout)
     pytest.importorskip("netgen.occ", reason="the extra cad is not installed")
-    path = write_step(tmp_path / "plate.step", made)
+    path = write_step(tmp_path / "plate.step", part)
     assert volume_of_step(path) == pytest.approx(volume_of(mounted.layout), rel=1e-6)
 
 
 @pytest.mark.parametrize("lattice", [Lattice.triangular(7 * MM), Lattice.oblique(7 * MM, 8 * MM, 1.2)])
 def test_a_piece_of_any_lattice_is_a_watertight_surface(lattice):
     body = UnitCell(lattice, 1.5 * MM, METAL, Pillar(2.5 * MM, 9 * MM, fillet=0.2 * MM))
-    made = Part.piece(body, 3, 2)
-    skin = surface(made)
+    part = Part.piece(body, 3, 2)
+    skin = surface(part)
     assert is_watertight(skin.cells_dict["triangle"])
     exact = 6 * (lattice.area * body.thickness + len(body.shares) * body.pillar.volume)
-    assert made.volume * MM**3 == pytest.approx(exact, rel=1e-9)
+    assert part.volume * MM**3 == pytest.approx(exact, rel=1e-9)
     assert enclosed(skin.points, skin.cells_dict["triangle"]) == pytest.approx(exact, rel=5e-3)
 
 

@@ -239,10 +239,10 @@ class TestDxf:
 class TestEveryWriter:
     def test_the_same_plate_is_the_same_file(self, kind, tmp_path):
         body = ALL["reference"]
-        one, other = (WRITERS[kind](tmp_path / f"{name}.{kind}", Part.piece(body, 2, 1)) for name in "ab")
-        assert one.read_bytes() == other.read_bytes()
+        first, second = (WRITERS[kind](tmp_path / f"{name}.{kind}", Part.piece(body, 2, 1)) for name in "ab")
+        assert first.read_bytes() == second.read_bytes()
         if kind == "step":
-            assert "'1970-01-01T00:00:00'" in one.read_text()
+            assert "'1970-01-01T00:00:00'" in first.read_text()
 
     def test_a_file_is_not_replaced_unasked(self, kind, tmp_path):
         path = tmp_path / f"plate.{kind}"
