@@ -37,7 +37,7 @@ CELLS = {
 
 def laid(text, cell):
     """A plate from letters, the first line on top: "o" the lattice, others plain, "." nothing."""
-    rows = [tuple(None if one == "." else one for one in row) for row in text.split()[::-1]]
+    rows = [tuple(None if letter == "." else letter for letter in row) for row in text.split()[::-1]]
     work = Brickwork.of(cell)
     widths = [work.width] * len(rows[0])
     return Layout.laid(rows, widths, [work.height] * len(rows), {"o": cell}, THICKNESS, ALUMINIUM)

@@ -88,8 +88,8 @@ def violations(page: Page) -> list[object]:
     # evaluated in the page's world by the driver, so the page's content security policy does not matter
     if page.evaluate("typeof axe") == "undefined":
         page.evaluate(AXE.read_text("utf-8"))
-    found: list[object] = page.evaluate(VIOLATIONS)
-    return found
+    faults: list[object] = page.evaluate(VIOLATIONS)
+    return faults
 
 
 def faults_of_layout(page: Page) -> list[object]:

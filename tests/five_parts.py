@@ -1,4 +1,4 @@
-"""What every refused command and every error has to say."""
+"""The parts that every refused command and every error must have."""
 
 import json
 import pickle
@@ -61,7 +61,7 @@ def refusing(
 
 
 def refused_study(text: str, origin: str = "touchpad.toml") -> StudyError:
-    """The error of a study as text: it says all for people, and goes to other processes and files."""
+    """The error of a study as text: complete for readers, and fit for other processes and files."""
     with pytest.raises(StudyError) as caught:
         loads(text, origin)
     error = caught.value

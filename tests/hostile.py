@@ -15,7 +15,7 @@ NASTY = (
     "<b>&amp;", "<script>alert(1)</script>", "{{ 7 }}", "{0}", "%s", "a\\nb", " leading", "trailing ",
     "möbel", "名前", "🙂", "e\u0301", "\u00e9", "NA", "None", "nan", "1", "N" * 40,
 )  # fmt: skip
-RESERVED = ("rest", "the rest")  # stand for all points outside of a region
+RESERVED = ("rest", "the rest")  # names of all points outside of a region
 any_text = st.text(st.characters(exclude_categories=["Cs", "Cc", "Zl", "Zp"]), min_size=1, max_size=40)
 names = st.one_of(st.sampled_from(NASTY), any_text).filter(
     lambda name: bool(name.strip()) and hidden_in(name) is None and name not in RESERVED

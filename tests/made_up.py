@@ -1,4 +1,4 @@
-"""Results for tests of pictures and pages: real, coarse ones of the reference cell, and made-up ones."""
+"""Results for tests of pictures and pages: real, coarse ones of the reference cell, and synthetic ones."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ def reference_guides() -> Guides:
 
 def made_up_mirror(rows: int = 6, families: tuple[str, ...] = FAMILIES, **attrs: object) -> xr.Dataset:
     """Spectra from 40 to 80 kHz: one wave propagates below 50 kHz and one above 60 kHz; in between the n-th
-    kind of wave fades by 5 n dB per row, its energy evenly spread over all kinds."""
+    kind of wave decays by 5 n dB per row, its energy evenly spread over all kinds."""
     frequency = np.linspace(40e3, 80e3, 21)
     inside = (frequency >= 50e3) & (frequency <= 60e3)
     real = np.column_stack([np.where(inside, 1.0, np.linspace(0.2, 0.8, 21)) * np.pi, np.full(21, np.pi)])
@@ -160,8 +160,8 @@ def made_up_mirror(rows: int = 6, families: tuple[str, ...] = FAMILIES, **attrs:
     passed = np.full((21, rows, len(FAMILIES), len(OUTGOING)), np.nan)
     for family in families:
         number = FAMILIES.index(family)
-        fading = np.outer(np.where(inside, 5.0 * (number + 1), 0.0), np.arange(1, rows + 1))
-        passed[:, :, number] = (10 ** (-fading / 10) / len(OUTGOING))[..., None]
+        decay = np.outer(np.where(inside, 5.0 * (number + 1), 0.0), np.arange(1, rows + 1))
+        passed[:, :, number] = (10 ** (-decay / 10) / len(OUTGOING))[..., None]
     return xr.Dataset(
         {
             "kappa_real": (("frequency", "wave"), real),
@@ -182,9 +182,9 @@ def results_of(
     references: References | None = None, timings: object = None, started: object = None, **parts: object,
 ) -> Results:  # fmt: skip
     """What a report is made of; parts by the names of their analyses, None for what is not there."""
-    rows = Sweeps(tuple(Sweep(one, {}) for one in sweeps)) if sweeps else None
+    rows = Sweeps(tuple(Sweep(dataset, {}) for dataset in sweeps)) if sweeps else None
     every = {"bands": Bands(bands), "sweep": rows, **parts}
-    there = {name: one for name, one in every.items() if one is not None}
+    there = {name: part for name, part in every.items() if part is not None}
     return Results(
         study, there, alarms=alarms or {}, references=references, timings=timings or {}, started=started
     )

@@ -1,7 +1,7 @@
 """Tables of bands as other programs write them, by kind, with the truth that they hold.
 
 A kind is drawn for each part: layout, wavevectors, names, units, titles, separators, numbers, further
-columns, encodings, damages. `Drawn.judged` says whether an answer is right, wrong, or a refusal.
+columns, encodings, damages. `Drawn.judged` decides whether an answer is right, wrong, or a refusal.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ LABELS = ("Γ", "X", "M", "Γ")
 CORNERS = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]])  # pi / pitch
 LENGTHS = np.concatenate([[0.0], np.cumsum([1.0, 1.0, 2**0.5])]) * np.pi / PITCH
 OPERATIONS = [np.diag(signs) for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1))]
-OPERATIONS += [one[:, ::-1] for one in OPERATIONS]
+OPERATIONS += [operation[:, ::-1] for operation in OPERATIONS]
 
 
 def bands_at(vectors: np.ndarray) -> np.ndarray:
@@ -55,7 +55,7 @@ def our_bands() -> xr.Dataset:
         "inputs": json.dumps({"cell": {"pitch": PITCH}}),
         "lattice": json.dumps({"form": "square", "period": PITCH}),
         "zone": json.dumps([("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0))]),
-        "point_group": json.dumps([one.tolist() for one in OPERATIONS]),
+        "point_group": json.dumps([operation.tolist() for operation in OPERATIONS]),
     }
     data = {
         "distance": ("wavevector", np.interp(position, range(4), LENGTHS)),
@@ -110,7 +110,7 @@ DAMAGES = ("", "", "", "word", "short", "long", "text row", "no names", "twice",
 
 @dataclass(frozen=True)
 class Drawn:
-    """A table. kinds : what was drawn; asked : what its user says; truth : (wavevector, 2), pi over pitch"""
+    """A table. kinds : what was drawn; asked : what its user gives; truth : (wavevector, 2), pi over pitch"""
 
     content: bytes
     kinds: dict[str, Any]
@@ -122,23 +122,23 @@ class Drawn:
         """ "right", "refused", or what is wrong."""
         path.write_bytes(self.content)
         try:
-            found = of_table(path, OurPath.of_dataset(ours), self.asked)
-            Comparison(of_dataset("ours", ours), found).refuse_apart()
+            table = of_table(path, OurPath.of_dataset(ours), self.asked)
+            Comparison(of_dataset("ours", ours), table).refuse_apart()
         except HaptonicError as error:
             parts = error.parts()
             return "refused" if all(parts.values()) else f"a part is missing: {parts}"
-        expected = bands_at(at_position(found.position))
-        if self.kinds["damage"] == "no names" and found.frequency.shape[1] > BANDS:
+        expected = bands_at(at_position(table.position))
+        if self.kinds["damage"] == "no names" and table.frequency.shape[1] > BANDS:
             return (
-                "right" if np.allclose(found.frequency[:, :BANDS], expected, rtol=2e-4, atol=1.0) else "wrong"
+                "right" if np.allclose(table.frequency[:, :BANDS], expected, rtol=2e-4, atol=1.0) else "wrong"
             )
-        if found.frequency.shape != expected.shape:
-            return f"wrong: {found.frequency.shape} for {expected.shape}"
-        if not np.allclose(found.frequency, expected, rtol=2e-4, atol=1.0):
-            k, n = np.argwhere(~np.isclose(found.frequency, expected, rtol=2e-4, atol=1.0))[0]
-            return f"wrong: {found.frequency[k, n]:g} for {expected[k, n]:g} Hz at {found.position[k]:g}"
-        places = {tuple(np.round(sorted(np.abs(one)), 3)) for one in self.truth}
-        seen = {tuple(np.round(sorted(np.abs(one)), 3)) for one in at_position(found.position)}
+        if table.frequency.shape != expected.shape:
+            return f"wrong: {table.frequency.shape} for {expected.shape}"
+        if not np.allclose(table.frequency, expected, rtol=2e-4, atol=1.0):
+            k, n = np.argwhere(~np.isclose(table.frequency, expected, rtol=2e-4, atol=1.0))[0]
+            return f"wrong: {table.frequency[k, n]:g} for {expected[k, n]:g} Hz at {table.position[k]:g}"
+        places = {tuple(np.round(sorted(np.abs(vector)), 3)) for vector in self.truth}
+        seen = {tuple(np.round(sorted(np.abs(vector)), 3)) for vector in at_position(table.position)}
         return (
             "right" if seen == places or self.damaged else f"wrong: {len(seen)} wavevectors for {len(places)}"
         )
@@ -239,7 +239,7 @@ def drawn(choose: Choose) -> Drawn:
         names = [plain[1]]
 
         def row(place: np.ndarray, value: float) -> list[str]:
-            return [*map(number, place), frequency_cell(value), *(one[2](value) for one in extra)]
+            return [*map(number, place), frequency_cell(value), *(column[2](value) for column in extra)]
 
         if kinds["layout"] == "long":
             rows = [row(place, value) for place, line in zip(axis, frequency, strict=True) for value in line]
@@ -253,15 +253,15 @@ def drawn(choose: Choose) -> Drawn:
     if kinds["layout"] == "backwards":
         rows = rows[::-1]
     axis_unit = "" if unit in ("segments", "share") else unit
-    units = [axis_unit] * len(axis_names) + [shown] * len(names) + [one[1] for one in extra]
-    heads = [*axis_names, *names, *(one[0] for one in extra)]
+    units = [axis_unit] * len(axis_names) + [shown] * len(names) + [column[1] for column in extra]
+    heads = [*axis_names, *names, *(column[0] for column in extra)]
     glue = separator if separator.strip() or separator == "\t" else "   "
     corners_twice = kinds["corners"] == "twice" and not two and kinds["layout"] in ("wide", "long")
     if corners_twice:  # as where the end of a segment and the start of the next are both written
         each = 1 if kinds["layout"] == "wide" else BANDS
         rows = [
-            one for k, one in enumerate(rows[j : j + each] for j in range(0, len(rows), each))
-            for one in one * (2 if position[k] in (1.0, 2.0) else 1)
+            cells for k, group in enumerate(rows[j : j + each] for j in range(0, len(rows), each))
+            for cells in group * (2 if position[k] in (1.0, 2.0) else 1)
         ]  # fmt: skip
     style = kinds["style"]
     if kinds["layout"] == "headings":
@@ -311,8 +311,8 @@ def drawn(choose: Choose) -> Drawn:
         body[place] = line(rows[place])
     text = kinds["end"].join([*lines, *body, *(["% end of table"] if kinds["footer"] else [])]) + kinds["end"]
     in_file = names_given and style != "none"
-    said_k = unit if (not axis_unit or not in_file or kinds["layout"] == "headings") else None
-    asked = OfTable(wavevector=said_k, frequency_unit=None if in_file else kinds["unit"])
+    wavevector_unit = unit if (not axis_unit or not in_file or kinds["layout"] == "headings") else None
+    asked = OfTable(wavevector=wavevector_unit, frequency_unit=None if in_file else kinds["unit"])
     encoding = kinds["encoding"]
     content = (
         text.replace("π", "pi").encode(encoding, errors="replace")

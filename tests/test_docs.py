@@ -18,9 +18,9 @@ BLOCK = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
 
 
 def blocks(document: str, language: str) -> list[str]:
-    found = [text for kind, text in BLOCK.findall((ROOT / document).read_text("utf-8")) if kind == language]
-    assert found, f"{document} has no {language} block"
-    return found
+    texts = [text for kind, text in BLOCK.findall((ROOT / document).read_text("utf-8")) if kind == language]
+    assert texts, f"{document} has no {language} block"
+    return texts
 
 
 def new_studies(document: str) -> dict[str, str]:
@@ -96,7 +96,7 @@ def test_a_reader_of_a_page_has_the_studies_that_it_names(document):
 def test_pictures_of_the_pages_show_no_formula_s_code():
     pictures = sorted((ROOT / "docs").rglob("images/*.svg"))
     assert pictures
-    assert not [one.name for one in pictures if "mathdefault" in one.read_text("utf-8")]
+    assert not [picture.name for picture in pictures if "mathdefault" in picture.read_text("utf-8")]
 
 
 def test_the_images_and_pages_that_documents_name_exist():

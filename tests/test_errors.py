@@ -16,32 +16,32 @@ ROOT = Path(haptonic.__file__).parent
 PAGE = Path(__file__).parents[1] / "docs" / "errors.md"
 PARTS = {"argument": "a", "given": "b", "allowed": "c", "cause": "d", "next_step": "e"}
 CODES = {
-    name.replace("_", "-"): made
-    for name, made in vars(HaptonicError).items()
-    if isinstance(made, classmethod) or hasattr(made, "code")
+    name.replace("_", "-"): factory
+    for name, factory in vars(HaptonicError).items()
+    if isinstance(factory, classmethod) or hasattr(factory, "code")
 }
 FAMILY = {kind.__name__ for kind in [HaptonicError, *HaptonicError.__subclasses__()]}
 
 
 def codes_given(tree: ast.AST) -> list[str]:
     """Codes that a module raises by a text, and errors that it makes without a code, as "none"."""
-    found = []
+    codes = []
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             coded = node.func.id in {"problem", "_refused"} or node.func.id in FAMILY
             first = node.args[0] if coded and node.args else None
             if isinstance(first, ast.Constant):
-                found.append(first.value)
+                codes.append(first.value)
             elif coded and first is None:
-                found.append("none")
-    return found
+                codes.append("none")
+    return codes
 
 
 def test_the_docs_list_every_code_and_no_other():
     rows = re.findall(
         r"^\| `([a-z-]+)` \| (.+?) \|$", PAGE.read_text("utf-8").split("## Codes")[1], re.MULTILINE
     )
-    assert dict(rows) == {code: inspect.getdoc(made).split("\n")[0] for code, made in CODES.items()}
+    assert dict(rows) == {code: inspect.getdoc(factory).split("\n")[0] for code, factory in CODES.items()}
     assert len(rows) == len(CODES)
 
 

@@ -131,9 +131,9 @@ def test_one_spoilt_design_of_many_is_an_error_and_the_others_are_kept(tmp_path)
         return spoilt_result() if number == 1 else xr.Dataset({"edge": float(number)})
 
     tasks = [Task({"number": number}, number) for number in range(3)]
-    found = run_all(design, tasks, store=Store(tmp_path))
-    assert [outcome.dataset is None for outcome in found] == [False, True, False]
-    assert isinstance(found[1].error, NumericalError)
+    outcomes = run_all(design, tasks, store=Store(tmp_path))
+    assert [outcome.dataset is None for outcome in outcomes] == [False, True, False]
+    assert isinstance(outcomes[1].error, NumericalError)
 
 
 json_values = st.recursive(

@@ -1,4 +1,4 @@
-"""The glossary says one thing of each term, and the names that it gives are those of the code."""
+"""Each term of the glossary has one meaning, and its names are those of the code."""
 
 import ast
 import re
@@ -25,9 +25,9 @@ def names_in_the_code() -> set[str]:
             if isinstance(node, ast.ClassDef | ast.FunctionDef):
                 names.add(node.name)
             if isinstance(node, ast.ClassDef):
-                fields = [one.target for one in node.body if isinstance(one, ast.AnnAssign)]
+                fields = [member.target for member in node.body if isinstance(member, ast.AnnAssign)]
                 names |= {f"{node.name}.{field.id}" for field in fields if isinstance(field, ast.Name)}
-                methods = (one for one in node.body if isinstance(one, ast.FunctionDef))
+                methods = (member for member in node.body if isinstance(member, ast.FunctionDef))
                 names |= {f"{node.name}.{method.name}" for method in methods}
     return names
 

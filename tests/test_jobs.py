@@ -36,7 +36,7 @@ Step = tuple[int, int, bool]
 
 
 def square(number: float) -> xr.Dataset:
-    """The computation of most tests; it also tells where it ran and with how many threads."""
+    """The computation of most tests; it also stores where it ran and with how many threads."""
     threads = [int(os.environ.get(name, "0")) for name in parallel.THREAD_LIMITS]
     return xr.Dataset(
         {"y": ((), float(number) ** 2), "threads": ("library", threads), "process": ((), os.getpid())}
@@ -56,7 +56,7 @@ def moody(argument: tuple[str, int, str]) -> xr.Dataset:
     if mood == "slow":
         time.sleep(0.2)
     if mood == "buggy":
-        raise ZeroDivisionError("not foreseen")
+        raise ZeroDivisionError("unexpected")
     return square(number)
 
 
@@ -107,8 +107,8 @@ class TestHere:
     def test_what_was_done_is_not_computed_again(self, store: Store) -> None:
         first = run_all(square, tasks_for([1, 2, 3]), store=store)
         again = run_all(never, tasks_for([1, 2, 3]), store=store)
-        for one, other in zip(first, again, strict=True):
-            xr.testing.assert_identical(one.dataset, other.dataset)
+        for computed, loaded in zip(first, again, strict=True):
+            xr.testing.assert_identical(computed.dataset, loaded.dataset)
 
     def test_no_process_is_started_when_all_is_there(
         self, store: Store, monkeypatch: pytest.MonkeyPatch
@@ -155,18 +155,18 @@ class TestHere:
 
     def test_an_unusable_store_is_reported_before_the_work_and_does_not_stop_it(self, tmp_path: Path) -> None:
         (tmp_path / "file").touch()
-        told: list[int] = []
+        warned: list[int] = []
 
         def computed(number: float) -> xr.Dataset:
-            told.append(len(caught))
+            warned.append(len(caught))
             return square(number)
 
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             outcomes = run_all(computed, tasks_for([1, 3]), store=Store(tmp_path / "file" / "store"))
         assert [result(outcome) for outcome in outcomes] == [1, 9]
-        assert told[0] > 0
-        assert {str(one.message) for one in caught} == {str(caught[0].message)}, "one thing to say"
+        assert warned[0] > 0
+        assert {str(warning.message) for warning in caught} == {str(caught[0].message)}, "the same every time"
         assert "are not stored" in str(caught[0].message)
 
     def test_importing_it_does_not_import_dask(self) -> None:
@@ -218,7 +218,7 @@ class TestWorkers:
     def test_any_other_exception_ends_the_run_and_keeps_what_was_done(
         self, store: Store, tmp_path: Path
     ) -> None:
-        with pytest.raises(ZeroDivisionError, match="not foreseen"):
+        with pytest.raises(ZeroDivisionError, match="unexpected"):
             run_all(moody, moody_tasks(tmp_path, ["fine", "fine", "fine", "buggy"]), store=store, workers=1)
         assert kept(store) == 3
 
@@ -270,7 +270,7 @@ class TestScheduler:
         self, store: Store, tmp_path: Path, somebodys_scheduler: str
     ) -> None:
         tasks = moody_tasks(tmp_path, ["fine", "fine", "fine", "buggy"])
-        with pytest.raises(ZeroDivisionError, match="not foreseen"):
+        with pytest.raises(ZeroDivisionError, match="unexpected"):
             run_all(moody, tasks, store=store, scheduler=somebodys_scheduler)
         assert kept(store) == 3
 
@@ -335,11 +335,11 @@ class TestInterrupted:
             time.sleep(0.05 if number < 4 else 60)
             return xr.Dataset({"y": ((), float(number) ** 2)})
 
-        def say(*words):
+        def show(*words):
             print(*words, flush=True)
 
         def announced(start=parallel.resource_tracker.ensure_running):
-            say("starting")
+            show("starting")
             start()
 
         parallel.resource_tracker.ensure_running = announced
@@ -348,7 +348,7 @@ class TestInterrupted:
             tasks = [jobs.Task({"kind": "square", "number": number}, number) for number in range(8)]
             try:
                 jobs.run_all(
-                    slow, tasks, store=Store(Path(sys.argv[1])), workers=int(sys.argv[2]), progress=say
+                    slow, tasks, store=Store(Path(sys.argv[1])), workers=int(sys.argv[2]), progress=show
                 )
             except KeyboardInterrupt:
                 sys.exit(130)
@@ -370,7 +370,7 @@ class TestInterrupted:
         for line in child.stdout:
             if line.strip() == until:
                 return child
-        raise AssertionError(f"never said {until!r}: {child.communicate()}")
+        raise AssertionError(f"never printed {until!r}: {child.communicate()}")
 
     def assert_resumed(self, store: Store) -> None:
         """The four quick tasks are taken from the store, the slow ones are computed, now quickly."""

@@ -127,8 +127,8 @@ def test_rayleigh_speed_reaches_its_limit_for_a_nearly_incompressible_solid():
 )
 def test_silicon_has_the_published_youngs_moduli(direction, published):
     """Values of [hopcroft2010], given to three digits there."""
-    found = youngs_modulus_along(material("silicon").stiffness, direction)
-    assert found == pytest.approx(published, rel=4e-3)
+    modulus = youngs_modulus_along(material("silicon").stiffness, direction)
+    assert modulus == pytest.approx(published, rel=4e-3)
 
 
 def test_orthotropic_entries_are_at_their_places():
@@ -234,17 +234,17 @@ def test_library_has_the_documented_materials():
 
 @pytest.mark.parametrize("name", sorted(NAMES))
 def test_every_material_is_a_stable_value_with_a_source(name):
-    found = material(name)
-    assert found.name == name
-    assert found.source
-    assert found.stiffness.shape == (6, 6)
-    assert np.allclose(found.stiffness, found.stiffness.T)
-    assert np.linalg.eigvalsh(found.stiffness).min() > 0
-    assert 0 <= found.loss_factor < 0.1
-    assert found.loss_factor > 0 or name == "aluminium-paper"
-    assert pickle.loads(pickle.dumps(found)) == found
-    assert hash(pickle.loads(pickle.dumps(found))) == hash(found)
-    assert json.loads(json.dumps(found.to_dict()))["density"] == found.density
+    solid = material(name)
+    assert solid.name == name
+    assert solid.source
+    assert solid.stiffness.shape == (6, 6)
+    assert np.allclose(solid.stiffness, solid.stiffness.T)
+    assert np.linalg.eigvalsh(solid.stiffness).min() > 0
+    assert 0 <= solid.loss_factor < 0.1
+    assert solid.loss_factor > 0 or name == "aluminium-paper"
+    assert pickle.loads(pickle.dumps(solid)) == solid
+    assert hash(pickle.loads(pickle.dumps(solid))) == hash(solid)
+    assert json.loads(json.dumps(solid.to_dict()))["density"] == solid.density
 
 
 def test_cited_keys_are_in_the_bibliography():
@@ -259,8 +259,8 @@ def test_cited_keys_are_in_the_bibliography():
 
 
 def test_a_source_is_found_without_our_bibliography():
-    for found in library().values():
-        assert not re.search(r"\[[a-z][a-z0-9-]+\]", f"{found.source} {found.note}")
+    for solid in library().values():
+        assert not re.search(r"\[[a-z][a-z0-9-]+\]", f"{solid.source} {solid.note}")
 
 
 def test_unknown_name_suggests_the_nearest():

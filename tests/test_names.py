@@ -71,8 +71,8 @@ def test_what_is_shown_moves_no_terminal(text):
 
 
 @given(st.text(), st.text())
-def test_an_error_quotes_a_file_without_its_control_characters(one, other):
-    error = HaptonicError.conflict(argument=one, given=other, allowed=one, cause=other, next_step=one)
+def test_an_error_quotes_a_file_without_its_control_characters(first, second):
+    error = HaptonicError.conflict(argument=first, given=second, allowed=first, cause=second, next_step=first)
     assert not CONTROLS.search(str(error))
     assert not any(CONTROLS.search(part) for part in error.parts().values())
 
@@ -108,8 +108,8 @@ def test_variables_called_by_names_come_back(tmp_path_factory, chosen):
     data = xr.Dataset({f"rms {name}": ("frequency", [1.0 * k]) for k, name in enumerate(chosen)})
     write_netcdf(data, path)
     with xr.open_dataset(path, engine="h5netcdf") as read:
-        found = {unquote(str(name)): float(values[0]) for name, values in read.items()}
-    assert found == {f"rms {name}": 1.0 * k for k, name in enumerate(chosen)}
+        stored = {unquote(str(name)): float(values[0]) for name, values in read.items()}
+    assert stored == {f"rms {name}": 1.0 * k for k, name in enumerate(chosen)}
     assert [variable(f"rms {name}") for name in ("A", "WG1")] == ["rms A", "rms WG1"]
 
 
@@ -144,8 +144,8 @@ def quoted(name):
 
 
 def with_names(region, other, actuator):
-    made = TINY.replace('region = "WG1"', f"region = {quoted(region)}").replace('"A1"', quoted(actuator))
-    return made.replace('"WG1"', quoted(region)).replace('"WG2"', quoted(other))
+    text = TINY.replace('region = "WG1"', f"region = {quoted(region)}").replace('"A1"', quoted(actuator))
+    return text.replace('"WG1"', quoted(region)).replace('"WG2"', quoted(other))
 
 
 @given(st.lists(names.filter(lambda name: name != "lattice"), min_size=2, max_size=2, unique=True), names)
@@ -153,7 +153,7 @@ def test_a_study_takes_every_allowed_name_and_keeps_it(regions, actuator):
     study = loads(with_names(*regions, actuator))
     plate = study.mounted_plate()
     assert set(plate.layout.regions) == set(regions)
-    assert [one.name for one in plate.actuators] == [actuator]
+    assert [patch.name for patch in plate.actuators] == [actuator]
     again = loads(study.to_toml())
     assert again == study
 

@@ -73,7 +73,7 @@ def test_the_tables_of_the_tutorial_are_the_study_of_its_cells():
         for line in ast.parse(code).body:
             if isinstance(line, ast.Assign) and ast.unparse(line.value).startswith("hp.Study("):
                 exec(ast.unparse(line), space)
-    same, other = (tomllib.loads(one.to_toml()) for one in (written, space["study"]))
+    same, other = (tomllib.loads(study.to_toml()) for study in (written, space["study"]))
     for table in ("carrier", "cell", "plate", "touch", "scan", "protocol"):
         assert same[table] == other[table]
 
@@ -92,10 +92,10 @@ def test_the_first_page_has_the_code_and_the_answer_of_the_readme():
 @pytest.mark.nightly
 def test_every_layer_by_itself(capsys):
     run("library", [code for _, code in cells("library")])
-    said = capsys.readouterr().out
-    assert "complete gap from 52.5 to 60.2 kHz" in said
-    assert "280 points, 61 frequencies, simulated" in said
-    assert "the difference is significant across participants" in said
+    printed = capsys.readouterr().out
+    assert "complete gap from 52.5 to 60.2 kHz" in printed
+    assert "280 points, 61 frequencies, simulated" in printed
+    assert "the difference is significant across participants" in printed
 
 
 @pytest.mark.nightly
@@ -114,7 +114,7 @@ def test_differences_on_the_page_of_validation_are_within_the_error_estimates():
 
 
 def test_reference_values_on_the_page_of_validation_are_those_of_the_tests():
-    found = {}
+    values = {}
     for _, code in cells("validation"):
         for line in ast.parse(code).body:
             if (
@@ -122,16 +122,16 @@ def test_reference_values_on_the_page_of_validation_are_those_of_the_tests():
                 and line.targets[0].id.isupper()
                 and line.targets[0].id != "PHASES"
             ):
-                found[line.targets[0].id] = ast.literal_eval(line.value)
+                values[line.targets[0].id] = ast.literal_eval(line.value)
     data = {
         name: json.loads((DOCS.parent / "tests/data" / f"{name}.json").read_text("utf-8"))
         for name in ("reference_cell", "empty_lattice", "simply_supported_plate")
     }
     cell, waves = data["reference_cell"], data["empty_lattice"]["points"]
-    assert found["CELL"] == {here: cell[there][:10] for here, there in zip("ΓXM", "GXM", strict=True)}
+    assert values["CELL"] == {here: cell[there][:10] for here, there in zip("ΓXM", "GXM", strict=True)}
     for here, there in (("Γ", "Gamma"), ("middle of Γ-X", "G-X mid")):
-        assert found["PLATE_WAVES"][here] == [wave["hz"] for wave in waves[there]][:11]
-    assert found["THICK_PLATE"] == [mode["hz"] for mode in data["simply_supported_plate"]["modes"]]
+        assert values["PLATE_WAVES"][here] == [wave["hz"] for wave in waves[there]][:11]
+    assert values["THICK_PLATE"] == [mode["hz"] for mode in data["simply_supported_plate"]["modes"]]
 
 
 def test_the_gallery_is_one():
@@ -144,7 +144,7 @@ def test_every_picture_has_words_of_its_own(name):
         (options, code) for options, code in cells(name) if re.search(r"plot\([^\n]*\)\Z", code.strip())
     ]
     words = [re.search(r"alt: (.*)", options)[1] for options, _ in pictures]
-    assert all(len(one) > 40 for one in words), "what would somebody miss who does not see it?"
+    assert all(len(text) > 40 for text in words), "what would somebody miss who does not see it?"
     assert len(set(words)) == len(words)
 
 
@@ -159,18 +159,18 @@ def test_a_notebook_shows_how_far_long_work_is_and_nothing_stays(monkeypatch):
     kernel = SimpleNamespace(kernel=object())
     notebook = SimpleNamespace(get_ipython=lambda: kernel, display=SimpleNamespace(display=display))
 
-    def told(*steps: tuple[object, ...]) -> list[str]:
-        with progress.in_notebook("sweep") as tell:
+    def texts_after(*steps: tuple[object, ...]) -> list[str]:
+        with progress.in_notebook("sweep") as update:
             for step in steps:
-                tell(*step)
-        return [one["text/plain"] for one in shown]
+                update(*step)
+        return [data["text/plain"] for data in shown]
 
-    assert told((1, 8)) == []  # no notebook
+    assert texts_after((1, 8)) == []  # no notebook
     monkeypatch.setitem(sys.modules, "IPython", notebook)
-    assert told((1, 8)) == []  # done in a moment
+    assert texts_after((1, 8)) == []  # done in a moment
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
     monkeypatch.setattr(progress, "PAUSE", 0.0)
-    assert told((0, 0, "<b>"), (3, 8)) == ["sweep <b>", "sweep 3 of 8", ""]
+    assert texts_after((0, 0, "<b>"), (3, 8)) == ["sweep <b>", "sweep 3 of 8", ""]
     assert "&lt;b&gt;" in shown[0]["text/html"]
     assert 'value="3" max="8"' in shown[1]["text/html"]
 

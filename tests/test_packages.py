@@ -44,13 +44,13 @@ def test_every_name_is_there_and_no_module_hides_it(name):
     folder = Path(package.__file__).parent
     modules = {path.stem for path in folder.iterdir()}
     assert package.__all__, "the stub lists what there is"
-    for one in package.__all__:
-        assert one not in modules, f"importing {name}.{one} would replace the name by the module"
-        assert getattr(package, one) is not None
+    for public in package.__all__:
+        assert public not in modules, f"importing {name}.{public} would replace the name by the module"
+        assert getattr(package, public) is not None
 
 
 def ran(code: str, *arguments: str) -> set[str]:
-    """Of the heavy libraries, those that a process has loaded when it ends."""
+    """The heavy libraries that a process has loaded when it ends."""
     code = f"import atexit, sys; atexit.register(lambda: {SAID})\n{code}"
     done = subprocess.run(
         [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True

@@ -24,9 +24,9 @@ def test_results_come_in_the_order_of_the_items(count, monkeypatch):
         return item**2, {own["num_threads"] for own in libraries if own["internal_api"] != "mkl"}
 
     with threadpool_limits(2):
-        found = each(slow, range(12))
-    assert [square for square, _ in found] == [item**2 for item in range(12)]
-    assert all(limits == {1} for _, limits in found), "linear algebra inside has one thread"
+        results = each(slow, range(12))
+    assert [square for square, _ in results] == [item**2 for item in range(12)]
+    assert all(limits == {1} for _, limits in results), "linear algebra inside has one thread"
     assert each(slow, []) == []
 
 

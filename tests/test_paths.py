@@ -70,8 +70,8 @@ def odd(kind: str, folder: Path) -> Path:
         case "pipe":
             os.mkfifo(path)
         case "socket":
-            with socket.socket(socket.AF_UNIX) as one:
-                one.bind(str(path))
+            with socket.socket(socket.AF_UNIX) as listener:
+                listener.bind(str(path))
         case "loop":
             path.symlink_to(path)
         case _:
@@ -97,13 +97,13 @@ def test_what_is_no_file_is_refused(reader, kind, tmp_path, monkeypatch):
 def test_a_file_inside_a_folder_is_looked_at_like_any_other(kind, tmp_path, monkeypatch):
     """A point of a scan is left out with its reason; a calibration is refused."""
     monkeypatch.chdir(tmp_path)
-    found = odd(kind, tmp_path)
-    (tmp_path / "point.csv").symlink_to(found)
+    source = odd(kind, tmp_path)
+    (tmp_path / "point.csv").symlink_to(source)
     (tmp_path / "good.csv").write_text("frequency,real,imaginary\n1e3,1,0\n2e3,1,1\n")
     (tmp_path / "geometry.csv").write_text("file,x,y\npoint.csv,0,0\ngood.csv,1e-3,0\n")
     report = read_scan(tmp_path).report
     assert report.points == 1
-    assert [one.what for one in report.dropped] == ["file point.csv"]
+    assert [part.what for part in report.dropped] == ["file point.csv"]
     assert five_parts_of(read_calibration, tmp_path / "point.csv").argument == "trials.sensor.calibration"
 
 

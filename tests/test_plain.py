@@ -35,35 +35,35 @@ UNITS = {
 @st.composite
 def datasets(draw):
     """Some variables on dimensions of which some have names."""
-    sizes = {one: draw(st.integers(0, 3)) for one in ("a", "b", "c")}
+    sizes = {dimension: draw(st.integers(0, 3)) for dimension in ("a", "b", "c")}
     coords = {
-        one: np.array(draw(st.lists(names, min_size=size, max_size=size, unique=True)), dtype=str)
-        for one, size in sizes.items()
+        dimension: np.array(draw(st.lists(names, min_size=size, max_size=size, unique=True)), dtype=str)
+        for dimension, size in sizes.items()
         if draw(st.booleans())
     }
-    found = {}
+    variables = {}
     for number, unit in enumerate(draw(st.lists(st.sampled_from(list(UNITS)), min_size=1, max_size=3))):
         dims = draw(st.permutations(list(sizes)))[: draw(st.integers(0, 3))]
         values = np.arange(float(np.prod([sizes[d] for d in dims]))).reshape([sizes[d] for d in dims])
-        found[f"v{number}"] = dims, values + draw(st.sampled_from([0, 0.5])), {"units": unit}
-    return xr.Dataset(found, coords=coords)
+        variables[f"v{number}"] = dims, values + draw(st.sampled_from([0, 0.5])), {"units": unit}
+    return xr.Dataset(variables, coords=coords)
 
 
-def at(told, array, place):
+def at(content, array, place):
     """The number that JSON has at a place of an array."""
     for dimension, number in zip(array.dims, place, strict=True):
         has_names = dimension in array.coords
-        told = told[array[dimension].values[number] if has_names else number]
-    return told
+        content = content[array[dimension].values[number] if has_names else number]
+    return content
 
 
 @given(datasets())
 def test_every_number_is_stored_once_under_its_name_and_unit(data):
-    told = json.loads(json.dumps(plain(data)))
-    assert set(told) == {f"{name}{UNITS[one.attrs['units']]}" for name, one in data.items()}
+    content = json.loads(json.dumps(plain(data)))
+    assert set(content) == {f"{name}{UNITS[array.attrs['units']]}" for name, array in data.items()}
     for name, array in data.items():
         for place in np.ndindex(array.shape):
-            assert at(told[named(name, array.attrs["units"])], array, place) == array.values[place]
+            assert at(content[named(name, array.attrs["units"])], array, place) == array.values[place]
 
 
 @given(datasets())
@@ -138,10 +138,10 @@ class TestTable:
             Column("rms of {}", form=".0f", of="rms"),
             Column("share", shown="%", form=".0f", ends=("low", "high")),
         )
-        made = Table.of("lines", self.DATA, "line", columns)
-        assert made.head == ("frequency / kHz", "rms of WG1 / (m/s/V)", "rms of {} / (m/s/V)", "share / %")
-        assert made.texts[0] == ("1.00 ± 0.01", "1", "2", "50 (40 to 60)")
-        assert made.to_dataframe()["error of frequency (Hz)"].tolist() == [10.0, 20.0]
+        table = Table.of("lines", self.DATA, "line", columns)
+        assert table.head == ("frequency / kHz", "rms of WG1 / (m/s/V)", "rms of {} / (m/s/V)", "share / %")
+        assert table.texts[0] == ("1.00 ± 0.01", "1", "2", "50 (40 to 60)")
+        assert table.to_dataframe()["error of frequency (Hz)"].tolist() == [10.0, 20.0]
 
     def test_a_share_has_the_digits_of_its_sentence(self):
         data = self.DATA.assign(low=("line", [0.49, 0.0]), high=("line", [0.515, 0.74])).fillna(0.56)

@@ -32,7 +32,7 @@ AS_CONDA = {"matplotlib-base": "matplotlib"}  # without the windows that nobody 
 
 
 def bare(requirement: str) -> str:
-    """Of a requirement, the package's name as it is compared."""
+    """The package's name in a requirement, as it is compared."""
     return re.split(r"[<>=;\[ ]", requirement)[0].lower().replace("_", "-")
 
 
@@ -55,12 +55,12 @@ def imported() -> set[str]:
 
 
 def test_every_dependency_is_imported():
-    declared = {bare(one) for one in PROJECT["dependencies"]}
+    declared = {bare(requirement) for requirement in PROJECT["dependencies"]}
     assert declared - imported() == BY_NAME
 
 
 def test_every_import_is_declared():
-    declared = {bare(one) for one in [*PROJECT["dependencies"], *chain(*EXTRAS.values())]}
+    declared = {bare(requirement) for requirement in [*PROJECT["dependencies"], *chain(*EXTRAS.values())]}
     brought = {  # by a package that is declared
         "dask": "distributed", "netgen-occt": "netgen-mesher", "netgen": "netgen-mesher",
         "pydantic-core": "pydantic", "annotated-types": "pydantic", "typing-extensions": "pydantic",
@@ -110,10 +110,10 @@ def recipe() -> dict[str, dict]:
 
 
 def test_the_recipe_needs_what_the_project_needs():
-    needed = {one.split(";")[0] for one in PROJECT["dependencies"]}
-    run = {one.replace(" ", "") for one in recipe()["requirements"]["run"]} - {"python>=3.11"}
+    needed = {requirement.split(";")[0] for requirement in PROJECT["dependencies"]}
+    run = {requirement.replace(" ", "") for requirement in recipe()["requirements"]["run"]} - {"python>=3.11"}
     for conda, name in AS_CONDA.items():
-        run = {one.replace(conda, name) for one in run}
+        run = {requirement.replace(conda, name) for requirement in run}
     assert run == needed
 
 
@@ -129,9 +129,9 @@ def test_the_forge_runs_what_a_desk_runs(file):
 
 
 def test_a_scheduler_without_its_extra_is_refused(monkeypatch):
-    found = importlib.util.find_spec
+    find_spec = importlib.util.find_spec
     monkeypatch.setattr(
-        "importlib.util.find_spec", lambda name: None if name == "distributed" else found(name)
+        "importlib.util.find_spec", lambda name: None if name == "distributed" else find_spec(name)
     )
     with refusing(ResourceError, "not-installed", "scheduler", "haptonic[scheduler]"):
         check_workers(0, "tcp://127.0.0.1:8786")

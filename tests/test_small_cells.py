@@ -46,18 +46,18 @@ def test_a_cell_of_any_size_in_usual_proportions_is_usual(power, solid, share):
 @settings(deadline=None, max_examples=40)
 def test_a_slip_of_a_unit_is_named_whatever_the_size_of_the_cell(power, what, slip):
     pitch = 10.0**power
-    made, carrier = cell(pitch), 0.1 * 3000 / pitch
+    keys, carrier = cell(pitch), 0.1 * 3000 / pitch
     if what == "thickness":
-        made["thickness"] *= slip
+        keys["thickness"] *= slip
     elif what == "height":
-        made["pillar"]["height"] *= slip
+        keys["pillar"]["height"] *= slip
     else:
         carrier = min(max(carrier * slip, 1.0), 1e11)
-    small = min(made["thickness"], made["pillar"]["height"])
-    if not small >= 1e-9 or max(made["thickness"], made["pillar"]["height"]) > 1e3:
+    small = min(keys["thickness"], keys["pillar"]["height"])
+    if not small >= 1e-9 or max(keys["thickness"], keys["pillar"]["height"]) > 1e3:
         return
     with pytest.warns(HaptonicWarning, match=r"Did you mean|is typical"):
-        Study(cell=made, material="silicon", carrier=carrier)
+        Study(cell=keys, material="silicon", carrier=carrier)
 
 
 @given(st.floats(1e3, 9e10), st.floats(1.0, 1.3))
@@ -95,7 +95,7 @@ def test_columns_and_axes_follow_their_values_and_files_keep_hertz(scale, unit):
 
     (axes,) = picture().axes
     assert axes.get_ylabel() == f"frequency ({unit})"
-    shown = [float(one.get_text()) for one in axes.get_yticklabels() if one.get_text()]
+    shown = [float(label.get_text()) for label in axes.get_yticklabels() if label.get_text()]
     assert max(shown) <= 75
 
 

@@ -69,7 +69,7 @@ class TestContentKey:
     @settings(max_examples=30)
     @given(inputs, inputs)
     def test_different_inputs_have_different_keys(
-        self, one: dict[str, object], other: dict[str, object]
+        self, first: dict[str, object], second: dict[str, object]
     ) -> None:
         def exact(value: object) -> object:  # True, 1 and 1.0, 0.0 and -0.0 are equal in Python, not here
             if isinstance(value, dict):
@@ -78,7 +78,7 @@ class TestContentKey:
                 [exact(inner) for inner in value] if isinstance(value, list) else (type(value), repr(value))
             )
 
-        assert (content_key(one) == content_key(other)) == (exact(one) == exact(other))
+        assert (content_key(first) == content_key(second)) == (exact(first) == exact(second))
 
     @given(st.floats(allow_nan=False, allow_infinity=False))
     def test_the_next_float_is_another_input(self, number: float) -> None:
@@ -103,7 +103,7 @@ class TestContentKey:
         assert content_key({"pitch": 0.007}) != before
 
     @pytest.mark.parametrize(
-        ("value", "said"),
+        ("value", "words"),
         [
             (object(), "inputs.cell.pitch: object has no fields"),
             ([1, [range(3)]], r"inputs.cell.pitch\[1\]\[0\]: range has no fields"),
@@ -111,8 +111,8 @@ class TestContentKey:
             (Store, "inputs.cell.pitch: type has no fields"),
         ],
     )
-    def test_what_cannot_name_a_result_is_refused(self, value: object, said: str) -> None:
-        with pytest.raises(AssertionError, match=said):
+    def test_what_cannot_name_a_result_is_refused(self, value: object, words: str) -> None:
+        with pytest.raises(AssertionError, match=words):
             content_key({"cell": {"pitch": value}})
 
 
@@ -189,9 +189,9 @@ class TestPutAndGet:
         store = Store(tmp_path)
         array = np.array(numbers, dtype=float)
         store.put(KEY, xr.Dataset({"frequency": ("band", array, {"nan_means": "not found"})}))
-        found = store.get(KEY)
-        assert found is not None
-        np.testing.assert_array_equal(found.frequency.values.view(np.int64), array.view(np.int64))
+        stored = store.get(KEY)
+        assert stored is not None
+        np.testing.assert_array_equal(stored.frequency.values.view(np.int64), array.view(np.int64))
 
     def test_xarray_reads_the_same_from_the_file(self, tmp_path: Path) -> None:
         """With names, types and attributes of all kinds, as `haptonic.hdf5.read_dataset`."""
@@ -390,9 +390,9 @@ class TestAtomicity:
         writers = [run_script(tmp_path, self.WRITER, store.root, KEY, number, 8) for number in (1.0, 2.0)]
         seen = set()
         while any(writer.poll() is None for writer in writers):
-            found = store.get(KEY)  # a torn file would warn, and warnings are errors here
-            if found is not None:
-                seen.add(tuple(np.unique(found.frequency.values)))
+            stored = store.get(KEY)  # a torn file would warn, and warnings are errors here
+            if stored is not None:
+                seen.add(tuple(np.unique(stored.frequency.values)))
         for writer in writers:
             assert writer.communicate()[1] == ""
             assert writer.returncode == 0
@@ -409,9 +409,9 @@ class TestAtomicity:
         time.sleep(delay)
         child.send_signal(signal.SIGKILL)
         child.communicate()
-        found = store.get(KEY)
-        assert found is not None
-        assert np.all(found.frequency.values == 3.0)
+        stored = store.get(KEY)
+        assert stored is not None
+        assert np.all(stored.frequency.values == 3.0)
 
 
 class TestUnusableFolders:
@@ -461,9 +461,9 @@ class TestUnusableFolders:
         assert "HaptonicWarning" in noise
         assert "the file is larger than the system lets you write" in noise
         assert files_below(tmp_path / "store") == [f"{KEY}.nc"]
-        found = Store(tmp_path / "store").get(KEY)
-        assert found is not None
-        assert found.x.values == [1.0]
+        stored = Store(tmp_path / "store").get(KEY)
+        assert stored is not None
+        assert stored.x.values == [1.0]
 
 
 class TestPlaces:
@@ -522,7 +522,7 @@ RACER = """
 
 
 def test_two_commands_at_once_in_a_fresh_folder(tmp_path: Path) -> None:
-    """Each writes its set into a folder that is not there yet, or is told that the other one was faster."""
+    """Each writes its set into a folder that is not there yet, or is refused since the other was faster."""
     turns, start = 60, time.time() + 3
     racers = [run_script_as(tmp_path, f"racer{k}", RACER, tmp_path / "root", k, turns, start) for k in "AB"]
     done = []

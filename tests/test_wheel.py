@@ -1,4 +1,4 @@
-"""What an installed haptonic has: its types, and every file that it tells somebody to look at."""
+"""What an installed haptonic has: its types, and every file that a message points to."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ def test_the_package_declares_types():
 
 
 def test_no_message_points_to_a_file_that_is_not_installed():
-    found = [
+    missing = [
         f"{file.relative_to(SOURCE)}:{text.lineno}: {path}"
         for file in SOURCE.rglob("*.py")
         for text in spoken(tree_of(file))
         for path in REPOSITORY.findall(text.value)
         if not (SOURCE / path).exists()
     ]
-    assert found == []
+    assert missing == []

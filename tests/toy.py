@@ -21,7 +21,7 @@ class ToyOptions:
     """What may be chosen."""
 
     number: int = option(2, "How far to count.", metavar="N")
-    length: float = option(1e-3, "Of a step.", unit="m", metavar="LENGTH")
+    length: float = option(1e-3, "Length of a step.", unit="m", metavar="LENGTH")
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -1,4 +1,4 @@
-"""Folders of force records as an experiment leaves them, made up."""
+"""Simulated folders of force records, as an experiment leaves them."""
 
 from __future__ import annotations
 
@@ -35,35 +35,35 @@ def made_up(participants: int = 3, blocks: int = 2, trials: int = 6, seed: int =
 
 def channels(records: list[Record]) -> Channels:
     """Named channels of records that follow each other."""
-    normal = np.concatenate([one.normal for one in records])
+    normal = np.concatenate([record.normal for record in records])
     return {
         "time": np.arange(len(normal)) / records[0].rate,
         "Fx": np.zeros_like(normal),
-        "Fy": np.concatenate([one.tangential for one in records]),
+        "Fy": np.concatenate([record.tangential for record in records]),
         "Fz": normal,
-        "position": np.concatenate([one.position for one in records]),
+        "position": np.concatenate([record.position for record in records]),
     }
 
 
-def write_csv(found: Channels, path: Path) -> None:
-    pd.DataFrame(found).to_csv(path, index=False)
+def write_csv(columns: Channels, path: Path) -> None:
+    pd.DataFrame(columns).to_csv(path, index=False)
 
 
-def write_h5(found: Channels, path: Path) -> None:
+def write_h5(columns: Channels, path: Path) -> None:
     with h5py.File(path, "w") as file:
-        for name, values in found.items():
+        for name, values in columns.items():
             file[name] = values
 
 
-def write_mat(found: Channels, path: Path) -> None:
-    scipy.io.savemat(path, found, oned_as="column")
+def write_mat(columns: Channels, path: Path) -> None:
+    scipy.io.savemat(path, columns, oned_as="column")
 
 
-def write_tdms(found: Channels, path: Path) -> None:
+def write_tdms(columns: Channels, path: Path) -> None:
     from nptdms import ChannelObject, TdmsWriter
 
     with TdmsWriter(path) as file:
-        file.write_segment([ChannelObject("records", name, values) for name, values in found.items()])
+        file.write_segment([ChannelObject("records", name, values) for name, values in columns.items()])
 
 
 WRITERS = {"csv": write_csv, "h5": write_h5, "hdf5": write_h5, "mat": write_mat, "tdms": write_tdms}
@@ -71,19 +71,21 @@ WRITERS = {"csv": write_csv, "h5": write_h5, "hdf5": write_h5, "mat": write_mat,
 
 def written(
     folder: Path,
-    made: Made,
+    trials: Made,
     *,
     kind: str = "csv",
     per: str = "trial",
-    change: Callable[[Channels], Channels] = lambda found: found,
+    change: Callable[[Channels], Channels] = lambda columns: columns,
     **more: Any,
 ) -> Path:
     """A folder with ``trials.csv`` and a file for each trial or block; ``more`` are columns of the table."""
     folder.mkdir(exist_ok=True)
     rows = []
-    parts = [[one] for one in made]
+    parts = [[trial] for trial in trials]
     if per == "block":
-        parts = [list(group) for _, group in groupby(made, lambda one: (one[0].participant, one[0].block))]
+        parts = [
+            list(group) for _, group in groupby(trials, lambda trial: (trial[0].participant, trial[0].block))
+        ]
     for part in parts:
         first = part[0][0]
         name = f"{first.participant}-B{first.block}-T{first.trial}.{kind}"
