@@ -46,8 +46,8 @@ nb_merge_streams = True
 def formula(writer: Any, node: Any) -> None:
     """Write a formula, in a line or by itself."""
     block = node.tagname == "math_block"
-    found = convert(node.astext(), display="block" if block else "inline")
-    writer.body.append(f'<div class="math">{found}</div>' if block else found)
+    mathml = convert(node.astext(), display="block" if block else "inline")
+    writer.body.append(f'<div class="math">{mathml}</div>' if block else mathml)
     raise SkipNode
 
 

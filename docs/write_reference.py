@@ -34,7 +34,7 @@ COLUMNS = 80  # of a signature
 
 def packages() -> list[str]:
     """The packages, those within others too, that list their public names, and the lattices."""
-    inner = [one.name for one in walk_packages(haptonic.__path__, "haptonic.") if one.ispkg]
+    inner = [module.name for module in walk_packages(haptonic.__path__, "haptonic.") if module.ispkg]
     inner = [name for name in inner if hasattr(import_module(name), "__all__")]
     return ["haptonic", *sorted([*inner, "haptonic.lattice"])]
 
@@ -64,7 +64,7 @@ def reference() -> str:
     ]
     for name, text in NAMES.items():
         given = named(name).options.__dataclass_fields__.values()
-        options = [(one.name, known) for one in given if (known := option_of(one))]
+        options = [(field.name, known) for field in given if (known := option_of(field))]
         lines += ["", f"### {name}", "", text]
         if options:
             lines += ["", "| option | unit | meaning |", "|---|---|---|"]
@@ -115,18 +115,18 @@ def signature(name: str, value: Any) -> str:
     except ValueError:  # of a class that is built by no function
         return name
     parts, positional = [], True
-    for one in known.parameters.values():
-        if one.kind is one.KEYWORD_ONLY and positional:
+    for parameter in known.parameters.values():
+        if parameter.kind is parameter.KEYWORD_ONLY and positional:
             parts, positional = [*parts, "*"], False
-        if one.kind is one.VAR_POSITIONAL:
+        if parameter.kind is parameter.VAR_POSITIONAL:
             positional = False
-        stars = {one.VAR_POSITIONAL: "*", one.VAR_KEYWORD: "**"}.get(one.kind, "")
-        kind = "" if one.annotation is one.empty else f": {annotation(one.annotation)}"
+        stars = {parameter.VAR_POSITIONAL: "*", parameter.VAR_KEYWORD: "**"}.get(parameter.kind, "")
+        kind = "" if parameter.annotation is parameter.empty else f": {annotation(parameter.annotation)}"
         default = ""
-        if one.default is not one.empty:
-            text = repr(one.default)
+        if parameter.default is not parameter.empty:
+            text = repr(parameter.default)
             default = f" = {text if len(text) <= LONGEST_DEFAULT and ' at 0x' not in text else '...'}"
-        parts.append(f"{stars}{one.name}{kind}{default}")
+        parts.append(f"{stars}{parameter.name}{kind}{default}")
     returned = known.return_annotation
     after = "" if inspect.isclass(value) or returned is known.empty else f" -> {annotation(returned)}"
     whole = f"{name}({', '.join(parts)}){after}"
@@ -203,7 +203,7 @@ def declared_fields(kind: type) -> list[str]:
         return []
     rows = []
     for slot in slots(kind):
-        unit = " or ".join(dict.fromkeys(one.unit or "1" for one in slot.quantities))
+        unit = " or ".join(dict.fromkeys(quantity.unit or "1" for quantity in slot.quantities))
         default = slot.field.default
         shown = "" if default is None or len(repr(default)) > LONGEST_DEFAULT else f"`{default!r}`"
         shown = "required" if slot.field.is_required() else shown
@@ -224,7 +224,11 @@ def members(kind: type) -> list[str]:
         if isinstance(plain, property) or hasattr(plain, "func"):
             rows.append(f"| `{name}` | {cell(summary_of(plain))} |")
         elif inspect.isfunction(plain):
-            given = [one for one in inspect.signature(plain).parameters if one not in ("self", "cls")]
+            given = [
+                parameter
+                for parameter in inspect.signature(plain).parameters
+                if parameter not in ("self", "cls")
+            ]
             rows.append(f"| `{name}({', '.join(given)})` | {cell(summary_of(plain))} |")
     return ["| member | meaning |", "|---|---|", *rows, ""] if rows else []
 
@@ -240,24 +244,24 @@ def methods() -> str:
     for name, text in NAMES.items():
         analysis = named(name)
         kinds = get_type_hints(analysis.options)
-        given = [f"{one.name}: {_taken(one, kinds[one.name])}" for one in fields(analysis.options)]
+        given = [f"{field.name}: {_taken(field, kinds[field.name])}" for field in fields(analysis.options)]
         lines += [
             f"    def {name.replace(' ', '_')}(",
             "        self,",
             "        *,",
-            *(f"        {one}," for one in [*given, *_of_run()]),
+            *(f"        {parameter}," for parameter in [*given, *_of_run()]),
             f"    ) -> {_named(analysis.result)}:",
             *(f"        {line}" for line in wrap(f'"""{text}"""', 102)),
             "",
         ]
     modules = set(re.findall(r"([a-z_.]+)\.[A-Z]", "\n".join(lines)))
-    ours = {one for one in modules if one.startswith("haptonic")}
+    ours = {module for module in modules if module.startswith("haptonic")}
     head = [
         '"""The methods of a study; docs/write_reference.py writes this from the table of analyses."""',
         "",
-        *(f"import {one}" for one in sorted(modules - ours)),
+        *(f"import {module}" for module in sorted(modules - ours)),
         "",
-        *(f"import {one}" for one in sorted(ours)),
+        *(f"import {module}" for module in sorted(ours)),
         "",
         "class Methods:",
     ]
@@ -268,18 +272,18 @@ def _of_run() -> list[str]:
     """What every method takes besides its options, as `haptonic.Study.run` declares it."""
     kinds = get_type_hints(haptonic.Study.run)
     return [
-        f"{name}: {_named(kinds[name])} = {one.default!r}"
-        for name, one in inspect.signature(haptonic.Study.run).parameters.items()
-        if one.kind is one.KEYWORD_ONLY
+        f"{name}: {_named(kinds[name])} = {parameter.default!r}"
+        for name, parameter in inspect.signature(haptonic.Study.run).parameters.items()
+        if parameter.kind is parameter.KEYWORD_ONLY
     ]
 
 
-def _taken(one: Field[Any], kind: Any) -> str:
+def _taken(field: Field[Any], kind: Any) -> str:
     """The type of an option and its default; a quantity may be a text with its unit, a path a text."""
-    taken, known = _named(kind), option_of(one)
+    taken, known = _named(kind), option_of(field)
     if "pathlib.Path" in taken or (known and known.unit):
         taken = f"str | {taken}"
-    return taken if one.default is MISSING and one.default_factory is MISSING else f"{taken} = ..."
+    return taken if field.default is MISSING and field.default_factory is MISSING else f"{taken} = ..."
 
 
 def _named(kind: Any) -> str:
@@ -287,7 +291,7 @@ def _named(kind: Any) -> str:
     if isinstance(kind, type) and not hasattr(kind, "__args__"):
         return f"{kind.__module__}.{kind.__qualname__}".removeprefix("builtins.")
     if get_origin(kind) in (Union, UnionType):  # typing writes Optional[...]
-        return " | ".join("None" if one is type(None) else _named(one) for one in get_args(kind))
+        return " | ".join("None" if part is type(None) else _named(part) for part in get_args(kind))
     return str(kind).replace("'", '"')
 
 
