@@ -83,7 +83,7 @@ def several(columns: int, rows: int) -> dict[str, float]:
     }
 
 
-def one(order: int) -> dict[str, float]:
+def cost_of(order: int) -> dict[str, float]:
     cell, resolution = haptonic.load(STUDY).cell, Resolution(order, 1)
     plan = resolution.plan(cell)
     condense(cell, plan, resolution.steps, measured=False)  # the index work of the topology
@@ -109,7 +109,7 @@ def exponent(rows: list[dict[str, float]], name: str) -> float:
 if __name__ == "__main__":
     if len(sys.argv) > 1:
         numbers = [int(text) for text in sys.argv[1:]]
-        print(json.dumps(one(*numbers) if len(numbers) == 1 else several(*numbers)))
+        print(json.dumps(cost_of(*numbers) if len(numbers) == 1 else several(*numbers)))
     else:
         orders = [apart(__file__, order) for order in ORDERS]
         pillars = [apart(__file__, *shape) for shape in PILLARS]

@@ -54,7 +54,7 @@ def refused(
 def refusing(
     kind: type[HaptonicError], code: str, argument: str = "", *words: str
 ) -> Iterator[pytest.ExceptionInfo[HaptonicError]]:
-    """A block that ends with an error of this kind, with code, argument and words as in `assert_explained`."""
+    """A block that ends with an error of this kind, with parts as in `assert_explained`."""
     with pytest.raises(kind) as caught:
         yield caught
     assert_explained(caught.value, *words, code=code, argument=argument)

@@ -74,16 +74,16 @@ def test_more_than_three_sentences_are_for_those_who_ask(numbers):
     sentences = [f"Sentence {n} of {k}." for k, n in enumerate(numbers)]
     result = SimpleNamespace(summary=lambda: sentences, tables=list, remarks=list)
 
-    def told(*, every: bool) -> list[str]:
+    def shown(*, every: bool) -> list[str]:
         voice = Voice(machine=False)
         voice.out.file = io.StringIO()
         show(result, voice, every=every)
         return voice.out.file.getvalue().splitlines()
 
     beyond = max(len(sentences) - SENTENCES, 0)
-    assert told(every=True) == sentences
+    assert shown(every=True) == sentences
     more = f"more with --tables: {beyond} sentence{'' if beyond == 1 else 's'}"
-    assert told(every=False) == sentences[:SENTENCES] + [more] * (beyond > 0)
+    assert shown(every=False) == sentences[:SENTENCES] + [more] * (beyond > 0)
 
 
 @pytest.mark.parametrize(

@@ -47,7 +47,7 @@ def gap(lower, upper, error=0.0):
     )  # fmt: skip
 
 
-def made(drive=150.0, idle=0.1, speed=0.078, **finger):
+def response_of(drive=150.0, idle=0.1, speed=0.078, **finger):
     axes = [np.arange(1e-3, end, 2e-3) for end in (LINES[-1], LAYOUT.y[-1])]
     x, y = (axis.ravel() for axis in np.meshgrid(*axes))
     region = np.where(x < 21e-3, "A", np.where(x > 28e-3, "B", ""))
@@ -81,7 +81,7 @@ def felt_on(loaded, diameter, touch, skin, drive):
 @settings(max_examples=6, deadline=None)
 @given(st.floats(5.0, 400.0), st.floats(0.05, 0.9))
 def test_friction_is_that_of_the_models_at_each_amplitude(drive, idle):
-    on_plate = made(drive, idle)
+    on_plate = response_of(drive, idle)
     friction = on_plate.at_points()
     for region, share in (("A", 1.0), ("B", idle)):
         amplitude = LOADED[2] * share * drive
@@ -94,7 +94,7 @@ def test_friction_is_that_of_the_models_at_each_amplitude(drive, idle):
 
 
 def test_where_the_plate_strikes_the_skin_the_other_model_answers():
-    on_plate = made(1000.0, film_share=5e-4)
+    on_plate = response_of(1000.0, film_share=5e-4)
     amplitude = LOADED[2] * 1000.0
     assert math.isnan(shared_friction(amplitude, on_plate.touch, on_plate.skin.values))
     exact = float(intermittent_friction(amplitude, on_plate.touch, on_plate.skin.values))
@@ -102,8 +102,8 @@ def test_where_the_plate_strikes_the_skin_the_other_model_answers():
 
 
 def test_damping_widens_the_interval_to_the_right_sides():
-    outer = made().reductions()["A"]
-    narrow = made()
+    outer = response_of().reductions()["A"]
+    narrow = response_of()
     narrow.loaded["amplitude"][1:] = narrow.loaded["amplitude"][2]
     inner = narrow.reductions()["A"]
     assert outer.low < inner.low < inner.value < inner.high < outer.high
@@ -113,16 +113,16 @@ def test_damping_widens_the_interval_to_the_right_sides():
 @settings(max_examples=5, deadline=None)
 @given(st.floats(0.02, 0.9))
 def test_the_drive_for_a_reduction_gives_it(reduction):
-    on_plate = made()
+    on_plate = response_of()
     drive = on_plate.drive_for(reduction, "A")
-    assert made(drive).reductions()["A"].value == pytest.approx(reduction, abs=1e-3)
+    assert response_of(drive).reductions()["A"].value == pytest.approx(reduction, abs=1e-3)
     # a tenth of the amplitude needs ten times the drive, if there is one
     idle = on_plate.drive_for(reduction, "B")
     assert idle == pytest.approx(10 * drive, rel=1e-3) if idle else 10 * drive > 9e3
 
 
 def test_a_reduction_that_no_drive_gives():
-    on_plate = made()
+    on_plate = response_of()
     on_plate.loaded["amplitude"][:] = 0.0
     assert on_plate.drive_for(0.5, "A") is None
 
@@ -130,11 +130,11 @@ def test_a_reduction_that_no_drive_gives():
 @pytest.mark.parametrize("reduction", [0.0, 1.0, 55.0, -0.1, math.nan])
 def test_a_reduction_that_is_no_share_is_refused(reduction):
     with refusing(StudyError, "out-of-range", "reduction"):
-        made().drive_for(reduction, "A")
+        response_of().drive_for(reduction, "A")
 
 
 def test_places_are_those_where_the_whole_finger_lies_on_the_region():
-    on_plate = made()
+    on_plate = response_of()
     x, y = on_plate.loaded["x"].values, on_plate.loaded["y"].values
     inside = on_plate.below["A"]
     assert inside.any()
@@ -146,7 +146,7 @@ def test_places_are_those_where_the_whole_finger_lies_on_the_region():
 
 
 def test_times_and_ratios_are_those_with_a_finger():
-    on_plate = made(idle=0.25)
+    on_plate = response_of(idle=0.25)
     assert on_plate.driven == ("A",)
     assert on_plate.ratio == {"B": pytest.approx(4.0)}
     assert on_plate.quality() == pytest.approx(400)
@@ -157,7 +157,7 @@ def test_times_and_ratios_are_those_with_a_finger():
 
 
 def test_far_from_every_mode_the_time_is_not_determined():
-    far = made()
+    far = response_of()
     far.loaded["quality"][:] = math.nan
     assert math.isnan(far.rise)
     assert math.isnan(far.constant)
@@ -180,7 +180,7 @@ def test_every_region_that_a_drive_moves_is_driven_and_to_be_felt(strengths, dri
 
 
 def test_files_list_assumptions_and_are_marked_as_simulated():
-    data = Feel(PLATE, gap(52e3, 60e3), made(contact_gap=4e-6)).dataset
+    data = Feel(PLATE, gap(52e3, 60e3), response_of(contact_gap=4e-6)).dataset
     assert data.attrs["origin"] == "simulated"
     assert '"mark": "given"' in data.attrs["assumptions"]
     assert '"mark": "assumed"' in data.attrs["assumptions"]

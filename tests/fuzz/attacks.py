@@ -293,18 +293,18 @@ class _counted:  # noqa: N801
     """Counts how the reading process ended meanwhile."""
 
     def __init__(self, counts: Counts) -> None:
-        self.counts, self.told = counts, process._error_for
+        self.counts, self.before = counts, process._error_for
 
     def __enter__(self) -> None:
-        def told(path, error, limits):
+        def counted(path, error, limits):
             kind = {"time": "hung", "memory": "large"}.get(error.reason, "crashed")
             setattr(self.counts, kind, getattr(self.counts, kind) + 1)
-            return self.told(path, error, limits)
+            return self.before(path, error, limits)
 
-        process._error_for = told
+        process._error_for = counted
 
     def __exit__(self, *_) -> None:
-        process._error_for = self.told
+        process._error_for = self.before
 
 
 def peak_memory() -> float:

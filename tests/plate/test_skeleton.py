@@ -24,7 +24,7 @@ def tiles(layout):
     return [block for block in every if layout.at(block.tiles[0])]
 
 
-def made(name, order=3, blocks=None):
+def skeleton_of(name, order=3, blocks=None):
     layout = drawn(MAPS[name], UNEVEN_X, UNEVEN_Y)
     return Skeleton.of(layout, blocks or tiles(layout), TraceOrders(order, 2))
 
@@ -39,7 +39,7 @@ def corners(places, block):
 @pytest.mark.parametrize("name", MAPS)
 @pytest.mark.parametrize("order", [1, 2, 4])
 def test_rims_run_anticlockwise_around_their_block_from_the_lower_left(name, order):
-    places = made(name, order)
+    places = skeleton_of(name, order)
     for block, rim in zip(places.blocks, places.rims, strict=True):
         assert len(rim) == len(set(rim)) == block.edges * order
         points = places.points[rim]
@@ -55,7 +55,7 @@ def test_rims_run_anticlockwise_around_their_block_from_the_lower_left(name, ord
 
 @pytest.mark.parametrize("name", MAPS)
 def test_a_place_has_one_number_and_every_number_a_place(name):
-    places = made(name)
+    places = skeleton_of(name)
     assert np.array_equal(np.unique(np.concatenate(places.rims)), np.arange(len(places.points)))
     distance = np.linalg.norm(places.points[:, None] - places.points, axis=-1)
     assert (distance[~np.eye(len(distance), dtype=bool)] > 1e-4).all(), "no place is there twice"
@@ -64,7 +64,7 @@ def test_a_place_has_one_number_and_every_number_a_place(name):
 
 def test_a_large_block_has_no_places_within_and_those_of_its_neighbours_around():
     large = [Block((0, 2), (0, 2)), Block((0, 1), (2, 3)), Block((1, 2), (2, 3)), Block((2, 3), (0, 3))]
-    places, small = made("full", blocks=large), made("full")
+    places, small = skeleton_of("full", blocks=large), skeleton_of("full")
     rim = places.points[places.rims[0]]
     assert len(rim) == 8 * 3
     inside = ((places.points > 1e-9) & (places.points < [12e-3 - 1e-9, 11e-3 - 1e-9])).all(axis=1)
@@ -74,7 +74,7 @@ def test_a_large_block_has_no_places_within_and_those_of_its_neighbours_around()
 
 
 def test_unknowns_are_ordered_by_place_level_and_component():
-    places = made("L")
+    places = skeleton_of("L")
     assert list(places.unknowns(np.array([4, 0]))) == [*range(36, 45), *range(9)]
 
 
@@ -82,7 +82,7 @@ def test_unknowns_are_ordered_by_place_level_and_component():
     ("name", "count"), [("full", 12), ("L", 12), ("ring", 16), ("diagonal", 12)], ids=lambda value: str(value)
 )
 def test_outer_edges_are_those_with_nothing_beyond(name, count):
-    places = made(name)
+    places = skeleton_of(name)
     layout, edges = places.layout, places.outer_edges
     assert len(edges) == count
     for edge in edges:
@@ -139,7 +139,7 @@ def _lobatto(order):
 
 
 def test_places_lie_on_the_points_of_the_quadrature():
-    places = made("full", 4)
+    places = skeleton_of("full", 4)
     bottom = places.points[places.rims[0][:5]]
     assert bottom[:, 0] == pytest.approx(5e-3 * 0.5 * (1 + _lobatto(4)))
     assert (bottom[:, 1] == 0).all()

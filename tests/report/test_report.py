@@ -486,7 +486,7 @@ class TestMirror:
         )
         return mirrored(**{"layers": layers, **changes})
 
-    def said(self, per_row: float = 7.0, **changes) -> str:
+    def findings(self, per_row: float = 7.0, **changes) -> str:
         return " ".join(mirror.chapter(self.mirror(per_row, **changes)).findings)
 
     def decaying(self, per_row: float, **changes):
@@ -499,7 +499,7 @@ class TestMirror:
         ("per_row", "verdict"), [(6.6, "no total"), (6.7, "almost total"), (25.0, "almost total")]
     )
     def test_three_rows_are_judged_by_their_insulation(self, per_row, verdict):
-        text = self.said(per_row)
+        text = self.findings(per_row)
         assert f"insertion loss {3 * per_row:.1f} dB, {verdict} reflection" in text
         assert f"transmit {100 * 10 ** (-0.3 * per_row):.1f} % of the energy" in text
         assert (
@@ -535,7 +535,7 @@ class TestMirror:
     def test_the_angle_of_the_mode_is_that_of_its_two_wavenumbers(self):
         (strip,) = reference_guides().strips
         across, along = np.pi / (strip.mode.width + 2 * strip.fixed_line), np.pi / 8e-3
-        assert f"at {np.degrees(np.arctan2(along, across)):.0f}° from the normal" in self.said()
+        assert f"at {np.degrees(np.arctan2(along, across)):.0f}° from the normal" in self.findings()
 
     def test_tables_follow_the_numbers(self):
         rows, needed, waveguides = mirror.chapter(self.mirror(7.0)).tables

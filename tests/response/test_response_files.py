@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 from hypothesis import given, strategies as st
 from hypothesis.extra import numpy as arrays
-from waves import made, numbers
+from waves import numbers, response_of_waves
 
 from five_parts import refusing
 from haptonic.atomic import write_atomically
@@ -25,7 +25,7 @@ def assert_same(loaded, response):
 
 @pytest.mark.parametrize("precision", [np.complex64, np.complex128])
 def test_round_trip_of_everything(tmp_path, precision):
-    response = made(
+    response = response_of_waves(
         response=numbers((6, 20, 3), precision=precision),
         direction=["x", "y", "z"],
         coherence=np.linspace(0, 1, 120, dtype=np.float32).reshape(6, 20),
@@ -37,7 +37,7 @@ def test_round_trip_of_everything(tmp_path, precision):
 
 
 def test_round_trip_of_the_least(tmp_path):
-    response = made(region=None, title="", inputs=None, reference="", origin="measured").at(40e3)
+    response = response_of_waves(region=None, title="", inputs=None, reference="", origin="measured").at(40e3)
     write(response, tmp_path / "a.nc")
     loaded = read(tmp_path / "a.nc")
     assert_same(loaded, response)
@@ -52,13 +52,13 @@ def test_round_trip_of_the_least(tmp_path):
 def test_round_trip_is_exact(tmp_path_factory, values):
     """Also for zeros with a sign and the smallest numbers."""
     path = tmp_path_factory.mktemp("exact") / "a.nc"
-    response = made(response=values, frequency=np.array([1.0, 2.0]))
+    response = response_of_waves(response=values, frequency=np.array([1.0, 2.0]))
     write(response, path)
     assert_same(read(path), response)
 
 
 def test_the_version_is_that_of_the_writer(tmp_path):
-    response = made()
+    response = response_of_waves()
     response.dataset.attrs["haptonic_version"] = "0.0.1"
     write(response, tmp_path / "a.nc")
     assert read(tmp_path / "a.nc").dataset.attrs["haptonic_version"] == "0.0.1"
@@ -66,7 +66,7 @@ def test_the_version_is_that_of_the_writer(tmp_path):
 
 def test_any_reader_of_netcdf_finds_its_way(tmp_path):
     """Real and imaginary parts with their units, no complex type, no fill value that hides a number."""
-    response = made(coherence=np.ones((6, 20)))
+    response = response_of_waves(coherence=np.ones((6, 20)))
     write(response, tmp_path / "a.nc")
     with h5netcdf.File(tmp_path / "a.nc", "r", decode_vlen_strings=True) as file:
         assert file.attrs["kind"] == "haptonic frequency response"
@@ -97,34 +97,34 @@ class TestOtherFiles:
             read(tmp_path / "a.nc")
 
     def test_half_of_a_file(self, tmp_path):
-        write(made(), tmp_path / "a.nc")
+        write(response_of_waves(), tmp_path / "a.nc")
         whole = (tmp_path / "a.nc").read_bytes()
         (tmp_path / "a.nc").write_bytes(whole[: len(whole) // 2])
         with refusing(ResponseError, "unreadable", "file of a frequency response", "damaged"):
             read(tmp_path / "a.nc")
 
     def test_another_kind_of_result(self, tmp_path):
-        made().dataset.drop_vars("response").to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
+        response_of_waves().dataset.drop_vars("response").to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
         with refusing(ResponseError, "unreadable", "file of a frequency response", "of another kind"):
             read(tmp_path / "a.nc")
 
     @pytest.mark.parametrize("lost", ["response_imag", "x", "direction"])
     def test_a_part_is_lost(self, tmp_path, lost):
-        write(made(), tmp_path / "a.nc")
+        write(response_of_waves(), tmp_path / "a.nc")
         with xr.load_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
             data.drop_vars(lost).to_netcdf(tmp_path / "b.nc", engine="h5netcdf")
         with pytest.raises(ResponseError):
             read(tmp_path / "b.nc")
 
     def test_a_later_form(self, tmp_path):
-        write(made(), tmp_path / "a.nc")
+        write(response_of_waves(), tmp_path / "a.nc")
         with xr.load_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
             data.assign_attrs(form=2).to_netcdf(tmp_path / "b.nc", engine="h5netcdf")
         with refusing(ResponseError, "unreadable", "file of a frequency response", "later haptonic"):
             read(tmp_path / "b.nc")
 
     def test_numbers_that_were_changed_to_nonsense(self, tmp_path):
-        write(made(coherence=np.ones((6, 20))), tmp_path / "a.nc")
+        write(response_of_waves(coherence=np.ones((6, 20))), tmp_path / "a.nc")
         with xr.load_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
             (data.assign(coherence=data["coherence"] * 7)).to_netcdf(tmp_path / "b.nc", engine="h5netcdf")
         with refusing(ResponseError, "out-of-range", "response.coherence"):

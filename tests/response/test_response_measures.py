@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
-from waves import LINES, X, Y, made, numbers
+from waves import LINES, X, Y, numbers, response_of_waves
 
 from five_parts import refusing
 from haptonic.errors import ResponseError
@@ -87,7 +87,7 @@ class TestRegions:
         """Over whole periods; the amplitude rises with the line."""
         x = np.arange(32) / 32
         shape = (1 + LINES[:, None] / 100e3) * np.sin(2 * np.pi * 3 * x) * np.exp(0.7j)
-        response = made(response=shape[..., None], x=x, y=np.zeros(32), region=["WG1"] * 32)
+        response = response_of_waves(response=shape[..., None], x=x, y=np.zeros(32), region=["WG1"] * 32)
         spectrum = rms(response, "WG1")
         assert spectrum.values == pytest.approx((1 + LINES / 100e3) / np.sqrt(2))
         assert spectrum["frequency"].values == pytest.approx(LINES)
@@ -95,7 +95,7 @@ class TestRegions:
         assert average_spectrum(response).values == pytest.approx(spectrum.values)
 
     def test_rms_of_a_region_is_that_of_its_points(self):
-        response = made()
+        response = response_of_waves()
         for name in response.regions:
             alone = response.of_region(name)
             assert rms(response, name).values == pytest.approx(average_spectrum(alone).values)
@@ -104,19 +104,21 @@ class TestRegions:
 
     def test_directions_count_as_the_length_of_a_vector(self):
         values = np.broadcast_to(np.array([1.0, 2.0j, -2.0]), (6, 20, 3)).copy()
-        assert average_spectrum(made(response=values, direction=["x", "y", "z"])).values == pytest.approx(
-            np.full(6, 3.0)
-        )
+        assert average_spectrum(
+            response_of_waves(response=values, direction=["x", "y", "z"])
+        ).values == pytest.approx(np.full(6, 3.0))
 
     @pytest.mark.parametrize("size", [1e-30, 1e25])
     def test_single_precision_is_enough(self, size):
         values = np.full((6, 20, 1), size, dtype=np.complex64)
-        assert average_spectrum(made(response=values)).values == pytest.approx(np.full(6, size), rel=1e-6)
+        assert average_spectrum(response_of_waves(response=values)).values == pytest.approx(
+            np.full(6, size), rel=1e-6
+        )
 
     def test_contrast_of_a_tenth_is_20_db(self):
-        where = made().dataset["region"].values
+        where = response_of_waves().dataset["region"].values
         values = np.where(where == "WG1", 10.0, np.where(where == "WG2", 1.0, 0.1))[None, :, None]
-        response = made(response=np.broadcast_to(values + 0j, (6, 20, 1)).copy())
+        response = response_of_waves(response=np.broadcast_to(values + 0j, (6, 20, 1)).copy())
         assert contrast(response, "WG1", "WG2").values == pytest.approx(np.full(6, 20.0))
         assert contrast(response, "WG1", "WG2").attrs["units"] == "dB"
         rest = np.sqrt((8 * 1.0 + 8 * 0.01) / 16)
@@ -125,43 +127,43 @@ class TestRegions:
     @given(seeds, st.complex_numbers(min_magnitude=1e-100, max_magnitude=1e100))
     def test_contrast_is_antisymmetric_and_blind_to_one_factor(self, seed, factor):
         values = numbers((6, 20, 1), seed)
-        response = made(response=values)
+        response = response_of_waves(response=values)
         for pair in (("WG1", "WG2"), ("WG2", "rest")):
             there, back = contrast(response, *pair), contrast(response, *pair[::-1])
             assert there.values == pytest.approx(-back.values)
-            assert contrast(made(response=factor * values), *pair).values == pytest.approx(
+            assert contrast(response_of_waves(response=factor * values), *pair).values == pytest.approx(
                 there.values, abs=1e-6
             )
 
     def test_a_region_that_does_not_move(self):
-        where = made().dataset["region"].values == "WG2"
+        where = response_of_waves().dataset["region"].values == "WG2"
         values = np.broadcast_to(np.where(where, 0j, 1 + 0j)[None, :, None], (6, 20, 1)).copy()
-        assert (contrast(made(response=values), "WG1", "WG2").values == np.inf).all()
+        assert (contrast(response_of_waves(response=values), "WG1", "WG2").values == np.inf).all()
 
     def test_no_points_in_the_rest(self):
         with refusing(ResponseError, "missing", "region", '"rest"'):
-            contrast(made(region=["WG1"] * 20), "WG1", "rest")
+            contrast(response_of_waves(region=["WG1"] * 20), "WG1", "rest")
 
     @pytest.mark.parametrize("pair", [("WG1", "WG3"), ("WG3", "WG1"), ("rest", "rest"), ("WG3", "rest")])
     def test_unknown_regions_are_refused(self, pair):
         with refusing(ResponseError, "unknown", "region"):
-            contrast(made(), *pair)
+            contrast(response_of_waves(), *pair)
         with refusing(ResponseError, "unknown", "region"):
-            rms(made(), "WG3")
+            rms(response_of_waves(), "WG3")
 
 
 class TestDisc:
     def test_an_even_amplitude_stays(self):
         values = np.full((6, 20, 1), 3.0) * np.exp(1j * np.arange(20))[:, None]
-        average = disc_average(made(response=values), 5e-3)
+        average = disc_average(response_of_waves(response=values), 5e-3)
         assert average.dims == ("frequency", "point")
         assert average.values == pytest.approx(np.full((6, 20), 3.0))
         assert average.attrs["units"] == "m/s/V"
-        assert list(average["region"].values) == list(made().dataset["region"].values)
+        assert list(average["region"].values) == list(response_of_waves().dataset["region"].values)
 
     @given(seeds, st.floats(1e-3, 12e-3))
     def test_it_is_the_mean_square_of_the_points_in_reach(self, seed, diameter):
-        response = made(response=numbers((6, 20, 1), seed))
+        response = response_of_waves(response=numbers((6, 20, 1), seed))
         average = disc_average(response, diameter).values
         for number, centre in enumerate(response.points):
             near = np.hypot(*(response.points - centre).T) <= diameter / 2 * (1 + 1e-12)
@@ -173,7 +175,7 @@ class TestDisc:
         side = np.arange(60) * 1e-3
         x, y = (along.ravel() for along in np.meshgrid(side, side))
         wave = np.broadcast_to(np.cos(2 * np.pi * x / 8e-3)[None, :, None] + 0j, (1, 3600, 1))
-        response = made(response=wave.copy(), frequency=np.array([58e3]), x=x, y=y, region=None)
+        response = response_of_waves(response=wave.copy(), frequency=np.array([58e3]), x=x, y=y, region=None)
         average = disc_average(response, 20e-3).values[0]
         inner = (np.abs(x - 0.03) < 0.01) & (np.abs(y - 0.03) < 0.01)
         assert average[inner] == pytest.approx(np.full(inner.sum(), 2**-0.5), rel=0.05)
@@ -181,7 +183,7 @@ class TestDisc:
     def test_the_rim_belongs_to_the_disc(self):
         """The middle point of a row of five reaches its neighbours at 2 mm with a disc of just 4 mm."""
         values = np.array([1.0, 0, 0, 0, 0]) + 0j
-        response = made(
+        response = response_of_waves(
             response=np.broadcast_to(values[None, :, None], (6, 5, 1)).copy(),
             x=X, y=np.full(5, Y[0]), region=None,
         )  # fmt: skip
@@ -193,12 +195,12 @@ class TestDisc:
     @pytest.mark.parametrize("diameter", [0.0, -1e-3, np.nan, np.inf])
     def test_a_disc_has_a_size(self, diameter):
         with refusing(ResponseError, "out-of-range", "diameter"):
-            disc_average(made(), diameter)
+            disc_average(response_of_waves(), diameter)
 
 
 class TestCmif:
     def test_one_reference_gives_the_sum_of_squares(self):
-        response = made()
+        response = response_of_waves()
         values = cmif([response])
         assert values.dims == ("frequency", "value")
         assert values.values[:, 0] == pytest.approx((np.abs(response.values) ** 2).sum(axis=(1, 2)))
@@ -207,7 +209,7 @@ class TestCmif:
 
     @given(seeds)
     def test_they_are_the_eigenvalues_of_the_gram_matrix(self, seed):
-        pair = [made(response=numbers((6, 20, 1), seed + k)) for k in range(2)]
+        pair = [response_of_waves(response=numbers((6, 20, 1), seed + k)) for k in range(2)]
         matrix = np.stack([r.values[:, :, 0] for r in pair], axis=-1)
         gram = matrix.conj().transpose(0, 2, 1) @ matrix
         assert cmif(pair).values == pytest.approx(np.linalg.eigvalsh(gram)[:, ::-1])
@@ -216,13 +218,13 @@ class TestCmif:
         """Two references that see one mode alike leave one value; two modes leave two."""
         bending, torsion = numbers((1, 20), 1), numbers((1, 20), 2)
         force = np.ones((6, 1))
-        alike = [made(response=(force * factor * bending)[..., None]) for factor in (1.0, 0.3j)]
+        alike = [response_of_waves(response=(force * factor * bending)[..., None]) for factor in (1.0, 0.3j)]
         assert (cmif(alike).values[:, 1] < 1e-25 * cmif(alike).values[:, 0]).all()
-        both = [made(response=(force * shape)[..., None]) for shape in (bending, torsion)]
+        both = [response_of_waves(response=(force * shape)[..., None]) for shape in (bending, torsion)]
         assert (cmif(both).values[:, 1] > 0.1 * cmif(both).values[:, 0]).all()
 
     def test_responses_that_do_not_fit_are_refused(self):
         with refusing(ResponseError, "mismatch", "responses", "none"):
             cmif([])
         with refusing(ResponseError, "mismatch", "responses"):
-            cmif([made(), made().between(0, 40e3)])
+            cmif([response_of_waves(), response_of_waves().between(0, 40e3)])

@@ -6,14 +6,14 @@ from importlib.metadata import version
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
-from waves import LINES, X, Y, made, numbers
+from waves import LINES, X, Y, numbers, response_of_waves
 
 from five_parts import refusing
 from haptonic.errors import ResponseError
 
 
 def test_it_lists_its_content():
-    response = made(coherence=np.full((6, 20), 0.5))
+    response = response_of_waves(coherence=np.full((6, 20), 0.5))
     data = response.dataset
     assert data["response"].dims == ("frequency", "point", "direction")
     assert data["coherence"].dims == ("frequency", "point")
@@ -34,12 +34,12 @@ def test_it_lists_its_content():
     [("velocity", "F1, N", "m/s/N"), ("displacement", "A1, V", "m/V"), ("velocity", "", "m/s")],
 )
 def test_units_follow_quantity_and_reference(quantity, reference, units):
-    assert made(quantity=quantity, reference=reference).units == units
+    assert response_of_waves(quantity=quantity, reference=reference).units == units
 
 
 def test_arrays_are_neither_copied_nor_open_to_changes():
     values = numbers((6, 20, 1))
-    response = made(response=values)
+    response = response_of_waves(response=values)
     assert np.shares_memory(response.values, values)
     for part in (response, response.at(40e3), response.of_region("WG1"), response.displacement()):
         for name in ("response", "x"):
@@ -51,36 +51,36 @@ def test_arrays_are_neither_copied_nor_open_to_changes():
 class TestLines:
     @pytest.mark.parametrize(("asked", "line"), [(0, 0), (9.9e3, 0), (10.1e3, 1), (59e3, 3), (100e3, 5)])
     def test_the_nearest_line(self, asked, line):
-        part = made().at(asked)
+        part = response_of_waves().at(asked)
         assert part.frequency == pytest.approx([LINES[line]])
-        assert np.array_equal(part.values, made().values[line : line + 1])
+        assert np.array_equal(part.values, response_of_waves().values[line : line + 1])
 
     @pytest.mark.parametrize("asked", [-1.0, 100.1e3, np.nan])
     def test_nothing_outside_of_the_range(self, asked):
         with refusing(ResponseError, "out-of-range", "frequency"):
-            made().at(asked)
+            response_of_waves().at(asked)
 
     def test_between_includes_both_ends(self):
-        part = made().between(20e3, 60e3)
+        part = response_of_waves().between(20e3, 60e3)
         assert part.frequency == pytest.approx([20e3, 40e3, 60e3])
-        assert np.array_equal(part.values, made().values[1:4])
-        assert made().between(40e3, 40e3).frequency == pytest.approx([40e3])
+        assert np.array_equal(part.values, response_of_waves().values[1:4])
+        assert response_of_waves().between(40e3, 40e3).frequency == pytest.approx([40e3])
 
     def test_between_survives_rounding_of_its_ends(self):
         """A line at 0.1 + 0.2 is asked for as 0.3, and the other way round."""
         lines = np.array([0.1, 0.1 + 0.2, 0.7])
-        assert len(made(frequency=lines).between(0.1, 0.3).frequency) == 2
-        assert len(made(frequency=lines).between(np.nextafter(0.1, 1), 0.7).frequency) == 3
+        assert len(response_of_waves(frequency=lines).between(0.1, 0.3).frequency) == 2
+        assert len(response_of_waves(frequency=lines).between(np.nextafter(0.1, 1), 0.7).frequency) == 3
 
     @pytest.mark.parametrize("limits", [(41e3, 59e3), (60e3, 20e3), (101e3, 200e3), (np.nan, 60e3)])
     def test_between_refuses_to_be_empty(self, limits):
         with refusing(ResponseError, "no-answer", "between"):
-            made().between(*limits)
+            response_of_waves().between(*limits)
 
 
 class TestRegions:
     def test_the_points_of_a_region(self):
-        response = made(coherence=np.linspace(0, 1, 120).reshape(6, 20))
+        response = response_of_waves(coherence=np.linspace(0, 1, 120).reshape(6, 20))
         part = response.of_region("WG1")
         assert part.dataset["x"].values == pytest.approx(np.zeros(4))
         assert part.dataset["y"].values == pytest.approx(Y)
@@ -89,12 +89,12 @@ class TestRegions:
 
     def test_a_misspelt_region_is_guessed(self):
         with refusing(ResponseError, "unknown", "region", 'write "WG1"'):
-            made().of_region("WG 1")
+            response_of_waves().of_region("WG 1")
 
     @pytest.mark.parametrize("name", ["", "WG1"])
     def test_no_regions(self, name):
         with refusing(ResponseError, "unknown", "region"):
-            made(region=None).of_region(name)
+            response_of_waves(region=None).of_region(name)
 
 
 class TestConversion:
@@ -102,7 +102,7 @@ class TestConversion:
         """u = sin(omega t), the real part of -i exp(i omega t), moves with omega cos(omega t)."""
         frequency = np.array([1.0, 50e3])
         still = np.full((2, 20, 1), -1j)
-        moved = made(response=still, frequency=frequency, quantity="displacement").velocity()
+        moved = response_of_waves(response=still, frequency=frequency, quantity="displacement").velocity()
         assert moved.values[:, 0, 0] == pytest.approx(2 * np.pi * frequency)
         assert moved.units == "m/s/V"
         assert moved.dataset.attrs["quantity"] == "velocity"
@@ -110,7 +110,7 @@ class TestConversion:
 
     @pytest.mark.parametrize("precision", [np.complex64, np.complex128])
     def test_there_and_back(self, precision):
-        response = made(response=numbers((6, 20, 1), precision=precision))
+        response = response_of_waves(response=numbers((6, 20, 1), precision=precision))
         there = response.displacement()
         assert there.units == "m/V"
         assert there.values.dtype == precision
@@ -120,19 +120,19 @@ class TestConversion:
         np.testing.assert_allclose(back.values, response.values[1:], rtol=10 * np.finfo(precision).eps)
 
     def test_what_is_so_already_stays(self):
-        response = made()
+        response = response_of_waves()
         assert response.velocity() is response
         there = response.displacement()
         assert there.displacement() is there
 
     def test_a_response_at_0_hz_alone_has_no_displacement(self):
         with refusing(ResponseError, "malformed", "response.frequency"):
-            made().at(0).displacement()
+            response_of_waves().at(0).displacement()
 
 
 class TestGrid:
     def test_points_are_where_they_belong(self):
-        response = made()
+        response = response_of_waves()
         grid = response.grid()
         assert grid.dims == ("frequency", "direction", "y", "x")
         assert grid["x"].values == pytest.approx(X)
@@ -152,27 +152,27 @@ class TestGrid:
         scale = data.draw(st.floats(1e-6, 10.0))
         random = np.random.default_rng(data.draw(st.integers(0, 99)))
         shaken = [scale * (along[kept][order] + random.uniform(-8e-5, 8e-5, len(order))) for along in (x, y)]
-        response = made(x=shaken[0], y=shaken[1], region=None)
+        response = response_of_waves(x=shaken[0], y=shaken[1], region=None)
         grid = response.grid()[:, 0].values
         assert np.isfinite(grid[0]).sum() == len(order)
         placed = grid[:, y[kept][order], x[kept][order]]
         assert np.array_equal(placed, response.values[:, :, 0])
 
     def test_one_row_and_one_point(self):
-        assert made(x=X, y=np.zeros(5), region=None).grid().shape == (6, 1, 1, 5)
-        assert made(x=X[:1], y=Y[:1], region=None).grid().shape == (6, 1, 1, 1)
+        assert response_of_waves(x=X, y=np.zeros(5), region=None).grid().shape == (6, 1, 1, 5)
+        assert response_of_waves(x=X[:1], y=Y[:1], region=None).grid().shape == (6, 1, 1, 1)
         rounded = Y[0] + np.array([0, 1, -1, 2, 0]) * 1e-15
-        assert made(x=X, y=rounded, region=None).grid().shape == (6, 1, 1, 5)
+        assert response_of_waves(x=X, y=rounded, region=None).grid().shape == (6, 1, 1, 5)
 
     def test_points_beside_a_grid_are_refused(self):
         with refusing(ResponseError, "unsupported", "x of the points"):
-            made(x=np.array([0, 2, 4, 6, 7.2]), y=np.zeros(5), region=None).grid()
+            response_of_waves(x=np.array([0, 2, 4, 6, 7.2]), y=np.zeros(5), region=None).grid()
         with refusing(ResponseError, "unsupported", "y of the points"):
-            made(x=np.zeros(5), y=np.array([0, 1, 2.4, 3, 4]), region=None).grid()
+            response_of_waves(x=np.zeros(5), y=np.array([0, 1, 2.4, 3, 4]), region=None).grid()
 
     def test_two_points_on_one_place_are_refused(self):
         with refusing(ResponseError, "repeated", "points", "2 points at x = 2 mm, y = 0 mm"):
-            made(x=np.array([0, 2e-3, 2e-3]), y=np.zeros(3), region=None).grid()
+            response_of_waves(x=np.array([0, 2e-3, 2e-3]), y=np.zeros(3), region=None).grid()
 
 
 WRONG = {
@@ -212,4 +212,4 @@ WRONG = {
 def test_bad_input_is_refused(name):
     changes, code, argument = WRONG[name]
     with refusing(ResponseError, code, argument):
-        made(**changes)
+        response_of_waves(**changes)

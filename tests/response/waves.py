@@ -14,7 +14,7 @@ def numbers(shape: tuple[int, ...], seed: int = 1, precision=np.complex128):
     return (random.normal(size=shape) + 1j * random.normal(size=shape)).astype(precision)
 
 
-def made(**changes) -> FrequencyResponse:
+def response_of_waves(**changes) -> FrequencyResponse:
     """On 5 x 4 points; WG1 is the first column, WG2 the last two."""
     x, y = (along.ravel() for along in np.meshgrid(X, Y))
     region = np.where(x == X[0], "WG1", np.where(x > X[2], "WG2", ""))

@@ -60,13 +60,13 @@ change = { "cell.site[1].pillar.height" = "2.7 mm", "cell.site[2].pillar.height"
 """
 
 
-def made(text):
+def ribbon_of(text):
     study = loads(text)
     return study.ribbon_settings.ribbon(study.cell)
 
 
 def test_a_map_is_columns_of_cells_side_by_side():
-    ribbon = made(STUDY + RIBBON)
+    ribbon = ribbon_of(STUDY + RIBBON)
     assert [cell.pillar is None for cell in ribbon.first] == [letter == "1" for letter in "ooo1111ooo"]
     assert len({id(cell) for cell in ribbon.first}) == 2, "equal columns are one object"
     assert ribbon.first[4].lattice.a1 == (8e-3, 0.0)
@@ -76,7 +76,7 @@ def test_a_map_is_columns_of_cells_side_by_side():
 
 
 def test_pillars_of_sites_may_be_exchanged_beyond_an_edge():
-    ribbon = made(COMB)
+    ribbon = ribbon_of(COMB)
     heights = [[pillar.height for pillar in cell.pillars] for cell in (ribbon.first[0], ribbon.first[-1])]
     assert heights[0] == heights[1][::-1] == [3.3e-3, 2.7e-3]
     assert np.flatnonzero(ribbon.guide).tolist() == [2, 3], "on either side of where they meet"
@@ -85,14 +85,14 @@ def test_pillars_of_sites_may_be_exchanged_beyond_an_edge():
 
 @pytest.mark.parametrize("line", ["o", "ooooo"])
 def test_equal_letters_are_a_strip_with_free_edges(line):
-    ribbon = made(changed(("ooo1111ooo", line), ('1 = "guide"', ""), ('guide = "8 mm"', "")))
+    ribbon = ribbon_of(changed(("ooo1111ooo", line), ('1 = "guide"', ""), ('guide = "8 mm"', "")))
     assert ribbon.kind == "strip"
     assert len(ribbon.first) == len(line)
     assert ribbon.crystals == ribbon.first[:1]
 
 
 def test_lines_of_different_pillars_are_a_strip_too():
-    ribbon = made(changed(("ooo\no1o", "ooo\n111"), text=STUDY + DEFECT))
+    ribbon = ribbon_of(changed(("ooo\no1o", "ooo\n111"), text=STUDY + DEFECT))
     assert ribbon.kind == "strip"
     assert ribbon.period == pytest.approx(14e-3)
 

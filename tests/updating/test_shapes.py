@@ -87,29 +87,29 @@ def test_the_criterion_is_blind_to_factors_and_to_the_order_of_points(shapes, fa
     assert mac(shapes[:, order], shapes[:, order]) == pytest.approx(own)
 
 
-def made(frequency, shape):
+def measured(frequency, shape):
     return Shapes(np.array(frequency), np.full(len(frequency), 0.01), np.array(shape, complex), "modes")
 
 
 @given(st.permutations(range(4)), st.floats(-0.05, 0.05))
 def test_pairs_are_found_in_any_order(order, shift):
     """Also where the frequencies are all off alike, and two of them have crossed."""
-    shapes = made(FREQUENCY, SHAPE)
-    shifted = made((1 + shift) * FREQUENCY[list(order)], -2j * SHAPE[list(order)])
+    shapes = measured(FREQUENCY, SHAPE)
+    shifted = measured((1 + shift) * FREQUENCY[list(order)], -2j * SHAPE[list(order)])
     paired = pairs(shapes, shifted)
     assert [(pair.first, pair.second) for pair in paired] == [(k, order.index(k)) for k in range(4)]
     assert [pair.mac for pair in paired] == pytest.approx([1.0] * 4)
 
 
 def test_what_has_no_partner_stays_alone():
-    far = made([3e3, 9e3], SHAPE[[0, 3]])  # the last one lies much too low
-    assert [(pair.first, pair.second) for pair in pairs(made(FREQUENCY, SHAPE), far)] == [(0, 0)]
-    unlike = made(FREQUENCY, np.random.default_rng(9).standard_normal((4, 25)))
-    assert pairs(made(FREQUENCY, SHAPE), unlike) == []
+    far = measured([3e3, 9e3], SHAPE[[0, 3]])  # the last one lies much too low
+    assert [(pair.first, pair.second) for pair in pairs(measured(FREQUENCY, SHAPE), far)] == [(0, 0)]
+    unlike = measured(FREQUENCY, np.random.default_rng(9).standard_normal((4, 25)))
+    assert pairs(measured(FREQUENCY, SHAPE), unlike) == []
 
 
 def test_each_shape_has_one_partner():
     """Two shapes that are both like one: the nearer one gets it."""
-    twice = made([2.9e3, 3.01e3], SHAPE[[0, 0]])
-    paired = pairs(made(FREQUENCY, SHAPE), twice)
+    twice = measured([2.9e3, 3.01e3], SHAPE[[0, 0]])
+    paired = pairs(measured(FREQUENCY, SHAPE), twice)
     assert [(pair.first, pair.second) for pair in paired] == [(0, 1)]

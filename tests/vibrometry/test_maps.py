@@ -30,7 +30,7 @@ PLATE = Rectangle(0.0, 0.0, 0.140, 0.127)
 CORNERS = np.array([[0, 0], [0.14, 0], [0.14, 0.127], [0, 0.127]])
 
 
-def made(values, lines, x, y, **changes) -> FrequencyResponse:
+def response_of(values, lines, x, y, **changes) -> FrequencyResponse:
     keywords = {"reference": "A1, V", "origin": "simulated"} | changes
     return FrequencyResponse.of(
         np.asarray(values, dtype=complex)[..., None], frequency=lines, x=x, y=y, **keywords
@@ -86,7 +86,7 @@ class TestRegistration:
     def test_the_response_moves_and_gets_regions(self):
         plan = scan_plan(PLATE, 8e-3).points
         seen = moved(plan, 1.0, 0.2, [0.1, 0.0])
-        response = made(np.ones((2, len(plan))), np.array([1.0, 2.0]), *seen.T, title="twin")
+        response = response_of(np.ones((2, len(plan))), np.array([1.0, 2.0]), *seen.T, title="twin")
         fit = register_by_corners(moved(CORNERS, 1.0, 0.2, [0.1, 0.0]), CORNERS)
         registered = fit.registered(
             response, {"hole": RoundRegion(0.07, 0.06, 0.02), "WG1": Rectangle(0, 0.021, 0.14, 0.032)}
@@ -146,7 +146,7 @@ def gapped(lower=52e3, upper=60e3, depth=30.0, slope=300.0, seed=0):
     rough = 1 + 0.3 * np.sin(LINES / 400)
     values = rough[:, None] * (shape[0] + 1j * shape[1])
     values = np.where(np.array(REGION) == "lattice", values * silence[:, None], values)
-    return made(values, LINES, GRID_X, GRID_Y, region=REGION)
+    return response_of(values, LINES, GRID_X, GRID_Y, region=REGION)
 
 
 class TestGap:
@@ -199,7 +199,9 @@ class TestGap:
         assert statistics.sel(region="WG1")["mean"].item() == pytest.approx(of_point[~mask].mean())
         assert statistics["points"].values.tolist() == [int((~mask).sum()), int(mask.sum())]
         with refusing(ScanError, "missing", "region"):
-            region_statistics(made(np.ones((1, 2)), np.array([1.0]), np.zeros(2), np.arange(2.0)), 0, 2)
+            region_statistics(
+                response_of(np.ones((1, 2)), np.array([1.0]), np.zeros(2), np.arange(2.0)), 0, 2
+            )
 
 
 class TestWaves:
@@ -212,7 +214,7 @@ class TestWaves:
         keep = slice(None) if keep is None else keep
         place = (self.x[keep], self.y[keep])
         region = ["WG1"] * len(place[0])
-        return k, made(values[:, keep], self.lines, *(place[::-1] if turned else place), region=region)
+        return k, response_of(values[:, keep], self.lines, *(place[::-1] if turned else place), region=region)
 
     @pytest.mark.parametrize("sign", [1, -1])
     @pytest.mark.parametrize("turned", [False, True])
@@ -270,7 +272,9 @@ class TestDecay:
         inner = 10 ** (ripple * np.sin(2 * np.pi * self.x / 7e-3) / 20)
         wave = np.exp(1j * 2 * np.pi * chance.random(len(self.x)))
         values = attenuation * inner * wave
-        return made(values, self.lines, 0.021 + inwards * self.x, self.y, region=["lattice"] * len(self.x))
+        return response_of(
+            values, self.lines, 0.021 + inwards * self.x, self.y, region=["lattice"] * len(self.x)
+        )
 
     @pytest.mark.parametrize("inwards", [1, -1])
     def test_an_exact_decay(self, inwards):
@@ -287,7 +291,9 @@ class TestDecay:
             chance = np.random.default_rng(seed)
             rough = 10 ** (chance.normal(0, 1, size=(3, 11)) / 20)[:, (self.x / 2e-3).round().astype(int)]
             attenuation = 10 ** (-np.outer((5, 15, 0), self.x / 7e-3) / 20)
-            response = made(attenuation * rough, self.lines, self.x, self.y, region=["lattice"] * len(self.x))
+            response = response_of(
+                attenuation * rough, self.lines, self.x, self.y, region=["lattice"] * len(self.x)
+            )
             decay = lattice_decay(response, "lattice", depth="x", start=0.0, pitch=7e-3)
             held += ((decay["low"] < [5, 15, 0]) & (decay["high"] > [5, 15, 0])).values.tolist()
         # 600 trials at 95 %: a standard error of 0.9 %
@@ -322,7 +328,9 @@ class TestDecay:
         assert_explained(caught.value, code="out-of-range")
 
     def test_silence(self):
-        response = made(np.zeros((1, 4)), np.array([1.0]), np.arange(4.0), np.zeros(4), region=["L"] * 4)
+        response = response_of(
+            np.zeros((1, 4)), np.array([1.0]), np.arange(4.0), np.zeros(4), region=["L"] * 4
+        )
         with refusing(ScanError, "out-of-range", "lattice_decay.region", "depths without"):
             lattice_decay(response, "L", depth="x", start=0.0, pitch=1.0)
 
@@ -347,7 +355,7 @@ def test_edges_lie_between_the_lines_and_the_widest_range_counts():
 def test_without_scatter_the_error_is_that_of_lines_and_transition():
     pair = [0, -1]
     response = gapped(slope=800.0)
-    pair_of_points = made(
+    pair_of_points = response_of(
         response.values[:, pair, 0], LINES, GRID_X[pair], GRID_Y[pair], region=[REGION[0], REGION[-1]]
     )
     gap = measured_gap(pair_of_points, "WG1", "lattice", smoothing=0.0)
