@@ -408,7 +408,7 @@ class TestScan:
         corners = corner + turn * np.array([0, 56e-3, 56e-3 + 21e-3j, 21e-3j])
         seen_at = scanning.PlateInScan(corners=np.stack([corners.real, corners.imag], axis=1))
         of = scanning.on_plate(study, seen_at, store=store)
-        report = ReadReport("made up", "memory", len(seen.points))
+        report = ReadReport("simulated", "memory", len(seen.points))
         result = compute_scan(Scan(seen, report), Estimation(), of, store=store)
         assert result.registration.angle == pytest.approx(np.radians(-5.0))
         assert any(

@@ -105,7 +105,7 @@ def scan(plated, exact, tmp_path):
         values = values + size * (
             chance.standard_normal(values.shape) + 1j * chance.standard_normal(values.shape)
         )
-        attributes = {"reference": "F1, N", "origin": "simulated", "title": "made up"} | others
+        attributes = {"reference": "F1, N", "origin": "simulated", "title": "a plate"} | others
         factor = attributes.pop("factor", 1.0)
         response = FrequencyResponse.of(
             values, frequency=exact["lines"], x=factor * beside[:, 0], y=factor * beside[:, 1], **attributes
@@ -140,7 +140,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(inside, plated, scan, tm
     assert kept["frac"].sizes == {"model": 2, "point": data["points"]}
     assert "simulated" in kept.attrs["origin"]
     text = (out / "fitted.toml").read_text("utf-8")
-    assert text.startswith('# Numbers fitted to a simulated response, "made up":\n')
+    assert text.startswith('# Numbers fitted to a simulated response, "a plate":\n')
     updated = load(out / "fitted.toml")
     fitted = {parameter["name"]: parameter["value"] for parameter in data["fit"]["parameters"]}
     assert updated.cell.material.youngs_modulus == pytest.approx(fitted["material.youngs_modulus"], rel=1e-12)

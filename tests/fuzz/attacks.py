@@ -44,7 +44,7 @@ def _response() -> FrequencyResponse:
     values = chance.normal(size=(8, 6, 1)) + 1j * chance.normal(size=(8, 6, 1))
     return FrequencyResponse.of(
         values, frequency=100.0 * np.arange(1, 9), x=x, y=y, reference="A1, V", origin="measured",
-        coherence=np.full((8, 6), 0.9), region=["WG1", "", "", "WG2", "", ""], title="made up",
+        coherence=np.full((8, 6), 0.9), region=["WG1", "", "", "WG2", "", ""], title="a plate",
     )  # fmt: skip
 
 

@@ -25,7 +25,7 @@ def response_of_waves(**changes) -> FrequencyResponse:
         "reference": "A1, V",
         "origin": "simulated",
         "region": region.tolist(),
-        "title": "made up",
+        "title": "a plate",
         "inputs": {"plate": {"loss_factor": 0.002}},
     } | changes
     values = keywords.pop("response", None)

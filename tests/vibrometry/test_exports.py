@@ -40,7 +40,7 @@ def records(shared: bool, origin: str = "simulated") -> TimeScan:
     reference = DRIVEN[:1] if shared else DRIVEN
     return TimeScan(
         InMemory(reference, MOVED), tuple(f"{i + 1}" for i in range(12)), X, Y, 3, 40, 200e3,
-        Reference("A1", "V"), reference_scale=2.0, response_scale=1e-3, origin=origin, title="made up",
+        Reference("A1", "V"), reference_scale=2.0, response_scale=1e-3, origin=origin, title="a plate",
     )  # fmt: skip
 
 

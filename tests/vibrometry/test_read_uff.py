@@ -121,7 +121,7 @@ class TestAWholeScan:
     def test_all_data_sets_of_pyuff_in_one_file(self, tmp_path, kind, binary):
         """151, 164, nodes of 15 or 2411, lines of 82, curves of 58 or 58b; a mode shape of 55 is named."""
         head = pyuff.prepare_151(
-            model_name="touchpad", description="made up", db_app="haptonic", date_db_created="01-Jan-26",
+            model_name="touchpad", description="a plate", db_app="haptonic", date_db_created="01-Jan-26",
             time_db_created="00:00:00", version_db1=0, version_db2=0, file_type=0,
             date_db_saved="01-Jan-26", time_db_saved="00:00:00", program="haptonic",
             date_db_written="01-Jan-26", time_db_written="00:00:00",
