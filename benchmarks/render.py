@@ -573,9 +573,9 @@ def scan(record: dict[str, Any]) -> str:
     first, second = record["runs"]
     return f"""## The scan
 
-Simulated scans of the prototype at {record["points"]} points with the default instrument, and results of their analysis: the largest error of the contrast of WG1 over WG2 at any line at which it is given, the lines at which
-noise hides it, the largest error without the noise taken off, and the edges of the gap. Computed of the lattice
-alone it is {computed[0] / 1e3:.2f} to {computed[1] / 1e3:.2f} kHz.
+Simulated scans of the prototype at {record["points"]} points with the default instrument, and results of their analysis: the largest error of the contrast of WG1 over WG2 at any frequency at which it is given, the frequencies at which
+noise hides it, the largest error without removal of the noise, and the edges of the gap. The computed gap of the
+lattice alone is {computed[0] / 1e3:.2f} to {computed[1] / 1e3:.2f} kHz.
 
 {table(["seed", "contrast", "hidden", "as it is", "lower edge", "upper edge"], rows)}
 

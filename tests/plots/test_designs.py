@@ -182,9 +182,9 @@ class TestFront:
         (crosses,) = by_gid(drawn["front"], "none")
         assert crosses.get_xdata() == pytest.approx([4.0, 4.8])
         assert set(crosses.get_ydata()) == {60.0}
-        assert "no allowed design holds it" in in_legend(drawn["front"])
+        assert "no allowed design has a gap there" in in_legend(drawn["front"])
         assert set(in_legend(drawn["front that holds nothing"])) == {
-            "carrier 60 kHz", "no allowed design holds it",
+            "carrier 60 kHz", "no allowed design has a gap there",
         }  # fmt: skip
         all_held = plots.front(made_up_front().isel(design=slice(2, None)))
         assert not by_gid(all_held, "none")

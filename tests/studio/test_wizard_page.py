@@ -57,7 +57,7 @@ def tab_to(page: Page, locator: Locator) -> None:
 
 
 def row(page: Page, title: str) -> Locator:
-    """The answer beside a title in the table of what was understood."""
+    """The answer beside a title in the table of how the files were read."""
     return (
         page.locator(".understood tr", has=page.get_by_role("cell", name=title, exact=True))
         .locator("td")

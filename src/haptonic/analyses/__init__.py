@@ -22,7 +22,7 @@ NAMES = {
     "sweep": "Complete gaps along the study's sweeps.",
     "reproduce": "All analyses of the study, and one report that compares them with reference values.",
     "layers": "Insertion loss of rows of cells between plain plates, and the number of rows for the carrier.",
-    "waveguide": "Width, length and frequency of a waveguide between two such mirrors.",
+    "waveguide": "Width, length and frequency of a waveguide between two mirrors of cells.",
     "ribbon": "Waves along columns of cells side by side: projected bands, and modes of guides and edges.",
     "design": "The cell whose gap contains the carrier with the widest margin, within the study's [design].",
     "tolerance": "Probability that the gap contains the carrier, the size that matters most, and the loosest "
@@ -36,7 +36,7 @@ NAMES = {
     "protocol": "Order of friction trials: list, printed sheet, metronome, and how many participants are "
     "needed.",
     "friction": "Coefficients of friction from force records, and tests of their reduction.",
-    "verdict": "The response of a scan compared again with the model of its plate: new unknowns, no records.",
+    "verdict": "Another comparison of a scan's response with the model: other unknowns, no records needed.",
     "simulate friction": "Strokes of simulated participants, as a folder that `haptonic friction` reads.",
     "simulate scan": "A simulated scan of the study's plate. Everything is marked as simulated.",
 }

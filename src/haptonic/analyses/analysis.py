@@ -51,7 +51,7 @@ class Analysis:
     writes : True if the result consists of files only, which always need a folder
     watches : True if it is fast enough to be repeated whenever the study is saved
     interactive : name of the option that adds the data of the interactive view; empty without one
-    examine : reads the files of the options and returns what was understood, before anything is computed;
+    examine : reads the files of the options and returns how they were read, before anything is computed;
         None for an analysis without files
     study_option : name of the option with a study file, for an analysis that takes no study itself
     settings : options that the text of a study in a folder gives in place of `study_option`

@@ -31,7 +31,9 @@ class CompareOptions(UnitsOfFile):
     """Options of the comparison."""
 
     first: Path = option(help="A study, or the folder of its bands.", place="before")
-    second: Path = option(help="Another one, or a table of bands from another program.", place="before")
+    second: Path = option(
+        help="Another study or folder, or a table of bands from another program.", place="before"
+    )
     wavevector: str | None = option(
         None,
         "Unit of the table's wavevector: rad/m, rad/mm, pi/a, 2pi/a, share (of the path) or segments.",

@@ -40,7 +40,10 @@ class FeelOptions:
         None, 'Voltage of the first actuator, such as "200 V".', unit="V", metavar="VOLTAGE"
     )
     at: float | None = option(
-        None, "Frequency of the drive; by default the loudest resonance.", unit="Hz", metavar="FREQUENCY"
+        None,
+        "Frequency of the drive; by default the strongest resonance of the driven region.",
+        unit="Hz",
+        metavar="FREQUENCY",
     )
     reduction: float | None = option(
         None, "Also compute the drive for this reduction, 0.5 for 50 %.", metavar="SHARE"

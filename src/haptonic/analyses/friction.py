@@ -146,7 +146,7 @@ def _settings(options: FrictionOptions) -> tuple[TrialSettings, Description | No
 
 
 def examine(study: None, options: FrictionOptions, runner: Runner) -> TrialsReading | TrialDraft:
-    """What was understood of the table of trials and of the first records, or the table that can be drafted.
+    """Reading of the table of trials and of the first records, or the table that can be drafted.
 
     Raises
     ------

@@ -220,7 +220,7 @@ def _need_plate(study: Description, options: ScanOptions, runner: Runner) -> OnP
 
 
 def examine(study: Description | None, options: ScanOptions, runner: Runner) -> ScanReading:
-    """What was understood of a file, and the place of its points on the plate of the study, if it has one.
+    """Reading of a file, and the place of its points on the plate of the study, if it has one.
 
     Raises
     ------

@@ -71,8 +71,10 @@ class Estimation:
     repair : flags of points that are replaced
     """
 
-    estimator: Estimator = option("H1", "H1 for noise on the response, a laser's.")
-    window: WindowName = option("none", "none for periodic chirps, exponential for bursts, hann for noise.")
+    estimator: Estimator = option("H1", "Estimator; H1 suits noise on the response, such as a laser's.")
+    window: WindowName = option(
+        "none", "Window: none for periodic chirps, exponential for bursts, hann for noise."
+    )
     decay: float | None = option(
         None, 'Decay time of the exponential window, such as "5 ms".', unit="s", metavar="TIME"
     )
@@ -82,7 +84,10 @@ class Estimation:
     overlap: float = option(0.0, "Overlap of segments, from 0 to below 1.")
     align: bool = option(False, "Align records by their reference.")
     repair: tuple[str, ...] = option(
-        (), 'Replace points, such as "dropout,saturated"; marked.', read=flags_of, metavar="FLAGS"
+        (),
+        'Replace points with these flags, such as "dropout,saturated"; they stay marked.',
+        read=flags_of,
+        metavar="FLAGS",
     )
 
 

@@ -26,7 +26,7 @@ class SimulateFrictionOptions(Seeded):
     participants: int | None = option(None, "Number of participants; by default the study's.", metavar="N")
     form: Literal["csv", "h5", "mat", "tdms"] = option("csv", "Format of the force records.", flag="--format")
     per: Literal["trial", "block"] = option("trial", "Content of a file: a trial or a block.")
-    raw: bool = option(False, "Six gauge voltages of 16 bits and a calibration, not forces.")
+    raw: bool = option(False, "Write six gauge voltages of 16 bits and a calibration, not forces.")
     amplitudes: Any = option(
         None, 'Output of `feel --json`, or {"WG1": 1e-6, ...} in m (JSON).', read=read_amplitudes,
         is_path=True, flag="--from", metavar="FILE",

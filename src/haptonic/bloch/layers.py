@@ -292,7 +292,7 @@ def _too_short(wavenumber: float, highest: float) -> StudyError:
         argument="layers.wavenumber",
         given=f"{wavenumber:.4g} rad/m along the layers",
         allowed=f"at most {highest:.4g} rad/m with this mesh",
-        cause="the incident wave is too short for the distance of places on a face",
+        cause="the incident wave is too short for the spacing of nodes on a face",
         next_step="use a finer mesh, a lower frequency or a smaller angle",
     )
 

@@ -28,7 +28,7 @@ TIGHTER = 0.1  # factor on that share if the basis is too coarse: little inertia
 
 @dataclass(frozen=True, eq=False)
 class Losses:
-    """Forms on a basis that estimate what modes lack; computed when they are first needed.
+    """Forms on a basis that estimate the errors of modes; computed when they are first needed.
 
     whole : pencil of the tiling, or of its motions of one parity; basis : (n, r) of its unknowns
     """

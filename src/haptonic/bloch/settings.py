@@ -62,15 +62,17 @@ class BandSettings:
     }
 
     count: Annotated[int, Field(ge=1, le=60, strict=True)] = setting(
-        10, "Counted from the lowest.", title="Number of bands"
+        10, "Bands are counted from the lowest.", title="Number of bands"
     )
     points: Annotated[int, Field(ge=8, le=10_000, strict=True)] = setting(
-        66, "Along the edge of the irreducible zone.", title="Wavevectors"
+        66, "Number of wavevectors along the edge of the irreducible zone.", title="Wavevectors"
     )
     accuracy: Annotated[float, Quantity("", at_least=1e-6, at_most=COARSEST, typical=(1e-5, 0.05))] = setting(
-        2e-3, "Relative, of every frequency up to the last band asked for."
+        2e-3, "Allowed relative error of every frequency up to the last band."
     )
-    mesh: Annotated[MeshSettings, TOP] = setting(MeshSettings(), "For experts; else the accuracy decides.")
+    mesh: Annotated[MeshSettings, TOP] = setting(
+        MeshSettings(), "Mesh for experts; by default the accuracy determines it."
+    )
     budget: Annotated[float, BUDGET] = setting(
         600.0, "Estimated processor time for the meshes of a cell; a mesh beyond it is not started."
     )
@@ -95,7 +97,7 @@ class LayersSettings(DirectionSettings):
     """Settings of a mirror of several rows of cells between two plates."""
 
     count: Annotated[int, Field(ge=1, le=20, strict=True)] = setting(
-        6, "The most that are computed; all fewer ones are as well.", title="Rows"
+        6, "Largest number of rows; all smaller numbers are computed too.", title="Rows"
     )
     lowest: Frequency | None = setting(
         None, f"Start of the spectrum; by default {LOWEST:g} of the carrier.", title="Lowest frequency"
@@ -104,11 +106,11 @@ class LayersSettings(DirectionSettings):
         None, f"End of the spectrum; by default {HIGHEST:g} of the carrier.", title="Highest frequency"
     )
     points: Annotated[int, Field(ge=2, le=5000, strict=True)] = setting(
-        161, "In the spectrum, both ends included.", title="Frequencies"
+        161, "Number of frequencies in the spectrum, both ends included.", title="Frequencies"
     )
     angle: Annotated[float, OF_INCIDENCE] = setting(
         0.0,
-        "Between the incident wave and the normal of the rows; above zero towards their direction.",
+        "Angle between the incident wave and the normal of the rows, positive towards their direction.",
         title="Angle of incidence",
     )
 

@@ -66,7 +66,7 @@ def _check_alone(cell: UnitCell) -> None:
                 "conflict",
                 f"solids of a CAD file and {name}",
                 "the solids alone, on a lattice of one site",
-                "the file has everything that is on the plate, on both faces",
+                "the file describes both faces of the plate completely",
                 "leave one of the two out; draw several sites as one period of a triangular lattice",
                 at="solid",
             )

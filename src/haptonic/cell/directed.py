@@ -111,7 +111,7 @@ class DirectionSettings:
 
     along: Along = setting(  # noqa: RUF009 - a declaration for the described tables
         (0.0, 1.0),
-        "How many of the lattice's two translations it repeats after; [0, 1] is along y in rectangles.",
+        "Period in numbers of the lattice's two translations; [0, 1] is along y in rectangles.",
         title="Direction",
     )
 

@@ -41,10 +41,11 @@ Side = tuple[tuple[float, float], tuple[float, float]]
 class Disc(Sectioned):
     """A prism about the axis of a site, between two heights, or a cone. All lengths in m, angles in rad.
 
-    A disc replaces the material in its place: discs are added in order, and a later one replaces what it
-    overlaps. An empty disc through the plate is a hole, one of another material an inclusion, and one on the
-    plate a pillar; several discs make a coating, a layer of glue or a cap. With a draft the disc is a cone: a
-    countersink, or as a short disc a chamfer. Discs whose sides continue each other have one border.
+    A disc replaces the material in its place: discs are added in order, and a later one replaces an earlier
+    one where they overlap. An empty disc through the plate is a hole, one of another material an inclusion,
+    and one on the plate a pillar; several discs make a coating, a layer of glue or a cap. With a draft the
+    disc is a cone: a countersink, or as a short disc a chamfer. Discs whose sides continue each other have
+    one border.
 
     Raises
     ------
@@ -99,10 +100,12 @@ class Disc(Sectioned):
         title="Disc material",
     )
     empty: bool = setting(
-        False, "Nothing is left where the disc is: it is a hole.", title="Empty disc", strict=True
+        False, "True for a hole: the disc contains no material.", title="Empty disc", strict=True
     )
     draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST)] = setting(
-        0.0, "Between side and normal; positive is narrower at the upper end.", title="Draft of the disc"
+        0.0,
+        "Angle between side and normal; positive is narrower at the upper end.",
+        title="Draft of the disc",
     )
     section: SectionName = SECTION
     length: SectionLength = LENGTH

@@ -109,15 +109,15 @@ class UnitCell(TileShape):
         ),
     }  # fmt: skip
 
-    lattice: Annotated[Lattice, INLINE] = needed("How the cells repeat.")
+    lattice: Annotated[Lattice, INLINE] = needed("Lattice on which the cells repeat.")
     thickness: Annotated[float, size(10e-9, 20e-3)] = needed(
-        "Without the pillar.", title="Plate thickness", examples=["1.5 mm"]
+        "Thickness without the pillar.", title="Plate thickness", examples=["1.5 mm"]
     )
     material: Annotated[Material, GIVEN, TOP] = needed(
         "A built-in name or constants, for the plate and for every pillar without a material of its own."
     )
     pillar: Pillar | None = setting(
-        None, "On every site, if the sites have no tables; without any the cell is plain plate."
+        None, "Pillar on every site, if the sites have no tables; without pillars the cell is plain plate."
     )
     site: tuple[Site, ...] = setting(
         (),
@@ -133,13 +133,12 @@ class UnitCell(TileShape):
     )
     disc: tuple[Disc, ...] = setting(
         (),
-        "In place of a pillar, on every site: put in one after the other, a later one replaces what it "
-        "overlaps.",
+        "Discs on every site, in place of a pillar. A later disc replaces an earlier one where they overlap.",
         title="Discs",
         max_length=MOST_DISCS,
     )
     solid: Solid | None = setting(
-        None, "In place of pillars and discs: one period of the plate as a CAD program or a mesh has it."
+        None, "One period of the plate from a CAD file or a mesh, in place of pillars and discs."
     )
 
     def __post_init__(self) -> None:

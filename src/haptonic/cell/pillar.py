@@ -96,24 +96,24 @@ class Pillar(Sectioned):
     }  # fmt: skip
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
-        "At the foot, its fillet not counted; of other sections than a round one the width along x, of a "
-        "hexagon or polygon across its flats. Smaller than the pitch by more than 2 %.",
+        "Diameter at the foot without the fillet; width along x of other sections, across flats of a hexagon "
+        "or polygon. Smaller than the pitch by more than 2 %.",
         title="Pillar diameter",
         examples=["3.5 mm"],
     )
     height: Annotated[float, size(10e-9, 100e-3)] = needed(
-        "Above the face of the plate.", title="Pillar height", examples=["14.7 mm"]
+        "Height above the face of the plate.", title="Pillar height", examples=["14.7 mm"]
     )
     section: SectionName = SECTION
     draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (
-        setting(0.0, "Between side and normal; positive is narrower at the top.", title="Draft angle")
+        setting(0.0, "Angle between side and normal; positive is narrower at the top.", title="Draft angle")
     )
     fillet: Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST, typical=(0.0, 5e-3))] = setting(
         0.0,
-        "At the foot: the corner radius of the end mill; mitred at the corners of a square.",
+        "Radius at the foot, the corner radius of the end mill; mitred at the corners of a square.",
         title="Fillet radius",
     )
-    step: Step | None = setting(None, "Where the pillar becomes narrower, if it does.")
+    step: Step | None = setting(None, "Step above which the pillar is narrower; by default none.")
     length: SectionLength = LENGTH
     sides: SectionSides = SIDES
     corner_radius: CornerRadius = CORNER_RADIUS

@@ -29,10 +29,10 @@ class Step:
     """Step at which a pillar becomes narrower, m. The section above is a scaled copy of that below."""
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
-        "Smaller than below it by more than 5 %.", title="Diameter above the step"
+        "Diameter that is smaller than below the step by more than 5 %.", title="Diameter above the step"
     )
     height: Annotated[float, size(10e-9, 100e-3)] = needed(
-        "Above the face of the plate.", title="Height of the step"
+        "Height above the face of the plate.", title="Height of the step"
     )
 
 

@@ -20,7 +20,7 @@ from haptonic.units import format_quantity
 MOST_CORNERS = 24  # of a section
 LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
 # declarations of the numbers of a section, shared by the classes with a section
-SECTION = setting("round", "Seen from above; before it is turned, sides of a square lie along x and y.")
+SECTION = setting("round", "Section seen from above. Before the turn, sides of a square lie along x and y.")
 SectionLength = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
 LENGTH = setting(None, "Width of a rectangle or an ellipse along y.", title="Length of the section")
 ArmWidth = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
@@ -30,10 +30,10 @@ SIDES = setting(None, "Number of sides of a regular polygon.", title="Number of 
 CornerRadius = Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST)] | None
 CORNER_RADIUS = setting(None, "Radius of rounded corners, seen from above; without it they are sharp.")
 SectionTurn = Annotated[float, Quantity("rad", at_least=-math.pi, at_most=math.pi)] | None
-TURN = setting(None, "By which the section is turned, anticlockwise.", title="Turn of the section")
+TURN = setting(None, "Angle by which the section is turned anticlockwise.", title="Turn of the section")
 CORNERS = setting(
     (),
-    "Corners of a section, in order, all of them seen from the axis; it is that of the name points.",
+    'Corners of the section "points", in order, each visible from the axis.',
     title="Corners of the section",
     max_length=MOST_CORNERS,
 )

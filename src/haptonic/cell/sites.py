@@ -23,7 +23,7 @@ from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
 
 Plate = tuple[float, Material, Faces]  # thickness, m, material, and faces with pillars
-SHARE = Quantity("", at_least=0.0, below=1.0, hint="take whole translations off it")
+SHARE = Quantity("", at_least=0.0, below=1.0, hint="subtract whole translations from it")
 PLACE = Quantity("m")
 MIRRORS = (np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0]))
 MOST_SITES, MOST_DISCS = 12, 12  # of one cell, and of one site
@@ -51,14 +51,14 @@ class Site:
         None, 'Shares of the two translations, such as ["1/3", "2/3"]; each from 0 to below 1.', title="Site"
     )
     position: tuple[Annotated[float, PLACE], Annotated[float, PLACE]] | None = setting(
-        None, "The same as two lengths along x and y."
+        None, "Position of the site as two lengths along x and y, in place of shares."
     )
     pillar: Pillar | None = setting(
-        None, "Without this table and discs the site is empty.", title="Pillar of the site"
+        None, "A site without this table and without discs is empty.", title="Pillar of the site"
     )
     disc: tuple[Disc, ...] = setting(
         (),
-        "In place of a pillar: put in one after the other, a later one replaces what it overlaps.",
+        "Discs in place of a pillar. A later disc replaces an earlier one where they overlap.",
         title="Discs of the site",
         max_length=MOST_DISCS,
     )
@@ -165,7 +165,7 @@ def check_shares(sites: Sequence[Site], vectors: Array, lattice: str) -> None:
                 f"{shares[0]:.6g} a1 + {shares[1]:.6g} a2",
                 "a place in the cell: shares of both translations from 0 to below 1",
                 "the site lies outside the cell",
-                "take whole translations off it",
+                "subtract whole translations from it",
                 at=f"site[{number}].position",
             )
 

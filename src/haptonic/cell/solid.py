@@ -68,7 +68,7 @@ class Solid:
     )
     sha256: str = setting(
         "",
-        "Hash of the file; filled in, and one that is given has to agree.",
+        "SHA-256 of the file. haptonic fills it in; a given value must agree.",
         title="Hash of the file",
         examples=["9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"],
     )

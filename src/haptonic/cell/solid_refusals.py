@@ -117,7 +117,7 @@ def _of_mesh(answer: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str
         ),
         "text": (
             text, "one flat mesh: nodes, elements, and groups of these",
-            "where the nodes are, or which there are, does not follow from them alone",
+            "the file needs other files, parts or coordinate systems to define its nodes",
             "export the mesh as one part in global coordinates, or read and save it with Gmsh",
         ),
         "curved": (

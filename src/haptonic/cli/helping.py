@@ -13,7 +13,7 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from haptonic import analyses
 from haptonic.cli import commands
 
-GROUPS = {"simulate": "Simulate a measurement whose truth is known."}  # first word of names with two words
+GROUPS = {"simulate": "Simulate a measurement with known ground truth."}  # first word of names with two words
 # first words of the commands, in the order of the help
 PANELS = {
     "Start": ("new", "studio", "plan", "bands", "reproduce"),

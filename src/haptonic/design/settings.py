@@ -80,7 +80,7 @@ class DesignSettings:
         48, "Designs, the study's own among them, that the search tries first."
     )
     climbs: Annotated[int, Field(ge=1, le=64, strict=True)] = setting(
-        3, "How many of the best starts are improved; more while none reaches the carrier."
+        3, "Number of best starts that are improved; more while none reaches the carrier."
     )
     steps: Annotated[int, Field(ge=1, le=200, strict=True)] = setting(
         12, "Designs computed in each climb at most."

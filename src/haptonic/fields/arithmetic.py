@@ -95,7 +95,7 @@ class ExactNumber:
             slopes = _sum((self.slopes, _bounded(steep)))
             return ExactNumber(value, raised(self.dimension, exponent), slopes)
         if self.value <= 0:
-            cause = "a number that is not positive has a broken power"
+            cause = "a number that is not positive has a fractional power"
             raise CalculationError("out-of-range", cause, "write a whole number as the power")
         value = _rounded(lambda: float(self.value) ** float(exponent))
         slopes = _sum(

@@ -280,7 +280,7 @@ def check_names(names: Iterable[str]) -> None:
         if number > MOST_PARAMETERS:
             raise StudyError.too_large(
                 argument="", given=f"more than {MOST_PARAMETERS} parameters", allowed="fewer",
-                cause="a study needs a few", next_step="leave out those that are not used",
+                cause="a study needs only a few parameters", next_step="leave out those that are not used",
             )  # fmt: skip
         if cause := reason_against(name):
             raise StudyError.malformed(

@@ -1,4 +1,4 @@
-"""The way to a design, and how far the pitch can shrink."""
+"""Designs of a search, and the widest gap against the pitch."""
 
 from __future__ import annotations
 
@@ -29,7 +29,8 @@ MOST_WIDTHS = 14  # written above the bars of a front, side by side
 def search(dataset: xr.Dataset, units: Mapping[str, str]) -> Figure:
     """Sizes of every design seen against each other, with the margin of the drive frequency as colour.
 
-    Of one size the margin is the height. Of more than two each of the others has a panel against the first.
+    With one size, the height shows the margin. With more than two, each of the others has a panel against the
+    first.
 
     Parameters
     ----------
@@ -108,7 +109,7 @@ def front(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
                       ha="center", va="bottom")  # fmt: skip
     if not held.all():
         axes.plot(pitch[~held], np.full((~held).sum(), carrier), "x", color=style.INK, gid="none", zorder=3,
-                  label="no allowed design holds it")  # fmt: skip
+                  label="no allowed design has a gap there")  # fmt: skip
     name = f"carrier {hz_text(1e3 * carrier, form='g')}"
     axes.axhline(carrier, color=style.CARRIER, ls=style.DASHED, lw=1.1, label=name,
                  gid="carrier")  # fmt: skip

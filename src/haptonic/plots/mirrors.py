@@ -29,7 +29,7 @@ FAMILIES = ("A0", "S0", "SH0")
 def decay(dataset: xr.Dataset) -> Figure:
     """Decay per row against frequency, with its number at the drive frequency, above the propagating waves.
 
-    Upper panel: the wave that reaches farthest at normal incidence, the range of all directions along the
+    Upper panel: the slowest-decaying wave at normal incidence, the range of all directions along the
     rows, and all evanescent waves at normal incidence as points. Lower panel: phase per row of those that
     propagate.
 

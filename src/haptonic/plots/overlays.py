@@ -1,4 +1,4 @@
-"""Bands of two over each other."""
+"""Two sets of bands drawn over each other."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The chance that an experiment shows what is there, against the number of people who take part."""
+"""Power of an experiment against the number of participants."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ def power(dataset: xr.Dataset, participants: int, *, ax: Axes | None = None) -> 
             color=colour, marker=marker, ms=4, elinewidth=0.8, label=label(name),
             gid=str(guide["waveguide"].item()),
         )  # fmt: skip
-    axes.axhline(wanted, color=style.PALE_INK, ls=style.DASHED, lw=1.0, label=f"wanted, {wanted:g} %")
+    axes.axhline(wanted, color=style.PALE_INK, ls=style.DASHED, lw=1.0, label=f"required, {wanted:g} %")
     axes.axvline(participants, color=style.CARRIER, ls=style.DOTTED, lw=1.2, gid="plan",
                  label=f"this plan: {participants}")  # fmt: skip
     axes.set_ylim(0, 103)
     axes.set_xlim(0.5, float(dataset["participants"].max()) + 0.5)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_xlabel(f"participants, {int(dataset['trials'])} strokes each in every condition")
-    axes.set_ylabel("chance of showing it (%)")
+    axes.set_ylabel("power (%)")
     level, tests = 100 * float(dataset.attrs["level"]), int(dataset.attrs["tests"])
     axes.set_title(f"Simulated: paired t-test over participants, {tests} tests at {level:g} % together")
     on.legend(ncols=2)

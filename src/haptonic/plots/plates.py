@@ -1,4 +1,4 @@
-"""Finite plates: what lies where, and how the flat face vibrates at some frequencies."""
+"""Finite plates: plan of the parts, and maps of the vibration of the flat face."""
 
 from __future__ import annotations
 
@@ -179,7 +179,7 @@ def _draw_parts(axes: Axes, plate: Plate) -> list[Artist]:
 def _draw_way(axes: Axes, points: Array) -> list[Artist]:
     """The way of a scan over points (point, 2), mm, and where it begins; what the legend needs."""
     (way,) = axes.plot(*points.T, color=style.BLUE, lw=0.5, alpha=0.8, zorder=3, gid="way",
-                       label=f"way over {len(points)} points")  # fmt: skip
+                       label=f"path over {len(points)} points")  # fmt: skip
     (start,) = axes.plot(
         *points[0], marker="o", ms=5, ls="", color=style.GREEN, zorder=8, label="first point"
     )

@@ -1,4 +1,4 @@
-"""Projected bands of a ribbon, and the field of a mode that it holds."""
+"""Projected bands of a ribbon, and the field of one of its modes."""
 
 from __future__ import annotations
 

@@ -117,7 +117,7 @@ def decay_map(
 ) -> Figure:
     """Decay of waves from row to row of a lattice, and the edges of the gap that follow from it.
 
-    Means over frequency of the wave that reaches farthest, and the middle half of all phases along the rows.
+    Means over frequency of the slowest-decaying wave, and the middle half of all phases along the rows.
     Values hidden by noise are left out.
     """
     on = stage(ax, 8.6)
@@ -130,7 +130,7 @@ def decay_map(
     low[known], high[known] = np.nanquantile(smooth[known], (0.25, 0.75), axis=1)
     color = colours([style.BLUE])[0]
     handles: list[Artist] = [
-        *axes.plot(frequency / 1e3, least, color=color, lw=1.6, label="wave that reaches farthest",
+        *axes.plot(frequency / 1e3, least, color=color, lw=1.6, label="slowest-decaying wave",
                    gid="least"),
         axes.fill_between(frequency / 1e3, low, high, color=color, alpha=0.2, lw=0, gid="half",
                           label="half of the phases along the rows"),

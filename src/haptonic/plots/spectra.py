@@ -42,7 +42,7 @@ def contrast_spectrum(
     origin: str = "",
     ax: Axes | None = None,
 ) -> Figure:
-    """By how much one region vibrates more than another one, against frequency.
+    """Contrast between regions against frequency.
 
     Of many lines each curve is pale, with its running mean on top.
 

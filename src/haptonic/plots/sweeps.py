@@ -100,7 +100,7 @@ def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array) -> list[Artist]:
 
 
 def _draw_limit(axes: Axes, value: Array, searched: Array) -> list[Artist]:
-    """The line up to which gaps were looked for, and crosses for designs that failed; what a legend needs."""
+    """Draw the limit of the search for gaps, and crosses for failed designs; return handles for a legend."""
     handles: list[Artist] = []
     computed = np.isfinite(searched)
     if computed.any():

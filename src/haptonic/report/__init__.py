@@ -1,4 +1,4 @@
-"""One page that shows what a study gave: self-contained, printable."""
+"""Report of a study on one page: self-contained, printable."""
 
 import lazy_loader as lazy
 

@@ -331,6 +331,6 @@ class Bands(Result):
 def counted(checked: int, missed: int) -> str:
     """Sentence on the check of the bands by exact eigenvalue counts."""
     if not checked:
-        return "The number of bands was not checked: a band lies within its error of each frequency for it."
+        return "The number of bands was not checked: each frequency for the check lies within a band's error."
     missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
     return f"Checked by exact eigenvalue counts, in {checked} comparison{'s' * (checked != 1)}: {missing}."

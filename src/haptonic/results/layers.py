@@ -81,7 +81,7 @@ class Layers(Result):
 
     @figure(
         "decay",
-        "Simulated decay per row of the wave that reaches farthest, at normal incidence and over all "
+        "Simulated decay per row of the slowest-decaying wave, at normal incidence and over all "
         "directions; below it the phase per row of waves that propagate.",
     )
     def _decay(self) -> Figure:

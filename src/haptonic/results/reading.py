@@ -1,4 +1,4 @@
-"""Base class of what was understood of measured files, shown before anything is computed."""
+"""Base class of the reading of measured files, shown before anything is computed."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ AXES = ("frequency", "time")  # of curves
 
 
 class Reading(Result):
-    """Points and a curve from files, and a table of what was understood.
+    """Points and a curve from files, and a table of how they were read.
 
     The dataset has ``x`` and ``y`` along ``point``, or none, and curves along one of `AXES`.
     """
 
-    title = "What was understood"
+    title = "How the files were read"
 
     def answers(self) -> list[tuple[str, str]]:
-        """Questions about the files, and what was understood."""
+        """Questions about the files, and their answers."""
         raise NotImplementedError
 
     def tables(self) -> list[Table]:
         rows: list[Sequence[Cell]] = [*self.answers()]
-        return [Table(f"what was understood, {self.origin}", ("of the files", "understood"), rows)]
+        return [Table(f"how the files were read, {self.origin}", ("question", "answer"), rows)]
 
     def drawing(self) -> Mapping[str, Any] | None:
         """Outlines of the plate below the points; None without a plate."""

@@ -1,4 +1,4 @@
-"""What was understood of the records of friction trials."""
+"""Reading of the records of friction trials before their analysis."""
 
 from __future__ import annotations
 

@@ -203,7 +203,7 @@ class Studio:
         return {"number": self.jobs.start(order).number}
 
     def examine(self, asked: Asked) -> dict[str, Any]:
-        """What was understood of the files of an analysis, with its view in base 64; or why nothing was."""
+        """How the files of an analysis were read, with its view in base 64; or why they were not."""
         if offered(asked.get("analysis")).examine is None:
             raise unasked("analysis", asked["analysis"], "an analysis of files")
         try:

@@ -1,4 +1,4 @@
-"""What the server asks of a worker process."""
+"""Orders and wishes that the server sends to a worker process."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Order:
     analysis : name of an offered analysis
     export : file to make of the result, instead of an answer for the page
     alone : the analysis does not use the study of the page
-    examines : only read the files, and report what was understood
+    examines : only read the files, and report how they were read
     turned : path of the number that a user turns; empty for another order
     """
 

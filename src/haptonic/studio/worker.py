@@ -188,7 +188,7 @@ def study_of(order: Order) -> Study:
 
 
 def _understood(order: Order) -> tuple[dict[str, Any], bytes | None]:
-    """What was understood of the files of an order."""
+    """Reading of the files of an order."""
     analysis, study, options = _inputs(order)
     with _heard() as words:
         reading = analysis.examined(study, Runner(), options)

@@ -117,7 +117,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.guides.Guides:
-        """Width, length and frequency of a waveguide between two such mirrors."""
+        """Width, length and frequency of a waveguide between two mirrors of cells."""
 
     def ribbon(
         self,
@@ -287,7 +287,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.verdict.Verdict:
-        """The response of a scan compared again with the model of its plate: new unknowns, no records."""
+        """Another comparison of a scan's response with the model: other unknowns, no records needed."""
 
     def simulate_friction(
         self,

@@ -125,7 +125,7 @@ class PlateSettings:
         Entries(), "Height of rows without a lattice, by region; by default the pitch along y."
     )
     cell: tuple[LatticeSettings, ...] = setting(
-        (), "For tiles of other names.", title="Further lattices", max_length=20
+        (), "Lattices of tiles with other names.", title="Further lattices", max_length=20
     )
     edges: Edges = setting(Edges(), "Supports of the edges.")
     clamp: Clamp | None = setting(None, "Clamped corners, if this table is given.", title="Corners")

@@ -22,7 +22,7 @@ BEGINNING = """# Published and exact cases
 Written by `haptonic verify --page docs`. Each case is a study: `haptonic new CASE FILE` copies it, and
 `haptonic verify CASE` computes it again. All frequencies come from `haptonic bands`, as a user asks for them.
 
-The difference is that of the value that differs most, relative to the source. The allowed difference is the
+The difference is the largest of all values, relative to the source. The allowed difference is the
 sum of haptonic's error, the uncertainty of the source and the tolerance of the case. *Published* values were
 printed by others, *exact* ones follow from a formula or from two ways to describe one cell, and *independent*
 ones come from another program.

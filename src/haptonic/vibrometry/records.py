@@ -115,7 +115,7 @@ class TimeScan:
                 given=f"{self.start:g}",
                 allowed="a finite time, s",
                 cause="the file gives it wrongly",
-                next_step="put the start of the records right in the file",
+                next_step="correct the start of the records in the file",
             )
         if not len(self.names) == len(self.x) == len(self.y) > 0:
             raise ScanError.mismatch(

@@ -1,4 +1,4 @@
-/** What was understood of measured files: points and a curve. The view of kind "reading". */
+/** How measured files were read: points and a curve. The view of kind "reading". */
 
 import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";

@@ -260,7 +260,7 @@ const post = <T,>(name: string, asked: object) => answered<T>(posted(name, asked
 
 type Edited = Checked & { text: string };
 
-/** What was understood of files, or why they cannot be read; the view is in base 64. */
+/** How files were read, or why they cannot be read; the view is in base 64. */
 export interface Examined {
   answer: Answer | null;
   view: string | null;

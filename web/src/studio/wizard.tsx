@@ -1,4 +1,4 @@
-/** The questions of an analysis, and what was understood of its files before it computes. */
+/** The questions of an analysis, and how its files were read before it computes. */
 
 import { useEffect, useRef } from "preact/hooks";
 import { show } from "../views";

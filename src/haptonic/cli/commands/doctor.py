@@ -17,7 +17,7 @@ def run(json: Json = False) -> None:
         for reason in report["slow"]:
             voice.tell(reason)
         if not report["slow"]:
-            voice.tell("Nothing here makes haptonic slower than it can be.")
+            voice.tell("haptonic found nothing that slows it down on this machine.")
         voice.answer(report)
         if not report["healthy"]:
             raise SystemExit(1)

@@ -42,7 +42,7 @@ def tell(voice: Voice, keys: dict[str, Key], pattern: str) -> None:
         entry(voice, path, lines(key))
     others = {path: key.label for path, key in keys.items() if path not in named}
     if others:
-        voice.tell(f"The help of {len(others)} more keys contains it:")
+        voice.tell(f"The help of {len(others)} more keys contains the pattern:")
         pairs(voice, others)
 
 

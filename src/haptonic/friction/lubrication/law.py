@@ -30,7 +30,7 @@ def check_reduction(reduction: float) -> None:
             argument="reduction",
             given=f"{reduction:g}",
             allowed="a share above 0 and below 1",
-            cause="a percentage was given, or what is left of the friction",
+            cause="a percentage was given, or the remaining friction",
             next_step="give 0.5 for half the friction",
         )
 

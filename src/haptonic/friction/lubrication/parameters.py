@@ -174,7 +174,8 @@ def _declared() -> dict[str, Any]:
         kinds[name] = tuple[number, number, number] | None
         fields[name] = setting(
             None,
-            f"Lowest plausible, value, highest plausible; else {words}, {usual.mark}: {usual.source}.",
+            f"Lowest plausible value, value, highest plausible value; by default {words}, "
+            f"{usual.mark}: {usual.source}.",
             title=usual.title[0].upper() + usual.title[1:],
         )
     return {"__annotations__": kinds, **fields}
@@ -205,8 +206,8 @@ class Touch:
     frequency: Annotated[float, Quantity("Hz", at_least=1e3, at_most=1e6)] = needed(
         "Frequency of the vibration."
     )
-    force: Force = setting(0.5, "Normal to the plate.", title="Force of the finger")
-    speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
+    force: Force = setting(0.5, "Force normal to the plate.", title="Force of the finger")
+    speed: Speed = setting(0.078, "Speed along the plate.", title="Speed of the finger")
 
     @property
     def omega(self) -> float:

@@ -18,7 +18,7 @@ class Pad(Ordered):
     """Load of the finger on the plate: a damper, spread evenly over a disc."""
 
     diameter: Annotated[float, Quantity("m", at_least=1e-3, at_most=40e-3, typical=(5e-3, 20e-3))] = setting(
-        10e-3, "Diameter of the disc that it covers; assumed.", title="Diameter below the finger"
+        10e-3, "Diameter of the disc below the finger; assumed.", title="Diameter below the finger"
     )
     damping: tuple[Damping, Damping, Damping] = setting(
         USUAL_DAMPING,
@@ -31,8 +31,8 @@ class Pad(Ordered):
 class TouchSettings:
     """The touching finger, and the drive of the plate."""
 
-    force: Force = setting(0.5, "Normal to the plate.", title="Force of the finger")
-    speed: Speed = setting(0.078, "Along the plate.", title="Speed of the finger")
+    force: Force = setting(0.5, "Force normal to the plate.", title="Force of the finger")
+    speed: Speed = setting(0.078, "Speed along the plate.", title="Speed of the finger")
     pad: Annotated[Pad, INLINE] = setting(Pad(), "Load of the finger on the plate.")
     voltage: Annotated[float, VOLTAGE] | None = setting(
         None, "Voltage of the first actuator under the finger; by default the plate's."

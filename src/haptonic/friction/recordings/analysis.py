@@ -44,7 +44,7 @@ POINTS = 80  # of a small curve
 class Exclusion:
     """Trials that do not count, declared before the data are seen."""
 
-    participant: Name = needed("As the table of trials calls him or her.", examples=["P3"])
+    participant: Name = needed("Name of the participant in the table of trials.", examples=["P3"])
     reason: Annotated[str, Field(min_length=1, max_length=200, strict=True)] = needed(
         "Text beside the trial in every table.", examples=["lifted the finger"]
     )
@@ -346,7 +346,7 @@ def _declared(trials: xr.Dataset, excluded: Sequence[Exclusion]) -> xr.Dataset:
                 ),
                 allowed="trials that are in the table",
                 cause="a slip in the name or the numbers, or the exclusion is of another experiment",
-                next_step="put it right, or remove it",
+                next_step="correct the exclusion, or remove it",
             )
         reason[rows], detail[rows] = DECLARED, exclusion.reason
     return trials.assign(excluded=("stroke", reason.astype(str)), detail=("stroke", detail.astype(str)))

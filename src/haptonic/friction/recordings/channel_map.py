@@ -109,7 +109,7 @@ class ChannelMap:
                 given=f"{start} s to {stop} s",
                 allowed=f"times within the file, which lasts {len(channels[any_name]) / rate:.4g} s",
                 cause="the file was cut, or the times are in ms",
-                next_step="put the table of trials right",
+                next_step="correct the table of trials",
             )
         mounting = self.mountings.get(participant, Mounting())
         record = Record(

@@ -66,7 +66,7 @@ class Sensor:
 
     normal: Text = setting(
         "",
-        "Name or number of its channel; a minus before it turns the sign, else the records show it.",
+        "Name or number of the channel; a minus before it reverses the sign, by default the records give it.",
         title="Normal force",
         examples=["-Fz"],
     )
@@ -88,7 +88,9 @@ class Sensor:
         "", "Unit of times; by default that of the file, or s.", title="Unit of the time", examples=["ms"]
     )
     rate: Annotated[float, Quantity("Hz", above=0.0, at_most=1e7, typical=(250.0, 1e5))] | None = setting(
-        None, "Goes before a channel of times; needed if the file has no times.", title="Sampling rate"
+        None,
+        "Samples per second; needed without a channel of times, and used in place of one.",
+        title="Sampling rate",
     )
     gauges: Text = setting(
         "",
@@ -109,7 +111,7 @@ class Sensor:
     )
 
     def __post_init__(self) -> None:
-        if self.gauges and (count := self.gauges.count(",") + 1) < SIX:  # more, if names hold commas
+        if self.gauges and (count := self.gauges.count(",") + 1) < SIX:  # more, if names contain commas
             raise problem(
                 "malformed",
                 shown(self.gauges), "six different names with commas between them",
@@ -119,7 +121,7 @@ class Sensor:
         if self.calibration and not set(axes) <= set(AXES[:3]):
             raise problem(
                 "unknown",
-                " and ".join(axes), "Fx, Fy or Fz where a calibration makes the forces",
+                " and ".join(axes), "Fx, Fy or Fz if the forces come from a calibration",
                 "the name of a raw channel was given", 'write normal = "Fz"', at="normal",
             )  # fmt: skip
 
@@ -231,7 +233,7 @@ class Sensor:
             else f"no usual name among {listed or 'none'}",
             allowed=f"one channel of {WORDS[meaning]}"
             + ("" if names else f", such as {USUAL.get(meaning, meaning)}"),
-            cause="the names do not decide" if names else "the channels have unusual names",
+            cause="several names have this meaning" if names else "the channels have unusual names",
             next_step=f'name it, or give its number, in [trials.sensor], such as {meaning} = "{example}"',
         )
 

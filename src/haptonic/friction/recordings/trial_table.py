@@ -201,5 +201,5 @@ def _bad_cell(path: Path, what: str, given: object, allowed: str) -> FrictionErr
         given=shown(given),
         allowed=allowed,
         cause="the cell is empty, misspelt, or names a place on another machine",
-        next_step="put this row of the table right",
+        next_step="correct this row of the table",
     )

@@ -1,4 +1,4 @@
-"""What was understood of the records of an experiment, before any trial is measured."""
+"""Reading of the records of an experiment, before any trial is measured."""
 
 from __future__ import annotations
 

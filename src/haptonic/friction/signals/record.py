@@ -58,7 +58,7 @@ def _bad(label: Label, name: str, given: object, allowed: str, next_step: str = 
         given=shown(given),
         allowed=allowed,
         cause="a cell of the table is empty, misspelt or of another type",
-        next_step=next_step or f"put the {name} of this trial right",
+        next_step=next_step or f"correct the {name} of this trial",
     )
 
 

@@ -83,7 +83,7 @@ REMEDIES = {
         "the unit of the position or of the times is another one, or people were faster or slower",
         "check position_unit and time_unit in [trials.sensor], or change speed in [trials]",
     ),
-    "unreadable record": ("files that cannot be read", "put the files or the table of trials right"),
+    "unreadable record": ("files that cannot be read", "correct the files or the table of trials"),
     "declared beforehand": ("[[trials.exclude]] excludes them", "exclude fewer trials"),
 }
 """Likely cause and next step for each reason of exclusion."""
@@ -97,15 +97,17 @@ class Rules:
         "literal", "Two poles at 50 Hz, run both ways: as published (-6 dB there), or -3 dB there, or none."
     )
     bias_window: Annotated[float, Quantity("s", at_least=0.0, at_most=10.0)] = setting(
-        0.1, "At the start, without contact; 0 subtracts nothing.", title="Window of the bias"
+        0.1,
+        "Time at the start, without contact, whose mean is subtracted; 0 subtracts nothing.",
+        title="Window of the bias",
     )
     threshold: Annotated[float, Quantity("N", at_least=1e-3, at_most=10.0)] = setting(
         0.1, "Normal force from which there is contact."
     )
-    plateau: Share = setting(0.5, "How far the speed may be from its median, as a share of it.")
+    plateau: Share = setting(0.5, "Largest deviation of the speed from its median, as a share of the median.")
     middle: Share = setting(0.6, "Share of the contact that counts where no position was recorded.")
     steady: Annotated[float, Quantity("s", at_least=0.01, at_most=60.0)] = setting(
-        0.1, "Shortest time that has to be left.", title="Steady part"
+        0.1, "Shortest duration of the steady part.", title="Steady part"
     )
     force: tuple[Force, Force] = setting(
         (0.1, 5.0), "Lowest and highest mean normal force of a trial that counts."

@@ -36,7 +36,7 @@ Width = Annotated[float, size(100e-9, 100e-3)]
 PatchThickness = Annotated[float, size(10e-9, 10e-3)]
 BondThickness = Annotated[float, size(1e-9, 1e-3)]
 Phase = Annotated[float, Quantity("rad", at_least=-2 * math.pi, at_most=2 * math.pi)]
-CENTRE = "From the lower left corner of the smallest rectangle around the region, else around the plate."
+CENTRE = "Position from the lower left corner of the smallest rectangle around the region, or the plate."
 
 
 Carrier = Annotated[float, CARRIER]
@@ -71,13 +71,13 @@ class Actuator:
         **meant("bond", "glue", "adhesive"),
     }  # fmt: skip
 
-    name: Name = needed("Shown in results.", examples=["A1"])
+    name: Name = needed("Name in results.", examples=["A1"])
     centre: tuple[Position, Position] = needed(CENTRE)
-    size: tuple[Width, Width, PatchThickness] = needed("Along x, along y, and its thickness.")
+    size: tuple[Width, Width, PatchThickness] = needed("Size along x, size along y, and thickness.")
     material: Annotated[PiezoelectricMaterial, CERAMIC] = needed(
         "A built-in piezoelectric one, poled along z."
     )
-    bond: Bond | None = setting(None, "Without this table the patch is one with the plate.")
+    bond: Bond | None = setting(None, "Layer of glue; without it the patch is joined to the plate directly.")
     voltage: Annotated[float, Quantity("V", at_least=0.0, at_most=1e5, typical=(0.0, 1e3))] = setting(
         1.0, "Amplitude between the electrodes on its two faces."
     )
@@ -115,16 +115,18 @@ class Force:
         **meant("force", "amplitude", "f0"),
     }
 
-    name: Name = needed("Shown in results.", examples=["F1"])
+    name: Name = needed("Name in results.", examples=["F1"])
     centre: tuple[Position, Position] = needed(CENTRE)
-    size: tuple[Width, Width] | None = setting(None, "Along x and along y; else the force acts at a point.")
+    size: tuple[Width, Width] | None = setting(
+        None, "Size along x and along y; without it the force acts at a point."
+    )
     force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = setting(
         1.0, "Amplitude of its total."
     )
     phase: Phase = setting(0.0, "Phase of the force.")
     carrier: Carrier | None = setting(None, OWN_CARRIER, title="Carrier of the force", examples=["76 kHz"])
     region: Name | None = setting(
-        None, "Or lattice, that all of the force lies on; else any.", examples=["WG1"]
+        None, "Region or lattice that contains the whole force; by default any.", examples=["WG1"]
     )
 
     @property
@@ -144,7 +146,7 @@ class Finger:
     centre: tuple[Position, Position] = needed(CENTRE)
     diameter: Annotated[float, size(1e-3, 40e-3)] = setting(10e-3, "Diameter of the disc that it touches.")
     mass: Annotated[float, Quantity("kg", above=0.0, at_most=1e3, typical=(1e-5, 1.0))] | None = setting(
-        None, "That vibrates with the pad; else spring and damper end at rest."
+        None, "Mass that vibrates with the pad; without it spring and damper end at rest."
     )
     stiffness: Annotated[float, Quantity("N/m", at_least=0.0, at_most=1e12, typical=(0.0, 1e6))] = setting(
         0.0, "Value for the whole disc.", title="Stiffness of the pad"
@@ -153,7 +155,7 @@ class Finger:
         0.0, "Value for the whole disc.", title="Damping of the pad"
     )
     region: Name | None = setting(
-        None, "Or lattice, from whose corner its centre counts; else any.", examples=["WG1"]
+        None, "Region or lattice from whose corner the centre counts; by default the plate.", examples=["WG1"]
     )
 
     def __post_init__(self) -> None:

@@ -38,7 +38,7 @@ def reference_of(plate: Plate) -> tuple[Reference, float]:
     if not moving:
         raise StudyError.missing(
             argument="plate.actuator",
-            given="nothing that drives the plate",
+            given="no drive with an amplitude above zero",
             allowed="at least one [[plate.actuator]] or [[plate.force]] with an amplitude above zero",
             cause="the plate has no drive, or its amplitude is zero",
             next_step='add [[plate.force]] with region, centre and force = "1 N"',

@@ -45,10 +45,10 @@ class Support:
 class Edges:
     """Supports of the outer side faces of the plate, by their direction."""
 
-    left: EdgeHold = setting("free", "What holds the faces that look left.", title="Left edge")
-    right: EdgeHold = setting("free", "What holds the faces that look right.", title="Right edge")
-    bottom: EdgeHold = setting("free", "What holds the faces that look down.", title="Bottom edge")
-    top: EdgeHold = setting("free", "What holds the faces that look up.", title="Top edge")
+    left: EdgeHold = setting("free", "Support of the side faces that point left.", title="Left edge")
+    right: EdgeHold = setting("free", "Support of the side faces that point right.", title="Right edge")
+    bottom: EdgeHold = setting("free", "Support of the side faces that point down.", title="Bottom edge")
+    top: EdgeHold = setting("free", "Support of the side faces that point up.", title="Top edge")
     spring: FoundationStiffness | None = setting(
         None, 'Stiffness per area of every edge on a "spring".', title="Springs of the edges"
     )
@@ -121,6 +121,6 @@ def _belongs_to_springs(held: Edges | Clamp) -> None:
         raise problem(
             "conflict",
             format_quantity(held.loss_factor, ""), "a loss factor only where there are springs",
-            "what is clamped does not move, so it loses nothing", "leave it out, or give a spring",
+            "a clamped edge does not move, so it has no losses", "leave it out, or give a spring",
             at="loss_factor",
         )  # fmt: skip

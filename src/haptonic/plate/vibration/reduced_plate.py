@@ -261,7 +261,7 @@ class _Checker:
         beyond = self._beyond(residual, sigma)
         dual = np.maximum(np.einsum("nk,nk->k", residual, beyond), 0.0).reshape(2, count).sum(0)
         gain = amplification(factors[PLATE].imag, omega, sigma, reduced.basis.complete)
-        # what is missed beyond the basis moves its modes through the other losses, most those at resonance
+        # the field outside the basis excites its modes through the other losses, most strongly at resonance
         force = np.zeros((reduced.basis.dimension, count), dtype=complex)
         for extra in reduced.extras:
             motion = extra.unreduced.axes.T @ beyond[extra.unreduced.rows]

@@ -148,7 +148,8 @@ class Band:
             raise HaptonicError.inaccurate(
                 argument="plate.response.tolerance",
                 given=f"{tolerance:g}",
-                allowed=f"what can be reached: {len(poor)} of {len(omega)} lines stay above it, the worst at "
+                allowed=f"a tolerance that can be reached: {len(poor)} of {len(omega)} frequencies exceed "
+                "this one, the worst at "
                 f"{hz_text(worst, form='.3f')} with {vibration.error.max():.1e}",
                 cause="very little loss, or a tolerance near rounding",
                 next_step="ask for a larger tolerance, or give the plate its loss",
@@ -293,7 +294,7 @@ def _check_fit(model: PlateModel, high: float, shifts: int, modes: int, how_sure
             argument="plate.response.highest",
             given=f"{hz_text(np.sqrt(high) / (2 * np.pi * (1 + BEYOND)))}, for a plate of "
             f"{model.plate.layout.parts} and {model.assembly.size} unknowns",
-            allowed=f"what fits into the {free / 1e9:.1f} GB that are free",
+            allowed=f"a basis that fits into the free memory of {free / 1e9:.1f} GB",
             cause=f"{how_sure}{modes} modes lie in the band; their basis needs {how_sure or 'about '}"
             f"{needed / 1e9:.1f} GB",
             next_step="ask for a lower highest frequency or a smaller plate, or for a larger machine; a "

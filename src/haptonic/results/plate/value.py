@@ -37,7 +37,7 @@ ERRORS = (
     "This bounds the error of solving the plate's equations. The discretisation error is not estimated for "
     "this plate. Another plate, 4 x 3 cells with a guide and a patch, was also computed in full: the "
     "frequencies here were 0.01 to 0.05 % high, and the field differed by 0.9 % in the energy norm at a "
-    "resonance and by 1 to 3 % half-way between two."
+    "resonance and by 1 to 3 % half-way between two resonances."
 )
 
 OF_FILES = (

@@ -1,4 +1,4 @@
-"""What was understood of the file of a scan."""
+"""Reading of a scan's file before its analysis: points, units and assumptions."""
 
 from __future__ import annotations
 
