@@ -50,7 +50,7 @@ def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
     return field(default=default, metadata={"option": Option(help, **more)})
 
 
-CONTENT = "What the file may lack"  # topic of options that describe the content of a file
+CONTENT = "Facts that the file may lack"  # topic of options that describe the content of a file
 POSITION = "Position of the plate"
 MODEL = "Comparison with a model"
 

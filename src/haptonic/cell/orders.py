@@ -142,7 +142,7 @@ def around_quarter(turn: float, more: float) -> tuple[int, int]:
 
 
 def rounded(value: float) -> int:
-    """Nearest integer; a half is rounded up whatever its rounding error."""
+    """Nearest integer; a half is rounded up, also with a rounding error."""
     return round((1 + ROUNDING) * value)
 
 

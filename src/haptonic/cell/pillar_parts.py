@@ -17,10 +17,10 @@ class Corner:
     """A corner of a pillar's section, in half diameters from the pillar's axis."""
 
     x: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
-        "In half diameters from the axis.", title="Corner along x"
+        "Position in half diameters from the axis.", title="Corner along x"
     )
     y: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
-        "In half diameters from the axis.", title="Corner along y"
+        "Position in half diameters from the axis.", title="Corner along y"
     )
 
 

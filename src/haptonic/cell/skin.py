@@ -17,7 +17,7 @@ FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3,
 
 
 def drawing_cells(subcells: Ints, grids: list[list[int]]) -> tuple[Ints, Ints]:
-    """Hexahedra that are large enough to draw, and what to draw their borders by.
+    """Hexahedra that are large enough to draw, and the nodes of their borders.
 
     Parameters
     ----------

@@ -118,7 +118,7 @@ def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
         if option is None:
             continue
         kind, is_file = kinds[field.name], option.place == "before"
-        if is_file:  # what a command analyses is needed; in Python a value may replace it
+        if is_file:  # a command needs the file that it analyses; in Python a value may replace it
             kind = Path
         if option.unit or option.read:
             kind = str if field.default is MISSING else str | None

@@ -78,7 +78,7 @@ class IsotropicMaterial:
     loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = setting(
         0.0, "Imaginary over real part of the stiffness; about 1 / Q."
     )
-    name: str = setting("material", "Shown in reports.", min_length=1, strict=True)
+    name: str = setting("material", "Name in reports.", min_length=1, strict=True)
     source: str = setting(
         "",
         "Source of the constants: words, or a key of the bibliography.",

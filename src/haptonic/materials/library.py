@@ -22,7 +22,7 @@ KINDS: Mapping[str, Callable[..., Material]] = {
     "cubic": OrthotropicMaterial.cubic,
     "piezoelectric": PiezoelectricMaterial,
 }
-NOTHING = {"void", "air", "vacuum", "empty", "nothing", "none", "hole"}  # what people call empty space
+NOTHING = {"void", "air", "vacuum", "empty", "nothing", "none", "hole"}  # usual names of empty space
 
 
 @cache

@@ -63,8 +63,8 @@ def dispersion(
     ----------
     dataset : from `haptonic.bloch.bands_dataset`
     carrier_hz : drive frequency, Hz
-    natures : draw each mode in the colour, dashes and marker of what moves; where its nature changes along a
-        branch, so do these
+    natures : draw each mode in the colour, dashes and marker of its nature, also where this changes
+        along a branch
     wavevectors : unit of the length of the path, which is then written below the corners
     """
     on = stage(ax, 11.5)

@@ -54,7 +54,7 @@ def maps(
     frequencies : one for each map, Hz; the nearest lines are drawn
     layout : its outlines are drawn; without one, the points alone
     gap : edges of the band gap, Hz, or None
-    drive : amplitude of what the response is divided by, if it is known: then the map is what it moves
+    drive : amplitude of the drive, if it is known: then the map shows the motion in place of the response
     """
     return maps_compared({"": response}, frequencies, layout, gap, drive=drive)
 
@@ -259,7 +259,7 @@ def _continued(line: Seen, layout: Layout | None) -> tuple[AnyComplex, list[Rect
 
 
 def _slenderness(response: FrequencyResponse, layout: Layout | None) -> float:
-    """Height over width of what a map shows."""
+    """Height over width of the content of a map."""
     if layout is not None:
         return (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
     width, height = np.ptp(response.points, axis=0)

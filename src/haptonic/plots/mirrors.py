@@ -21,7 +21,7 @@ from haptonic.units import hz_text
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
 DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of 1 rad
 FLOOR = -100.0  # dB
-ROOM = 0.025  # of the axis beyond zero and the end, so that what lies on them can be seen
+ROOM = 0.025  # of the axis beyond zero and the end, so that lines on them are visible
 FAMILIES = ("A0", "S0", "SH0")
 
 
@@ -159,7 +159,7 @@ def guide(
     ----------
     position : (s,) from the middle of the strip, m; amplitude : (s,) its peak 1
     at_edge : amplitude where the lattices begin, on average; beside zigzags the curve ends before
-    width : of the strip, m; fixed_line : how far inside the lattices the plate seems to be held, m
+    width : of the strip, m; fixed_line : distance inside the lattices at which the plate seems to be fixed, m
     """
     on = stage(ax, 7.5)
     axes = on.axes

@@ -92,7 +92,7 @@ def _closed(loops: Iterable[Array]) -> list[Array]:
 
 
 def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
-    """Tiles, pillars and the outlines of regions and plate; what the legend needs."""
+    """Draw tiles, pillars and the outlines of regions and plate; return handles for the legend."""
     pillars: list[Patch] = []
     lattices = dict(zip(layout.cells, cycle(LATTICES)))
     shades: dict[str, list[Rectangle]] = {shade: [] for shade in (*lattices.values(), REGION)}
@@ -138,7 +138,7 @@ def _draw_tiles(axes: Axes, layout: Layout) -> list[Artist]:
 
 
 def _draw_supports(axes: Axes, plate: Plate) -> list[Artist]:
-    """The held parts of the outer sides; what the legend needs."""
+    """Draw the supported parts of the outer sides; return handles for the legend."""
     handles: dict[Hold, Artist] = {}
     for support in plate.supports:
         lines = [1e3 * ends for _, ends in held(plate.layout, support)]
@@ -152,7 +152,7 @@ def _draw_supports(axes: Axes, plate: Plate) -> list[Artist]:
 
 
 def _draw_parts(axes: Axes, plate: Plate) -> list[Artist]:
-    """Actuators, forces and a finger, each with its name; what the legend needs."""
+    """Draw actuators, forces and a finger with their names; return handles for the legend."""
     handles: dict[str, Artist] = {}
     for actuator in plate.actuators:
         look: dict[str, Any] = {"facecolor": style.ORANGE, "edgecolor": style.INK, "lw": 0.8, "zorder": 5}
@@ -177,7 +177,7 @@ def _draw_parts(axes: Axes, plate: Plate) -> list[Artist]:
 
 
 def _draw_way(axes: Axes, points: Array) -> list[Artist]:
-    """The way of a scan over points (point, 2), mm, and where it begins; what the legend needs."""
+    """Draw the path of a scan over points (point, 2), mm, and its start; return handles for the legend."""
     (way,) = axes.plot(*points.T, color=style.BLUE, lw=0.5, alpha=0.8, zorder=3, gid="way",
                        label=f"path over {len(points)} points")  # fmt: skip
     (start,) = axes.plot(

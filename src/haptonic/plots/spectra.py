@@ -44,7 +44,7 @@ def contrast_spectrum(
 ) -> Figure:
     """Contrast between regions against frequency.
 
-    Of many lines each curve is pale, with its running mean on top.
+    With many lines each curve is pale, with its running mean on top.
 
     Parameters
     ----------
@@ -76,13 +76,13 @@ def velocity_spectrum(
 ) -> Figure:
     """Root-mean-square velocity of regions against frequency, on a logarithmic scale.
 
-    Of many lines each curve is pale, with the running mean of its level on top.
+    With many lines each curve is pale, with the running mean of its level on top.
 
     Parameters
     ----------
     frequency : (frequency,) Hz
     velocity : name of each region and its values (frequency,), in ``units``; zeros are not drawn
-    drive : amplitude of what the velocity is divided by, if it is known
+    drive : amplitude of the drive by which the velocity is divided, if it is known
     gap : edges of the band gap, Hz, or None
     origin : of the data, "simulated" or "measured"
     """
@@ -141,7 +141,7 @@ def _height(curves: int) -> float:
 def curves(
     axes: Axes, frequency: Array, values: Mapping[str, Array], looks: Looks = LOOKS, width: float = 1.2
 ) -> list[Artist]:
-    """Draw curves by name; what the legend needs."""
+    """Draw curves by name; return handles for the legend."""
     tints = colours([colour for colour, _ in looks])
     return [
         axes.plot(frequency / 1e3, curve, color=colour, ls=dashes, lw=width, label=label(name), gid="curve")[
@@ -156,7 +156,7 @@ def curves(
 def averaged(
     axes: Axes, frequency: Array, values: Mapping[str, Array], *, logarithmic: bool = False
 ) -> list[Artist]:
-    """Draw curves by name, pale with their running means where they have many lines; what a legend needs."""
+    """Draw curves by name, pale with running means if they have many lines; return handles for a legend."""
     if len(frequency) <= DENSE:
         return curves(axes, frequency, values)
     pale = [(colour, style.SOLID) for colour, _ in LOOKS]

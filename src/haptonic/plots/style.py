@@ -71,7 +71,7 @@ _STYLE: dict[str, Any] = {
     "hatch.linewidth": 0.6,
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
-    "text.hinting": "none",  # a text is as wide at any resolution, so that the layout holds
+    "text.hinting": "none",  # a text is as wide at any resolution, so that the layout stays the same
     "text.parse_math": False,  # a name may contain dollar signs; our own formulas switch it on
     "figure.dpi": 100,
     "svg.fonttype": "path",
@@ -82,7 +82,7 @@ _STYLE: dict[str, Any] = {
 
 @contextmanager
 def styled() -> Iterator[None]:
-    """The common style, for as long as the block lasts, whatever the user's own settings are."""
+    """The common style, for as long as the block lasts, independent of the user's settings."""
     with mpl.rc_context(), warnings.catch_warnings():
         # a name in another script: the picture shows a box in its place
         warnings.filterwarnings("ignore", r"Glyph .* missing from", UserWarning)
@@ -154,7 +154,7 @@ def weigh(figure: Figure, factor: float) -> None:
 def suit_units(figure: Figure) -> None:
     """Show the ticks of all axes and colour bars in the chosen unit, or in MHz, GHz, µm or nm if that suits.
 
-    What is drawn stays in kHz, mm and rad/mm; labels of ticks and the unit in the axis's name change.
+    The drawn values stay in kHz, mm and rad/mm; labels of ticks and the unit in the axis's name change.
     """
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
@@ -201,7 +201,7 @@ TICKS = {"kHz": _frequency_scale, "mm": _length_scale}
 
 
 def arrange(figure: Figure) -> None:
-    """Give the parts of a figure their places; they keep them in whatever it is written as."""
+    """Give the parts of a figure their places, which they keep in every file format."""
     engine = figure.get_layout_engine()
     if engine is not None:
         for _ in range(PASSES):
@@ -321,7 +321,7 @@ def rendered(figure: Figure, kind: str) -> bytes:
         if figure.stale:
             arrange(figure)
         engine = figure.get_layout_engine()
-        figure.set_layout_engine(None)  # with one, every file is arranged anew, twice
+        figure.set_layout_engine(None)  # with one, every file is arranged again, twice
         try:
             metadata = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(kind)
             dots = figure.dots if isinstance(figure, Drawing) else DOTS_PER_INCH

@@ -66,7 +66,7 @@ def sweep(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
 
 
 def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array) -> list[Artist]:
-    """Shade each gap along the designs that have it, and its edges as points; what the legend needs."""
+    """Shade each gap along the designs that have it, its edges as points; return handles for the legend."""
     lower, upper = dataset["gap_lower"].values / 1e3, dataset["gap_upper"].values / 1e3
     errors = dataset["gap_lower_error"].values / 1e3, dataset["gap_upper_error"].values / 1e3
     certain = certain_gaps(dataset)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 WavevectorUnit = Literal["rad/m", "pi/a"]
 
-_PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten that they take away
+_PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten by which they divide
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
 _PROPERLY = {
     "material.youngs_modulus": "Young's modulus",
@@ -61,19 +61,19 @@ def readable(expression: str) -> str:
 
 
 def scaled_unit(unit: str) -> tuple[str, float]:
-    """The unit to draw in, in words, and what to multiply SI values by."""
+    """The unit of a drawing as text, and the factor of SI values."""
     if unit in ("", "1"):
         return "dimensionless", 1.0
     return _SCALED.get(unit, (unit, 1.0))
 
 
 def absolute(units: str, largest: float, drive: float | None) -> tuple[str, float]:
-    """The unit in which a vibration is drawn, and what to multiply SI values by.
+    """The unit in which a vibration is drawn, and the factor of SI values.
 
     Parameters
     ----------
     units : of a response, such as "m/s/V"; largest : its largest value in these
-    drive : amplitude of what it is divided by, if it is known: then the vibration itself is drawn
+    drive : amplitude of the drive by which it is divided, if known: then the vibration itself is drawn
     """
     moving = "m/s" if units.startswith("m/s") else "m"
     factor = 1.0 if drive is None else drive
@@ -83,7 +83,7 @@ def absolute(units: str, largest: float, drive: float | None) -> tuple[str, floa
 
 
 def prefixed(largest: float, unit: str) -> tuple[str, float]:
-    """The unit with the prefix that suits values up to ``largest``, and what to multiply values by."""
+    """The unit with the prefix that suits values up to ``largest``, and the factor of the values."""
     power = next((power for power in _PREFIXED if largest * 10.0**power >= 1), max(_PREFIXED))
     return f"{_PREFIXED[power]}{unit}", 10.0**power
 

@@ -62,7 +62,7 @@ def before_after(
 def mac_matrix(of: Agreement, *, measured: str, computed: str, ax: Axes | None = None) -> Figure:
     """Criterion (MAC) of every measured shape with every computed one; pairs have a frame.
 
-    measured, computed : what the axes are called
+    measured, computed : labels of the axes
     """
     rows, columns = of.mac.shape
     on = stage(ax, min(3.6 + 0.62 * rows, 16.0) + 1.6, min(max(5.6 + 0.75 * columns, 9.0), 19.0))
@@ -99,7 +99,7 @@ def frac_maps(points: Array, frac: Mapping[str, Array], layout: Layout, *, measu
     Parameters
     ----------
     points : (points, 2) m; frac : by model, (points,); NaN is not drawn
-    measured : what the measurement is called
+    measured : name of the measurement
     """
     ratio = (layout.y[-1] - layout.y[0]) / (layout.x[-1] - layout.x[0])
     wide = (choice().look.width - 2.0) / max(len(frac), 2)

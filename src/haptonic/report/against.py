@@ -20,7 +20,7 @@ SAME = 1e-9  # relative difference of two inputs that are equal
 class ComparedValue:
     """A published value beside ours.
 
-    quantity, published : what it is of, and the value as it was published
+    quantity, published : name of the quantity, and its published value
     role : "computed", "input" or "experiment", as in the references
     ours, difference, remark : texts for a table; "-" where there is none
     agrees : whether ours agrees, within its error; None where that is not decided

@@ -1,4 +1,4 @@
-"""The report's first screen: what was designed, three numbers, three requirements, one picture."""
+"""The report's first screen: the design, three numbers, three requirements, one picture."""
 
 from __future__ import annotations
 

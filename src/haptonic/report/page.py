@@ -136,9 +136,7 @@ def _appendix(results: Results) -> Chapter:
     tables = [part(results) for part in (_inputs, _mesh, _model, _errors, _versions)]
     if results.timings:
         rows = tuple((name, f"{seconds:.1f}") for name, seconds in results.timings.items())
-        tables.append(
-            Table("Run times. What was in the store already takes no time.", ("Product", "Seconds"), rows)
-        )
+        tables.append(Table("Run times. Products from the store take no time.", ("Product", "Seconds"), rows))
     return Chapter(
         title="Appendix: inputs, errors, versions",
         identifier="appendix",

@@ -71,7 +71,7 @@ def _compared(column: Column, before: Cell, after: Cell) -> tuple[str, str, str,
 
 
 def _parts(cell: Cell) -> tuple[float | None, float | None]:
-    """Value of a cell and the bound of its error; None for what it does not have."""
+    """Value of a cell and the bound of its error; None for a missing one."""
     match cell:
         case Uncertain(value, error):
             return _finite(value), error

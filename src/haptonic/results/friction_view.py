@@ -1,4 +1,4 @@
-"""Interactive view of friction trials: estimates with intervals, and what may be concluded."""
+"""Interactive view of friction trials: estimates with intervals, and conclusions."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ NO_INTERVAL = "there are too few values for an interval"
 
 @dataclass(frozen=True)
 class EstimateMark:
-    """A mark of the plot: its quantity, what it belongs to, value and ends; `whole` for all participants."""
+    """A mark of the plot: its quantity, its group, value and ends; `whole` for all participants."""
 
     quantity: str
     name: str

@@ -135,7 +135,7 @@ class References(_FileTable):
     """All contents of a references file."""
 
     title: Text = Field("the reference", title="Title", description="Name of the reference in the report.")
-    citation: Text = Field("", title="Citation", description="Where it was published.", min_length=0)
+    citation: Text = Field("", title="Citation", description="Publication of the reference.", min_length=0)
     about: str = Field("", title="About", description="Description of the reference values.")
     reductions: dict[str, float] = Field(
         {}, alias="friction", title="Friction",

@@ -34,7 +34,7 @@ def zone_variables(data: xr.Dataset) -> xr.Dataset:
 
 
 def zone_extra(data: xr.Dataset) -> dict[str, Any]:
-    """Corners of the irreducible zone by name (rad/m), and what maps its modes to the images of a sample."""
+    """Corners of the irreducible zone by name (rad/m), and maps of its modes to the images of a sample."""
     surface = ZoneSurface.of_dataset(data)
     zone = surface.zone
     corners = zone.lattice.wavevector(np.array(list(zone.corner_phases.values())))

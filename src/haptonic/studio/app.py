@@ -1,4 +1,4 @@
-"""Addresses of the studio: the page, its program, and what the program asks for."""
+"""Addresses of the studio: the page, its program, and the program's requests."""
 
 from __future__ import annotations
 

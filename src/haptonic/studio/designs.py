@@ -19,7 +19,7 @@ def design_text(text: str, changes: Mapping[str, float], folder: Path) -> str:
     """The text of a study with other numbers (SI, by path).
 
     Comments and all other tables stay. If the text gives such a number in another way, such as by the name
-    of a material, the whole study is written anew.
+    of a material, the whole study is written again.
 
     Raises
     ------

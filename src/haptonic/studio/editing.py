@@ -158,7 +158,7 @@ def _heading(name: str, is_list: bool, counts: dict[str, int]) -> str:
         path = f"{path}.{step}".lstrip(".")
         if number == len(steps) and is_list:
             counts[path] = counts.get(path, 0) + 1
-            # lists below a new table of a list are counted anew
+            # lists below a new table of a list are counted again from the first
             for below in [inner for inner in counts if inner.startswith(f"{path}[{counts[path]}].")]:
                 del counts[below]
         if path in counts:

@@ -87,7 +87,7 @@ class Jobs:
             return [brief for _, brief in sorted((self.archive.briefs | here).items())]
 
     def refresh(self) -> None:
-        """Take over runs of the command line that are new, and tell the pages."""
+        """Take over runs of the command line that are new, and notify the pages."""
         with self._lock:
             is_new = self.archive.refresh(self.jobs)
         if is_new:

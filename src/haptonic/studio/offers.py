@@ -79,7 +79,7 @@ def _options(analysis: Analysis) -> Iterator[dict[str, Any]]:
             "name": field.name, "form": form, "unit": option.unit, "help": option.help,
             "choices": list(_choices(kinds[field.name])), "default": default if default != () else None,
             "topic": option.topic,
-            # what a command analyses is needed; in Python a value may replace it
+            # a command needs the file that it analyses; in Python a value may replace it
             "required": field.default is MISSING or option.place == "before",
         }  # fmt: skip
 

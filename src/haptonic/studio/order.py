@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:  # the command line records its runs as orders, without what makes files of them
+if TYPE_CHECKING:  # the command line records its runs as orders, without the writers of files
     from haptonic.studio.files import Export
 
 

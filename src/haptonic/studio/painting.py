@@ -1,4 +1,4 @@
-"""What the page needs to draw and to paint the plate of a study, without computing anything."""
+"""Facts from which the page draws and paints the plate of a study, without any computation."""
 
 from __future__ import annotations
 

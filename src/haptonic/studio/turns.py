@@ -1,4 +1,4 @@
-"""Addresses of what belongs to a number that is turned: first curves, sliders and previews of a job."""
+"""Addresses for a number that is turned: first curves, sliders and previews of a job."""
 
 from __future__ import annotations
 

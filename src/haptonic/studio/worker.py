@@ -2,8 +2,8 @@
 
 A message is a kind, the number of the order, and a content: "begun"; "cost" with a sentence; "progress" with
 the steps done and planned and the name of the current one; "point" with a computed design; "first" with the
-part of a view that is computed first; "done" with answer and view; "understood" with answer and view of what
-was read; "knobs" with the numbers that can be turned; "preview" with the path of one of them and a view;
+part of a view that is computed first; "done" with answer and view; "understood" with answer and view of the
+files; "knobs" with the numbers that can be turned; "preview" with the path of one of them and a view;
 "file" with name and content of an export; "failed" with the parts of an error.
 
 After an answer the worker prepares previews, one after the other. An order goes first.
@@ -102,7 +102,7 @@ class WorkerChannel:
 
     @contextmanager
     def computing(self) -> Iterator[None]:
-        """Allow a newer order to end what is computed here."""
+        """Allow a newer order to end the computation of the block."""
         self._is_computing = True
         try:
             yield
@@ -255,7 +255,7 @@ class Wishes:
 
 @dataclass(frozen=True)
 class Aftermath:
-    """What follows an answer, in small steps: the numbers that can be turned, and their previews."""
+    """Tasks after an answer, in small steps: the numbers that can be turned, and their previews."""
 
     number: int
     channel: WorkerChannel

@@ -21,7 +21,7 @@ class ProtocolSettings:
     )
     participants: Annotated[int, Field(ge=1, le=500, strict=True)] = setting(3, "Number of participants.")
     order: Literal["published", "balanced"] = setting(
-        "published", "As published, with on before off, or balanced and drawn at random."
+        "published", "Published order, with on before off, or a balanced one, drawn at random."
     )
     seed: Annotated[int, Field(ge=0, le=2**31, strict=True)] = setting(
         0, "Seed of the balanced order and of the plan's simulations."

@@ -115,7 +115,7 @@ class PlateSettings:
         None, "Loss factor of the mounted plate; by default that of its material."
     )
     tiles: Entries[Name] = needed(
-        'For each letter "lattice", the name of a plate.cell, or the name of a region of plain plate.',
+        'Each letter means "lattice", the name of a plate.cell, or the name of a region of plain plate.',
         title="Meaning of the letters",
     )
     widths: Entries[TileSize] = setting(

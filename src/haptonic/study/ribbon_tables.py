@@ -37,7 +37,7 @@ class RibbonSettings(DirectionSettings):
         title="Length in cells",
     )
     tiles: Entries[Name] = needed(
-        'For each letter "lattice", the name of a ribbon.cell, or any other name for plain plate.',
+        'Each letter means "lattice", the name of a ribbon.cell, or any other name for plain plate.',
         title="Meaning of the letters",
     )
     widths: Entries[TileSize] = setting(

@@ -20,7 +20,7 @@ SOFT_TRACES = 4
 STARTS_PER_DIRECTION = 2
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction depends on others
 EXTRA = 3  # random directions in addition, for modes with little motion near the trace
-# Of few modes: those up to this multiple of the highest frequency are all used, the others by their response
+# If there are few modes: all up to this multiple of the highest frequency are used, others by their response
 # at these shares of its square.
 EXACT, SAMPLED = 1.5, (0.3, 0.55, 0.8, 1.0)
 # Share of the energy norm of a response that few modes may miss; errors are its square. Those of bands are

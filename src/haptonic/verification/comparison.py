@@ -139,7 +139,7 @@ def _measured(study: Study, quantity: CaseQuantity, store: Store | None) -> tupl
             given="no complete gap",
             allowed="a study with a complete gap, for its edges",
             cause="the study was changed, or bands are missing",
-            next_step="write the case anew, `haptonic new` copies it",
+            next_step="write the case again: `haptonic new` copies it",
         )
     gap = max(gaps, key=lambda gap: gap.width)
     centre, error = 0.5 * (gap.lower + gap.upper), 0.5 * (gap.lower_error + gap.upper_error)

@@ -74,7 +74,7 @@ def page_text(comparisons: Sequence[CaseComparison], omitted: Sequence[OmittedCa
 def source_table(chosen: Sequence[Case]) -> Table:
     """A row for each case: title, kind and source of its values, and reasons for differences."""
     rows = [(case.id, case.title, case.kind, case.source, case.remark) for case in chosen]
-    return Table("cases", ("case", "what it is", "kind", "source", "why values differ"), rows)
+    return Table("cases", ("case", "title", "kind", "source", "why values differ"), rows)
 
 
 def diagram(comparisons: Sequence[CaseComparison]) -> Figure:

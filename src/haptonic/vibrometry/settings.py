@@ -11,7 +11,7 @@ from haptonic.units import format_quantity
 from haptonic.vibrometry.chirp import Kind
 from haptonic.vibrometry.instrument import Instrument
 
-CLAMPS = "clamps"  # name for all held corners
+CLAMPS = "clamps"  # name for all clamped corners
 
 
 @described("scan", kw_only=True)
@@ -34,7 +34,7 @@ class ScanSettings:
         2e-3, "Distance of neighbouring points on the flat face."
     )
     skip: Annotated[str, Field(max_length=400, strict=True)] = setting(
-        CLAMPS, "Regions or lattices without points, with commas between; clamps: held corners."
+        CLAMPS, "Regions or lattices without points, with commas between; clamps: clamped corners."
     )
     instrument: Annotated[Instrument, INLINE] = setting(Instrument(), "The vibrometer and its converter.")
 

@@ -52,8 +52,8 @@ def rest_of(forces: Array, smooth: Array, start: Array, back: Bools, window: int
 def drifts(forces: Array, smooth: Array, rate: float) -> bool:
     """True if the rest at the start of (channel, sample) forces shows a drift that changes the friction.
 
-    The slope of the rest is extrapolated to the middle of the stroke; it has to be far beyond what the
-    scatter of the rest explains.
+    The slope of the rest is extrapolated to the middle of the stroke; it has to be far larger than
+    the scatter of the rest explains.
 
     Parameters
     ----------

@@ -84,7 +84,7 @@ class PlateModel:
         ------
         HaptonicError : a frequency whose waves are too short for the tiles; coarser ones than usual, chosen
             by hand, are taken as they are
-        GeometryError : things glued so close to a lattice that no block of plain tiles holds them
+        GeometryError : things glued so close to a lattice that no block of plain tiles contains them
         """
         layout, usual = plate.layout, Fineness()
         fineness = fineness or usual

@@ -82,7 +82,7 @@ def grid_points(plate: Plate, spacing: float, at: str = "plate.response.grid") -
 
     Raises
     ------
-    ResourceError : more points than can be held; the argument is ``at``
+    ResourceError : more points than fit into the memory; the argument is ``at``
     """
     check_grid(plate, spacing, 1, at)
     layout = plate.layout

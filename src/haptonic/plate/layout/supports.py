@@ -90,7 +90,7 @@ class Clamp:
     """Support of the plate at the four corners of the rectangle around it."""
 
     corners: Annotated[float, size(100e-9, 100e-3)] = needed(
-        "Length held on each side face, from the corner on.", title="Held length"
+        "Clamped length of each side face, from the corner on.", title="Clamped length"
     )
     spring: FoundationStiffness | None = setting(
         None, "Stiffness per area; else the corners are clamped.", title="Springs of the corners"

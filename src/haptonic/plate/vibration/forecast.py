@@ -88,7 +88,7 @@ class Counted:
 
         Raises
         ------
-        GeometryError : things glued so close to a lattice that no block of plain tiles holds them
+        GeometryError : things glued so close to a lattice that no block of plain tiles contains them
         """
         layout, blocks, fine = plate.layout, blocks_of(plate), fineness or Fineness()
         tiles = len(layout.blocks)

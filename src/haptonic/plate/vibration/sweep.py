@@ -36,9 +36,9 @@ FEWEST_RANDOM = 4  # of the forces at each shift
 NEAR_ZERO = 1e-3  # share of the highest shift's frequency that the lowest one has at least
 UNKNOWNS = 30  # of a tile between others, at least; 38 to 40 seen
 FACTORS = 0.9e6  # bytes of a tile while a single frequency is answered, at least; 1.04e6 to 1.08e6 seen
-COPIES = 6  # of the basis that the computation holds at its peak, about; 4.5 to 5.6 seen
+COPIES = 6  # of the basis in memory at the peak, about; 4.5 to 5.6 seen
 WORST = 6  # shifts that a refinement adds
-MOST_DIRECT = 24  # lines that are answered directly rather than by a larger basis
+MOST_DIRECT = 24  # frequencies that are answered directly rather than by a larger basis
 
 
 @dataclass(frozen=True, eq=False)
