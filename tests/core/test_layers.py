@@ -115,7 +115,7 @@ def test_waves_from_above_and_from_below_do_the_same():
 
 
 @pytest.mark.parametrize(("family", "angle"), [("A0", 0.0), ("A0", 0.7), ("S0", 0.5), ("SH0", -0.5)])
-def test_cells_without_pillars_let_everything_through(family, angle):
+def test_cells_without_pillars_transmit_everything(family, angle):
     omega = 58.8 * KILOHERTZ
     plain = Interface.met_by(rows("plain"), omega, family, angle)
     scattering = plain.scattering(omega, 3, (family,))

@@ -136,7 +136,7 @@ def test_energy_is_conserved_on_every_lattice_in_every_direction(where, kilohert
 
 
 @everywhere
-def test_rows_of_plain_tiles_let_everything_through(name, along):
+def test_rows_of_plain_tiles_transmit_everything(name, along):
     here = rows(CELLS[name].without_pillar(), along, Resolution(3, 0))
     for k_y in (0.0, 50.0):
         scattering = shares(here, 58.8, k_y, 3)

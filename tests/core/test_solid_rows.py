@@ -85,7 +85,7 @@ def shares(here, kilohertz, along, count=3, loss_factor=0.0):
 
 class TestLayers:
     @pytest.mark.parametrize("along", [0.0, OBLIQUE])
-    def test_a_mesh_of_plain_plate_lets_every_plate_wave_through(self, rows, along):
+    def test_a_mesh_of_plain_plate_transmits_every_plate_wave(self, rows, along):
         scattering = shares(rows("plate"), 40.0, along)
         for number, family in enumerate(FAMILIES):
             assert scattering.transmitted[:, number, OUTGOING.index(family)] == pytest.approx(1.0, abs=1e-4)
@@ -101,7 +101,7 @@ class TestLayers:
         assert len(expected) > len(FAMILIES)
         assert apart.min(axis=0).max() < 5e-3
 
-    def test_a_pillar_lets_through_what_its_block_mesh_does(self, rows):
+    def test_a_pillar_transmits_as_much_as_its_block_mesh(self, rows):
         """Insulation and decay: as far from those of the blocks as the orders of the mesh foretell."""
         coarse, fine = (self.measured(rows("pillar", order)) for order in (2, 3))
         exact = self.measured(CondensedRows.of(BLOCKS, Resolution(3, 1)))
@@ -124,7 +124,7 @@ class TestLayers:
         assert own == pytest.approx(own.swapaxes(1, 2), abs=1e-6)
         assert own[2, 0, 1] > 1e-4  # A0 to S0: pillars on one face convert
 
-    def test_a_cell_lets_through_one_way_what_its_mirror_image_lets_through_the_other(self, rows):
+    def test_a_cell_transmits_one_way_as_much_as_its_mirror_image_the_other_way(self, rows):
         """Reciprocity: from the left through a cell as from the left through its image, the families
         exchanged."""
         corner, mirrored = (shares(rows(name), 45.0, 0.0) for name in ("corner", "mirrored"))
@@ -157,7 +157,7 @@ class TestLayers:
         ("lattice", "along"), [(SQUARE, (0, 1)), (SQUARE, (1, 1)), (TRIANGULAR, (0, 1))],
         ids=["square", "diagonal", "triangular"],
     )  # fmt: skip
-    def test_a_drawn_pillar_lets_through_what_its_block_mesh_does(self, tmp_path, lattice, along):
+    def test_a_drawn_pillar_transmits_as_much_as_its_block_mesh(self, tmp_path, lattice, along):
         """Also where a slab is several rows, and behind the plate that leads to a zigzag."""
         blocks, solids = drawn(tmp_path, lattice, ROUND)
         insulations = [

@@ -183,7 +183,7 @@ class TestLayers:
             assert axes.get_ylim()[0] <= max(lowest, -100.0)
         assert drawn["layers, twelve rows"].axes[4].get_ylim()[0] == pytest.approx(-106.0)
 
-    def test_rows_that_let_everything_through_are_drawn(self):
+    def test_rows_that_transmit_everything_are_drawn(self):
         data = made_up_mirror()
         data["transmitted"][:] = 0.25
         low, high = plots.layers(data).axes[0].get_ylim()

@@ -63,11 +63,11 @@ class Jobs:
     """All jobs of a studio, newest last, and the worker that computes them.
 
     archive : finished jobs, also those of earlier servers
-    tell : called after every change, from any thread
+    notify : called after every change, from any thread
     """
 
-    def __init__(self, archive: Archive, tell: Callable[[], object]) -> None:
-        self.archive, self.tell = archive, tell
+    def __init__(self, archive: Archive, notify: Callable[[], object]) -> None:
+        self.archive, self.notify = archive, notify
         self.jobs: dict[int, Job] = {}
         self._lock = threading.RLock()
         self._worker: Worker | None = None
@@ -91,7 +91,7 @@ class Jobs:
         with self._lock:
             is_new = self.archive.refresh(self.jobs)
         if is_new:
-            self.tell()
+            self.notify()
 
     def job(self, number: int) -> Job | None:
         """A job with its answer, from memory or from the archive; None without one."""
@@ -117,7 +117,7 @@ class Jobs:
                 )  # fmt: skip
             self.jobs.pop(number, None)
             self.archive.remove(number)
-        self.tell()
+        self.notify()
 
     def start(self, order: Order) -> Job:
         """Begin a job with the next number; one that still runs is cancelled.
@@ -137,7 +137,7 @@ class Jobs:
             self._current = self.jobs[job.number] = job
             for number in list(self.jobs)[:-KEPT]:
                 del self.jobs[number]
-        self.tell()
+        self.notify()
         return job
 
     def _send(self, job: Job) -> None:
@@ -171,7 +171,7 @@ class Jobs:
             if self._current is not None and self._current.number == number:
                 self._stop_running()
                 self.warm()
-        self.tell()
+        self.notify()
 
     def end(self) -> None:
         """Cancel the running job, whose points are kept, and end the worker."""
@@ -216,7 +216,7 @@ class Jobs:
             if worker is not self._worker:
                 return
             self._note(kind, number, content)
-        self.tell()
+        self.notify()
 
     def _note(self, kind: str, number: int, content: Any) -> None:
         if kind == "ended":
