@@ -36,7 +36,7 @@ UNANSWERED = {
     "missing",
     "no-answer",
     "too-large",
-}  # no carrier, no gap that contains it, no mesh within reach
+}  # no carrier, no gap that contains it, no mesh of the accuracy
 
 
 @dataclass(frozen=True)
