@@ -125,7 +125,7 @@ NO_AXES = {
     "nothing but a word": ("ax", "something else"),
     "a number": (1, "something else"),
     "the result": (Bands, "something else"),
-    "a figure": (Figure(), "a figure may hold many"),
+    "a figure": (Figure(), "a figure may contain many"),
     "an axis": (Figure().add_subplot().xaxis, "an axis is one edge"),
     "several axes": (Figure().subplots(1, 2), "several axes"),
     "a list of axes": (list(Figure().subplots(1, 2)), "several axes"),

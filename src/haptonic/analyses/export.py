@@ -91,7 +91,7 @@ class Workshop(Result):
 
     part, cell, study, stem : the part, the study's cell and title, and the beginning of the files' names
     tolerances : half-widths (SI) of the sizes in the drawing; why_none : reason for a drawing without any
-    wants_tolerances : True if the study asks for tolerances
+    wants_tolerances : True if the study sets tolerances
     left_out : kinds of files that cannot be written on this machine, each with the reason
     """
 

@@ -129,7 +129,7 @@ def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
             if option.place == "option"
             else typer.Argument(**words)
         )
-        text = option.unit or option.read  # None means "not given"; the record knows its default
+        text = option.unit or option.read  # None means "not given"; the record has its default
         default = (
             inspect.Parameter.empty
             if field.default is MISSING or is_file

@@ -48,7 +48,7 @@ def read_listing(kind: type[T], tables: Mapping[str, Any]) -> tuple[T | None, li
 
 
 def in_shape(kind: type, given: Mapping[str, Any], *, complete: bool = False) -> dict[str, Any]:
-    """Tables in the shape of a described class; texts of a study know its named parameters.
+    """Tables in the shape of a described class; texts of a study may use its named parameters.
 
     complete : see `arranged`
     """

@@ -81,7 +81,7 @@ def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.cs
 
 def _candidates(corners: Array, where: Array) -> tuple[Ints, Ints]:
     """Numbers of points and elements, in pairs: the box around an element's nodes (k, n1, n2, 2), slightly
-    enlarged, holds the point.
+    enlarged, contains the point.
     """
     low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
     margin = BULGE * (high - low).max(axis=1, keepdims=True)
