@@ -140,7 +140,7 @@ class TestOtherLattices:
             values, frequency=[1e3, 2e3, 3e3], x=x, y=y, reference="F, N", origin="simulated"
         )
         gap = lattice_gap(response, Plate(layout, forces=(Force("F", (4.5 * PITCH, 2 * PITCH)),)), data)
-        assert np.isfinite(data["fading"]).all()
+        assert np.isfinite(data["row_decay"]).all()
         assert (gap.lower, gap.upper) == (None, None)
         assert "rows are offset" in gap.reasons[0]
 

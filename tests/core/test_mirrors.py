@@ -66,12 +66,12 @@ def test_waves_that_propagate_belong_to_bands_and_every_band_has_its_wave():
 
 def test_waves_are_sorted_by_reach_and_the_first_one_sets_the_attenuation():
     data = spectrum()
-    fading = data["kappa_imag"].values
-    assert fading.shape == (len(FREQUENCY), SHOWN_WAVES)
-    assert (np.diff(fading) > -1e-7).all()  # waves that propagate have rounding for an imaginary part
-    assert fading.min() > -1e-7
+    decay = data["kappa_imag"].values
+    assert decay.shape == (len(FREQUENCY), SHOWN_WAVES)
+    assert (np.diff(decay) > -1e-7).all()  # waves that propagate have rounding for an imaginary part
+    assert decay.min() > -1e-7
     attenuation = data["attenuation"].sel(phase=0.0).values
-    assert attenuation == pytest.approx(DECIBELS * fading[:, 0], abs=1e-5)
+    assert attenuation == pytest.approx(DECIBELS * decay[:, 0], abs=1e-5)
     assert attenuation[2] > 1.0
 
 

@@ -27,11 +27,7 @@ def constants(solid):
 
 
 def peer(disc):
-    low, high = disc.ends(THICKNESS)
-    solid = None if disc.empty else constants(disc.material or ALUMINIUM)
-    width, arm = disc.diameter, disc.arm_width
-    bars = {"square": ((width, width),), "cross": ((width, arm), (arm, width))}
-    return PeerDisc(width, low, high, solid, bars=bars.get(disc.section, ()))
+    return PeerDisc.of(disc, THICKNESS, None if disc.empty else constants(disc.material or ALUMINIUM))
 
 
 @pytest.mark.nightly

@@ -61,12 +61,12 @@ def misfit(k: complex, omega: float) -> float:
 def test_evanescent_waves_are_lamb_waves_or_shear_waves():
     omega = 58.8 * KILOHERTZ
     right, _ = PLATE.waves(omega, np.zeros(1), LENGTH)
-    fading = right.wavenumber[right.labelled(EVANESCENT)][:6]
+    decay = right.wavenumber[right.labelled(EVANESCENT)][:6]
     half_waves = np.pi * np.arange(1, 4) / THICKNESS
     shear = 1j * np.sqrt(half_waves**2 - (omega / ALUMINIUM.shear_speed) ** 2)
-    is_shear = (np.abs(fading[:, None] / shear - 1) < 1e-6).any(axis=1)
+    is_shear = (np.abs(decay[:, None] / shear - 1) < 1e-6).any(axis=1)
     assert is_shear.sum() == 2
-    assert max(misfit(complex(k), omega) for k in fading[~is_shear]) < 1e-6
+    assert max(misfit(complex(k), omega) for k in decay[~is_shear]) < 1e-6
 
 
 def test_more_levels_bring_the_wavenumber_in_at_the_rate_of_a_polynomial_method():

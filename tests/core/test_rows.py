@@ -225,8 +225,8 @@ def test_a_spectrum_is_per_row_in_any_direction():
     data = mirror_dataset(rows(SQUARE, (1, 1)), np.array([58e3]), Incidence(0.3, 3, 0.0))
     whole = (data["reflected"] + data["transmitted"]).sum("outgoing").values
     assert whole == pytest.approx(np.ones((1, 3, 3)), abs=1e-9)
-    fading = data["kappa_imag"].values[0]
-    assert data["attenuation"].values[0, 0] == pytest.approx(20 / np.log(10) * fading[0])
+    decay = data["kappa_imag"].values[0]
+    assert data["attenuation"].values[0, 0] == pytest.approx(20 / np.log(10) * decay[0])
     assert np.abs(data["kappa_real"].values).max() <= np.pi + 1e-9
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from playwright.sync_api import Page
-from test_feel import PLATE, gap, made
+from test_feel import PLATE, gap, response_of
 
 from browser import STILL, WIDTHS, page_at, pixels, violations
 from haptonic.friction.lubrication import WEBER_FRACTION
@@ -18,7 +18,7 @@ MAP = ".finger .map canvas"
 
 @pytest.fixture(scope="module")
 def result() -> Feel:
-    return Feel(PLATE, gap(52e3, 60e3), made(drive=80.0), interactive=True)
+    return Feel(PLATE, gap(52e3, 60e3), response_of(drive=80.0), interactive=True)
 
 
 @pytest.fixture(scope="module")

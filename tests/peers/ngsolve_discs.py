@@ -4,6 +4,8 @@ The solid of each material is cut out with OpenCascade, and all are glued, so th
 interfaces. Elements along all edges within the cell are small, and split once towards them.
 """
 
+from __future__ import annotations
+
 import functools
 import operator
 from collections.abc import Sequence
@@ -15,6 +17,7 @@ import numpy as np
 from netgen.occ import Box, Cylinder, Glue, IdentificationType, OCCGeometry, X, Y, Z, gp_Trsf
 from numpy.typing import NDArray
 
+from haptonic.cell import Disc
 from peers.ngsolve_cell import FOOT_RATIO, _arpack, _shifted_inverse
 
 # Young's modulus (Pa), Poisson ratio, density (kg/m^3); or C11, C12, C44 (Pa) along x, y and z, density
@@ -34,6 +37,13 @@ class PeerDisc:
     high: float
     solid: Solid | None
     bars: tuple[tuple[float, float], ...] = ()
+
+    @classmethod
+    def of(cls, disc: Disc, thickness: float, solid: Solid | None) -> PeerDisc:
+        """A disc of haptonic on a plate, of round, square or cross section."""
+        width, arm = disc.diameter, disc.arm_width
+        bars = {"round": (), "square": ((width, width),), "cross": ((width, arm), (arm, width))}
+        return cls(width, *disc.ends(thickness), solid, bars=bars[disc.section])
 
 
 def frequencies(

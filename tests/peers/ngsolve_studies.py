@@ -1,5 +1,6 @@
 """Waves of the cell of a study with NGSolve; see `ngsolve_discs`."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,10 +25,8 @@ def _discs(cell: Any) -> list[PeerDisc]:
     """Discs and pillars with heights above the plate's lower face, on both faces where the cell has both."""
     if cell.pillar is None:
         discs = [
-            PeerDisc(
-                disc.diameter,
-                *disc.ends(cell.thickness),
-                None if disc.empty else _constants(disc.material or cell.material),
+            PeerDisc.of(
+                disc, cell.thickness, None if disc.empty else _constants(disc.material or cell.material)
             )
             for disc in cell.disc
         ]
@@ -37,10 +36,7 @@ def _discs(cell: Any) -> list[PeerDisc]:
         discs = [PeerDisc(cell.pillar.diameter, cell.thickness, top, solid)]
     if cell.faces == "both":
         turned = [(cell.thickness - disc.high, cell.thickness - disc.low) for disc in discs]
-        discs += [
-            PeerDisc(disc.diameter, low, high, disc.solid)
-            for disc, (low, high) in zip(discs, turned, strict=True)
-        ]
+        discs += [replace(disc, low=low, high=high) for disc, (low, high) in zip(discs, turned, strict=True)]
     return discs
 
 

@@ -311,7 +311,7 @@ class TestSweep:
         data["value"].attrs = {"units": "m"}
         axes = plots.sweep(data).axes[0]
         assert axes.get_xlabel() == "pitch (mm)"
-        assert axes.get_xlim()[1] == pytest.approx(0.825)
+        assert axes.get_xlim()[1] == pytest.approx(0.8 + 0.03 * 0.4)
 
     def test_a_sweep_without_gaps_or_pillar_is_drawn(self):
         data = made_up_sweep().isel(gap_slot=slice(0))

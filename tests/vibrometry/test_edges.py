@@ -274,7 +274,7 @@ class TestNoise:
     @settings(max_examples=5)
     def test_decay_hidden_by_noise_is_declared_undetermined(self, noise):
         loud = field(lambda phase: (52e3, 62e3), noise=noise, averages=8)
-        passed(xr.Dataset({"fading": decay_along(loud, [STRIP])}))
+        passed(xr.Dataset({"row_decay": decay_along(loud, [STRIP])}))
 
     def test_without_averages_a_level_is_taken_as_it_is(self):
         response, loud = noisy(0.1)

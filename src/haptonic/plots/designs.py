@@ -44,7 +44,8 @@ def search(dataset: xr.Dataset, units: Mapping[str, str]) -> Figure:
     others = others[:MOST_PANELS]
     figure = style.blank(8.6, style.WIDTH if len(others) > 1 else 0.75 * style.WIDTH)
     panels = figure.subplots(1, max(len(others), 1), sharey=True, squeeze=False)[0]
-    limit = max(float(np.abs(margin).max()), 0.1)
+    # designs far from the carrier share the end of the scale, so that good ones differ in colour
+    limit = max(min(float(np.abs(margin).max()), 2 * abs(float(margin.max()))), 0.1)
     best, handles = int(np.argmax(margin)), dict[str, Artist]()
     name, heights = _axis(first, sizes[first], units[first]) if others else ("margin (%)", margin)
     for axes, path in zip(panels, others or [first], strict=True):
@@ -68,7 +69,10 @@ def search(dataset: xr.Dataset, units: Mapping[str, str]) -> Figure:
                                         label=f"best, margin {margin[best]:.1f} %")  # fmt: skip
     panels[0].set_ylabel(name)
     carrier = hz_text(float(dataset.attrs["carrier_hz"]), form="g")
-    figure.colorbar(points, ax=list(panels), label=f"margin of {carrier} in the gap (%)")
+    figure.colorbar(
+        points, ax=list(panels), label=f"margin of {carrier} in the gap (%)",
+        extend="min" if margin.min() < -limit else "neither",
+    )  # fmt: skip
     below(figure, list(handles.values()), ncols=4)
     return figure
 

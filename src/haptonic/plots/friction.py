@@ -74,7 +74,8 @@ def conditions(summaries: Sequence[Condition], *, origin: str, ax: Axes | None =
                 line.append((x, mean))
             if len(line) == 2:
                 axes.plot(*zip(*line, strict=True), color=look["color"], lw=1.2, zorder=2)
-    axes.set_xticks(range(len(people)), people)
+    short = "all" if len(people) > 1 else EVERYBODY  # beside the others' names
+    axes.set_xticks(range(len(people)), [short if name == EVERYBODY else name for name in people])
     axes.set_xlim(-0.55, len(people) - 0.45)
     axes.set_ylim(bottom=0)
     axes.set_ylabel(f"{origin} coefficient of friction")
@@ -136,7 +137,7 @@ def reductions(
     axes.axhline(len(people) - 0.5, color=style.PALE_INK, lw=0.7)
     axes.axvline(0, color=style.INK, lw=0.7)
     axes.axvline(100 * WEBER_FRACTION, color=style.CARRIER, ls=style.DASHED, lw=1.0, gid="weber")
-    words = f"smallest drop that people feel {in_percent(WEBER_FRACTION)}"
+    words = f"just noticed, {in_percent(WEBER_FRACTION)}"
     above(axes, [(100 * WEBER_FRACTION, words, style.CARRIER)])
     axes.set_yticks(range(len(rows)) if named else [len(people)], rows if named else [EVERYBODY])
     axes.set_ylim(len(rows) - 0.4, -0.6)

@@ -142,7 +142,8 @@ def animated(
         on = _stage(response, layout, None)
         ((image, shape),) = _painted([on.axes], [seen], layout)
         if seen.frequency:
-            on.axes.set_title(f"{on.axes.get_title()}, one cycle of {1e6 / seen.frequency:.3g} µs")
+            # `set_title` would reset the distance that leaves room for the names of the regions
+            on.axes.title.set_text(f"{on.axes.get_title()}, one cycle of {1e6 / seen.frequency:.3g} µs")
         return moving(on.figure, lambda turn: image.set_data((shape * turn).real))
 
 

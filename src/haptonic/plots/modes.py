@@ -92,10 +92,9 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
         frequency = float(dataset["mode_frequency"][k]) / 1e3
         axes.set_title(f"M{k + 1}  {hz_text(1e3 * frequency, form='.2f')}\n{names[k]}")
     figure.suptitle(f"modes at {dataset.attrs['modes_at']}", gid="wavevector")
-    corners = list(panels[:: max(1, panels.size - 1)])  # they span all panels; the bar is measured for each
     bar = figure.colorbar(
         ScalarMappable(Normalize(0, 1), style.perceptual()),
-        ax=corners, location="bottom", shrink=0.5, aspect=35, pad=0.02,
+        ax=list(panels), location="bottom", shrink=0.5, aspect=35, pad=0.02,
     )  # fmt: skip
     bar.set_label("displacement, relative to its maximum")
     scale = min((column - 0.2) / (high - low)[0], 7.0 / (high - low)[1]) * style.DOTS_PER_INCH / 2.54

@@ -39,6 +39,7 @@ def contrast_spectrum(
     contrast: Mapping[str, Array],
     gap: Gap,
     *,
+    carrier: float | None = None,
     origin: str = "",
     ax: Axes | None = None,
 ) -> Figure:
@@ -50,7 +51,7 @@ def contrast_spectrum(
     ----------
     frequency : (frequency,) Hz
     contrast : label of each curve and its values (frequency,), dB
-    gap : edges of the band gap, Hz, or None
+    gap : edges of the band gap, Hz, or None; carrier : Hz
     origin : of the data, "simulated" or "measured"
     """
     on = stage(ax, _height(len(contrast)))
@@ -58,7 +59,7 @@ def contrast_spectrum(
     handles = averaged(axes, frequency, contrast)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1, gid="zero")
     axes.set_ylabel(f"{origin} contrast (dB)".strip())
-    finished(axes, frequency, gap)
+    finished(axes, frequency, gap, carrier=carrier)
     on.legend(handles, ncols=2)
     return on.figure
 
@@ -71,6 +72,7 @@ def velocity_spectrum(
     *,
     units: str = "m/s/V",
     drive: float | None = None,
+    carrier: float | None = None,
     origin: str = "",
     ax: Axes | None = None,
 ) -> Figure:
@@ -83,7 +85,7 @@ def velocity_spectrum(
     frequency : (frequency,) Hz
     velocity : name of each region and its values (frequency,), in ``units``; zeros are not drawn
     drive : amplitude of the drive by which the velocity is divided, if it is known
-    gap : edges of the band gap, Hz, or None
+    gap : edges of the band gap, Hz, or None; carrier : Hz
     origin : of the data, "simulated" or "measured"
     """
     on = stage(ax, _height(len(velocity)))
@@ -94,7 +96,7 @@ def velocity_spectrum(
     style.logarithmic(axes)
     handles = averaged(axes, frequency, positive, logarithmic=True)
     axes.set_ylabel(f"{origin} rms velocity\n({unit}){driven(units, drive)}".strip())
-    finished(axes, frequency, gap)
+    finished(axes, frequency, gap, carrier=carrier)
     on.legend(handles, ncols=4)
     return on.figure
 
@@ -188,9 +190,15 @@ def running_mean(values: Array) -> Array:
 
 
 def finished(
-    axes: Axes, frequency: Array, gap: Gap = None, *, name: str = "band gap", named: bool = True
+    axes: Axes,
+    frequency: Array,
+    gap: Gap = None,
+    *,
+    carrier: float | None = None,
+    name: str = "band gap",
+    named: bool = True,
 ) -> None:
-    """The axis of frequencies, and the gap in it."""
+    """The axis of frequencies, with the gap and the carrier (Hz) in it."""
     axes.set_xlabel("frequency (kHz)")
     axes.set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)
-    mark(axes, gap=gap, name=name, named=named)
+    mark(axes, gap=gap, carrier=carrier, name=name, named=named)

@@ -18,6 +18,7 @@ from haptonic.plots.marks import above, mark
 from haptonic.plots.stage import stage
 from haptonic.plots.text import readable, scaled_unit
 
+BESIDE = 0.03  # most room beside the first and the last design, of their range
 SUBSCRIPTED = ("f₁", "f₂", "f₃")
 CURVES: dict[str, tuple[str, style.Dashes]] = {
     "timoshenko": ("pillar alone, Timoshenko", style.SOLID),
@@ -45,7 +46,7 @@ def sweep(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     value = dataset["value"].values * factor
     order = np.argsort(value)
     dataset, value = dataset.isel(step=order), value[order]
-    half = 0.5 * float(np.diff(value).min()) if len(value) > 1 else 0.5
+    half = min(0.5 * float(np.diff(value).min()), BESIDE * float(np.ptp(value))) if len(value) > 1 else 0.5
     searched = dataset["searched_up_to"].values / 1e3
     axes.set_xlim(value[0] - half, value[-1] + half)
     axes.set_ylim(0, 1.04 * float(np.nanmax(searched, initial=0.0)) or 1.0)
@@ -78,6 +79,10 @@ def _draw_gaps(axes: Axes, dataset: xr.Dataset, value: Array) -> list[Artist]:
             np.where(known, edge.max(axis=1, initial=-np.inf, where=here), np.nan) for edge in (lower, upper)
         )
         axes.fill_between(value, low, high, where=known, facecolor=style.GAP, lw=0, zorder=2, gid="gap")
+        # a gap of a single design has no area
+        axes.vlines(
+            value[known], low[known], high[known], color=style.GAP, lw=2, zorder=2, gid="gap of a design"
+        )
     color = colours([style.GAP_EDGE])[0]
     handles: list[Artist] = []
     looks = (

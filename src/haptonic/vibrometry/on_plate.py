@@ -95,7 +95,7 @@ def lattice_gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> 
         decay = decay_along(response, strips_of(plate.layout, mirror) if mirror else [])
     except (ScanError, ResponseError) as error:
         return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
-    data["fading"] = decay
+    data["row_decay"] = decay
     assert mirror is not None
     if mirror.repeat > 1:
         # two plates of eight rows would give lower edges of 54.3 and 56.5 kHz, against the computed 52.4 kHz

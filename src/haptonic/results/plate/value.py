@@ -149,7 +149,8 @@ class PlateResult(Result):
 
     @figure("maps", "Simulated normal displacement of the flat face, all maps on one scale.")
     def _maps(self, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
-        layout, gap, drive = self.plate.layout, self._gap_edges, self.drive
+        layout, drive = self.plate.layout, self.drive
+        gap = None if self.answers else self._gap_edges  # lattices of several carriers have different gaps
         shown, lines = self.marked, self.marked.frequency.tolist()
         if frequency is not None:
             shown, lines = self.response, [frequency]
@@ -172,23 +173,27 @@ class PlateResult(Result):
         levels = {name: level.values for name, level in self.levels.items()}
         return plots.velocity_spectrum(
             self.response.frequency, levels, self._gap_edges, units=self.response.units, drive=self.drive,
-            origin=self._origin, ax=ax,
+            carrier=self.carrier, origin=self._origin, ax=ax,
         )  # fmt: skip
 
     @figure("contrast", "Simulated contrast of the driven region.", when=_compares)
     def _contrast(self, *, ax: Axes | None = None) -> Figure:
         curves = {name: level.values for name, level in self.contrasts(self.response).items()}
         lines = self.response.frequency
-        return plots.contrast_spectrum(lines, curves, self._gap_edges, origin=self._origin, ax=ax)
+        return plots.contrast_spectrum(
+            lines, curves, self._gap_edges, carrier=self.carrier, origin=self._origin, ax=ax
+        )
 
     @figure(
         "impedance-*",
-        "Simulated conductance and capacitance of an actuator, which give its electrical impedance.",
+        "Simulated conductance and capacitance of a driven actuator, which give its electrical impedance.",
         when=_has_spectrum,
     )
     def _impedances(self) -> dict[str, Callable[[], Figure]]:
         return {
-            name: partial(self._impedance, actuator) for actuator, name in impedance_names(self.plate).items()
+            name: partial(self._impedance, actuator)
+            for actuator, name in impedance_names(self.plate).items()
+            if self.impedance(actuator).any()
         }
 
     def _impedance(self, actuator: str) -> Figure:

@@ -58,7 +58,7 @@ class ScanResult(Result):
     response : per unit of its reference; quality : of its points; report : of the reader
     averages : 0 if the instrument estimated the response itself
     data : against frequency: ``average``, and on a plate ``rms`` (region), ``contrast`` and its ``error``
-        (pair), ``waves`` (guide, step) with their ``wavenumber``, ``fading``, and the ``decay`` of a mirror
+        (pair), ``waves`` (guide, step) with their ``wavenumber``, ``row_decay``, and ``decay`` of a mirror
         with its ends ``low`` and ``high``
     shapes : frequencies of the operating shapes, Hz
     measured : range with high contrast of the driven region; lattice : edges of the gap from decay
@@ -188,12 +188,12 @@ class ScanResult(Result):
         return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin, ax=ax)
 
     @figure(
-        "fading",
+        "row_decay",
         "{Origin} decay of waves from row to row of the lattice, means over frequency.",
-        when=_has("fading"),
+        when=_has("row_decay"),
     )
-    def _fading_map(self, *, ax: Axes | None = None) -> Figure:
-        return plots.decay_map(self.data["fading"], self.lattice, self._edges, origin=self.origin, ax=ax)
+    def _row_decay_map(self, *, ax: Axes | None = None) -> Figure:
+        return plots.decay_map(self.data["row_decay"], self.lattice, self._edges, origin=self.origin, ax=ax)
 
     @figure("decay", "{Origin} decay into the lattice.", when=_has("decay"))
     def _decay(self, *, ax: Axes | None = None) -> Figure:
