@@ -7,6 +7,7 @@ that of lattice, outline and material together.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -114,10 +115,12 @@ class IrreducibleZone:
         normals, offsets = self._borders
         return np.asarray((kappa @ normals.T - offsets).min(axis=1))
 
-    def path(self, points: int) -> Path:
+    def path(self, points: int, also: Sequence[float] = ()) -> Path:
         """Path of ``points`` wavevectors around the irreducible zone, with all corners and both ends.
 
         The number of points in a segment is proportional to its length, so the spacing is even in rad/m.
+
+        also : positions of further wavevectors on the path, on which corners count 0, 1, 2, ...
         """
         labels = [label for label, _ in self.corners]
         corners = [self.corner_phases[label] for label in [*labels, labels[0]]]
@@ -134,17 +137,16 @@ class IrreducibleZone:
         marks = np.round(shares * (points - 1)).astype(int)
         for j in range(1, len(marks)):  # every segment has at least one inner point
             marks[j] = min(max(marks[j], marks[j - 1] + 2), points - 1 - 2 * (len(marks) - 1 - j))
-        pieces, distances, start = [], [], 0.0
-        for j, length in enumerate(lengths):
-            steps = marks[j + 1] - marks[j]
-            t = np.arange(steps + (j == len(lengths) - 1)) / steps
-            pieces.append(corners[j] + t[:, None] * (corners[j + 1] - corners[j]))
-            distances.append(start + t * length)
-            start += length
+        inner = [j + np.arange(steps) / steps for j, steps in enumerate(np.diff(marks))]
+        places = np.concatenate([*inner, [len(lengths)], also])
+        _, first = np.unique(np.round(places / SAME), return_index=True)
+        places = places[first]
+        segment = np.minimum(places.astype(int), len(lengths) - 1)
+        t, ends, sizes = places - segment, np.array(corners), np.array(lengths)
         return Path(
-            kappa=np.concatenate(pieces),
-            distance=np.concatenate(distances),
-            corners=tuple(int(m) for m in marks),
+            kappa=ends[segment] + t[:, None] * (ends[segment + 1] - ends[segment]),
+            distance=np.concatenate([[0.0], np.cumsum(sizes)])[segment] + t * sizes[segment],
+            corners=tuple(np.searchsorted(places, np.arange(len(lengths) + 1)).tolist()),
             labels=(*labels, labels[0]),
         )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -79,6 +79,7 @@ def compute_bands(
     store: Store,
     modes_at: str | None = None,
     moving: bool = False,
+    also: Sequence[float] = (),
     first: Callable[[xr.Dataset], object] | None = None,
 ) -> Bands:
     """Compute the bands of a cell, or take them from the store.
@@ -88,15 +89,16 @@ def compute_bands(
     surface : also sample the whole zone evenly
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`
     moving : also the surface of the cell in every mode of the diagram
+    also : positions of further wavevectors on the path, see `Zone.path`
     inputs : plain values of the inputs, for the attributes of the result
     carrier : Hz, marked in the diagram
     first : see `bands_dataset`
     """
     dataset = store.kept(
         {"kind": "bands", "surface": surface, "modes_at": modes_at, "moving": moving, "cell": cell,
-         "settings": settings},
+         "settings": settings, "also": tuple(also)},
         lambda: bands_dataset(
-            cell, settings, surface=surface, modes_at=modes_at, moving=moving, first=first
+            cell, settings, surface=surface, modes_at=modes_at, moving=moving, also=also, first=first
         ),
     )  # fmt: skip
     if carrier is not None:

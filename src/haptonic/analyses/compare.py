@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+
+import numpy as np
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.bands import compute_bands
@@ -13,8 +16,9 @@ from haptonic.analyses.options import UnitsOfFile, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import no_cell
 from haptonic.analyses.table_path import OurPath
+from haptonic.arrays import Array
 from haptonic.errors import StudyError, shown
-from haptonic.fields import remade, table
+from haptonic.fields import table
 from haptonic.later import xarray as xr
 from haptonic.results.comparison import MOST_APART, Comparison
 from haptonic.study.loading import load_as
@@ -23,7 +27,6 @@ from haptonic.study.template import ENDING
 from haptonic.units import in_percent
 
 RESULT = "bands.nc"  # in the folder of `haptonic bands`
-FINE = 201  # wavevectors of a study: linear interpolation between them stays within its accuracy
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,16 +96,20 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     ChannelError : a table that cannot be read, or whose units are not given
     StudyError : a table that differs by more than `MOST_APART`, unless ``any_difference`` is set
     """
-    names = _names(options.first, options.second)
-    ours = bands_of(options.first, options.studies.get(options.first), runner)
-    first = of_dataset(names[0], ours)
+    names, study = _names(options.first, options.second), options.studies.get(options.first)
     if kind_of(options.second) == "table":
-        theirs = of_table(options.second, OurPath.of_dataset(ours), options.of_table)
-        result = Comparison(first, theirs)
+        if study is None:
+            ours = bands_of(options.first, None, runner)
+            theirs = of_table(options.second, OurPath.of_dataset(ours), options.of_table)
+        else:
+            theirs = of_table(options.second, OurPath.of_cell(study.cell), options.of_table)
+            ours = bands_of(options.first, study, runner, also=theirs.position)
+        result = Comparison(of_dataset(names[0], ours), theirs)
         if not options.any_difference:
             result.refuse_apart()
         return result
     second = of_dataset(names[1], bands_of(options.second, options.studies.get(options.second), runner))
+    first = of_dataset(names[0], bands_of(options.first, study, runner, also=second.position))
     if first.labels != second.labels:
         raise StudyError.mismatch(
             argument="SECOND",
@@ -114,15 +121,17 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     return Comparison(first, second, {path: key.unit for path, key in table(Description).items()})
 
 
-def bands_of(path: Path, study: Description | None, runner: Runner) -> xr.Dataset:
-    """Compute the bands of a study, at more wavevectors than a diagram needs; read the bands of a result."""
+def bands_of(
+    path: Path, study: Description | None, runner: Runner, also: Sequence[float] | Array = ()
+) -> xr.Dataset:
+    """Compute the bands of a study, also at further positions on its path; read the bands of a result."""
     if study is None:
         return of_file(path / RESULT if path.is_dir() else path)
-    settings = study.bands_settings
     bands = compute_bands(
         study.cell,
-        remade(settings, points=max(settings.points, FINE)),
+        study.bands_settings,
         surface=False,
+        also=np.asarray(also).tolist(),
         inputs=study.inputs(),
         carrier=study.carrier,
         store=runner.store,

@@ -55,6 +55,7 @@ def bands_dataset(
     surface: bool = False,
     modes_at: str | None = None,
     moving: bool = False,
+    also: Sequence[float] = (),
     first: Callable[[xr.Dataset], object] | None = None,
 ) -> xr.Dataset:
     """Band diagram, gaps and mode shapes of a cell.
@@ -66,6 +67,7 @@ def bands_dataset(
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; by default the middle of the
         path's second segment
     moving : also the surface of the cell in every mode of the diagram, see `haptonic.bloch.path_modes`
+    also : positions of further wavevectors on the path, see `Zone.path`
     first : called with the frequencies, their errors and the complete gaps, before anything else is computed
 
     Returns
@@ -78,7 +80,7 @@ def bands_dataset(
     ResourceError : the coarsest mesh exceeds the budget or the memory; if some meshes fit and none reaches
         the accuracy, the best result is returned: see `BestModel.attributes`
     """
-    path = cell.zone.path(settings.points)  # first, because it refuses too few points
+    path = cell.zone.path(settings.points, also)  # first, because it refuses too few points
     best = best_model(cell, settings)
     model = best.model
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")

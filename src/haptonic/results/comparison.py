@@ -28,6 +28,8 @@ RATIOS = {
     "kHz were taken for Hz, or the like": 1e-3,
     "Hz were taken for kHz, or the like": 1e3,
 }
+SAME_EDGE = 1e-6  # relative difference of the edges of a gap below which they are the same
+SAME_PLACE = 1e-6  # distance of two wavevectors, as a share of a segment of the path
 OTHER_BAND = 0.1  # relative difference; bands of the same number that differ more are hardly the same
 
 
@@ -194,10 +196,14 @@ class Comparison(Result):
         if moved:
             bands, low, high, *new = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
             shifts = [float(to) - float(was) for was, to in zip((low, high), new, strict=True)]  # type: ignore[arg-type]
-            first, last = (
-                f"{hz_text(abs(shift), form='.3g')} {'higher' if shift > 0 else 'lower'}" for shift in shifts
-            )
-            sentences.append(f"The gap between bands {bands} begins {first} and ends {last}.")
+            if max(map(abs, shifts)) < SAME_EDGE * float(low):
+                sentences.append(f"The gap between bands {bands} is the same.")
+            else:
+                first, last = (
+                    f"{hz_text(abs(shift), form='.3g')} {'higher' if shift > 0 else 'lower'}"
+                    for shift in shifts
+                )
+                sentences.append(f"The gap between bands {bands} begins {first} and ends {last}.")
         if (losses := self._losses()) is not None:
             sentences.append(losses)
         changed = list(self._changed())
@@ -299,7 +305,8 @@ class Comparison(Result):
                 f"{lacking} more bands of {self.second.name} are not compared: increase count in [bands]"
             )
         remarks += self.second.remarks
-        if len(self.first.position) < len(self.second.position):
+        distance = np.abs(self.second.position[:, None] - self.first.position).min(axis=1)
+        if (distance > SAME_PLACE).any():
             remarks.append(
                 f"bands of {self.first.name} are interpolated linearly between its "
                 f"{len(self.first.position)} wavevectors"

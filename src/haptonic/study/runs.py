@@ -5,12 +5,13 @@ from __future__ import annotations
 import html
 from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.runner import Runner
 from haptonic.errors import StudyError
-from haptonic.fields import extended
+from haptonic.fields import extended, remade
+from haptonic.fields.keys import is_described, slots
 from haptonic.progress import Progress, in_notebook
 from haptonic.results.plan import sentence_of
 from haptonic.results.result import Result
@@ -65,6 +66,26 @@ class Study(Description, Methods):
         with in_notebook(name) if progress is None else nullcontext(progress) as callback:
             runner = Runner(Store.default() if store is None else store, workers, scheduler, callback)
             return named(name).run(self.within(budget), runner, options)
+
+    def replace(self, **changes: Any) -> Self:
+        """The study with changed tables and keys at the top of its file, and without sweeps: one design.
+
+        ``study.replace(material="silicon", cell={"pitch": "6 mm", "thickness": "1 mm"})``
+
+        Parameters
+        ----------
+        changes : as for a new study: texts with units, numbers, whole tables, or values such as a `UnitCell`;
+            `with_keys` changes single keys of a table
+
+        Raises
+        ------
+        StudyError : an unknown key, a value that is not allowed, or a study that cannot be written as a file
+        """
+        values = {key: value for key, value in changes.items() if is_described(value)}
+        study = self.with_keys({key: value for key, value in changes.items() if key not in values})
+        if material := values.pop("material", None):
+            values["cell"] = remade(values.get("cell", study.cell), material=material)
+        return type(study)(**{slot.key: getattr(study, slot.name) for slot in slots(type(study))} | values)
 
     def __repr__(self) -> str:
         return f"<Study: {sentence_of(self.title, self.cell, self.carrier)}>"
