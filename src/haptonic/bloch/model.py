@@ -187,7 +187,7 @@ class BlochModel:
 
     def _in_hertz(self, change: Array, frequency: Array) -> Array:
         """Changes of frequencies, Hz, from those of eigenvalues, (rad/s)^2; of a mode at rest, their root."""
-        return change_in_hertz(change, np.maximum(frequency, np.sqrt(change) / (4 * np.pi)))
+        return change_in_hertz(change, np.maximum(frequency, np.sqrt(np.maximum(change, 0.0)) / (4 * np.pi)))
 
     def displacement(self, solution: Solution) -> Complex:
         """(nodes, 3, k) motion of the meshes of all tiles, one after the other, at `Solution.kappa`."""
