@@ -362,7 +362,10 @@ def _half(members: Sequence[int], apart: float) -> float:
 
 
 def label_right(axes: Axes, labels: Sequence[tuple[float, str, str]], lines: int = 1) -> None:
-    """Write (height in data units, text, colour) to the right of the axes, moved apart where needed."""
+    """Write (height in data units, text, colour) to the right of the axes, moved apart where needed.
+
+    Each leader ends at the left edge of its text, so it crosses no other text. lines : of the longest text
+    """
     low, high = axes.get_ylim()
     figure = axes.get_figure(root=True)
     assert figure is not None
@@ -383,6 +386,9 @@ def label_right(axes: Axes, labels: Sequence[tuple[float, str, str]], lines: int
             ha="left",
             color=colour,
             fontsize=size,
-            arrowprops={"arrowstyle": "-", "color": colour, "lw": 0.7, "shrinkA": 1, "shrinkB": 0},
+            gid="label right",
+            arrowprops={
+                "arrowstyle": "-", "color": colour, "lw": 0.7, "shrinkA": 2, "shrinkB": 0, "relpos": (0, 0.5),
+            },
             annotation_clip=False,
-        )
+        )  # fmt: skip
