@@ -5,16 +5,20 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from matplotlib.tri import Triangulation
 
 from haptonic.later import xarray as xr
-from haptonic.plots import style
+from haptonic.plots import marks, style
 from haptonic.plots.stage import stage
 from haptonic.units import hz_text
 
 LONG, MOST_PERIODS = 1.5, 30  # of a drawn field: its length over its width, and the most periods of it
 FADED = 0.12  # opacity of a bulk band's shade: where bands overlap it is darker
+SAME = 1e-4  # of the highest frequency: two crystals whose bulk bands differ less are mirror images
+PALEST = 0.6  # place on viridis above which colours have a contrast of less than 3 with white
 DIRECTIONS = ("across the ribbon", "along the ribbon", "normal to the plate")
 
 
@@ -33,15 +37,23 @@ def projected(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     low, high = np.array(dataset.attrs["range_hz"]) / 1e3
     phase = dataset["wavevector_phase"].values / np.pi
     lower, upper = (dataset[f"bulk_{end}"].values / 1e3 for end in ("lower", "upper"))
-    shades = (style.PALE_INK, style.ORANGE, style.GREEN)
-    for number, (below, above) in enumerate(zip(lower, upper, strict=True)):
+    mirrored = len(lower) == 2 and max(np.ptp(edges, axis=0).max() for edges in (lower, upper)) < SAME * high
+    shown = 1 if mirrored else len(lower)
+    handles = []
+    for number in range(shown):
+        below, above = lower[number], upper[number]
+        shade = {
+            "facecolor": (style.SKY, style.ORANGE, style.PALE_INK)[number % 3],
+            "lw": 0, "alpha": 2.5 * FADED if shown == 1 else 1.5 * FADED,
+        }  # fmt: skip
         for band in range(below.shape[1]):
             if above[:, band].max() > low and below[:, band].min() < high:
-                axes.fill_between(
-                    phase, below[:, band], above[:, band], color=shades[number % 3], lw=0,
-                    alpha=2.5 * FADED if len(lower) == 1 else 1.5 * FADED, gid="bulk",
-                )  # fmt: skip
+                axes.fill_between(phase, below[:, band], above[:, band], gid="bulk", **shade)
         axes.fill_between(phase, below[:, -1], max(high, below[:, -1].max()), facecolor=style.BEYOND, lw=0)
+        crystal = " of both crystals" if mirrored else f" of crystal {number + 1}" if shown > 1 else ""
+        handles.append(Patch(label=f"bulk bands{crystal}", **shade))
+    if any((below[:, -1] < high).any() for below in lower):
+        handles.append(Patch(facecolor=style.BEYOND, lw=0, label="not computed"))
     at, frequency = dataset["phase"].values / np.pi, dataset["frequency"].values / 1e3
     step = 0.45 * (float(np.diff(phase).min()) if len(phase) > 1 else 0.02)
     rise = dataset["group_velocity"].values / (2 * dataset.attrs["period"]) / 1e3 * step
@@ -49,21 +61,25 @@ def projected(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
         [np.column_stack([at - step, frequency - rise]), np.column_stack([at + step, frequency + rise])], 1
     )
     order = np.argsort(dataset["guide_share"].values)
-    lines = LineCollection(list(ends[order]), cmap=style.perceptual().reversed(), lw=1.6, gid="modes")
+    lines = LineCollection(list(ends[order]), cmap=dark_on_white(), lw=1.6, gid="modes")
     lines.set_array(dataset["guide_share"].values[order])
     lines.set_clim(0.0, 1.0)
     axes.add_collection(lines)
     kind = dataset.attrs["kind"]
-    there = "outermost columns" if kind == "strip" else kind
-    on.figure.colorbar(lines, ax=axes, label=f"share of energy in the {there} (dimensionless)")
-    carrier = dataset.attrs.get("carrier_hz")
-    if carrier is not None and low < carrier / 1e3 < high:
-        axes.axhline(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier")
+    there = {"strip": "in the outermost columns", "edge": "at the edge"}.get(kind, f"in the {kind}")
+    on.figure.colorbar(lines, ax=axes, label=f"share of energy {there} (dimensionless)")
     axes.set_xlim(0, 1)
     axes.set_ylim(low, high)
+    marks.mark(axes, carrier=dataset.attrs.get("carrier_hz"), along="y")
+    on.legend(handles)
     axes.set_xlabel("phase along the ribbon / π (dimensionless)")
     axes.set_ylabel("frequency (kHz)")
     return on.figure
+
+
+def dark_on_white() -> ListedColormap:
+    """Colours for a share, from green for 0 to violet for 1; each is clear as a line on white."""
+    return ListedColormap(style.perceptual()(np.linspace(PALEST, 0, 256)))
 
 
 @style.drawn
@@ -80,23 +96,32 @@ def ribbon_field(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     wide = float(np.ptp(points[:, 0]))
     least = 1 if dataset.attrs["kind"] == "defect" else 2
     periods = min(MOST_PERIODS, max(least, round(LONG * wide / period)))
-    long = float(np.ptp(points[:, 1])) + (periods - 1) * period
-    on = stage(ax, min(17.0, 3.2 + (style.WIDTH - 4.5) * wide / long))
+    first = float(points[:, 1].min())
+    leaning = round((float(np.ptp(points[:, 1])) - period) / period)  # periods of an oblique ribbon
+    on = stage(ax, min(17.0, 2.8 + (style.WIDTH - 4.5) * wide / (periods * period)))
     axes = on.axes
     axes.set_aspect("equal")
     drawn = None
-    for number in range(periods):
+    for number in range(-leaning, periods):  # all copies that reach into the drawn rectangle
         there = Triangulation(points[:, 1] + number * period, points[:, 0], dataset["field_triangle"].values)
         drawn = axes.tripcolor(
             there, (field * np.exp(1j * number * turn)).real, shading="gouraud", cmap=style.diverging(),
             vmin=-1, vmax=1, rasterized=True,
         )  # fmt: skip
     assert drawn is not None
+    axes.set_xlim(first, first + periods * period)
+    axes.set_ylim(points[:, 0].min(), points[:, 0].max())
+    if dataset.attrs["kind"] == "edge":
+        names = dataset["cell_name"].values[0]
+        place = points[:, 0].min() + wide * (1 + int((names[1:] != names[:-1]).argmax())) / len(names)
+        line = axes.axhline(place, color=style.INK, ls=style.DASHED, lw=0.9, gid="edge", label="edge")
+        on.legend([line])
     axes.set_xlabel("position along the ribbon (mm)")
     axes.set_ylabel("position across (mm)")
     what = DIRECTIONS[int(dataset["field_component"])]
     axes.set_title(
         f"{hz_text(float(dataset['field_frequency']), form='.2f')}, phase {turn / np.pi:.3f} π; {what}"
     )
-    on.figure.colorbar(drawn, ax=axes, label="displacement (dimensionless)")
+    bar = axes.inset_axes((1.03, 0.0, 0.03, 1.0))  # as high as the axes
+    on.figure.colorbar(drawn, cax=bar, label="displacement (dimensionless)")
     return on.figure
