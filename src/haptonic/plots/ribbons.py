@@ -39,19 +39,19 @@ def projected(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     lower, upper = (dataset[f"bulk_{end}"].values / 1e3 for end in ("lower", "upper"))
     mirrored = len(lower) == 2 and max(np.ptp(edges, axis=0).max() for edges in (lower, upper)) < SAME * high
     shown = 1 if mirrored else len(lower)
+    opacity = 2.5 * FADED if shown == 1 else 1.5 * FADED
     handles = []
     for number in range(shown):
         below, above = lower[number], upper[number]
-        shade = {
-            "facecolor": (style.SKY, style.ORANGE, style.PALE_INK)[number % 3],
-            "lw": 0, "alpha": 2.5 * FADED if shown == 1 else 1.5 * FADED,
-        }  # fmt: skip
+        colour = (style.SKY, style.ORANGE, style.PALE_INK)[number % 3]
         for band in range(below.shape[1]):
             if above[:, band].max() > low and below[:, band].min() < high:
-                axes.fill_between(phase, below[:, band], above[:, band], gid="bulk", **shade)
+                axes.fill_between(
+                    phase, below[:, band], above[:, band], color=colour, lw=0, alpha=opacity, gid="bulk"
+                )
         axes.fill_between(phase, below[:, -1], max(high, below[:, -1].max()), facecolor=style.BEYOND, lw=0)
         crystal = " of both crystals" if mirrored else f" of crystal {number + 1}" if shown > 1 else ""
-        handles.append(Patch(label=f"bulk bands{crystal}", **shade))
+        handles.append(Patch(color=colour, lw=0, alpha=opacity, label=f"bulk bands{crystal}"))
     if any((below[:, -1] < high).any() for below in lower):
         handles.append(Patch(facecolor=style.BEYOND, lw=0, label="not computed"))
     at, frequency = dataset["phase"].values / np.pi, dataset["frequency"].values / 1e3
