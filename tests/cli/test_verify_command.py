@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +27,7 @@ from haptonic.verification import (
     omitted_cases,
 )
 from haptonic.verification.page import BEGINNING, source_table
+from haptonic.verification.tables import computed_text, percent_text, reference_text
 
 PAGE = (Path(__file__).parents[2] / "docs" / "verification.md").read_text("utf-8")
 CHEAP = "square-by-points"
@@ -135,6 +137,34 @@ class TestComparison:
         lines = voice.out.file.getvalue().splitlines()
         assert max(map(len, lines)) <= 80
         assert "prototype" in "".join(lines)
+
+
+class TestTexts:
+    """Numbers of the table: value and error have one unit, and as many decimals."""
+
+    def test_a_value_has_its_error_in_the_same_unit(self):
+        assert computed_text(TestComparison.of([52.9e3], [[52.518e3]], error=48.0)) == "52.52 ± 0.05 kHz"
+
+    def test_several_values_have_one_unit(self):
+        comparison = TestComparison.of([918.7e3, 12.75e6], [[916.4e3, 12.749e6]], error=1e3)
+        assert reference_text(comparison) == "0.9187 to 12.75 MHz (2 values)"
+        assert computed_text(comparison) == "0.916 ± 0.001 to 12.749 ± 0.001 MHz (2 values)"
+
+    def test_a_varied_case_has_a_range(self):
+        assert computed_text(TestComparison.of([1e3], [[990.0], [1010.0]])) == "0.99 to 1.01 kHz, varied"
+
+    def test_a_relative_width_has_its_error_in_percent(self):
+        comparison = TestComparison.of([0.137], [[0.1366]], error=2e-4)
+        quantity = comparison.quantity.model_copy(update={"measure": "relative width"})
+        comparison = replace(comparison, quantity=quantity)
+        assert reference_text(comparison) == "13.7 %"
+        assert computed_text(comparison) == "13.66 ± 0.02 %"
+
+    @pytest.mark.parametrize(
+        ("share", "text"), [(-0.0072, "\N{MINUS SIGN}0.72 %"), (4.4e-7, "0 %"), (1.2e-5, "+0.0012 %")]
+    )
+    def test_a_difference_has_a_sign_and_no_power_of_ten(self, share, text):
+        assert percent_text(share, signed=True) == text
 
 
 def published(name):

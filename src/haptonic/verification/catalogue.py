@@ -88,7 +88,7 @@ class Case(_CatalogueTable):
     kind : kind of the reference values
     vary : changes of the study, by key, for values that the source does not print; the result is then a range
     remark : values that the source does not print, and reasons for differences
-    picture : True if the page shows its band diagram
+    picture : True if the page shows its band diagram, with edges or frequencies at corners of the zone
     """
 
     id: str

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from haptonic.atomic import write_atomically
 from haptonic.later import Figure
-from haptonic.plots import style
+from haptonic.plots import stage, style
 from haptonic.results.bands import Bands
 from haptonic.results.table import Table
 from haptonic.verification.catalogue import Case, OmittedCase
@@ -27,6 +27,12 @@ sum of haptonic's error, the uncertainty of the source and the tolerance of the 
 printed by others, *exact* ones follow from a formula or from two ways to describe one cell, and *independent*
 ones come from another program.
 """
+DIAGRAMS = """## Diagrams
+
+Curves are computed. Crosses and dotted lines are the source's values. A case has a diagram if the source
+gives edges of a gap, or frequencies at corners of the zone.
+"""
+ROOM = 1.04  # height of a diagram over its highest value
 
 
 def write_page(
@@ -59,9 +65,10 @@ def page_text(comparisons: Sequence[CaseComparison], omitted: Sequence[OmittedCa
     parts = [BEGINNING, comparison_table(comparisons).written("markdown"), "## Sources and remarks\n"]
     named = [case for case, _ in groupby(comparisons, key=_case_of)]
     parts.append(source_table(named).written("markdown"))
-    parts.append("## Diagrams\n\nComputed bands; crosses and dotted lines are the source's values.\n")
+    parts.append(DIAGRAMS)
     parts += [
-        f"### {case.title}\n\n![Band diagram of the case {case.id}]({IMAGES}/verify-{case.id}.svg)\n"
+        f"### {case.title}\n\n![Computed bands of the case {case.id} with the source's values]"
+        f"({IMAGES}/verify-{case.id}.svg)\n"
         for case in named
         if case.picture
     ]
@@ -78,18 +85,33 @@ def source_table(chosen: Sequence[Case]) -> Table:
 
 
 def diagram(comparisons: Sequence[CaseComparison]) -> Figure:
-    """Band diagram of a case with the published edges, and frequencies at corners of the zone."""
+    """Band diagram of a case with the source's edges, and its frequencies at corners of the zone."""
     bands = load_case_study(comparisons[0].case.study).run("bands")
     assert isinstance(bands, Bands)
     data, drawn = bands.dataset, bands.plot()
-    corners = dict(
-        zip(*(json.loads(data.attrs[f"path_{name}"]) for name in ("labels", "corners")), strict=True)
-    )
+    axes = drawn.axes[0]
+    names, rows = (json.loads(data.attrs[f"path_{name}"]) for name in ("labels", "corners"))
+    corners = [(name, float(data["distance"][row])) for name, row in zip(names, rows, strict=True)]
+    edges, crosses = [], []
     for comparison in comparisons:
-        for value in comparison.reference:
-            if comparison.quantity.measure.endswith("edge"):
-                drawn.axes[0].axhline(value / 1e3, color=style.INK, ls=style.DOTTED, lw=1.4, zorder=4)
-            elif (corner := corners.get(comparison.quantity.at.replace("G", "Γ"))) is not None:
-                place = float(data["distance"][corner])
-                drawn.axes[0].plot(place, value / 1e3, "x", color=style.INK, clip_on=False, zorder=5)
+        values = (comparison.reference / 1e3).tolist()
+        if comparison.quantity.measure.endswith("edge"):
+            edges += values
+        at = comparison.quantity.at.replace("G", "Γ")
+        crosses += [(place, value) for name, place in corners if name == at for value in values]
+    highest = max([*edges, *(value for _, value in crosses)])
+    axes.set_ylim(top=max(axes.get_ylim()[1], ROOM * highest))
+    handles = []
+    with style.styled():
+        if crosses:
+            handles += axes.plot(
+                *zip(*crosses, strict=True), "x", color=style.BLUE, ms=5, clip_on=False, zorder=5,
+                label="frequencies of the source", gid="source",
+            )  # fmt: skip
+        for value in edges:
+            line = axes.axhline(value, color=style.INK, ls=style.DOTTED, lw=1.4, zorder=4, gid="source")
+        if edges:
+            line.set_label(f"edges of the gap in the source, {' and '.join(map('{:g}'.format, edges))} kHz")
+            handles.append(line)
+        stage.below(drawn, handles, ncols=2)
     return drawn

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from haptonic.arrays import Array
+from haptonic.plots.text import band_text, minus
 from haptonic.results.table import Table
-from haptonic.units import hz_text, in_percent
+from haptonic.units import hz_text, in_percent, uncertain
 from haptonic.verification.comparison import CaseComparison
 
 HEAD = ("case", "quantity", "source value", "haptonic", "difference", "allowed", "agrees")
+LEAST_SHARE = 1e-6  # differences below it are shown as 0: they are smaller than every error of the table
 
 
 def comparison_table(comparisons: Sequence[CaseComparison]) -> Table:
@@ -33,25 +34,33 @@ def comparison_table(comparisons: Sequence[CaseComparison]) -> Table:
 
 def reference_text(comparison: CaseComparison) -> str:
     """The source's value; for several values, the first, the last and their number."""
-    return _values_text(comparison.reference, comparison.quantity.unit, ".6g")
+    values = comparison.reference
+    if comparison.quantity.unit != "Hz":
+        return in_percent(values[0], form=".3g")
+    if len(values) == 1:
+        return hz_text(values[0], form=".6g")
+    return f"{hz_text(values[0], values[-1], form='.6g')} ({len(values)} values)"
 
 
 def computed_text(comparison: CaseComparison) -> str:
-    """haptonic's values with the largest error; a range for a case with variations."""
-    unit, values, errors = comparison.quantity.unit, comparison.computed, comparison.computed_error
-    if len(values) > 1 and values.shape[1] == 1:
-        return f"{_number(values.min(), unit)} to {_number(values.max(), unit)}, varied"
-    text = _values_text(values[0], unit)
-    if values.shape[1] == 1:
-        return f"{text} ± {_number(errors[0, 0], unit, '.2g')}"
-    return text
+    """haptonic's value with its error, the first and the last of several, or the range of a varied case."""
+    values, errors, count = comparison.computed, comparison.computed_error, comparison.computed.shape[1]
+    in_hertz = comparison.quantity.unit == "Hz"
+    if len(values) > 1 and count == 1:
+        ends = values.min(), values.max()
+        return f"{hz_text(*ends, form='.5g') if in_hertz else in_percent(*ends, form='.3g')}, varied"
+    if not in_hertz:
+        return f"{uncertain(100 * values[0, 0], 100 * errors[0, 0])} %"
+    if count == 1:
+        return hz_text(values[0, 0], error=errors[0, 0])
+    return f"{band_text(values[0, 0], errors[0, 0], values[0, -1], errors[0, -1])} ({count} values)"
 
 
 def percent_text(share: float, *, signed: bool = False) -> str:
-    """A share in percent with two digits; a rounding error is 0."""
-    if abs(share) < 1e-9:
+    """A share in percent with two digits and at most four decimals."""
+    if abs(share) < LEAST_SHARE:
         return "0 %"
-    return f"{100 * share:{'+' if signed else ''}.2g} %"
+    return minus(f"{100 * share:{'+' if signed else ''}.2g} %")
 
 
 def plain_comparison(comparison: CaseComparison) -> dict[str, Any]:
@@ -72,12 +81,3 @@ def plain_comparison(comparison: CaseComparison) -> dict[str, Any]:
         "agrees": comparison.agrees,
         "remark": comparison.case.remark,
     }
-
-
-def _values_text(values: Array, unit: str, form: str = ".5g") -> str:
-    texts = [_number(value, unit, form) for value in values]
-    return texts[0] if len(texts) == 1 else f"{texts[0]} to {texts[-1]} ({len(texts)} values)"
-
-
-def _number(value: float, unit: str, form: str = ".5g") -> str:
-    return hz_text(value, form=form) if unit == "Hz" else in_percent(value, form=".3g")
