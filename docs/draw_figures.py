@@ -1,8 +1,8 @@
 """Draw the pictures of these pages that no page computes itself: `python docs/draw_figures.py [NAME ...]`.
 
-Names are `badges`, `mesh`, `convergence`, `maps`, `pages`, `studio` and `wizard`; without one all are drawn.
-`maps` and `pages` compute the plate of the prototype, which takes about two minutes. `pages`, `studio` and
-`wizard` need Chromium, and `tests` and `tests/studio` in PYTHONPATH. The others take seconds.
+Names are `badges`, `mesh`, `convergence`, `maps`, `ribbon`, `pages`, `studio` and `wizard`; without one, all
+are drawn. `maps`, `ribbon` and `pages` compute for minutes. `pages`, `studio` and `wizard` need Chromium, and
+`tests` and `tests/studio` in PYTHONPATH. The others take seconds.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
 
 import haptonic as hp
 from haptonic.arrays import Array
@@ -37,6 +38,7 @@ IMAGES = ROOT / "docs" / "images"
 TOUCHPAD = ROOT / "studies" / "touchpad.toml"
 CORNERS = {"G": (0.0, 0.0), "X": (np.pi, 0.0), "M": (np.pi, np.pi)}
 MESHES = ((2, 1), (3, 1), (4, 1), (5, 1), (5, 2))  # order, thin rings
+FOOT = (1.1, 2.5), (0.9, 2.3)  # range of the enlarged part of the section, mm
 BANDS = 6  # up to the lower edge of the gap
 
 
@@ -65,13 +67,16 @@ def lagrange(order: int, count: int = 41) -> Array:
 
 
 def draw_mesh() -> None:
-    """The reference cell from above and in a diagonal section, and the polynomials of an element."""
+    """The reference cell from above and in a section, its foot, and the polynomials of an element."""
     cell = hp.load(TOUCHPAD).cell
     mesh = mesh_cell(cell.tiles[0].tile, MeshPlan.suited(cell.tiles[0].tile, 4, 1))
     with style.styled():
-        figure = style.blank(6.0)
+        figure = style.blank(10.5)
         inner: list[tuple[float, float]] = []  # where edges of the section end next to the core, m
-        above, section, basis = figure.subplots(1, 3, width_ratios=(1.3, 0.8, 1.3))
+        panels = figure.subplot_mosaic(
+            [["section", "foot", "above"], ["section", "basis", "basis"]], width_ratios=(1.2, 1, 1)
+        )
+        section, foot, above = (panels[name] for name in ("section", "foot", "above"))
         for points in curves(mesh):
             if np.abs(points[:, 2] - cell.thickness).max() < 1e-9:
                 above.plot(*1e3 * points[:, :2].T, color=style.INK, linewidth=0.6)
@@ -79,22 +84,47 @@ def draw_mesh() -> None:
                 along = points[:, :2].sum(axis=1) / np.sqrt(2)
                 if np.ptp(points[:, 2]) < 1e-9:
                     inner.append((float(abs(along).min()), float(points[0, 2])))
-                section.plot(1e3 * along, 1e3 * points[:, 2], color=style.INK, linewidth=0.6)
+                for axes in (section, foot):
+                    axes.plot(1e3 * along, 1e3 * points[:, 2], color=style.INK, linewidth=0.6)
         core = min(inner)[0]
         for height in {round(z, 9) for along, z in inner if along < 1.001 * core}:
-            section.plot([-1e3 * core, 1e3 * core], [1e3 * height] * 2, color=style.INK, linewidth=0.6)
-        above.set(aspect="equal", title="plate, from above", xlabel="x (mm)", ylabel="y (mm)")
-        section.set(aspect="equal", title="section", xlabel="along the\ndiagonal (mm)", ylabel="z (mm)")
-        draw_basis(basis)
+            for axes in (section, foot):
+                axes.plot([-1e3 * core, 1e3 * core], [1e3 * height] * 2, color=style.INK, linewidth=0.6)
+        above.set(
+            aspect="equal", title="plate, from above", xlabel="x (mm)", ylabel="y (mm)", xticks=[-2, 0, 2]
+        )
+        section.set(aspect="equal", title="section", xlabel="along the diagonal (mm)", ylabel="z (mm)")
+        foot.set(aspect="equal", title="foot, enlarged", xlabel="along the diagonal (mm)", ylabel="z (mm)")
+        magnify(section, foot)
+        draw_basis(panels["basis"])
         figure.savefig(IMAGES / "method-mesh.png", dpi=style.DOTS_PER_INCH)
+
+
+def magnify(section: Axes, foot: Axes) -> None:
+    """Limit one panel to the thin elements at the edge of the pillar, and frame these in the section."""
+    x, z = FOOT
+    foot.set(xlim=x, ylim=z)
+    section.add_patch(
+        Rectangle(
+            (x[0], z[0]), x[1] - x[0], z[1] - z[0], fill=False, edgecolor=style.RED, linewidth=1.0, zorder=5
+        )
+    )
+    foot.spines[:].set(edgecolor=style.RED, linewidth=1.0)
 
 
 def draw_basis(axes: Axes, order: int = 4) -> None:
     """Lagrange polynomials on the Gauss-Lobatto-Legendre points of an element."""
     nodes = lobatto(order)[0]
-    axes.plot(np.linspace(-1, 1, 201), lagrange(order, 201), linewidth=0.9)
+    colours = (style.BLUE, style.ORANGE, style.INK, style.SKY, style.RED)
+    for curve, colour in zip(lagrange(order, 201).T, colours, strict=True):
+        axes.plot(np.linspace(-1, 1, 201), curve, color=colour, linewidth=1.1)
     axes.plot(nodes, np.zeros_like(nodes), "o", color=style.INK, markersize=3)
-    axes.set(title=f"polynomials, order {order}", xlabel="place in the element", ylabel="value")
+    axes.set(
+        title=f"polynomials, order {order}",
+        xlabel="place in the element",
+        ylabel="value",
+        xticks=[-1, -0.5, 0, 0.5, 1],
+    )
 
 
 def measure(cell: UnitCell, order: int, rings: int) -> tuple[int, float, float]:
@@ -135,6 +165,13 @@ def draw_convergence() -> None:
 def draw_maps() -> None:
     """Maps of the prototype's vibration below, in and above its gap."""
     hp.load(TOUCHPAD).plate().plot("maps").savefig(IMAGES / "plate-maps.png", dpi=style.DOTS_PER_INCH)
+
+
+def draw_ribbon() -> None:
+    """Projected bands of the template of two honeycombs, and the wave along their edge."""
+    waves = hp.load(ROOT / "src/haptonic/templates/edge.toml").ribbon()
+    waves.plot("ribbon").savefig(IMAGES / "ribbon-edge.png", dpi=style.DOTS_PER_INCH)
+    waves.plot("field").savefig(IMAGES / "ribbon-field.png", dpi=style.DOTS_PER_INCH)
 
 
 def draw_pages() -> None:
@@ -260,7 +297,7 @@ def draw_badges() -> None:
 
 DRAWN: dict[str, Callable[[], None]] = {
     "badges": draw_badges, "mesh": draw_mesh, "convergence": draw_convergence, "maps": draw_maps,
-    "pages": draw_pages, "studio": draw_studio, "wizard": draw_wizard,
+    "ribbon": draw_ribbon, "pages": draw_pages, "studio": draw_studio, "wizard": draw_wizard,
 }  # fmt: skip
 
 if __name__ == "__main__":

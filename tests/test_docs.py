@@ -105,6 +105,17 @@ def test_the_images_and_pages_that_documents_name_exist():
             assert (document.parent / target).exists(), f"{document.name}: {target}"
 
 
+def test_every_image_is_shown_by_a_page_and_drawn_by_a_script():
+    pages = "".join(page.read_text("utf-8") for page in [ROOT / "README.md", *(ROOT / "docs").glob("*.md")])
+    drawn = "".join(
+        (ROOT / script).read_text("utf-8") for script in ("docs/draw_figures.py", "benchmarks/render.py")
+    )
+    for stem in {image.stem for image in (ROOT / "docs" / "images").iterdir()}:
+        assert f"images/{stem}." in pages, stem
+        name = re.sub("^badge-|-page$", "", stem)  # scripts write "{name}-page.png"
+        assert f'"{name}"' in drawn or stem in drawn or stem.startswith("verify-"), stem
+
+
 def test_the_reference_study_loads_without_a_warning():
     study = load(ROOT / "studies" / "touchpad.toml")
     assert study.carrier == 60e3
