@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.tri import Triangulation
 
 from haptonic.later import xarray as xr
-from haptonic.plots import marks, style
+from haptonic.plots import style
 from haptonic.plots.stage import stage
 from haptonic.units import hz_text
 
@@ -70,7 +70,14 @@ def projected(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     on.figure.colorbar(lines, ax=axes, label=f"share of energy {there} (dimensionless)")
     axes.set_xlim(0, 1)
     axes.set_ylim(low, high)
-    marks.mark(axes, carrier=dataset.attrs.get("carrier_hz"), along="y")
+    carrier = dataset.attrs.get("carrier_hz")
+    if carrier is not None and low < carrier / 1e3 < high:
+        name = f"carrier {hz_text(carrier, form='g')}"  # below the axes: the scale of colours is beside them
+        handles.append(
+            axes.axhline(
+                carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", label=name
+            )
+        )
     on.legend(handles)
     axes.set_xlabel("phase along the ribbon / π (dimensionless)")
     axes.set_ylabel("frequency (kHz)")
