@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import ListedColormap
@@ -40,7 +41,7 @@ def projected(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     mirrored = len(lower) == 2 and max(np.ptp(edges, axis=0).max() for edges in (lower, upper)) < SAME * high
     shown = 1 if mirrored else len(lower)
     opacity = 2.5 * FADED if shown == 1 else 1.5 * FADED
-    handles = []
+    handles: list[Artist] = []
     for number in range(shown):
         below, above = lower[number], upper[number]
         colour = (style.SKY, style.ORANGE, style.PALE_INK)[number % 3]
