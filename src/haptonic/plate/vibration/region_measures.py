@@ -14,7 +14,7 @@ from haptonic.plate.layout.sampling import driven_region, points_of
 from haptonic.response import FrequencyResponse, contrast, disc_average
 from haptonic.response.checks import REST, THE_REST
 
-NEAR = 0.06  # share of the carrier; range for the list of modes and the search for a resonance
+NEAR = 0.06  # share of a frequency; range for the list of modes and the search for a resonance
 FINGER = 10e-3  # m, width of the disc over which a finger averages
 BELOW, ABOVE = 0.76, 1.25  # of the gap's edges, for the maps below and above it
 
@@ -52,31 +52,33 @@ def marked_lines(
     carrier: float,
     gap: Sequence[float] | None,
 ) -> NDArray[np.int64]:
-    """Lines of the maps: below, in and above the gap; in it where the driven region resonates most."""
+    """Lines of the maps: below, in and above the gap, each where the driven region vibrates most nearby."""
     if gap is None:
         return np.array([int(np.abs(every - carrier).argmin())])
     there = points_of(regions, driven_region(plate))
     marked = []
     if every[0] <= BELOW * gap[0]:
-        marked.append(int(np.abs(every - BELOW * gap[0]).argmin()))
+        marked.append(loudest_within(every, velocity, there, (0.0, gap[0]), BELOW * gap[0]))
     if ((every > gap[0]) & (every < gap[1])).any():
         marked.append(loudest_within(every, velocity, there, gap, carrier))
     if every[-1] >= ABOVE * gap[1]:
-        marked.append(int(np.abs(every - ABOVE * gap[1]).argmin()))
+        marked.append(loudest_within(every, velocity, there, (gap[1], np.inf), ABOVE * gap[1]))
     return np.array(marked or [int(np.abs(every - carrier).argmin())])
 
 
 def loudest_within(
-    frequency: Array, velocity: AnyComplex, there: Bools, gap: Sequence[float], carrier: float
+    frequency: Array, velocity: AnyComplex, there: Bools, limits: Sequence[float], centre: float
 ) -> int:
-    """Number of the line in a gap and near the carrier with the largest vibration of given points.
+    """Number of the line in a range and near a frequency with the largest vibration of given points.
 
-    velocity : (points, lines); there : (points,) True for these points
+    velocity : (points, lines); there : (points,) True for these points; the nearest line if none is near
     """
-    inside = np.flatnonzero((frequency > gap[0]) & (frequency < gap[1]))
+    inside = np.flatnonzero((frequency > limits[0]) & (frequency < limits[1]))
+    away = np.abs(frequency[inside] / centre - 1)
+    if not (away < NEAR).any():
+        return int(inside[away.argmin()])
     loudness = (np.abs(velocity[there][:, inside]) ** 2).mean(axis=0)
-    near = np.abs(frequency[inside] / carrier - 1) < NEAR
-    return int(inside[np.where(near, loudness, 0.0).argmax()])
+    return int(inside[np.where(away < NEAR, loudness, -1.0).argmax()])
 
 
 def resonance_of(marked: Array, carrier: float, gap: Sequence[float] | None) -> float:
