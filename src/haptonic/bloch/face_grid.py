@@ -13,7 +13,6 @@ from haptonic.superelement import Tiling
 
 STEPS = 16  # of the grid along a period; a guided wave has a few per wavelength at the end of the zone
 EDGE = 1e-9  # share by which a point may lie outside a triangle due to rounding
-FARTHEST = 2  # translations from a point of the grid to the meshed period; tiles of oblique lattices lean
 
 
 @dataclass(frozen=True)
@@ -96,7 +95,7 @@ class FaceGrid:
         corners = position[triangles]
         lows, highs = corners.min(axis=1) - margin, corners.max(axis=1) + margin
         inverses = np.linalg.inv(np.moveaxis(corners[:, 1:] - corners[:, :1], 1, 2))
-        for steps in product(range(-FARTHEST, FARTHEST + 1), repeat=len(vectors)):
+        for steps in product(*(range(-far, far + 1) for far in farthest(points, position, vectors))):
             moved = points + np.array(steps) @ vectors
             beside = ((moved >= lows.min(axis=0)) & (moved <= highs.max(axis=0))).all(axis=1)
             chosen = np.flatnonzero(beside & ~weights.any(axis=1))
@@ -126,6 +125,13 @@ class FaceGrid:
         there = np.einsum("gc,gck->gk", self.weights, field[self.nodes])
         there = there * np.exp(-self.shift @ np.asarray(exponents).reshape(self.shift.shape[1], -1))
         return np.moveaxis(there.reshape(len(self.across), len(self.along), -1), -1, 0)
+
+
+def farthest(points: Array, position: Array, vectors: Array) -> Ints:
+    """(t,) most translations along each vector from any point to a place of the period, which may lean."""
+    lows, highs = position.min(axis=0) - points.max(axis=0), position.max(axis=0) - points.min(axis=0)
+    steps = np.array(list(product(*zip(lows, highs, strict=True)))) @ np.linalg.pinv(vectors)
+    return np.asarray(np.ceil(np.abs(steps).max(axis=0) - EDGE).astype(int))
 
 
 def middles(start: float, length: float, count: int) -> Array:
