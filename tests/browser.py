@@ -104,3 +104,27 @@ def faults_of_layout(page: Page) -> list[object]:
             page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # type: ignore[arg-type]
             faults += violations(page)
     return faults
+
+
+WRITES = """() => {
+    window.written = [];
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...others) {
+        const { a, b, e, f } = this.getTransform();
+        const width = this.measureText(text).width;
+        const before = { right: 1, end: 1, center: 0.5 }[this.textAlign] ?? 0; // share of the width
+        const left = x - before * width;
+        window.written.push({ text, left: (b === 0 ? a * left + e : null), width });
+        return fillText.call(this, text, x, y, ...others);
+    };
+}"""
+
+
+def written(page: Page) -> list[dict[str, object]]:
+    """Texts that plots write anew in a window of 700 pixels, with ``left`` in pixels; None if turned."""
+    page.evaluate(WRITES)
+    page.set_viewport_size({"width": 700, "height": 900})
+    page.wait_for_function("() => window.written.length > 0")
+    page.wait_for_timeout(200)
+    texts: list[dict[str, object]] = page.evaluate("window.written")
+    return texts

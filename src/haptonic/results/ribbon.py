@@ -128,7 +128,7 @@ class RibbonWaves(Result):
             f"{self.dataset.sizes['wavevector']} wavevectors.",
             f"Nearest to {hz_text(self.target, form='.4g')}: "
             f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "
-            f"{float(best['phase_share']):.3f} pi per period): {in_percent(inside)} of its energy "
+            f"{float(best['phase_share']):.3f} π per period): {in_percent(inside)} of its energy "
             f"is in the {there}{decays}; group velocity {speed} m/s.",
             *self._of_copies(near),
         ]

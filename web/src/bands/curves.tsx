@@ -5,7 +5,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { dot, horizontalLine } from "../parts/marks";
-import { kept, onClick, widthIn, within } from "../parts/plot";
+import { axisLook, BETWEEN_PIXELS, kept, leftAxis, onClick, widthIn, within } from "../parts/plot";
 import { titled, wavevectorUnits, type Unit } from "../parts/units";
 import type { BandDiagram, Gap, Point } from "./diagram_data";
 import { layerOfDiagram, type Layer, type Newer } from "./layer";
@@ -52,7 +52,6 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { lay
     const of = drawnLayer();
     return diagram.corners.map(({ row }) => (of.distance[row] ?? 0) / lengthOf(of));
   };
-  const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: {} };
   const plot = new uPlot(
     {
       ...size(),
@@ -64,30 +63,21 @@ function drawn(element: HTMLElement, diagram: BandDiagram, choice: Choice, { lay
       },
       axes: [
         {
-          ...axis,
+          ...axisLook(),
           splits: cornerAt,
           values: () => cornerAt().map((at, k) => `${diagram.corners[k]?.label}\n${Number(at.toPrecision(3))}`),
           font: "14px system-ui, sans-serif",
           size: 56,
           label: "wavevector",
-          labelFont: "14px system-ui, sans-serif",
           labelSize: 22,
           grid: { stroke: () => themeColour("rule"), width: 1 },
         },
-        {
-          ...axis,
-          size: 48,
-          font: "13px system-ui, sans-serif",
-          grid: { show: false },
-          label: "frequency",
-          labelFont: "14px system-ui, sans-serif",
-          labelSize: 24,
-          values: (_, splits) => splits.map((value) => `${Number(value.toPrecision(6))}`),
-        },
+        { ...leftAxis(), label: "frequency" },
       ],
       series: [
         {},
         ...branches.map(() => ({
+          ...BETWEEN_PIXELS,
           stroke: () =>
             layer.peek() !== null ? "transparent" : themeColour(isWaiting.peek() ? "rule" : "ink"),
           width: 1.6,

@@ -2,22 +2,26 @@
 
 import { computed, signal, type Signal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
+import { ColourScale } from "../parts/colour_scale";
 import { themeColour, onTheme } from "../parts/colours";
 import { PlayButton } from "../parts/controls";
 import { FactList } from "../parts/facts";
 import { keyPressed, type Key } from "../parts/keys";
-import { uncertain } from "../parts/numbers";
+import { signed, tickText, uncertain } from "../parts/numbers";
 import { velocityText } from "../parts/velocity";
+import { ON_MAP } from "../parts/plan";
 import { rounded, titled, withUnit, type Unit } from "../parts/units";
 import { Walk } from "../parts/walk";
 import type { BandDiagram } from "./diagram_data";
 import { Mode } from "./mode";
 import { moved, type Choice } from "./state";
-import { levelsBetween, ZoneSurface } from "./zone_data";
+import { paintSurface } from "./zone_surface";
+import { ZoneSurface, type Wavevector } from "./zone_data";
 
 const LARGEST = 440; // CSS pixels, side of the map
 const ROOM = 26; // CSS pixels around the zone, for names of corners
 const LEVELS = 8; // about as many contours
+const LABELLED = (-5 * Math.PI) / 8; // rad, direction from the middle in which the levels are written
 const ARROW = 34; // CSS pixels, length of the arrow of the group velocity
 
 interface ZoneChoice {
@@ -58,7 +62,7 @@ function ZoneSection({ diagram, choice }: Props) {
             if (event.defaultPrevented) event.stopPropagation(); // arrows of the diagram mean something else
           }}
         >
-          <ZoneMap zone={zone} band={band} own={own} />
+          <ZoneMap zone={zone} band={band} own={own} unit={choice.unit.value} />
         </Walk>
         <p class="axes">
           <label>
@@ -101,11 +105,11 @@ function zoneKeys(diagram: BandDiagram, zone: ZoneSurface, own: ZoneChoice, choi
   ];
 }
 
-function ZoneMap({ zone, band, own }: { zone: ZoneSurface; band: number; own: ZoneChoice }) {
+function ZoneMap({ zone, band, own, unit }: { zone: ZoneSurface; band: number; own: ZoneChoice; unit: Unit }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const image = own.image.value;
   const draw = () => {
-    if (canvas.current !== null) paintZone(canvas.current, zone, band, image);
+    if (canvas.current !== null) paintZone(canvas.current, zone, band, image, unit);
   };
   useLayoutEffect(draw);
   useEffect(() => {
@@ -146,7 +150,7 @@ function placed(canvas: HTMLCanvasElement, zone: ZoneSurface) {
   };
 }
 
-function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, image: number): void {
+function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, image: number, unit: Unit): void {
   const side = Math.min(canvas.parentElement?.clientWidth ?? LARGEST, LARGEST);
   canvas.style.width = canvas.style.height = `${side}px`;
   canvas.width = canvas.height = Math.round(side * devicePixelRatio);
@@ -154,25 +158,17 @@ function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, i
   if (context === null) return;
   context.scale(devicePixelRatio, devicePixelRatio);
   const { toPixel } = placed(canvas, zone);
-  const [low, high] = zone.range(band);
-  for (const triangle of zone.triangles) {
-    const shade = zone.colours[Math.round(((zone.mean(triangle, band) - low) / (high - low || 1)) * (zone.colours.length - 1))];
-    context.fillStyle = context.strokeStyle = `rgb(${(shade ?? []).join(" ")})`;
-    context.beginPath();
-    for (const corner of triangle) context.lineTo(...toPixel(zone.wavevector(corner)));
-    context.closePath();
-    context.fill();
-    context.stroke(); // else the background shines through between triangles
-  }
+  paintSurface(context, zone, band, toPixel);
   context.strokeStyle = "#ffffff";
   context.lineWidth = 1;
   context.beginPath();
-  for (const level of levelsBetween(low, high, LEVELS))
-    for (const [from, to] of zone.contour(band, level)) {
-      context.moveTo(...toPixel(from));
-      context.lineTo(...toPixel(to));
-    }
+  const contours = zone.levels(band, LEVELS).map((level) => ({ level, segments: zone.contour(band, level) }));
+  for (const [from, to] of contours.flatMap(({ segments }) => segments)) {
+    context.moveTo(...toPixel(from));
+    context.lineTo(...toPixel(to));
+  }
   context.stroke();
+  writeLevels(context, contours, toPixel, unit);
   paintCorners(context, zone, toPixel);
   const velocity = zone.hasModes ? zone.velocity(image, band) : undefined;
   if (velocity !== undefined && Math.hypot(...velocity) > zone.velocityError(image, band)) paintArrow(context, toPixel(zone.wavevector(image)), velocity);
@@ -185,6 +181,39 @@ function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, i
   context.stroke();
   canvas.dataset["shown"] = `${image},${band}`;
   Object.assign(canvas, { zone }); // for tests
+}
+
+interface Contour {
+  level: number; // Hz
+  segments: [Wavevector, Wavevector][];
+}
+
+/** Write each level on its contour, next to a line that leaves the middle of the zone away from its names. */
+function writeLevels(
+  context: CanvasRenderingContext2D, contours: Contour[], toPixel: (k: Wavevector) => [number, number], unit: Unit,
+): void {
+  const taken: [number, number][] = [toPixel([0, 0])];
+  context.save();
+  context.font = "12px system-ui, sans-serif";
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = "#ffffff";
+  context.strokeStyle = ON_MAP;
+  context.lineWidth = 3;
+  context.lineJoin = "round";
+  for (const { level, segments } of contours) {
+    const places = segments.map(([[ax, ay], [bx, by]]): Wavevector => [(ax + bx) / 2, (ay + by) / 2]);
+    const away = ([x, y]: Wavevector) => Math.abs(Math.atan2(y, x) - LABELLED);
+    const place = places.reduce<Wavevector | null>((best, next) => (best !== null && away(best) <= away(next) ? best : next), null);
+    if (place === null) continue;
+    const [x, y] = toPixel(place);
+    if (taken.some(([left, top]) => Math.abs(left - x) < 34 && Math.abs(top - y) < 14)) continue; // it would cover another
+    taken.push([x, y]);
+    const words = tickText(level / unit.factor);
+    context.strokeText(words, x, y);
+    context.fillText(words, x, y);
+  }
+  context.restore();
 }
 
 /** An arrow from a place in the direction of a group velocity, which is at right angles to the contours. */
@@ -235,18 +264,14 @@ function paintCorners(
 }
 
 function Scale({ zone, diagram, band, unit }: { zone: ZoneSurface; diagram: BandDiagram; band: number; unit: Unit }) {
-  const [low, high] = zone.range(band).map((value) => rounded(Number((value / unit.factor).toPrecision(4))));
-  const middle = Math.floor(zone.colours.length / 2);
-  const steps = [0, middle, zone.colours.length - 1].map((k) => `rgb(${(zone.colours[k] ?? []).join(" ")})`);
-  const contours = levelsBetween(...zone.range(band), LEVELS);
+  const [low = "", high = ""] = zone.range(band).map((value) => rounded(Number((value / unit.factor).toPrecision(4))));
+  const contours = zone.levels(band, LEVELS);
   const step = ((contours[1] ?? 0) - (contours[0] ?? 0)) / unit.factor;
   return (
-    <p class="scale">
-      <span>{low}</span>
-      <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
-      <span>{high}</span> {titled("frequency", unit)} of band {band + 1} of {diagram.bands}
+    <ColourScale colours={zone.colours} ends={[low, high]}>
+      {titled("frequency", unit)} of band {band + 1} of {diagram.bands}
       {contours.length > 1 && `; contours every ${Number(step.toPrecision(4))}`}
-    </p>
+    </ColourScale>
   );
 }
 
@@ -266,7 +291,7 @@ function ZoneFacts({ diagram, zone, own, choice }: FactsProps) {
   return (
     <div class="facts">
       <p id="zone-point" aria-live="polite">
-        Band {band + 1} at ({x}, {y}) {along.name}: <b>{withUnit(frequencyText(band), unit)}</b>
+        Band {band + 1} at {signed(`(${x}, ${y})`)} {along.name}: <b>{withUnit(frequencyText(band), unit)}</b>
       </p>
       {zone.hasModes && (
         <>

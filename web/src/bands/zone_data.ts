@@ -98,13 +98,17 @@ export class ZoneSurface {
     return [turn, (this.data.header.extra["zone_signs"] as number[])[copy] === -1];
   }
 
-  mean(triangle: Triangle, band: number): number {
-    return triangle.reduce((sum, image) => sum + this.at(this.sample(image), band), 0) / 3;
-  }
-
   range(band: number): [number, number] {
     const values = Array.from({ length: this.frequency.length / this.bands }, (_, sample) => this.at(sample, band));
     return [Math.min(...values), Math.max(...values)];
+  }
+
+  /** Round levels of a band, without those that lie within the errors of its lowest or highest frequency. */
+  levels(band: number, count: number): number[] {
+    const [low, high] = this.range(band);
+    const errors = Array.from({ length: this.count }, (_, sample) => this.errorAt(sample, band));
+    const error = Math.max(...errors);
+    return levelsBetween(low, high, count).filter((level) => level - low > error && high - level > error);
   }
 
   /** Number of samples in the irreducible zone. */
@@ -159,7 +163,7 @@ export class ZoneSurface {
 }
 
 /** Round levels within an interval. */
-export function levelsBetween(low: number, high: number, count: number): number[] {
+function levelsBetween(low: number, high: number, count: number): number[] {
   if (!(high > low)) return [];
   const power = 10 ** Math.floor(Math.log10((high - low) / count));
   const step = power * (ROUND.find((factor) => factor * power * count >= high - low) ?? 10);

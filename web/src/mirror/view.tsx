@@ -81,6 +81,14 @@ function MirrorView({ data }: { data: Dataset }) {
             <span class="legend">
               {mirror.gap && <span class="of-gap">gap</span>}
               <span class="of-carrier">carrier</span>
+              <span class="of-curve">
+                <CurveKey colour="accent" /> {rowsText(mirror.rows[choice.rows.value] ?? 0)}
+              </span>
+              {mirror.rows.length > 1 && (
+                <span class="of-curve">
+                  <CurveKey colour="quiet" /> {Math.min(...mirror.rows)} to {rowsText(Math.max(...mirror.rows))}
+                </span>
+              )}
             </span>
           </p>
           <LineFacts mirror={mirror} choice={choice} />
@@ -169,12 +177,15 @@ function LossChart({ mirror, choice }: Props) {
       })),
     [mirror, kind, selected],
   );
+  const finite = mirror.losses(kind).flat().filter(Number.isFinite);
+  const [lowest, highest] = [Math.min(0, ...finite), Math.max(1, ...finite)];
   return (
     <Chart
       x={useFrequencies({ mirror, choice })}
       curves={curves}
       titles={[titled("frequency", choice.unit.value), `${mirror.data.title("loss")} / dB`]}
       height={300}
+      limits={{ y: [lowest, lowest + ROOM * (highest - lowest)] }}
       {...marks({ mirror, choice })}
     />
   );
@@ -250,9 +261,10 @@ function WaveField({ mirror, choice }: Props) {
   const { grid, part } = useMemo(() => mirror.fields, [mirror]);
   const wave = useMemo(() => computed(() => mirror.field(choice.wave.value, choice.line.value)), [mirror, choice]);
   const caption = `${mirror.data.header.title}, ${origin(mirror.data)}`;
+  const shown = `displacement ${mirror.direction(choice.wave.value, choice.line.value)}, over its largest in the first row`;
   return (
     <>
-      <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the wave, rows from left to right" name="wave" caption={caption} />
+      <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the wave, rows from left to right" shown={shown} name="wave" caption={caption} />
       <PaceControls {...choice} />
     </>
   );
@@ -285,6 +297,18 @@ function frequencyText({ mirror, choice }: Props): string {
   return withUnit(rounded((mirror.frequency[choice.line.value] ?? 0) / unit.factor), unit);
 }
 
+function rowsText(count: number): string {
+  return `${count} row${count === 1 ? "" : "s"}`;
+}
+
+function CurveKey({ colour }: { colour: string }) {
+  return (
+    <svg width="34" height="8" aria-hidden="true">
+      <line x1="0" x2="34" y1="4" y2="4" stroke-width="2" stroke={`var(--${colour})`} />
+    </svg>
+  );
+}
+
 function lossText(loss: number | undefined, error: number | undefined): string {
   return Number.isFinite(loss) ? `${uncertain(loss ?? NaN, error ?? NaN)} dB` : "does not propagate";
 }
@@ -296,7 +320,7 @@ function LineFacts({ mirror, choice }: Props) {
   return (
     <div class="facts">
       <p id="point" aria-live="polite">
-        {kind} at <b>{frequencyText({ mirror, choice })}</b>, {count} row{count === 1 ? "" : "s"}: <b>{lossText(loss, error)}</b>
+        {kind} at <b>{frequencyText({ mirror, choice })}</b>, {rowsText(count)}: <b>{lossText(loss, error)}</b>
       </p>
       <p class="again">
         The same as a picture, in Python: <code>study.layers().plot("layers", incident="{kind}")</code>

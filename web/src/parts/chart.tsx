@@ -3,7 +3,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "./colours";
-import { kept, onClick, widthIn, within } from "./plot";
+import { axisLook, BETWEEN_PIXELS, kept, leftAxis, onClick, widthIn, within } from "./plot";
 
 export interface ChartCurve {
   values: (number | null)[];
@@ -25,8 +25,6 @@ interface Props {
   pick?: (x: number, y: number, plot: uPlot) => void; // values at a click
 }
 
-const LABELLED = { font: "13px system-ui, sans-serif", labelFont: "14px system-ui, sans-serif" };
-
 export function Chart(props: Props) {
   const { x, curves, titles, height, limits, whole } = props;
   const place = useRef<HTMLDivElement>(null);
@@ -37,7 +35,6 @@ export function Chart(props: Props) {
   useLayoutEffect(() => {
     const element = place.current;
     if (element === null) return;
-    const axis = { ...LABELLED, stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: { show: false } };
     const size = () => ({ width: widthIn(element), height });
     const plot = new uPlot(
       {
@@ -49,12 +46,13 @@ export function Chart(props: Props) {
           y: { range: (_, low, high) => (low === null ? (limits?.y ?? [0, 1]) : [low, high]) },
         },
         axes: [
-          { ...axis, label: titles[0], labelSize: 22, size: 34, ...(whole ? { incrs: [1, 2, 5, 10] } : {}) },
-          { ...axis, label: titles[1], labelSize: 24, size: 52 },
+          { ...axisLook(), label: titles[0], labelSize: 22, size: 34, ...(whole ? { incrs: [1, 2, 5, 10] } : {}) },
+          { ...leftAxis(), label: titles[1] },
         ],
         series: [
           {},
           ...curves.map(({ colour, dash, width, points }) => ({
+            ...BETWEEN_PIXELS,
             stroke: () => themeColour(colour),
             fill: () => "transparent",
             dash: dash ?? [],

@@ -3,6 +3,7 @@
 import { effect, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Numbers } from "../dataset";
+import { ColourScale } from "./colour_scale";
 import { onTheme } from "./colours";
 import { Cycle, type Pace } from "./cycle";
 import { FilmButtons, filmed } from "./film";
@@ -42,11 +43,12 @@ interface Props {
   wave: ReadonlySignal<FieldWave>;
   pace: Pace;
   label: string;
+  shown: string; // what the colours show, in its largest value
   name: string; // of saved films
   caption: string; // on saved films
 }
 
-export function Field({ grid, part, wave, pace, label, name, caption }: Props) {
+export function Field({ grid, part, wave, pace, label, shown, name, caption }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(
     () => (canvas.current === null ? undefined : kept(canvas.current, new FieldPainter(grid, part), wave, pace)),
@@ -55,6 +57,9 @@ export function Field({ grid, part, wave, pace, label, name, caption }: Props) {
   return (
     <div class="map">
       <canvas ref={canvas} role="img" aria-label={label} />
+      <ColourScale colours={grid.colours} ends={["−1", "1"]}>
+        {shown}
+      </ColourScale>
       <FilmButtons canvas={canvas} name={name} caption={caption} />
     </div>
   );

@@ -1,9 +1,39 @@
 /** What all plots share: their place on the page, clicks, and painting behind the curves. */
 
 import type uPlot from "uplot";
-import { onTheme } from "./colours";
+import { onTheme, themeColour } from "./colours";
+import { tickText } from "./numbers";
 
 const NARROWEST = 240; // CSS pixels
+const FONT = "13px system-ui, sans-serif";
+const TICK = 10; // CSS pixels, length of a tick
+const GAP = 5; // CSS pixels between a tick and its label
+const LEAST = 30; // CSS pixels, width of an axis with short labels
+
+/** Look of an axis; numbers have true minus signs and powers of ten. */
+export const axisLook = () => ({
+  stroke: () => themeColour("ink"),
+  ticks: { stroke: () => themeColour("rule"), size: TICK },
+  gap: GAP,
+  grid: { show: false },
+  font: FONT,
+  labelFont: "14px system-ui, sans-serif",
+  values: (_: uPlot, splits: (number | null)[]) => splits.map((value) => (value === null ? "" : tickText(value))),
+});
+
+/** An axis at the left, as wide as its widest label. */
+export const leftAxis = () => ({ ...axisLook(), labelSize: 24, size: widthOfLabels });
+
+function widthOfLabels({ ctx }: uPlot, values: string[] | null): number {
+  ctx.save();
+  ctx.font = FONT;
+  const widths = (values ?? []).map((value) => ctx.measureText(value).width);
+  ctx.restore();
+  return Math.ceil(Math.max(LEAST, TICK + GAP + Math.max(0, ...widths)));
+}
+
+/** Options of a curve that is drawn between pixels as it is, not on whole ones, which makes stairs of flat curves. */
+export const BETWEEN_PIXELS = { pxAlign: 0 };
 
 /** Width of a plot in an element, CSS pixels. */
 export function widthIn(element: HTMLElement): number {

@@ -76,14 +76,14 @@ function Below({ data, finger }: Props) {
       </p>
       <FactList
         facts={[
-          ["mu / mu0, model", interval(friction, ratio, ["low", "high"])],
+          ["μ/μ₀, model", interval(friction, ratio, ["low", "high"])],
           ["less friction", interval(reduction, percent, ["low", "high"])],
           ["amplitude below the finger", interval(amplitude, size, ["high", "low"])],
           ["without a finger", size(free)],
         ]}
       />
       <p class="again">
-        People notice reductions above {percent(weber)}. The finger covers {written(diameter, "m")};{" "}
+        Just noticed: {percent(weber)} less friction. The finger covers {written(diameter, "m")};{" "}
         {Number((frequency / 1e3).toFixed(3))} kHz. The same in the study:{" "}
         <code>
           touch = {"{"} force = "{written(data.forces[finger.force.value] ?? 0, "N")}", speed = "

@@ -5,10 +5,11 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { horizontalLine, line } from "../parts/marks";
-import { kept, widthIn } from "../parts/plot";
+import { axisLook, BETWEEN_PIXELS, kept, leftAxis, widthIn } from "../parts/plot";
 import type { End, FingerData } from "./finger_data";
 import type { Finger } from "./finger_state";
 
+const percent = (share: number): string => `${(100 * share).toFixed(0)} %`;
 const HEIGHT = 250; // CSS pixels
 const MICRO = 1e6;
 const DRAWN: End[] = ["low", "high", "value"]; // the value lies over its interval
@@ -30,7 +31,7 @@ export function FingerCurve({ data, finger }: { data: FingerData; finger: Finger
           model
         </span>
         <span class="of-gap">its interval</span>
-        <span class="of-carrier">people notice less than this</span>
+        <span class="of-carrier">just noticed, {percent(data.extra.weber)} less friction</span>
       </p>
     </>
   );
@@ -39,12 +40,8 @@ export function FingerCurve({ data, finger }: { data: FingerData; finger: Finger
 function drawn(element: HTMLElement, data: FingerData, finger: Finger): () => void {
   const amplitudes = Array.from(data.amplitudes, (value) => value * MICRO);
   const values = () => [amplitudes, ...DRAWN.map((end) => Array.from(finger.law.value[end]))] as uPlot.AlignedData;
-  const axis = {
-    stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: { show: false },
-    font: "13px system-ui, sans-serif", labelFont: "14px system-ui, sans-serif",
-  };
   const size = () => ({ width: widthIn(element), height: HEIGHT });
-  const line = { width: 0, points: { show: false } };
+  const line = { ...BETWEEN_PIXELS, width: 0, points: { show: false } };
   const plot = new uPlot(
     {
       ...size(),
@@ -54,12 +51,12 @@ function drawn(element: HTMLElement, data: FingerData, finger: Finger): () => vo
       bands: [{ series: [2, 1], fill: () => themeColour("gap") }],
       axes: [
         {
-          ...axis, label: `${data.data.title("table")} / µm`, labelSize: 22, size: 34,
+          ...axisLook(), label: `${data.data.title("table")} / µm`, labelSize: 22, size: 34,
           values: (_, splits) => splits.map((value) => (Number.isInteger(Math.round(1e6 * Math.log10(value)) / 1e6) ? String(value) : "")),
         },
-        { ...axis, label: data.data.title("load_sharing"), labelSize: 24, size: 50 },
+        { ...leftAxis(), label: data.data.title("load_sharing") },
       ],
-      series: [{}, line, line, { stroke: () => themeColour("curve-0"), width: 2, points: { show: false } }],
+      series: [{}, line, line, { ...BETWEEN_PIXELS, stroke: () => themeColour("curve-0"), width: 2, points: { show: false } }],
       hooks: { draw: [(u) => paintMarks(u, data, finger)] },
     },
     values(),

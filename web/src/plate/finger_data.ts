@@ -23,7 +23,7 @@ export interface Parameter {
 }
 
 interface Extra extends Drawing {
-  weber: number; // smallest reduction that people notice
+  weber: number; // reduction that is just noticed
   frequency: number; // Hz
   diameter: number; // of the finger, m
   drive: Drive;
@@ -34,7 +34,7 @@ interface Extra extends Drawing {
   colours: number[][];
 }
 
-/** mu / mu0 at the amplitudes of the tables, for one force and one speed. */
+/** μ/μ₀ at the amplitudes of the tables, for one force and one speed. */
 export type Law = Record<End, Float64Array>;
 
 export class FingerData {
@@ -119,7 +119,7 @@ export class FingerData {
     return { value: joined("value", (value) => value), low: joined("low", Math.min), high: joined("high", Math.max) };
   }
 
-  /** mu / mu0 at an amplitude, m; constant outside the tables. */
+  /** μ/μ₀ at an amplitude, m; constant outside the tables. */
   friction(values: Float64Array, amplitude: number): number {
     const [first = 1, last = 1] = [this.amplitudes[0], this.amplitudes.at(-1)];
     const most = values.length - 1;
@@ -133,7 +133,7 @@ export class FingerData {
 /** What people feel of a reduction with its interval. */
 export function noticed(reduction: Record<End, number>, threshold: number): string {
   if (reduction.low > threshold) return "noticed, also at the lower limit";
-  if (reduction.value > threshold) return "probably noticed; the lower limit is below the threshold";
-  if (reduction.high > threshold) return "probably not noticed; the upper limit is above the threshold";
+  if (reduction.value > threshold) return "probably noticed, but not at the lower limit";
+  if (reduction.high > threshold) return "probably not noticed, except at the upper limit";
   return "not noticed, even at the upper limit";
 }

@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { ColourScale } from "../parts/colour_scale";
 import { onTheme, themeColour } from "../parts/colours";
 import { corners, nameRegion, ON_MAP, strokeLoop, type Placed, type Point } from "../parts/plan";
 import { Raster } from "../parts/raster";
@@ -14,16 +15,12 @@ export function FingerMap({ data, finger }: { data: FingerData; finger: Finger }
     if (canvas.current === null) return;
     return kept(canvas.current, data, finger);
   }, [data, finger]);
-  const { colours } = data.extra;
-  const steps = [0, 0.25, 0.5, 0.75, 1].map((share) => `rgb(${(colours[Math.round(share * (colours.length - 1))] ?? []).join(" ")})`);
   return (
     <div class="map">
       <canvas ref={canvas} role="img" aria-label="Map of the reduction of friction" />
-      <p class="scale">
-        <span>0</span>
-        <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
-        <span>100 %</span> less friction below a finger with its middle there, model
-      </p>
+      <ColourScale colours={data.extra.colours} ends={["0", "100 %"]}>
+        less friction below a finger with its middle there, model
+      </ColourScale>
     </div>
   );
 }
@@ -55,7 +52,7 @@ function kept(canvas: HTMLCanvasElement, data: FingerData, finger: Finger): () =
     );
   };
   const draw = () => {
-    raster.show(false); // each place has one number
+    raster.show(true);
     drawPlan(context, data, placed);
     drawFinger(context, data, finger.place.peek(), placed);
     canvas.dataset["shown"] = String(finger.place.peek());

@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { ColourScale } from "../parts/colour_scale";
 import { onTheme, themeColour } from "../parts/colours";
 import { Cycle } from "../parts/cycle";
 import { FilmButtons, filmed } from "../parts/film";
@@ -34,19 +35,15 @@ export function PlateMaps({ plate, choice }: Props) {
 
 function PlateMap({ plate, choice, field }: Props & { field: Field }) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const middle = Math.floor(plate.colours.length / 2);
-  const steps = [0, middle, plate.colours.length - 1].map((k) => `rgb(${(plate.colours[k] ?? []).join(" ")})`);
   const limit = size(limitOf(plate, choice, field, choice.line.value));
   const title = field.title || origin(plate.data);
   return (
     <div class="map">
       {field.title && <h2>{field.title}</h2>}
       <canvas ref={canvas} role="img" aria-label={`Map of the moving plate${field.title && `, ${field.title}`}`} />
-      <p class="scale">
-        <span>{`−${limit}`}</span>
-        <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
-        <span>{limit}</span> normal displacement{plate.drive}
-      </p>
+      <ColourScale colours={plate.colours} ends={[`−${limit}`, limit]}>
+        normal displacement{plate.drive}
+      </ColourScale>
       <FilmButtons canvas={canvas} name="map" caption={`${plate.data.header.title}, ${title}`} />
     </div>
   );

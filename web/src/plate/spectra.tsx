@@ -5,7 +5,8 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
 import { shadeInterval, verticalLine } from "../parts/marks";
-import { kept, onClick, widthIn, within } from "../parts/plot";
+import { powerOfTen, tickText } from "../parts/numbers";
+import { axisLook, BETWEEN_PIXELS, kept, leftAxis, onClick, widthIn, within } from "../parts/plot";
 import { titled } from "../parts/units";
 import type { PlateResponse } from "./plate_data";
 import type { Choice } from "./state";
@@ -33,8 +34,6 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
   const shown = choice.shown.peek();
   const curves = plate.curves(shown);
   const unit = plate.data.unit(shown);
-  const axis = { stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") } };
-  const labelled = { font: "13px system-ui, sans-serif", labelFont: "14px system-ui, sans-serif" };
   const factor = () => choice.unit.peek().factor;
   const data = (): uPlot.AlignedData => [
     Array.from(plate.frequency, (value) => value / factor()),
@@ -48,20 +47,17 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
       cursor: { points: { show: false }, y: false, drag: { x: true, y: false } },
       scales: { x: { time: false }, y: { distr: shown === "level" ? 3 : 1 } },
       axes: [
-        { ...axis, ...labelled, label: "frequency", labelSize: 22, size: 34, grid: { show: false } },
+        { ...axisLook(), label: "frequency", labelSize: 22, size: 34 },
         {
-          ...axis,
-          ...labelled,
-          label: `${plate.data.title(shown)} / ${unit}`,
-          labelSize: 24,
-          size: 58,
-          grid: { show: false },
+          ...leftAxis(),
+          label: titled(plate.data.title(shown), { name: unit, factor: 1 }),
           values: (_, splits) => splits.map((value) => (value === null ? "" : written(value, shown === "level"))),
         },
       ],
       series: [
         {},
         ...curves.map((_, k) => ({
+          ...BETWEEN_PIXELS,
           stroke: () => themeColour(`curve-${k % COLOURS}`),
           dash: DASHES[k % DASHES.length] ?? [],
           width: 1.4,
@@ -89,9 +85,9 @@ function drawn(element: HTMLElement, plate: PlateResponse, choice: Choice): () =
 
 /** A tick: powers of ten on a logarithmic scale, else the number. */
 function written(value: number, logarithmic: boolean): string {
-  if (!logarithmic) return `${Number(value.toPrecision(4))}`.replace("-", "−");
+  if (!logarithmic) return tickText(value);
   const power = Math.log10(value);
-  return Math.abs(power - Math.round(power)) < 1e-9 ? `1e${Math.round(power)}`.replace("-", "−") : "";
+  return Math.abs(power - Math.round(power)) < 1e-9 ? powerOfTen(Math.round(power)) : "";
 }
 
 function paintGap(plot: uPlot, plate: PlateResponse, factor: number): void {

@@ -5,6 +5,7 @@ import type { Dataset } from "../dataset";
 import { PaceSlider, PlayButton, UnitSelect } from "../parts/controls";
 import { Frame } from "../parts/frame";
 import { Listing } from "../parts/listing";
+import { signed } from "../parts/numbers";
 import { rounded, withUnit, type Unit } from "../parts/units";
 import { Walk } from "../parts/walk";
 import { PlateMaps, size } from "./map";
@@ -130,7 +131,7 @@ function LineFacts({ plate, choice }: Props) {
       <p id="point" aria-live="polite">
         <b>{frequencyText(frequency, choice.unit.value)}</b>: up to {size(plate.largest(line))}
         {plate.drive}
-        {contrasts.map(({ name, values }) => `; ${name} ${values[line]?.toFixed(1) ?? "-"} dB`).join("")}
+        {contrasts.map(({ name, values }) => `; ${name} ${signed(values[line]?.toFixed(1) ?? "-")} dB`).join("")}
       </p>
       <p class="again">
         The same map as a picture, in Python: <code>{`${plate.python}.plot("maps", frequency=${Number(frequency.toFixed(3))})`}</code>
@@ -160,7 +161,7 @@ function LevelTable({ plate, choice }: Props) {
     plate.curves(shown).map(({ name, values }) => [
       plate.data.title(shown),
       name,
-      `${values[line]?.toPrecision(3) ?? "-"} ${plate.data.unit(shown)}`,
+      `${signed(values[line]?.toPrecision(3) ?? "-")} ${plate.data.unit(shown)}`,
     ]),
   );
   for (const field of plate.fields.length > 1 ? plate.fields : [])

@@ -4,7 +4,7 @@ import { useMemo } from "preact/hooks";
 import type { Dataset } from "../dataset";
 import { Chart, type ChartCurve } from "../parts/chart";
 import type { Drawing, Point } from "../parts/plan";
-import { frequencyUnits, suitable, titled, type Unit } from "../parts/units";
+import { frequencyUnits, prefixed, suitable, titled, type Unit } from "../parts/units";
 import { PointPlan } from "./points";
 
 const HEIGHT = 220; // CSS pixels
@@ -15,7 +15,7 @@ export function readingView(data: Dataset) {
 }
 
 function ReadingView({ data }: { data: Dataset }) {
-  const { points, drawing, curves, unit, axis, names } = useMemo(() => contents(data), [data]);
+  const { points, drawing, curves, unit, axis, names, title } = useMemo(() => contents(data), [data]);
   const along = data.values(axis);
   const x = useMemo(() => Array.from(along, (value) => value / unit.factor), [data]);
   return (
@@ -23,7 +23,7 @@ function ReadingView({ data }: { data: Dataset }) {
       {points.length > 0 && <PointPlan points={points} drawing={drawing} />}
       {x.length > 1 && (
         <div>
-          <Chart x={x} curves={curves} titles={[titled(data.title(axis), unit), ordinate(data, names)]} height={HEIGHT} />
+          <Chart x={x} curves={curves} titles={[titled(data.title(axis), unit), title]} height={HEIGHT} />
           {names.length > 1 && (
             <p class="legend">
               {names.map((name, k) => (
@@ -47,8 +47,10 @@ function contents(data: Dataset) {
   const { extra, variables } = data.header;
   const axis = String(extra["axis"]);
   const names = Object.keys(variables).filter((name) => name !== axis && variables[name]?.dims[0] === axis);
+  const sizes = names.flatMap((name) => Array.from(data.values(name), Math.abs)).filter(Number.isFinite);
+  const ordinate = prefixed(data.unit(names[0] ?? axis), sizes.reduce((a, b) => Math.max(a, b), 0));
   const curves = names.map((name, k): ChartCurve => ({
-    values: Array.from(data.values(name), (value) => (Number.isFinite(value) ? value : null)),
+    values: Array.from(data.values(name), (value) => (Number.isFinite(value) ? value / ordinate.factor : null)),
     colour: `curve-${k}`,
     dash: DASHES[k % DASHES.length] ?? [],
   }));
@@ -56,11 +58,6 @@ function contents(data: Dataset) {
   const points = data.has("x") ? Array.from(data.values("x"), (x, k): Point => [x, y[k] ?? 0]) : [];
   const own: Unit = { name: data.unit(axis), factor: 1 };
   const unit = own.name === "Hz" ? suitable(frequencyUnits(data), Math.max(...data.values(axis))) : own;
-  return { points, drawing: extra["drawing"] as Drawing | null, curves, unit, axis, names };
-}
-
-/** Title of the axis of the curves: that of the only curve, or the unit of several. */
-function ordinate(data: Dataset, names: string[]): string {
-  const [name = ""] = names;
-  return titled(names.length === 1 ? data.title(name) : "force", { name: data.unit(name), factor: 1 });
+  const title = titled(names.length === 1 ? data.title(names[0] ?? axis) : "force", ordinate); // of the only curve, or of several
+  return { points, drawing: extra["drawing"] as Drawing | null, curves, unit, axis, names, title };
 }

@@ -107,7 +107,8 @@ function ModeField({ ribbon, choice }: Props) {
   const { grid, part } = useMemo(() => ribbon.fields, [ribbon]);
   const wave = useMemo(() => computed(() => ribbon.wave(choice.mode.value)), [ribbon, choice]);
   const caption = `${ribbon.data.header.title}, ${origin(ribbon.data)}`;
-  return <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the mode" name="ribbon" caption={caption} />;
+  const shown = `displacement ${ribbon.direction(choice.mode.value)}, over its largest`;
+  return <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the mode" shown={shown} name="ribbon" caption={caption} />;
 }
 
 function Legend({ ribbon }: { ribbon: RibbonModes }) {
@@ -116,8 +117,9 @@ function Legend({ ribbon }: { ribbon: RibbonModes }) {
   const steps = [0, 0.25, 0.5, 0.75, 1].map((share) => colour(ribbon.shares, share));
   return (
     <p class="scale legend">
-      0 %<span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
-      100 % of the energy in {ribbon.place}; guided modes are thick
+      <span class="plain">0 %</span>
+      <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
+      <span class="plain">100 % of the energy in {ribbon.place}; guided modes are thick</span>
       {ribbon.carrier !== null && <span class="of-carrier">carrier</span>}
     </p>
   );

@@ -1,7 +1,7 @@
 /** Computed designs of the shown job, which arrive while it is computed, and what is drawn of them. */
 
 import { computed, effect, signal } from "@preact/signals";
-import { uncertain } from "../parts/numbers";
+import { signed, uncertain } from "../parts/numbers";
 import { jobs, shown } from "./jobs";
 import { server, type DesignPoint, type PointNumber } from "./server";
 import { react } from "./study";
@@ -88,6 +88,6 @@ export function scaleOf(values: number[], unit: string): Scale {
 export function written({ value, unit, error }: PointNumber, isResult: boolean): string {
   const scale = scaleOf([value], unit);
   const scaled = value * scale.factor;
-  const text = isResult && error !== null ? uncertain(scaled, error * scale.factor) : String(Number(scaled.toPrecision(isResult ? 4 : 6)));
+  const text = isResult && error !== null ? uncertain(scaled, error * scale.factor) : signed(String(Number(scaled.toPrecision(isResult ? 4 : 6))));
   return `${text} ${scale.unit}`.trim() + (isResult && error === null ? " (preview)" : "");
 }

@@ -3,7 +3,7 @@
 import { effect } from "@preact/signals";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
-import { kept, onClick, widthIn, within } from "../parts/plot";
+import { axisLook, kept, leftAxis, onClick, widthIn, within } from "../parts/plot";
 import { at, drawn, horizontal, ORDER, points, scaleOf, selected, type Scale } from "./points_data";
 
 const HEIGHT = 280; // CSS pixels
@@ -62,10 +62,6 @@ function range(values: number[]): [number, number] {
 export function plotPoints(element: HTMLElement): () => void {
   let marks = marksOf();
   const size = () => ({ width: widthIn(element), height: HEIGHT });
-  const axis = {
-    stroke: () => themeColour("ink"), ticks: { stroke: () => themeColour("rule") }, grid: { show: false },
-    font: "13px system-ui, sans-serif", labelFont: "14px system-ui, sans-serif",
-  };
   const label = (name: string, { unit }: Scale) => (unit ? `${name} / ${unit}` : name);
   const ranges = () => ({
     x: range(marks.list.map((mark) => mark.x)),
@@ -78,8 +74,8 @@ export function plotPoints(element: HTMLElement): () => void {
       cursor: { points: { show: false }, x: false, y: false, drag: { x: false, y: false } },
       scales: { x: { time: false, range: () => ranges().x }, y: { range: () => ranges().y } },
       axes: [
-        { ...axis, label: " ", labelSize: 22, size: 34 },
-        { ...axis, label: " ", labelSize: 24, size: 58 },
+        { ...axisLook(), label: " ", labelSize: 22, size: 34 },
+        { ...leftAxis(), label: " " },
       ],
       series: [{}, { show: true, stroke: "transparent", points: { show: false } }],
       hooks: { draw: [(u) => within(u, () => paint(u, marks))] },

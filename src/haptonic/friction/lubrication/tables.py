@@ -53,7 +53,7 @@ def friction_tables(
         with_interval(MODELS["intermittent"], amplitudes, replace(touch, speed=speed), skin)
         for speed in speeds
     ]
-    about = {"units": "1", "long_name": "mu / mu0"}
+    about = {"units": "1", "long_name": "μ/μ₀"}
     return xr.Dataset(
         {
             "load_sharing": (("force", "end", "table"), np.array(shared), about | {WORD: SHARED}),
