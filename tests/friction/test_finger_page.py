@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page
 from test_feel import PLATE, gap, response_of
 
-from browser import STILL, WIDTHS, page_at, pixels, violations
+from browser import STILL, WIDTHS, page_at, pixels, violations, written
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.lubrication.law import ENDS, FrictionLaw
 from haptonic.results.feel.value import Feel
@@ -110,6 +110,27 @@ def test_numbers_below_the_finger_are_those_of_the_package(browser, address, res
         assert away[place] < away.min() + 0.5e-3
         assert (pixels(page, MAP) != before).any()
         check()
+
+
+def test_the_map_is_smooth_between_places(browser, address, view):
+    """Each place as a block would give most pixels the colour of their neighbour."""
+    data = view.dataset
+    with page_at(browser, address, **STILL) as page:
+        page.wait_for_selector(f"{MAP}[data-shown]")
+        colours = pixels(page, MAP)[..., :3]
+    step = colours.shape[1] / len(np.unique(data["x"]))  # pixels
+    assert step > 4
+    jumps = np.abs(np.diff(colours, axis=1)).max(axis=-1)
+    assert (jumps > 0).mean() > 1.5 / step
+
+
+def test_the_page_has_the_names_of_the_pictures(browser, address):
+    with page_at(browser, address, **STILL) as page:
+        page.wait_for_selector(f"{MAP}[data-shown]")
+        assert page.get_by_text("just noticed, 11 % less friction").is_visible()
+        assert page.locator("dt", has_text="μ/μ₀, model").is_visible()
+        titles = [text["text"] for text in written(page)]
+        assert "μ/μ₀" in titles
 
 
 def test_the_page_fits_its_window_and_breaks_no_rule_of_accessibility(browser, address):

@@ -16,12 +16,23 @@ from haptonic.study import loads
 from haptonic.units import uncertain
 from quick import QUICK_CELL
 
+MINUS = "\N{MINUS SIGN}"
 MAP, MODE = ".zone canvas", "[aria-label='Brillouin zone'] .mode canvas"
 DRAWN = """canvas => {
     const { surface, uniforms, turns } = canvas.moving;
     const read = name => [...surface.getAttribute(name).array];
     return { position: read("position"), real: read("real"), imag: read("imag"), turns,
         turned: uniforms.turned.value.elements, period: canvas.moving.period };
+}"""
+MESH = """() => {
+    const { zone } = document.querySelector(".zone canvas");
+    const level = (image, band) => zone.at(zone.sample(image), band);
+    return [0, 1, 2, 3].map((band) => zone.mesh(band).map((triangle) => triangle.map(
+        (image) => [...zone.wavevector(image), level(image, band)])));
+}"""
+LEVELS = """() => {
+    const { zone } = document.querySelector(".zone canvas");
+    return [0, 1, 2, 3].map((band) => [zone.levels(band, 8), zone.range(band)]);
 }"""
 CONTOUR = """() => {
     const zone = document.querySelector(".zone canvas").zone;
@@ -70,7 +81,7 @@ def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, stud
             }
             page.locator(MAP).click(position=position)
             np.testing.assert_allclose(wavevector[image()], [x * largest, y * largest], atol=1e-6)
-            assert f"({x:g}, {y:g}) π/a" in words.inner_text()
+            assert f"({x:g}, {y:g}) π/a".replace("-", MINUS) in words.inner_text()
         step = largest / 24
         before = wavevector[image()]
         for key, move in (("ArrowRight", (1, 0)), ("ArrowUp", (0, 1)), ("ArrowLeft", (-1, 0))):
@@ -98,6 +109,49 @@ def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, stud
             around = data["zone_frequency"].values[sample[near], 0]
             assert around.min() <= height <= around.max()
         assert faults_of_layout(page) == []
+
+
+def test_the_zone_has_the_colours_of_frequencies_between_its_wavevectors(browser, bands, tmp_path):
+    """Linear in each triangle; contours and their numbers cover a few pixels."""
+    colours = np.array(bands.view().extra["colours"])
+    bands.write(tmp_path)
+    with page_at(browser, (tmp_path / "bands.html").as_uri(), **STILL) as page:
+        page.wait_for_selector(f"{MAP}[data-shown]")
+        page.get_by_role("region", name="Brillouin zone").locator("select").first.select_option("1")
+        page.wait_for_selector(f"{MAP}[data-shown$=',0']")
+        (mesh, *_), drawn = np.array(page.evaluate(MESH)), pixels(page, MAP)[..., :3]
+    side, largest = len(drawn), np.pi / 7e-3
+    scale = (side / 2 - 26) / largest
+    away = []
+    for shares in ((0.7, 0.2, 0.1), (0.1, 0.1, 0.8)):
+        x, y, frequency = np.moveaxis(np.tensordot(mesh, shares, axes=(1, 0)), -1, 0)
+        place = np.stack([side / 2 - scale * y, side / 2 + scale * x]).astype(int)
+        low, high = mesh[..., 2].min(), mesh[..., 2].max()
+        expected = colours[np.rint((frequency - low) / (high - low) * (len(colours) - 1)).astype(int)]
+        away.append(np.abs(drawn[tuple(place)] - expected).max(axis=-1))
+    assert np.mean(np.concatenate(away) <= 2) > 0.8
+
+
+def test_triangles_cover_the_zone_and_their_edges_follow_the_band(browser, bands, tmp_path):
+    bands.write(tmp_path)
+    with page_at(browser, (tmp_path / "bands.html").as_uri(), **STILL) as page:
+        page.wait_for_selector(f"{MAP}[data-shown]")
+        meshes, levels = np.array(page.evaluate(MESH)), page.evaluate(LEVELS)
+    step = 1.5 * np.pi / 7e-3 / 24
+    for mesh in meshes:
+        first, second = mesh[:, 1, :2] - mesh[:, 0, :2], mesh[:, 2, :2] - mesh[:, 0, :2]
+        area = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / 2
+        assert area.sum() == pytest.approx((2 * np.pi / 7e-3) ** 2)
+        np.testing.assert_allclose(area, area[0])
+        edges = mesh - np.roll(mesh, 1, axis=1)
+        assert np.linalg.norm(edges[..., :2], axis=-1).max() < step
+    turned = (meshes[:, None, :, :, :2] != meshes[None, :, :, :, :2]).any(axis=(2, 3, 4))
+    assert turned.any()  # not the same edges for each band
+    data = bands.dataset
+    for band, (heights, (low, high)) in enumerate(levels):
+        error = data["zone_error"].values[:, band].max()
+        assert all(low + error < height < high - error for height in heights)
+    assert any(heights for heights, _ in levels)
 
 
 @pytest.mark.parametrize("lattice", ["square", "hexagonal"])
@@ -149,7 +203,7 @@ def test_a_picked_wavevector_moves_in_the_mode_of_the_model(browser, study, band
             page.locator(MAP).click(position=position)
             kappa = np.pi * np.array([x, y])
             page.wait_for_function("words => document.querySelector('#zone-point').innerText.includes(words)",
-                                   arg=f"({x:g}, {y:g})")  # fmt: skip
+                                   arg=f"({x:g}, {y:g})".replace("-", MINUS))  # fmt: skip
             drawn = page.eval_on_selector(MODE, DRAWN)
             at, real, imag = (np.reshape(drawn[name], (-1, 3)) for name in ("position", "real", "imag"))
             turned = np.reshape(drawn["turned"], (3, 3)).T  # the browser stores columns
@@ -170,7 +224,9 @@ def test_a_picked_wavevector_moves_in_the_mode_of_the_model(browser, study, band
             slopes = [float(model.frequencies(kappa + d)[0] - model.frequencies(kappa - d)[0]) for d in step]
             velocity = np.pi * np.array(slopes) / 1e-5 * pitch
             text = page.locator("dl", has_text="group velocity").last.inner_text()
-            speed, error, angle = re.search(r"([\d.]+) ± ([\d.]+) m/s at (-?\d+)°", text).groups()
+            speed, error, angle = re.search(
+                r"([\d.]+) ± ([\d.]+) m/s at (-?\d+)°", text.replace(MINUS, "-")
+            ).groups()
             assert float(speed) == pytest.approx(np.linalg.norm(velocity), abs=0.6 * float(error))
             assert float(error) < 0.1 * float(speed)
             assert float(angle) == pytest.approx(np.degrees(np.arctan2(velocity[1], velocity[0])), abs=0.6)

@@ -251,13 +251,15 @@ function paintCorners(
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineWidth = 3;
-  context.strokeStyle = themeColour("paper");
-  context.fillStyle = themeColour("ink");
+  context.lineJoin = "round";
   const places = Object.values(zone.corners);
   const middle = [0, 1].map((axis) => places.reduce((sum, corner) => sum + (corner[axis] ?? 0), 0) / places.length);
   for (const [label, corner] of Object.entries(zone.corners)) {
     const [x, y] = toPixel(corner);
     const [right, up] = [Math.sign(corner[0] - (middle[0] ?? 0)), Math.sign(corner[1] - (middle[1] ?? 0))];
+    const isInside = Math.hypot(...corner) < 1e-6 * zone.reach; // the middle of the zone lies on colours
+    context.strokeStyle = isInside ? ON_MAP : themeColour("paper");
+    context.fillStyle = isInside ? "#ffffff" : themeColour("ink");
     context.strokeText(label, x + 13 * right, y - 13 * up);
     context.fillText(label, x + 13 * right, y - 13 * up);
   }

@@ -8,11 +8,13 @@ export type Wavevector = [number, number]; // rad/m
 type Triangle = [number, number, number];
 
 const ROUND = [1, 2, 5, 10]; // steps of contours, times a power of ten
+const ROUNDING = 1e-6; // relative, of lengths
 const SIDEWAYS = 0.7; // cosine of the largest angle from a direction at which a wavevector counts as lying there
 
 export class ZoneSurface {
   readonly bands: number;
-  readonly triangles: Triangle[];
+  private readonly triangles: Triangle[];
+  private readonly meshes = new Map<number, Triangle[]>(); // by band
   readonly corners: Record<string, Wavevector>; // of the irreducible zone
   readonly colours: number[][];
   readonly reach: number; // rad/m, largest component of a wavevector
@@ -98,6 +100,32 @@ export class ZoneSurface {
     return [turn, (this.data.header.extra["zone_signs"] as number[])[copy] === -1];
   }
 
+  /** Triangles between the wavevectors; of each square, the diagonal along which the band changes less is their edge,
+   *  so that a contour along it has no teeth. */
+  mesh(band: number): Triangle[] {
+    const known = this.meshes.get(band);
+    if (known !== undefined) return known;
+    const mesh = [...this.triangles];
+    const change = (a: number, b: number) => Math.abs(this.at(this.sample(a), band) - this.at(this.sample(b), band));
+    const length = (a: number, b: number) => Math.hypot(...[0, 1].map((k) => (this.wavevector(a)[k] ?? 0) - (this.wavevector(b)[k] ?? 0)));
+    const beside = new Map<string, [number, number]>(); // edge -> its first triangle and the corner opposite to it
+    const isTurned = new Set<number>();
+    this.triangles.forEach((triangle, number) =>
+      triangle.forEach((corner, k) => {
+        const [a = 0, b = 0] = [triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
+        const edge = `${Math.min(a, b)} ${Math.max(a, b)}`;
+        const [other, opposite] = beside.get(edge) ?? [-1, -1];
+        beside.set(edge, [number, corner]);
+        if (other < 0 || isTurned.has(number) || isTurned.has(other)) return;
+        if (length(corner, opposite) > (1 + ROUNDING) * length(a, b) || change(corner, opposite) >= change(a, b)) return;
+        [mesh[number], mesh[other]] = [[corner, opposite, a], [corner, opposite, b]];
+        isTurned.add(number).add(other);
+      }),
+    );
+    this.meshes.set(band, mesh);
+    return mesh;
+  }
+
   range(band: number): [number, number] {
     const values = Array.from({ length: this.frequency.length / this.bands }, (_, sample) => this.at(sample, band));
     return [Math.min(...values), Math.max(...values)];
@@ -142,7 +170,7 @@ export class ZoneSurface {
   /** Line segments on which a band has a frequency, linear in each triangle. */
   contour(band: number, level: number): [Wavevector, Wavevector][] {
     const segments: [Wavevector, Wavevector][] = [];
-    for (const triangle of this.triangles) {
+    for (const triangle of this.mesh(band)) {
       const ends: Wavevector[] = [];
       triangle.forEach((image, k) => {
         const other = triangle[(k + 1) % 3] ?? 0;

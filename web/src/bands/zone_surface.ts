@@ -31,7 +31,7 @@ function surfaceOf(zone: ZoneSurface, band: number, side: number, toPixel: ToPix
   const image = new ImageData(side, side);
   const [low, high] = zone.range(band);
   const last = zone.colours.length - 1;
-  for (const triangle of zone.triangles) {
+  for (const triangle of zone.mesh(band)) {
     const corners = triangle.map((corner) => toPixel(zone.wavevector(corner)).map((value) => value * devicePixelRatio));
     const levels = triangle.map((corner) => ((zone.at(zone.sample(corner), band) - low) / (high - low || 1)) * last);
     fill(image, corners as Corners, levels as [number, number, number], zone.colours);

@@ -6,7 +6,7 @@ import type { Dataset } from "../dataset";
 import { Frame } from "../parts/frame";
 import type { Key } from "../parts/keys";
 import { Listing, listingKeys, type Listed } from "../parts/listing";
-import { signed } from "../parts/numbers";
+import { typeset } from "../parts/numbers";
 import { Walk } from "../parts/walk";
 
 const FOOT = "Squares are all participants together, discs are single ones; circles are trials.";
@@ -52,7 +52,7 @@ function FrictionView({ data }: { data: Dataset }) {
         <details>
           <summary>Estimates, tests and assumptions</summary>
           {sentences.map((sentence) => (
-            <p>{signed(sentence)}</p>
+            <p>{typeset(sentence)}</p>
           ))}
         </details>
       )}

@@ -64,7 +64,7 @@ function GuidesView({ data }: { data: Dataset }) {
           <Field
             grid={grid} part={part} wave={wave} pace={choice}
             label="Field of the guided mode, the strip from left to right between rows of the lattice"
-            shown="normal displacement, over its largest; dashed: edges of the strip"
+            shown="normal displacement; 1 is the largest; dashed: edges of the strip"
             name="waveguide" caption={`${data.header.title}, ${origin(data)}`}
           />
           <PaceControls {...choice} />

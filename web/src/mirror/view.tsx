@@ -79,8 +79,6 @@ function MirrorView({ data }: { data: Dataset }) {
             </label>
             <UnitSelect title="Frequencies in" units={mirror.units} unit={choice.unit} />
             <span class="legend">
-              {mirror.gap && <span class="of-gap">gap</span>}
-              <span class="of-carrier">carrier</span>
               <span class="of-curve">
                 <CurveKey colour="accent" /> {rowsText(mirror.rows[choice.rows.value] ?? 0)}
               </span>
@@ -89,6 +87,8 @@ function MirrorView({ data }: { data: Dataset }) {
                   <CurveKey colour="quiet" /> {Math.min(...mirror.rows)} to {rowsText(Math.max(...mirror.rows))}
                 </span>
               )}
+              {mirror.gap && <span class="of-gap">gap</span>}
+              <span class="of-carrier">carrier</span>
             </span>
           </p>
           <LineFacts mirror={mirror} choice={choice} />
@@ -261,7 +261,7 @@ function WaveField({ mirror, choice }: Props) {
   const { grid, part } = useMemo(() => mirror.fields, [mirror]);
   const wave = useMemo(() => computed(() => mirror.field(choice.wave.value, choice.line.value)), [mirror, choice]);
   const caption = `${mirror.data.header.title}, ${origin(mirror.data)}`;
-  const shown = `displacement ${mirror.direction(choice.wave.value, choice.line.value)}, over its largest in the first row`;
+  const shown = `displacement ${mirror.direction(choice.wave.value, choice.line.value)}; 1 is the largest in the first row`;
   return (
     <>
       <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the wave, rows from left to right" shown={shown} name="wave" caption={caption} />

@@ -43,7 +43,7 @@ interface Props {
   wave: ReadonlySignal<FieldWave>;
   pace: Pace;
   label: string;
-  shown: string; // what the colours show, in its largest value
+  shown: string; // what the colours show, from −1 to 1
   name: string; // of saved films
   caption: string; // on saved films
 }

@@ -3,7 +3,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import type { Dataset } from "../dataset";
-import { signed } from "./numbers";
+import { typeset } from "./numbers";
 import { addKeys, keyPressed, type Key } from "./keys";
 
 interface Props {
@@ -29,7 +29,7 @@ export function Frame({ name, data, keys, foot, isOld = false, children }: Props
         <p class="origin">{origin(data)}</p>
         <div class={isOld ? "old" : ""}>
           {summary.map((sentence) => (
-            <p>{signed(sentence)}</p>
+            <p>{typeset(sentence)}</p>
           ))}
         </div>
       </header>

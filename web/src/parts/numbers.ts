@@ -3,6 +3,12 @@
 const MOST_DECIMALS = 6;
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
+/** A sentence of a result with minus signs and powers of ten. */
+export function typeset(text: string): string {
+  const powers = text.replace(/(?<=\d)e([+-]?\d+)\b/g, (_, exponent: string) => `×${powerOfTen(Number(exponent))}`);
+  return signed(powers);
+}
+
 /** A text with a minus sign instead of the hyphen before each negative number; not within words, dates and names. */
 export function signed(text: string): string {
   return text.replace(/(?<![\w.)])-(?=\.?\d)/g, "−");

@@ -8,7 +8,7 @@ const NARROWEST = 240; // CSS pixels
 const FONT = "13px system-ui, sans-serif";
 const TICK = 10; // CSS pixels, length of a tick
 const GAP = 5; // CSS pixels between a tick and its label
-const LEAST = 30; // CSS pixels, width of an axis with short labels
+const APART = 6; // CSS pixels between the widest label and the title
 
 /** Look of an axis; numbers have true minus signs and powers of ten. */
 export const axisLook = () => ({
@@ -29,7 +29,7 @@ function widthOfLabels({ ctx }: uPlot, values: string[] | null): number {
   ctx.font = FONT;
   const widths = (values ?? []).map((value) => ctx.measureText(value).width);
   ctx.restore();
-  return Math.ceil(Math.max(LEAST, TICK + GAP + Math.max(0, ...widths)));
+  return Math.ceil(TICK + GAP + Math.max(0, ...widths) + APART);
 }
 
 /** Options of a curve that is drawn between pixels as it is, not on whole ones, which makes stairs of flat curves. */

@@ -107,7 +107,7 @@ function ModeField({ ribbon, choice }: Props) {
   const { grid, part } = useMemo(() => ribbon.fields, [ribbon]);
   const wave = useMemo(() => computed(() => ribbon.wave(choice.mode.value)), [ribbon, choice]);
   const caption = `${ribbon.data.header.title}, ${origin(ribbon.data)}`;
-  const shown = `displacement ${ribbon.direction(choice.mode.value)}, over its largest`;
+  const shown = `displacement ${ribbon.direction(choice.mode.value)}; 1 is the largest`;
   return <Field grid={grid} part={part} wave={wave} pace={choice} label="Field of the mode" shown={shown} name="ribbon" caption={caption} />;
 }
 
