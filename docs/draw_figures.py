@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from itertools import product
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -28,10 +28,10 @@ from haptonic.cell import HexMesh, MeshPlan, UnitCell
 from haptonic.cell.mesh import mesh_cell
 from haptonic.cell.quadrature import lobatto
 from haptonic.plots import style
-from haptonic.views import write_page
+from haptonic.views import InteractiveView, write_page
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Page
+    from playwright.sync_api import Browser, Locator, Page
 
 ROOT = Path(__file__).parents[1]
 IMAGES = ROOT / "docs" / "images"
@@ -174,29 +174,71 @@ def draw_ribbon() -> None:
     waves.plot("field").savefig(IMAGES / "ribbon-field.png", dpi=style.DOTS_PER_INCH)
 
 
+SHARP: dict[str, Any] = {  # context of a page whose type can be read in a column of text
+    "viewport": {"width": 900, "height": 900}, "device_scale_factor": 2, "reduced_motion": "reduce",
+}  # fmt: skip
+MARGIN = 12  # CSS pixels around what a picture shows
+SHOWN = {  # parts of a page at the lower end of its picture, from side to side; all below is left out
+    "bands-page.png": (".legend", "#point"),
+    "zone-page.png": ("#zone-point", ":scope > div:last-child > .sides"),
+    "layers-page.png": ("section:first-child > .curves", ".controls"),
+}
+
+HIDE_BELOW = """bottom => {
+    for (const element of document.querySelectorAll("main *, #view *"))
+        element.style.visibility = element.getBoundingClientRect().top > bottom - 1 ? "hidden" : "";
+}"""
+
+
 def draw_pages() -> None:
     """The interactive pages, drawn by a browser."""
-    from browser import chromium, page_at  # of the tests
+    from browser import chromium  # of the tests
 
     touchpad, edge = hp.load(TOUCHPAD), hp.load(ROOT / "src/haptonic/templates/edge.toml")
-    results = {
-        "bands": touchpad.bands(html=True, surface=True),
-        "layers": touchpad.layers(html=True),
-        "waveguide": touchpad.waveguide(html=True),
-        "ribbon": edge.ribbon(html=True),
-        "plate": touchpad.plate(html=True),
-        "feel": touchpad.feel(html=True),
-    }
-    with TemporaryDirectory() as folder, chromium() as browser:
-        for name, result in results.items():
-            file = Path(folder) / f"{name}.html"
-            write_page(result.view(), file)
-            with page_at(browser, file.as_uri(), 1440, reduced_motion="reduce") as page:
-                page.wait_for_selector(".walk canvas")
-                page.wait_for_timeout(500)  # until all parts are drawn
-                page.locator(".pair").first.screenshot(path=IMAGES / f"{name}-page.png")
-                if name == "bands":
-                    draw_zone(page)
+    with chromium() as browser:
+        for name, result in {
+            "bands": touchpad.bands(html=True, surface=True),
+            "layers": touchpad.layers(html=True),
+            "waveguide": touchpad.waveguide(html=True),
+            "ribbon": edge.ribbon(html=True),
+            "plate": touchpad.plate(html=True),
+            "feel": touchpad.feel(html=True),
+        }.items():
+            draw_page(browser, name, result.view())
+
+
+def draw_page(browser: Browser, name: str, view: InteractiveView | None) -> None:
+    """The page of a view, and the zone on the page of bands."""
+    from browser import page_at  # of the tests
+
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"{name}.html"
+        write_page(view, file)
+        with page_at(browser, file.as_uri(), **SHARP) as page:
+            page.wait_for_selector(".walk canvas")
+            page.wait_for_timeout(500)  # until all parts are drawn
+            picture(page, f"{name}-page.png", page.locator(".pair").first)
+            if name == "bands":
+                draw_zone(page)
+
+
+def picture(page: Page, name: str, *parts: Locator) -> None:
+    """Save what parts of a page cover, with a margin; nothing has the focus."""
+    page.evaluate("() => document.activeElement?.blur()")
+    page.wait_for_timeout(200)
+    boxes = [box for part in parts if (box := part.bounding_box()) is not None]
+    left, top = (min(box[side] for box in boxes) for side in ("x", "y"))
+    right = max(box["x"] + box["width"] for box in boxes)
+    ends = [part.locator(chosen).first for part in parts for chosen in SHOWN.get(name, ())] or parts
+    bottom = max(box["y"] + box["height"] for end in ends if (box := end.bounding_box()) is not None)
+    page.evaluate(HIDE_BELOW, bottom)
+    x, y = page.evaluate("() => [scrollX, scrollY]")
+    page.screenshot(
+        path=IMAGES / name, full_page=True,
+        clip={"x": left + x - MARGIN, "y": top + y - MARGIN,
+              "width": right - left + 2 * MARGIN, "height": bottom - top + 2 * MARGIN},
+    )  # fmt: skip
+    page.evaluate(HIDE_BELOW, 1e9)  # nothing
 
 
 def draw_zone(page: Page) -> None:
@@ -207,7 +249,7 @@ def draw_zone(page: Page) -> None:
             zone.press(key)
     page.add_style_tag(content=".insight { position: static !important; }")  # it would cover the picture
     page.wait_for_timeout(500)
-    page.locator(".pair").nth(1).screenshot(path=IMAGES / "zone-page.png")
+    picture(page, "zone-page.png", page.locator(".pair").nth(1))
 
 
 STEPS = 40  # of the slider, from the design to the preview that is drawn
@@ -225,21 +267,32 @@ def draw_studio() -> None:
         (folder / TOUCHPAD.name).write_text(TOUCHPAD.read_text("utf-8"), "utf-8")
         with (
             served(folder, TOUCHPAD.name, admit=False) as studio,
-            page_at(browser, studio.link, 1440, reduced_motion="reduce") as page,
+            page_at(browser, studio.link, **(SHARP | {"viewport": {"width": 1200, "height": 1400}})) as page,
         ):
             page.locator(".paint table", has_text="haptonic plate").wait_for()
-            page.locator(".paint").screenshot(path=IMAGES / "paint.png")
+            picture(page, "paint.png", page.locator(".paint"))
             page.locator(".paint > summary").click()
             page.get_by_role("button", name="Compute bands").click()
             page.wait_for_selector("canvas[data-shown]", timeout=120_000)
             page.locator(".turning select").select_option("cell.pillar.diameter", timeout=120_000)
             page.wait_for_selector(".turning[data-prepared=true]", timeout=120_000)
-            page.screenshot(path=IMAGES / "studio.png")
+            for _ in range(3):  # parts of the page follow its height
+                lowest = page.locator(".results .mode .scale").bounding_box()
+                assert lowest is not None
+                page.set_viewport_size(
+                    {"width": 1200, "height": int(lowest["y"] + lowest["height"]) + MARGIN}
+                )
+                page.wait_for_timeout(300)
+            picture(page, "studio.png", page.locator("body"))
+            page.set_viewport_size({"width": 1200, "height": 1800})  # nothing scrolls
             page.get_by_role("button", name="Hold this design").click()
             slider = page.locator(".turning input")
             for _ in range(STEPS):
                 slider.press("ArrowRight")
-            page.locator(".results").screenshot(path=IMAGES / "studio-preview.png")
+            # between them, the sentences of the held design are hidden
+            picture(
+                page, "studio-preview.png", page.locator(".insight"), page.locator(".results .pair").first
+            )
 
 
 def draw_wizard() -> None:
@@ -256,19 +309,19 @@ def draw_wizard() -> None:
         hp.load(folder / "small.toml").simulate_scan(form="uff", time=False).write(Path(temporary) / "scan")
         with (
             served(folder, "small.toml", admit=False) as studio,
-            page_at(browser, studio.link, 1440, reduced_motion="reduce") as page,
+            page_at(browser, studio.link, **SHARP) as page,
         ):
-            page.set_viewport_size({"width": 1440, "height": 2400})  # the results scroll on a smaller page
+            page.set_viewport_size({"width": 900, "height": 2400})  # the results scroll on a smaller page
             page.locator(".paint > summary").click()
             page.get_by_label("Analysis").select_option("scan")
             page.set_input_files("input[data-choose=files]", Path(temporary) / "scan" / "scan.uff")
             page.wait_for_selector(".reading .points", timeout=60_000)
-            page.locator(".compute").screenshot(path=IMAGES / "studio-scan.png")
+            picture(page, "studio-scan.png", page.locator(".compute"))
             page.get_by_label("model", exact=True).check()
             page.wait_for_selector(".understood[aria-busy=false] .points", timeout=60_000)
             page.get_by_role("button", name="Compute scan").click()
             page.wait_for_selector(".map canvas[data-shown]", timeout=300_000)
-            page.locator("#result .plate").screenshot(path=IMAGES / "scan-page.png")
+            picture(page, "scan-page.png", page.locator("#result .plate"))
 
 
 def draw_badges() -> None:
