@@ -179,14 +179,19 @@ SHARP: dict[str, Any] = {  # context of a page whose type can be read in a colum
 }  # fmt: skip
 MARGIN = 12  # CSS pixels around what a picture shows
 SHOWN = {  # parts of a page at the lower end of its picture, from side to side; all below is left out
-    "bands-page.png": (".legend", "#point"),
-    "zone-page.png": ("#zone-point", ":scope > div:last-child > .sides"),
+    "bands-page.png": ("#point",),
+    "zone-page.png": (".facts dl", ":scope > div:last-child > .sides"),
+    "studio-preview.png": (".mode .scale",),
     "layers-page.png": ("section:first-child > .curves", ".controls"),
 }
 
-HIDE_BELOW = """bottom => {
-    for (const element of document.querySelectorAll("main *, #view *"))
-        element.style.visibility = element.getBoundingClientRect().top > bottom - 1 ? "hidden" : "";
+SHOW_ONLY = """([parts, bottom]) => {
+    for (const element of document.body.querySelectorAll("*")) {
+        const { top, bottom: end } = element.getBoundingClientRect();
+        const isPart = parts.some((part) => part.contains(element) || element.contains(part));
+        const isCut = top > bottom - 1 || (element.childElementCount === 0 && end > bottom + 1);
+        element.style.visibility = isPart && !isCut ? "" : "hidden";
+    }
 }"""
 
 
@@ -226,19 +231,19 @@ def picture(page: Page, name: str, *parts: Locator) -> None:
     """Save what parts of a page cover, with a margin; nothing has the focus."""
     page.evaluate("() => document.activeElement?.blur()")
     page.wait_for_timeout(200)
-    boxes = [box for part in parts if (box := part.bounding_box()) is not None]
-    left, top = (min(box[side] for box in boxes) for side in ("x", "y"))
-    right = max(box["x"] + box["width"] for box in boxes)
-    ends = [part.locator(chosen).first for part in parts for chosen in SHOWN.get(name, ())] or parts
-    bottom = max(box["y"] + box["height"] for end in ends if (box := end.bounding_box()) is not None)
-    page.evaluate(HIDE_BELOW, bottom)
+    ends = [end for part in parts for chosen in SHOWN.get(name, ()) for end in part.locator(chosen).all()]
+    boxes, lowest = ([part.bounding_box() for part in these] for these in (parts, ends or parts))
+    left, top = (min(box[side] for box in boxes if box) for side in ("x", "y"))
+    right = max(box["x"] + box["width"] for box in boxes if box)
+    bottom = max(box["y"] + box["height"] for box in lowest if box)
+    page.evaluate(SHOW_ONLY, [[part.element_handle() for part in parts], bottom])
     x, y = page.evaluate("() => [scrollX, scrollY]")
     page.screenshot(
         path=IMAGES / name, full_page=True,
         clip={"x": left + x - MARGIN, "y": top + y - MARGIN,
               "width": right - left + 2 * MARGIN, "height": bottom - top + 2 * MARGIN},
     )  # fmt: skip
-    page.evaluate(HIDE_BELOW, 1e9)  # nothing
+    page.evaluate(SHOW_ONLY, [[page.locator("body").element_handle()], 1e9])  # all
 
 
 def draw_zone(page: Page) -> None:
@@ -252,6 +257,7 @@ def draw_zone(page: Page) -> None:
     picture(page, "zone-page.png", page.locator(".pair").nth(1))
 
 
+STUDIO = 1280  # CSS pixels, width of its window
 STEPS = 40  # of the slider, from the design to the preview that is drawn
 
 
@@ -267,7 +273,9 @@ def draw_studio() -> None:
         (folder / TOUCHPAD.name).write_text(TOUCHPAD.read_text("utf-8"), "utf-8")
         with (
             served(folder, TOUCHPAD.name, admit=False) as studio,
-            page_at(browser, studio.link, **(SHARP | {"viewport": {"width": 1200, "height": 1400}})) as page,
+            page_at(
+                browser, studio.link, **(SHARP | {"viewport": {"width": STUDIO, "height": 2000}})
+            ) as page,
         ):
             page.locator(".paint table", has_text="haptonic plate").wait_for()
             picture(page, "paint.png", page.locator(".paint"))
@@ -284,7 +292,7 @@ def draw_studio() -> None:
                 )
                 page.wait_for_timeout(300)
             picture(page, "studio.png", page.locator("body"))
-            page.set_viewport_size({"width": 1200, "height": 1800})  # nothing scrolls
+            page.set_viewport_size({"width": STUDIO, "height": 2000})  # nothing scrolls
             page.get_by_role("button", name="Hold this design").click()
             slider = page.locator(".turning input")
             for _ in range(STEPS):

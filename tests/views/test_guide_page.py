@@ -86,6 +86,7 @@ def test_the_page_shows_the_waveguide_that_one_selects(browser, guides, tmp_path
         page.wait_for_selector(f"{FIELD}[data-shown='{last - 1}']")
         assert (pixels(page, FIELD) != before).any()
         strip, share = guides.strips[last - 1], float(data.attrs["relative_frequency_error"])
+        assert "normal displacement; 1 is the largest" in page.locator(".map .scale").inner_text()
         shown = page.locator(".facts").inner_text()
         assert f"{uncertain(strip.frequency / 1e3, share * strip.frequency / 1e3)} kHz" in shown
         assert f"{strip.mode.width * 1e3:.2f} mm" in shown

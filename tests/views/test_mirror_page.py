@@ -1,5 +1,7 @@
 """The page of a mirror: its numbers against the spectra, and the page in a real browser."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -42,6 +44,20 @@ def test_errors_follow_from_those_of_the_frequencies(view):
         assert error[0, 0, k] == pytest.approx(expected + SHARE * loss[0, 0, k])
     assert error[0, 0, 8] == pytest.approx(SHARE * loss[0, 0, 8])
     assert slope[8] == 0
+
+
+def test_sentences_have_minus_signs_and_powers_of_ten_and_names_are_left(browser, view, tmp_path):
+    summary = ["Loss -3.2 dB on 2026-11-28 (-1 to 4), error 6.2e-04 in WG1-2."]
+    path = tmp_path / "mirror.html"
+    path.write_text(sent_page(replace(view, extra={**view.extra, "summary": summary})), "utf-8")
+    minus, times = "\N{MINUS SIGN}", "\N{MULTIPLICATION SIGN}"
+    with page_at(browser, path.as_uri(), **STILL) as page:
+        page.wait_for_selector(".walk .uplot")
+        words = page.locator("header").inner_text()
+        assert f"Loss {minus}3.2 dB on 2026-11-28 ({minus}1 to 4), error 6.2{times}10⁻⁴ in WG1-2." in words
+        legend = page.locator(".legend").inner_text()
+        assert "6 rows" in legend
+        assert "1 to 6 rows" in legend
 
 
 def test_the_page_shows_what_the_keyboard_and_the_mouse_select(browser, view, tmp_path):

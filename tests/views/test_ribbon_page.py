@@ -118,6 +118,7 @@ def test_the_page_shows_what_the_keyboard_and_the_mouse_select(browser, ribbon, 
             expected = colours[np.rint(STEPS * turned).astype(int) + STEPS]
             away = np.abs(drawn[np.ix_(line, column)] - expected).max(axis=-1)
             assert np.median(away[np.abs(turned) > 0.2]) < 12
+        assert "; 1 is the largest" in page.locator(".map .scale").inner_text()
         page.keyboard.press("t")
         table = page.get_by_role("table", name="Modes at").locator("tbody tr")
         table.first.wait_for()

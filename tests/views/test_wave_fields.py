@@ -66,6 +66,9 @@ def test_the_page_of_a_mirror_moves_the_wave_that_one_picks(browser, tmp_path):
         page.keyboard.press("W")
         page.wait_for_selector(f"{FIELD}[data-shown='{lines + carrier}']")
         words = page.locator("#wave").inner_text()
+        scale = page.locator("[aria-label='Waves of the lattice'] .scale").inner_text()
+        assert "1 is the largest in the first row" in scale
+        assert scale.startswith("\N{MINUS SIGN}1")
         assert words.startswith("Wave 2 of 8")
         assert words.endswith("decays")
         error = float(view.dataset["decay_error"][1, carrier])

@@ -127,9 +127,11 @@ def test_the_zone_has_the_colours_of_frequencies_between_its_wavevectors(browser
         x, y, frequency = np.moveaxis(np.tensordot(mesh, shares, axes=(1, 0)), -1, 0)
         place = np.stack([side / 2 - scale * y, side / 2 + scale * x]).astype(int)
         low, high = mesh[..., 2].min(), mesh[..., 2].max()
-        expected = colours[np.rint((frequency - low) / (high - low) * (len(colours) - 1)).astype(int)]
+        level = (frequency - low) / (high - low)
+        shades = np.linspace(0, 1, len(colours))
+        expected = np.stack([np.interp(level, shades, part) for part in colours.T], axis=-1)
         away.append(np.abs(drawn[tuple(place)] - expected).max(axis=-1))
-    assert np.mean(np.concatenate(away) <= 2) > 0.8
+    assert np.mean(np.concatenate(away) <= 3) > 0.8
 
 
 def test_triangles_cover_the_zone_and_their_edges_follow_the_band(browser, bands, tmp_path):

@@ -59,9 +59,10 @@ function fill(image: ImageData, [a, b, c]: Corners, [atA, atB, atC]: [number, nu
       const second = (x * (c[1] - a[1]) - (c[0] - a[0]) * y) / area;
       const third = ((b[0] - a[0]) * y - x * (b[1] - a[1])) / area;
       if (second < -EDGE || third < -EDGE || second + third > 1 + EDGE) continue;
-      const shade = colours[Math.round(atA + second * (atB - atA) + third * (atC - atA))] ?? [];
+      const level = Math.min(Math.max(atA + second * (atB - atA) + third * (atC - atA), 0), colours.length - 1);
+      const [lower, upper, share] = [colours[Math.floor(level)] ?? [], colours[Math.ceil(level)] ?? [], level % 1];
       const pixel = 4 * (row * image.width + column);
-      for (let k = 0; k < 3; k++) image.data[pixel + k] = shade[k] ?? 0;
+      for (let k = 0; k < 3; k++) image.data[pixel + k] = (1 - share) * (lower[k] ?? 0) + share * (upper[k] ?? 0);
       image.data[pixel + 3] = 255;
     }
 }

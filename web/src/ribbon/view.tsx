@@ -119,7 +119,8 @@ function Legend({ ribbon }: { ribbon: RibbonModes }) {
     <p class="scale legend">
       <span class="plain">0 %</span>
       <span class="bar" style={{ background: `linear-gradient(to right, ${steps.join(", ")})` }} />
-      <span class="plain">100 % of the energy in {ribbon.place}; guided modes are thick</span>
+      <span class="plain">100 %</span>
+      <span class="plain">of the energy in {ribbon.place}; guided modes are thick; shaded: bulk bands</span>
       {ribbon.carrier !== null && <span class="of-carrier">carrier</span>}
     </p>
   );
