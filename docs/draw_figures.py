@@ -181,6 +181,7 @@ MARGIN = 12  # CSS pixels around what a picture shows
 SHOWN = {  # parts of a page at the lower end of its picture, from side to side; all below is left out
     "bands-page.png": ("#point",),
     "zone-page.png": (".facts dl", ":scope > div:last-child > .sides"),
+    "studio-scan.png": ("table",),
     "studio-preview.png": (".mode .scale",),
     "layers-page.png": ("section:first-child > .curves", ".controls"),
 }

@@ -56,12 +56,13 @@ def test_numbers_have_minus_signs_and_powers_of_ten(browser, tmp_path):
         assert not [text for text in texts if re.search(r"-\d|\de", str(text))]
 
 
-def test_small_velocities_have_a_unit_with_a_prefix(browser, tmp_path):
+@pytest.mark.parametrize("unit", ["m/s", "m/s/V"])
+def test_small_velocities_have_a_unit_with_a_prefix(browser, tmp_path, unit):
     values = np.linspace(0, 3e-4, 50)
-    with page_at(browser, page_of_curves(tmp_path, unit="m/s", speed=values), **STILL) as page:
+    with page_at(browser, page_of_curves(tmp_path, unit=unit, speed=values), **STILL) as page:
         page.wait_for_selector(".uplot canvas")
         texts = [text["text"] for text in written(page)]
-        assert "speed / (µm/s)" in texts
+        assert f"speed / (µ{unit})" in texts
         assert "200" in texts
 
 

@@ -41,12 +41,12 @@ export function wavevectorUnits(period: number): Unit[] {
   ];
 }
 
-const WITH_PREFIX = ["m/s", "m", "N"];
+const WITH_PREFIX = /^[mN](?=$|\/)/; // metres and newtons, also per second or volt
 const SMALLER: [string, number][] = [["", 1], ["m", 1e-3], ["µ", 1e-6], ["n", 1e-9]];
 
 /** An SI unit with the prefix that leaves a digit before the point of the largest value. */
 export function prefixed(name: string, largest: number): Unit {
-  const fits = SMALLER.find(([, factor]) => WITH_PREFIX.includes(name) && largest >= factor);
+  const fits = SMALLER.find(([, factor]) => WITH_PREFIX.test(name) && largest >= factor);
   const [prefix, factor] = fits ?? ["", 1];
   return { name: prefix + name, factor };
 }

@@ -7,7 +7,7 @@ import type { Drawing, Point } from "../parts/plan";
 import { frequencyUnits, prefixed, suitable, titled, type Unit } from "../parts/units";
 import { PointPlan } from "./points";
 
-const HEIGHT = 220; // CSS pixels
+const HEIGHT = 260; // CSS pixels
 const DASHES = [[], [8, 4]]; // curves differ by more than colour
 
 export function readingView(data: Dataset) {

@@ -3,6 +3,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Dataset } from "../dataset";
 import { show } from "../views";
+import { typeset } from "../parts/numbers";
 import { Parts } from "./editor";
 import { awaited, whole } from "./jobs";
 import { host } from "./slider";
@@ -80,7 +81,7 @@ function Words({ answer }: { answer: Answer }) {
       <h2>{answer.title}</h2>
       <p class="origin">{answer.origin}</p>
       {answer.summary.map((sentence) => (
-        <p>{sentence}</p>
+        <p>{typeset(sentence)}</p>
       ))}
     </header>
   );

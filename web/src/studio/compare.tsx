@@ -1,6 +1,7 @@
 /** Two runs side by side: their sentences, the changed keys, and the differences of their numbers. */
 
 import { effect, signal } from "@preact/signals";
+import { typeset } from "../parts/numbers";
 import { jobs, shown } from "./jobs";
 import { server, type Compared } from "./server";
 import { react } from "./study";
@@ -38,7 +39,7 @@ export function Comparison() {
               {name} <span class="quiet">{title}</span>
             </h3>
             {summary.map((sentence) => (
-              <p>{sentence}</p>
+              <p>{typeset(sentence)}</p>
             ))}
           </div>
         ))}

@@ -2,6 +2,7 @@
 
 import { useEffect, useRef } from "preact/hooks";
 import { show } from "../views";
+import { typeset } from "../parts/numbers";
 import { chooseFile, isWrong, missing, namesFile, ofFiles, options, usesStudy, useStudy } from "./chosen";
 import { Drop } from "./drop";
 import { Parts } from "./editor";
@@ -118,7 +119,7 @@ function Understood({ chosen }: { chosen: Analysis }) {
       {reading !== null && (
         <>
           {reading.answer.summary.map((sentence) => (
-            <p>{sentence}</p>
+            <p>{typeset(sentence)}</p>
           ))}
           {reading.answer.remarks.map((remark) => (
             <p class="doubt">{remark}</p>
