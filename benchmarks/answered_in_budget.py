@@ -22,9 +22,9 @@ import psutil
 from record import ROOT, write
 
 sys.path.insert(0, str(ROOT / "tests"))
-from haptonic.bloch.mesh_levels import MeshLimits, first_rung, started
+from haptonic.bloch.mesh_levels import MeshLimits, expected_level, started
 from haptonic.bloch.model import best_model
-from haptonic.bloch.resolution import LADDER
+from haptonic.bloch.resolution import LEVELS
 from haptonic.errors import HaptonicError
 from haptonic.parallel import one_thread
 from user_designs import study_of, study_text
@@ -52,7 +52,7 @@ def decided(seed: int, number: int, memory: float) -> dict[str, Any]:
         meshes = started(cell, asked.count, asked.accuracy, limits)
     except HaptonicError as error:
         return {**row, "outcome": error.cause.split(":")[0]}
-    wanted = LADDER[first_rung(cell, asked.accuracy)].for_bands(cell, asked.count)
+    wanted = LEVELS[expected_level(cell, asked.accuracy)].for_bands(cell, asked.count)
     lack = limits.lack(cell, wanted)
     return {
         **row,
@@ -76,7 +76,7 @@ def computed(seed: int, number: int, memory: float) -> dict[str, Any]:
     except HaptonicError as error:
         return {**row, "outcome": error.cause.split(":")[0], "seconds": time.process_time() - begin}
     used, worst = best.model.resolution, best.model.worst_error
-    levels = [level.for_bands(cell, asked.count) for level in LADDER]
+    levels = [level.for_bands(cell, asked.count) for level in LEVELS]
     tried = [level for level in levels if (level.order, level.foot_rings) <= (used.order, used.foot_rings)]
     return {
         **row,
@@ -87,7 +87,8 @@ def computed(seed: int, number: int, memory: float) -> dict[str, Any]:
         "stopped_by": best.lack.of if best.lack else "",
         "seconds": time.process_time() - begin,
         "seconds_estimated": sum(
-            level.seconds(cell) for level in tried[min(first_rung(cell, asked.accuracy), len(tried) - 1) :]
+            level.seconds(cell)
+            for level in tried[min(expected_level(cell, asked.accuracy), len(tried) - 1) :]
         ),
         "gigabytes": peak(),
         "gigabytes_estimated": used.memory(cell) / 1e9,

@@ -11,10 +11,10 @@ from truth import KAPPA, Drawn, drawn, plain_plate, truth, wavevectors
 from daily import daily
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.centred import CentredPencil
-from haptonic.bloch.mesh_levels import starting_rung
+from haptonic.bloch.mesh_levels import starting_level
 from haptonic.bloch.model import bloch_model
 from haptonic.bloch.pencil import eigenpairs
-from haptonic.bloch.resolution import LADDER
+from haptonic.bloch.resolution import LEVELS
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.truncation import REST, TRUSTED_TRUNCATION, interior_error, largest_truncation, ranked
 from haptonic.cell import MeshPlan, Pillar, UnitCell
@@ -92,8 +92,8 @@ def test_what_more_of_the_interior_mends_is_not_laid_on_the_mesh():
     pillar = Pillar(1.5e-3, 38e-3)
     cell = UnitCell(Lattice.rectangular(7e-3, 8.9e-3), 0.7e-3, material("aluminium-2017a"), pillar)
     model = bloch_model(cell, BandSettings(24, accuracy=5e-3))
-    assert model.resolution.order == LADDER[starting_rung(5e-3)].order
-    assert model.resolution.steps > LADDER[starting_rung(5e-3)].steps
+    assert model.resolution.order == LEVELS[starting_level(5e-3)].order
+    assert model.resolution.steps > LEVELS[starting_level(5e-3)].steps
 
 
 @pytest.mark.nightly

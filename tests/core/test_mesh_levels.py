@@ -17,9 +17,9 @@ from strategies import ALUMINIUM
 from truth import KAPPA, plain_plate
 
 from haptonic.bloch import bands_dataset, gaps_dataset, mesh_levels, model
-from haptonic.bloch.mesh_levels import MeshLimits, first_level, first_rung, started
+from haptonic.bloch.mesh_levels import MeshLimits, expected_level, first_level, started
 from haptonic.bloch.model import BlochModel, best_model, bloch_model, candidate_models
-from haptonic.bloch.resolution import LADDER, Resolution
+from haptonic.bloch.resolution import LEVELS, Resolution
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.truncation import TRUSTED_TRUNCATION, Interior, largest_truncation, reach_truncation
 from haptonic.cell import Disc, Pillar, UnitCell
@@ -133,7 +133,7 @@ def test_a_refusal_names_time_or_memory_and_its_next_step_is_accepted(
 def follow_a_drawn_design(number):
     """Refuse a design as users write them by time and by memory, and ask again as the refusal advises."""
     cell = study_of(3, number).cell
-    lowest = LADDER[0].for_bands(cell, 10)
+    lowest = LEVELS[0].for_bands(cell, 10)
     seconds, memory = lowest.seconds(cell), lowest.memory(cell)
     for limits in (MeshLimits(0.5 * seconds, 2 * memory), MeshLimits(1e3, 0.97 * memory)):
         asked = BandSettings(accuracy=5e-2)
@@ -163,16 +163,16 @@ def test_the_step_of_a_refused_design_is_answered_on_all_lattices(number):
 @settings(max_examples=12, deadline=None)
 def test_what_has_a_mesh_that_fits_begins_on_the_highest_that_fits(thickness, diameter, height, accuracy):
     cell = cell_of(thickness, diameter, height)
-    first = first_rung(cell, accuracy)
+    first = expected_level(cell, accuracy)
     for level in range(first + 1):
-        mesh = LADDER[level].for_bands(cell, 10)
+        mesh = LEVELS[level].for_bands(cell, 10)
         fitting = (MeshLimits(mesh.seconds(cell), 1e15), MeshLimits(1e15, mesh.memory(cell)))
         for limits in fitting:
             begun = first_level(cell, 10, accuracy, limits)
             assert begun == max(
-                n for n in range(first + 1) if not limits.lack(cell, LADDER[n].for_bands(cell, 10))
+                n for n in range(first + 1) if not limits.lack(cell, LEVELS[n].for_bands(cell, 10))
             )
-            assert started(cell, 10, accuracy, limits)[0] == LADDER[begun].for_bands(cell, 10)
+            assert started(cell, 10, accuracy, limits)[0] == LEVELS[begun].for_bands(cell, 10)
 
 
 def test_two_sites_at_general_places_begin_by_default():
@@ -194,7 +194,7 @@ def test_two_sites_at_general_places_are_answered_by_default():
 def test_a_budget_that_ends_leaves_an_answer_with_its_error_and_the_next_budget(monkeypatch):
     """The lowest level alone fits: it answers, and its words name the budget that starts the next."""
     cell = cell_of(0.3, 0.7, 2.0)
-    first, second = (level.for_bands(cell, 2) for level in LADDER[:2])
+    first, second = (level.for_bands(cell, 2) for level in LEVELS[:2])
     limits = MeshLimits(first.seconds(cell) + 0.5 * second.seconds(cell), 1e15)
     asked = BandSettings(2, points=8, accuracy=1e-4)
     best = best_model(cell, asked, limits=limits)
@@ -249,7 +249,7 @@ def test_a_dry_run_has_the_refusals_of_a_run(memory, monkeypatch):
 def test_bands_that_miss_the_accuracy_are_returned_with_a_remark(monkeypatch):
     """A minute of work ended in a refusal; now its errors are reported."""
     for module in (model, mesh_levels):
-        monkeypatch.setattr(module, "LADDER", (Resolution(3, 0),))
+        monkeypatch.setattr(module, "LEVELS", (Resolution(3, 0),))
     monkeypatch.setattr(model, "first_level", lambda *_: 0)
     cell = cell_of(0.3, 0.7, 2.0)
     answer = Bands(bands_dataset(cell, BandSettings(2, points=8, accuracy=1e-3)))
@@ -267,10 +267,10 @@ def test_bands_that_miss_the_accuracy_are_returned_with_a_remark(monkeypatch):
 @pytest.mark.parametrize(("excess", "level"), [(0.9, 2), (2.4, 2), (2.6, 3), (4.9, 3), (9.0, 4), (1e9, 2)])
 def test_levels_that_are_not_expected_to_reach_the_accuracy_are_left_out(excess, level):
     """Four meshes of a pillar of 6 x 8 mm on a plate of 2 mm were computed where two suffice."""
-    cell, mesh = cell_of(0.2, 0.6, 0.8), LADDER[1].grown()
+    cell, mesh = cell_of(0.2, 0.6, 0.8), LEVELS[1].grown()
     number, finer = mesh_levels.finer_level(cell, mesh, 1, excess, MeshLimits(math.inf, math.inf), 0.0)
     assert number == level
-    assert (finer.order, finer.foot_rings) == (LADDER[level].order, LADDER[level].foot_rings)
+    assert (finer.order, finer.foot_rings) == (LEVELS[level].order, LEVELS[level].foot_rings)
     assert finer.block >= 15
 
 
@@ -279,27 +279,27 @@ def test_without_a_singular_edge_the_next_level_is_expected_to_reach_more(excess
     limits, lattice, steel = MeshLimits(math.inf, math.inf), Lattice.square(10e-3), material("steel")
     hole = UnitCell(lattice, 2e-3, steel, disc=(Disc(6e-3, empty=True),))
     blind = UnitCell(lattice, 2e-3, steel, disc=(Disc(6e-3, low=-1e-3, empty=True),))
-    levels = [mesh_levels.finer_level(cell, LADDER[1], 1, excess, limits, 0.0)[0] for cell in (hole, blind)]
+    levels = [mesh_levels.finer_level(cell, LEVELS[1], 1, excess, limits, 0.0)[0] for cell in (hole, blind)]
     assert levels == [2, 3]
 
 
 def test_a_plain_plate_skips_levels_with_more_rings_only():
     """Levels 2 and 3 have the same mesh of a plain plate: rings surround the feet of pillars."""
     plain, limits = UnitCell(Lattice.square(10e-3), 2e-3, material("steel")), MeshLimits(math.inf, math.inf)
-    mesh = LADDER[2].for_bands(plain, 4)
-    assert mesh.plans(plain) == LADDER[3].for_bands(plain, 4).plans(plain)
+    mesh = LEVELS[2].for_bands(plain, 4)
+    assert mesh.plans(plain) == LEVELS[3].for_bands(plain, 4).plans(plain)
     assert mesh_levels.finer_level(plain, mesh, 2, 1.1, limits, 0.0)[0] == 4
 
 
 def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
-    cell, mesh = cell_of(0.2, 0.6, 0.8), LADDER[1]
-    seconds = [rung.seconds(cell) for rung in LADDER]
+    cell, mesh = cell_of(0.2, 0.6, 0.8), LEVELS[1]
+    seconds = [mesh.seconds(cell) for mesh in LEVELS]
     assert seconds[2] < seconds[3]
     limits = MeshLimits(seconds[2] + 1.0, math.inf)
     assert mesh_levels.finer_level(cell, mesh, 1, 3.0, limits, 1.0)[0] == 2
     lack = mesh_levels.finer_level(cell, mesh, 1, 3.0, limits, 1.1)
-    assert (lack.of, lack.mesh) == ("time", LADDER[2])
-    assert mesh_levels.finer_level(cell, LADDER[-1], len(LADDER) - 1, 3.0, limits, 0.0).of == "range"
+    assert (lack.of, lack.mesh) == ("time", LEVELS[2])
+    assert mesh_levels.finer_level(cell, LEVELS[-1], len(LEVELS) - 1, 3.0, limits, 0.0).of == "range"
 
 
 def test_cells_with_discs_begin_at_the_level_of_the_accuracy():
@@ -307,8 +307,8 @@ def test_cells_with_discs_begin_at_the_level_of_the_accuracy():
     steel = Disc(5e-3, material=material("steel"))
     for discs in ((hole,), (coating, steel), (replace(hole, low=-1e-3),)):
         cell = UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=discs)
-        assert first_rung(cell, 2e-3) == mesh_levels.starting_rung(2e-3)
-        assert first_rung(cell, 1e-9) == len(LADDER) - 1
+        assert expected_level(cell, 2e-3) == mesh_levels.starting_level(2e-3)
+        assert expected_level(cell, 1e-9) == len(LEVELS) - 1
 
 
 def test_an_interior_grows_as_often_as_it_has_to():
@@ -346,7 +346,7 @@ def test_the_error_of_few_bands_is_small(count):
 def test_errors_of_twenty_bands_of_a_plain_plate_are_bounded(thickness):
     """The lower orders' basis has to hold them too: without this check its error was 0.7 % at every order."""
     cell = cell_of(thickness)
-    bands_model = BlochModel.of(cell, LADDER[2], 20, measured=False)
+    bands_model = BlochModel.of(cell, LEVELS[2], 20, measured=False)
     assert bands_model.worst_error < 2e-3
     for kappa in np.sort(KAPPA[[0, 4]])[:, ::-1]:
         solution, exact = bands_model.solve(kappa), plain_plate(cell, kappa, 20)
@@ -359,7 +359,7 @@ def test_errors_of_twenty_bands_of_a_plain_plate_are_bounded(thickness):
 def test_many_bands_get_depth_rather_than_width(thickness, diameter, height):
     """What the interior leaves out of forty bands is to be trusted, or nearly, at the first try."""
     cell = cell_of(thickness, diameter, height)
-    resolution = LADDER[0].for_bands(cell, 40)
+    resolution = LEVELS[0].for_bands(cell, 40)
     whole = condense_by_parts(
         cell, resolution.plan(cell), resolution.steps, block=resolution.block, measured=False
     )
@@ -413,9 +413,9 @@ def test_errors_beside_upright_corners_are_bounded(disc):
                          ids=["hole", "inclusion"])  # fmt: skip
 def test_discs_through_thin_plates_reach_the_accuracy_on_the_first_mesh(disc):
     cell = UnitCell(Lattice.square(7e-3), 1e-3, material("epoxy"), disc=(disc,))
-    level = first_rung(cell, 2e-3)
+    level = expected_level(cell, 2e-3)
     assert level == 1
-    assert BlochModel.of(cell, LADDER[level], 10, measured=False).mesh_error < 2e-3
+    assert BlochModel.of(cell, LEVELS[level], 10, measured=False).mesh_error < 2e-3
 
 
 def test_an_interior_that_nearly_fails_is_wider_on_the_next_mesh(monkeypatch):

@@ -11,7 +11,7 @@ from strategies import ALUMINIUM
 from haptonic.bloch import mesh_levels
 from haptonic.bloch.mesh_levels import MeshLimits, first_level
 from haptonic.bloch.model import BlochModel, bloch_model
-from haptonic.bloch.resolution import LADDER
+from haptonic.bloch.resolution import LEVELS
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import NumericalError, ResourceError
@@ -41,7 +41,7 @@ def kirchhoff(cell, kappa, count):
 @settings(max_examples=2)
 def test_plain_thin_plates_bend_as_kirchhoff_plates(thickness, along, across):
     cell, kappa = thin_cell(thickness), np.array([along, across])
-    model = BlochModel.of(cell, LADDER[1], 10)
+    model = BlochModel.of(cell, LEVELS[1], 10)
     above = model.frequencies(kappa) / kirchhoff(cell, kappa, 10) - 1
     assert above.max() < min(2e-3, model.worst_error)
     assert above.min() > -120 * thickness**2 - 1e-3  # shear and rotation, which that theory leaves out
@@ -51,10 +51,10 @@ def test_plain_thin_plates_bend_as_kirchhoff_plates(thickness, along, across):
 def test_the_cost_of_a_first_mesh_is_estimated(thickness, diameter, height, count):
     """It is started within the limit, or refused before it is."""
     cell = thin_cell(thickness, diameter, height)
-    tried = LADDER[1].for_bands(cell, count)
+    tried = LEVELS[1].for_bands(cell, count)
     limits = MeshLimits(60.0, 1e12)
     assert (limits.lack(cell, tried) is None) == (tried.seconds(cell) <= 60.0)
-    if LADDER[0].for_bands(cell, count).seconds(cell) > 60.0:
+    if LEVELS[0].for_bands(cell, count).seconds(cell) > 60.0:
         with pytest.raises(ResourceError) as caught:
             first_level(cell, count, 2e-3, limits)
         assert caught.value.parts().keys() == PARTS
@@ -76,7 +76,7 @@ def test_a_stiffness_that_is_not_definite_ends_in_five_parts(monkeypatch, diamet
     monkeypatch.setattr(chosen(), "factorise", spoilt)
     cell = replace(thin_cell(0.2, diameter), thickness=1.23e-3)
     with pytest.raises(NumericalError) as caught:
-        condense_by_parts(cell, LADDER[0].plan(cell))
+        condense_by_parts(cell, LEVELS[0].plan(cell))
     assert caught.value.parts().keys() == PARTS
 
 

@@ -96,20 +96,20 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     ChannelError : a table that cannot be read, or whose units are not given
     StudyError : a table that differs by more than `MOST_APART`, unless ``any_difference`` is set
     """
-    names, study = _names(options.first, options.second), options.studies.get(options.first)
+    names, described = _names(options.first, options.second), options.studies.get(options.first)
     if kind_of(options.second) == "table":
-        if study is None:
+        if described is None:
             ours = bands_of(options.first, None, runner)
             theirs = of_table(options.second, OurPath.of_dataset(ours), options.of_table)
         else:
-            theirs = of_table(options.second, OurPath.of_cell(study.cell), options.of_table)
-            ours = bands_of(options.first, study, runner, also=theirs.position)
+            theirs = of_table(options.second, OurPath.of_cell(described.cell), options.of_table)
+            ours = bands_of(options.first, described, runner, also=theirs.position)
         result = Comparison(of_dataset(names[0], ours), theirs)
         if not options.any_difference:
             result.refuse_apart()
         return result
     second = of_dataset(names[1], bands_of(options.second, options.studies.get(options.second), runner))
-    first = of_dataset(names[0], bands_of(options.first, study, runner, also=second.position))
+    first = of_dataset(names[0], bands_of(options.first, described, runner, also=second.position))
     if first.labels != second.labels:
         raise StudyError.mismatch(
             argument="SECOND",

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
+from haptonic.bloch.resolution import LEAST_ORDER, LEVELS, Resolution
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.later import psutil
@@ -27,27 +27,27 @@ LARGEST_BUDGET = 30 * 86400.0  # s
 LOWER = ((3, 0), (2, 1), (2, 0))  # orders and rings below the mesh levels, which [mesh] can set
 
 
-def starting_rung(accuracy: float) -> int:
+def starting_level(accuracy: float) -> int:
     """Number of the mesh level that is first computed for an accuracy (relative)."""
     for level, expected in enumerate(EXPECTED):
         if expected <= accuracy:
             return level
-    return len(LADDER) - 1
+    return len(LEVELS) - 1
 
 
-def first_rung(cell: UnitCell, accuracy: float) -> int:
+def expected_level(cell: UnitCell, accuracy: float) -> int:
     """Number of the mesh level that is first computed for a cell and an accuracy (relative).
 
     For pillars that nearly touch on a thin plate, error estimates are 1.3 to 1.8 times those of other cells.
     Those of plain plates and of discs through the plate are about 1 % at order 3, and 0.1 % at order 4.
     """
     if not cell.has_features:
-        return max(starting_rung(accuracy), 1)
+        return max(starting_level(accuracy), 1)
     narrow = any(
         placed.tile.pillar is not None and placed.tile.is_thin and placed.tile.clearance < cell.thickness
         for placed in cell.tiles
     )
-    return min(starting_rung(accuracy) + narrow, len(LADDER) - 1)
+    return min(starting_level(accuracy) + narrow, len(LEVELS) - 1)
 
 
 @dataclass(frozen=True)
@@ -126,8 +126,8 @@ def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits)
     """
     check_thickness(cell)
     lack = None
-    for level in range(first_rung(cell, accuracy), -1, -1):
-        lack = limits.lack(cell, LADDER[level].for_bands(cell, count))
+    for level in range(expected_level(cell, accuracy), -1, -1):
+        lack = limits.lack(cell, LEVELS[level].for_bands(cell, count))
         if lack is None:
             return level
     assert lack is not None, "no mesh levels"
@@ -157,9 +157,9 @@ def finer_level(
     excess : error of the mesh as a multiple of the accuracy; spent : time of the meshes before, s
     """
     tried = mesh.plans(cell)
-    rungs = {n: LADDER[n].for_bands(cell, mesh.bands) for n in range(level + 1, len(LADDER))}
+    meshes = {n: LEVELS[n].for_bands(cell, mesh.bands) for n in range(level + 1, len(LEVELS))}
     # without a pillar, rings have no effect
-    levels = [n for n, rung in rungs.items() if rung.plans(cell) != tried]
+    levels = [n for n, finer in meshes.items() if finer.plans(cell) != tried]
     if all(part.tile.is_smooth for part in cell.tiles):
         excess = math.sqrt(excess)
     reaching = (n for n in levels if excess * EXPECTED[n] <= EXPECTED[level])
@@ -167,7 +167,7 @@ def finer_level(
     lack = Lack("range", mesh, limits, spent)
     for n in reversed([n for n in levels if n <= first]):
         finer = replace(
-            rungs[n], steps=max(rungs[n].steps, mesh.steps), block=max(rungs[n].block, mesh.block)
+            meshes[n], steps=max(meshes[n].steps, mesh.steps), block=max(meshes[n].block, mesh.block)
         )
         missing = limits.lack(cell, finer, spent)
         if missing is None:
@@ -179,13 +179,13 @@ def finer_level(
 def started(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> list[Resolution]:
     """Meshes computed first: the first level, and the next if it fits; errors as in `first_level`."""
     level = first_level(cell, count, accuracy, limits)
-    first, *after = (rung.for_bands(cell, count) for rung in LADDER[level : level + 2])
+    first, *after = (finer.for_bands(cell, count) for finer in LEVELS[level : level + 2])
     return [first, *(mesh for mesh in after if limits.lack(cell, mesh, first.seconds(cell)) is None)]
 
 
 def most_bands(cell: UnitCell, fewer_than: int, limits: MeshLimits) -> int:
     """Largest number of bands, below a refused number, whose lowest mesh level fits; 0 if none does."""
-    fits = (n for n in range(fewer_than - 1, 0, -1) if not limits.lack(cell, LADDER[0].for_bands(cell, n)))
+    fits = (n for n in range(fewer_than - 1, 0, -1) if not limits.lack(cell, LEVELS[0].for_bands(cell, n)))
     return next(fits, 0)
 
 
@@ -207,7 +207,7 @@ def refusal(cell: UnitCell, count: int, accuracy: float, lack: Lack) -> Haptonic
         )
     if lack.of == "memory":
         needed = rounded_up(lack.mesh.memory(cell) / MOST_MEMORY / 1e9)
-        steps += lower_meshes(cell, LADDER[starting_rung(accuracy)], count, limits)
+        steps += lower_meshes(cell, LEVELS[starting_level(accuracy)], count, limits)
         steps.append(f"free memory until {needed:g} GB are free, or use a machine that has them")
         return ResourceError.too_large(
             argument="memory",
@@ -260,7 +260,7 @@ def check_memory(cell: UnitCell, chosen: Resolution, count: int, limits: MeshLim
     lower = (replace(mesh, order=order) for order in range(chosen.order - 1, LEAST_ORDER - 1, -1))
     fits = next((mesh.order for mesh in lower if mesh.memory(cell) <= limits.memory), None)
     steps = [f"write order = {fits} in [mesh]"] if fits else []
-    if limits.lack(cell, LADDER[0].for_bands(cell, count)) is None:
+    if limits.lack(cell, LEVELS[0].for_bands(cell, count)) is None:
         steps.append("leave [mesh] out")
     steps = steps or lower_meshes(cell, chosen, count, limits)
     needed = rounded_up(mesh.memory(cell) / MOST_MEMORY / 1e9)

@@ -19,12 +19,12 @@ from haptonic.bloch.mesh_levels import (
     finer_level,
     first_level,
     refusal,
-    starting_rung,
+    starting_level,
 )
 from haptonic.bloch.pencil import SplitPencil, change_in_hertz, eigenpairs, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import Representative
-from haptonic.bloch.resolution import LADDER, Resolution
+from haptonic.bloch.resolution import LEVELS, Resolution
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.truncation import (
     REST,
@@ -269,8 +269,8 @@ def candidate_models(
     if chosen is None:
         level = first_level(cell, count, accuracy, limits)
         # the interior grows if the cell needs more than is usual for the accuracy
-        usual = LADDER[min(level, starting_rung(accuracy))]
-        mesh = replace(LADDER[level], steps=usual.steps, block=usual.block).for_bands(cell, count)
+        usual = LEVELS[min(level, starting_level(accuracy))]
+        mesh = replace(LEVELS[level], steps=usual.steps, block=usual.block).for_bands(cell, count)
         if cell.discs:
             # Most cells with discs need wider blocks, which take 5 to 20 % more time, and those with discs of
             # other materials one block more; a second condensation takes all of the time again.
@@ -278,7 +278,7 @@ def candidate_models(
             mesh = replace(mesh.grown(2), steps=mesh.steps + 1) if is_compound else mesh.grown()
     else:
         check_thickness(cell)
-        mesh, level, limits = chosen.for_bands(cell, count), len(LADDER), replace(limits, seconds=math.inf)
+        mesh, level, limits = chosen.for_bands(cell, count), len(LEVELS), replace(limits, seconds=math.inf)
         check_memory(cell, chosen, count, limits)
     goal = min(TRUSTED_TRUNCATION, TRUNCATION_SHARE * accuracy)
     spent, answered, highest = 0.0, False, None

@@ -200,7 +200,7 @@ def fitted(plain: MeshPlan, other: MeshPlan) -> MeshPlan:
 
 
 # Mesh levels: each costs about twice the one before, with higher orders and more rings at the foot.
-LADDER = (
+LEVELS = (
     Resolution(3, 1),
     Resolution(4, 1),
     Resolution(5, 1),

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from haptonic.bloch.mesh_levels import LARGEST_BUDGET, starting_rung
-from haptonic.bloch.resolution import LADDER, LEAST_ORDER, Resolution
+from haptonic.bloch.mesh_levels import LARGEST_BUDGET, starting_level
+from haptonic.bloch.resolution import LEAST_ORDER, LEVELS, Resolution
 from haptonic.cell.directed import DirectionSettings
 from haptonic.errors import StudyError
 from haptonic.fields import (
@@ -83,7 +83,7 @@ class BandSettings:
         order, rings = self.mesh.order, self.mesh.foot_rings
         if order is None and rings is None:
             return None
-        level = LADDER[starting_rung(self.accuracy)]
+        level = LEVELS[starting_level(self.accuracy)]
         return Resolution(
             level.order if order is None else order,
             level.foot_rings if rings is None else rings,
