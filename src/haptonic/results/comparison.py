@@ -196,7 +196,7 @@ class Comparison(Result):
         if moved:
             bands, low, high, *new = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
             shifts = [float(to) - float(was) for was, to in zip((low, high), new, strict=True)]  # type: ignore[arg-type]
-            if max(map(abs, shifts)) < SAME_EDGE * float(low):
+            if max(map(abs, shifts)) < SAME_EDGE * float(low):  # type: ignore[arg-type]
                 sentences.append(f"The gap between bands {bands} is the same.")
             else:
                 first, last = (
