@@ -1,6 +1,7 @@
 """A draft of the table of trials from the names of files."""
 
 import csv
+from collections import Counter
 
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
@@ -32,7 +33,8 @@ def test_columns_are_found_in_drawn_names(tmp_path_factory, form, person, guide)
                 name = form.format(p=person.format(p), w=guide.format(w), a=a, t=t, b=w) + ".csv"
                 (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (folder / name).touch()
-                expected[name] = (person.format(p), str(t), guide.format(w), a)
+                trial = t if "{b}" in form else 2 * (t - 1) + w  # one block of both regions
+                expected[name] = (person.format(p), str(trial), guide.format(w), a)
     draft = drafted(folder)
     assert not draft.empty
     assert not draft.unnamed
@@ -59,6 +61,32 @@ def test_a_draft_is_written_once_and_read(inside, tmp_path, monkeypatch):
     before = (folder / "trials.csv").read_text("utf-8")
     assert_five_parts(inside("friction", folder, "--draft"), code="repeated", argument="--draft")
     assert (folder / "trials.csv").read_text("utf-8") == before
+
+
+def test_the_draft_of_names_that_number_each_condition_from_1_is_read(inside, tmp_path):
+    folder = written(tmp_path / "lab", made_up(trials=4))
+    rows = list(csv.DictReader((folder / "trials.csv").read_text("utf-8").splitlines()))
+    (folder / "trials.csv").unlink()
+    seen = Counter()
+    for row in rows:
+        condition = (row["participant"], row["block"], row["actuation"])
+        seen[condition] += 1
+        name = f"{row['participant']}_blk{row['block']}_{row['actuation']}_{seen[condition]:02d}.csv"
+        (folder / row["file"]).rename(folder / name)
+    ran = inside("friction", folder, "--draft")
+    assert ran.code == 0, ran.err
+    assert "were numbered consecutively" in " ".join(ran.out.split())
+    table = folder / "trials.csv"
+    drafted_rows = list(csv.DictReader(table.read_text("utf-8").splitlines()))
+    assert {row["waveguide"] for row in drafted_rows} == {""}
+    by_file = {row["file"]: row["trial"] for row in drafted_rows}
+    first = next(name for name in by_file if name.endswith("off_01.csv"))
+    assert [by_file[first.replace("off_01", end)] for end in ("off_01", "on_01", "off_02")] == ["1", "2", "3"]
+    with table.open("w", newline="", encoding="utf-8") as file:
+        filled = csv.DictWriter(file, drafted_rows[0])
+        filled.writeheader()
+        filled.writerows(row | {"waveguide": "plate"} for row in drafted_rows)
+    assert analysed(folder, Sensor(), Rules()).trials.sizes["stroke"] == len(rows)
 
 
 def test_columns_missing_from_file_names_are_left_empty(inside, tmp_path):

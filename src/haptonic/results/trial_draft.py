@@ -58,7 +58,8 @@ class TrialDraft(Result):
 
     def summary(self) -> list[str]:
         count = len(self.draft.columns["file"])
-        sentences = [f"{self.source / TABLE} was drafted from the names of {count} files; check it."]
+        order = ", and the trials of each block were numbered consecutively" if self.draft.renumbered else ""
+        sentences = [f"{self.source / TABLE} was drafted from the names of {count} files{order}; check it."]
         if not self.saved:
             sentences = [f"A draft of {TABLE}, from the names of {count} files, can be written."]
         if self.draft.empty:

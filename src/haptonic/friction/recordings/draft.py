@@ -36,11 +36,14 @@ class Draft:
     columns : (trial,) texts by name, ``file`` last
     empty : columns that the names of the files do not give
     unnamed : columns of parts whose meaning is not clear
+    renumbered : True if the names number the trials of a block more than once, such as ``on_01`` and
+        ``off_01``; the trials are then numbered consecutively
     """
 
     columns: dict[str, list[str]]
     empty: tuple[str, ...]
     unnamed: tuple[str, ...]
+    renumbered: bool = False
 
 
 def drafted(folder: Path) -> Draft:
@@ -83,16 +86,15 @@ def drafted(folder: Path) -> Draft:
     }
     if "block" not in columns:
         columns["block"] = ["1"] * len(files)
-    if "trial" not in columns:
-        seen: Counter[tuple[str, ...]] = Counter()
-        columns["trial"] = []
-        for row in range(len(files)):
-            key = tuple(columns[name][row] for name in ("participant", "block") if name in columns)
-            seen[key] += 1
-            columns["trial"].append(str(seen[key]))
+    blocks = list(zip(*(columns[name] for name in ("participant", "block") if name in columns), strict=True))
+    numbers = columns.get("trial", ["1"] * len(files))
+    numbered = [pair for pair in zip(blocks, numbers, strict=True) if pair[1]]
+    renumbered = "trial" in columns and len(set(numbered)) < len(numbered)
+    if "trial" not in columns or renumbered:
+        columns["trial"] = _consecutive(blocks, numbers)
     empty = tuple(name for name in LABEL if name not in columns)
     table = {name: columns.get(name, [""] * len(files)) for name in LABEL}
-    return Draft({**table, **unnamed, "file": files}, empty, tuple(unnamed))
+    return Draft({**table, **unnamed, "file": files}, empty, tuple(unnamed), renumbered)
 
 
 def records_in(folder: Path) -> list[str]:
@@ -168,6 +170,17 @@ def _cell(meaning: str, value: str) -> str:
     if meaning in NUMBERED and value:
         return str(int(re.sub(r"\D", "", value)))
     return value
+
+
+def _consecutive(blocks: Sequence[tuple[str, ...]], numbers: Sequence[str]) -> list[str]:
+    """Numbers from 1 in each block: in the order of the given numbers, of equal ones in that of the files."""
+    counted: Counter[tuple[str, ...]] = Counter()
+    trials = list(numbers)
+    numbered = [row for row, number in enumerate(numbers) if number]
+    for row in sorted(numbered, key=lambda row: int(numbers[row])):
+        counted[blocks[row]] += 1
+        trials[row] = str(counted[blocks[row]])
+    return trials
 
 
 def listed(names: Sequence[str]) -> str:
