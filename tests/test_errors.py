@@ -82,3 +82,17 @@ def test_an_unknown_name_proposes_the_nearest_unless_it_cannot_be_a_slip():
         HaptonicError.unknown("key", "thicknes", known, "why", slip=False).next_step == "choose one of these"
     )
     assert "none" in HaptonicError.unknown("key", "thicknes", [], "why").allowed
+
+
+@pytest.mark.parametrize(
+    ("given", "meant"),
+    [
+        ("glass", 'write "soda-lime-glass" or "borosilicate-glass"'),
+        ("Lime_Glass", 'write "soda-lime-glass"'),
+        ("bras", 'write "brass"'),
+        ("zzz", "choose one of these"),
+    ],
+)
+def test_names_that_contain_the_given_words_are_proposed_before_a_similar_spelling(given, meant):
+    known = ["brass", "soda-lime-glass", "borosilicate-glass"]
+    assert HaptonicError.unknown("material", given, known, "why").next_step == meant

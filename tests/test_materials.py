@@ -270,6 +270,12 @@ def test_unknown_name_suggests_the_nearest():
     assert "titanium-ti6al4v" in caught.value.allowed
 
 
+def test_a_kind_of_material_suggests_the_materials_of_this_kind():
+    with pytest.raises(StudyError) as caught:
+        material("glass")
+    assert caught.value.next_step == 'write "soda-lime-glass" or "borosilicate-glass"'
+
+
 def test_empty_space_as_a_material_leads_to_a_hole():
     for name in ("void", "Air"):
         with pytest.raises(StudyError, match="empty = true"):

@@ -234,3 +234,17 @@ def test_shown_is_short_and_never_fails():
     assert shown(deep) == "{'a': {'a': {...}}}"
     assert "bits" in shown(16**10_000)
     assert shown(7.0) == "7.0"
+
+
+@pytest.mark.parametrize(
+    ("given", "unit", "complete"),
+    [
+        ("44", "Hz", "44 kHz"), ("44000", "Hz", "44000 Hz"), (" 6 ", "m", "6 mm"), (6, "m", "6 mm"),
+        ("0.006", "m", "0.006 m"), (0.1, "m", "0.1 mm"), ("1500", "m", "1500 µm"), ("3", "rad", "3 deg"),
+        ("70", "Pa", "70 GPa"), ("1e390", "m", "1e390 nm"), ("4", "N s/m", "4 N s/m"),
+    ],
+)  # fmt: skip
+def test_a_number_without_a_unit_is_repeated_with_the_unit_that_is_probably_meant(given, unit, complete):
+    with pytest.raises(HaptonicError) as caught:
+        to_si(given, unit, "x")
+    assert caught.value.next_step.endswith(f'"{complete}"')

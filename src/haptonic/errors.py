@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 import reprlib
 from collections.abc import Iterable, Mapping
 from functools import partial
@@ -12,6 +13,9 @@ from haptonic.names import visible
 
 E = TypeVar("E", bound="HaptonicError")
 C = TypeVar("C", bound="HaptonicError", covariant=True)
+
+VAGUE, CLOSE = 0.5, 0.8  # shares of common letters: perhaps the same word, and a slip of one or two letters
+MOST_PROPOSED = 4  # names in one next step
 
 
 class Parts(TypedDict):
@@ -115,15 +119,15 @@ class HaptonicError(Exception):
         next_step, command : used if no known name is similar
         """
         names = list(known)
-        guess = nearest(str(given), names) if slip else None
+        proposal = proposed(str(given), names) if slip else ""
         return cls(
             "unknown",
             argument=argument,
             given=shown(given),
             allowed=allowed or (f"one of {', '.join(names)}" if names else "none: the list is empty"),
             cause=cause,
-            next_step=f'write "{guess}"' if guess else next_step,
-            command="" if guess else command,
+            next_step=proposal or next_step,
+            command="" if proposal else command,
         )
 
     @classmethod
@@ -211,10 +215,34 @@ class HaptonicWarning(UserWarning):
     """A value is allowed but so unusual that it is probably a slip."""
 
 
-def nearest(name: str, known: Iterable[str]) -> str | None:
-    """Known name that is most similar to a misspelt one; letter case is ignored; None if none is similar."""
+def proposed(name: str, known: Iterable[str]) -> str:
+    """Next step for an unknown name: to write one of the names that it may mean; empty without any."""
+    names = [f'"{each}"' for each in similar(name, known)]
+    return f"write {' or '.join(names)}" if names else ""
+
+
+def similar(name: str, known: Iterable[str]) -> list[str]:
+    """Known names that an unknown one may mean: all that contain its words, or else the nearest spelling.
+
+    So "glass" means every kind of glass, although "brass" differs from it by fewer letters.
+    """
+    names, words = list(known), _words(name)
+    containing = [each for each in names if words and words <= _words(each)]
+    guess = None if containing else nearest(name, names)
+    return containing[:MOST_PROPOSED] if guess is None else [guess]
+
+
+def _words(name: str) -> set[str]:
+    return {word for word in re.split(r"[\W_]+", name.lower()) if word}
+
+
+def nearest(name: str, known: Iterable[str], least: float = VAGUE) -> str | None:
+    """Known name that is most similar to a misspelt one; letter case is ignored; None if none is similar.
+
+    ``least`` : smallest share of common letters, `VAGUE` or `CLOSE`
+    """
     names = {name.lower(): name for name in known}
-    matches = difflib.get_close_matches(name.lower(), names, n=1, cutoff=0.5)
+    matches = difflib.get_close_matches(name.lower(), names, n=1, cutoff=least)
     return names[matches[0]] if matches else None
 
 

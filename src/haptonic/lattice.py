@@ -14,11 +14,11 @@ from itertools import product
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
-from haptonic.fields import LARGEST, Quantity, described, handed_on, problem, remade, setting, size
+from haptonic.fields import LARGEST, Quantity, Synonyms, described, handed_on, problem, remade, setting, size
 from haptonic.translations import SAME, check_vectors, recognised, shortest, vector_text, voronoi_cell
 from haptonic.units import format_quantity
 
@@ -132,10 +132,11 @@ class Lattice:
         with six sides of which one is too short; vectors that span no plane, or whose lattice has no name
     """
 
-    form: (
+    form: Annotated[
         Literal["square", "rectangular", "triangular", "centred", "oblique", "honeycomb", "kagome", "lieb"]
-        | None
-    ) = Field(
+        | None,
+        Synonyms(hexagonal="triangular"),
+    ] = Field(
         alias="lattice",
         default="square",
         title="Lattice",
@@ -174,11 +175,6 @@ class Lattice:
         description="Components along x and y; see a1.",
         examples=['["3.5 mm", "6 mm"]'],
     )
-
-    @field_validator("form", mode="before")
-    @classmethod
-    def _by_its_usual_name(cls, word: Any) -> Any:
-        return "triangular" if word == "hexagonal" else word
 
     @model_validator(mode="before")
     @classmethod

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import pint
 
 LONGEST_TEXT = 80
+USUAL_DECADES = 2  # between an example and a number with the same unit
 MOST_DECIMALS = 6  # of a number with the bound of its error
 NARROW = 0.04  # interval of a share that is printed with a decimal
 LARGEST_EXPONENT = 400  # beyond the range of floats, while powers of ten of this size are still cheap
@@ -135,7 +136,8 @@ def to_si(text: object, unit: str, argument: str) -> float:
     else:
         number, unit_text = Fraction(text), ""
     if unit and not unit_text and number != 0:
-        raise refused("the unit is missing", f"write the unit as well, with quotes around both: {example}")
+        complete = f'"{str(text).strip()} {_usual_unit(number, unit)}"'
+        raise refused("the unit is missing", f"write the unit as well, with quotes around both: {complete}")
     if unit_text and not unit:
         raise refused("a unit where none belongs", f"leave the unit out: write {allowed}")
     try:
@@ -279,6 +281,24 @@ def _kind(unit_text: str, unit: str) -> str:
 def example_of(unit: str) -> str:
     """Example of a quantity in a given SI unit, for messages: ``"7 mm"`` for ``"m"``."""
     return EXAMPLES.get(unit, f"1 {unit}".rstrip())
+
+
+def _usual_unit(number: Fraction, unit: str) -> str:
+    """Unit that is probably meant for a number without one: that of the example, or with another prefix.
+
+    Another prefix is chosen for a value that is far from the example, such as 0.006 for a length.
+    """
+    usual, words = example_of(unit).split(" ", 1)
+    factors = _table(unit)
+    if words not in factors:  # degrees
+        return words
+    typical = Fraction(usual) * factors[words]
+
+    def decades(prefixed: str) -> float:
+        value = abs(number) * factors[prefixed] / typical
+        return abs(math.log10(value.numerator) - math.log10(value.denominator))
+
+    return words if decades(words) <= USUAL_DECADES else min(factors, key=decades)
 
 
 class _UnknownUnitError(Exception):

@@ -17,6 +17,7 @@ from haptonic.cli import commands
 from haptonic.cli.app import app
 from haptonic.cli.helping import GROUPS, Worded
 from haptonic.cli.running import command
+from haptonic.errors import StudyError
 from hostile import any_text
 
 WIDE = {"COLUMNS": "1000", "TERMINAL_WIDTH": "1000"}
@@ -83,3 +84,15 @@ def test_a_help_text_is_text(command, option):
     seen = "".join(helped(program, "group", "run").split())
     assert "".join(about.split()) in seen
     assert "".join(what.split()) in seen
+
+
+@pytest.mark.parametrize(("word", "name"), list(analyses.SYNONYMS.items()))
+def test_words_that_people_try_are_answered_with_the_command(word, name):
+    assert name in analyses.NAMES
+    assert word not in EVERY
+    ran = CliRunner().invoke(app, [word], env=WIDE)
+    assert ran.exit_code == 2
+    assert f"No such command {word!r}. Did you mean {name!r}?" in ran.output
+    with pytest.raises(StudyError) as caught:
+        analyses.named(word)
+    assert caught.value.next_step == f'write "{name}"'

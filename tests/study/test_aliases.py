@@ -73,4 +73,17 @@ def test_a_triangular_lattice_has_two_names(word):
 @settings(deadline=None, max_examples=20)
 def test_a_wrong_word_of_a_choice_lists_the_words_also_behind_another_problem(word):
     text = f'material = "steel"\n[cell]\nlattice = "{word}"\npitch = "7 mm"\nthickness = "1 mm"\nzzz = 1\n'
-    refused(text, "honeycomb, kagome, lieb")
+    refused(text, '"honeycomb" or "kagome" or "lieb"')
+
+
+def test_a_misspelt_lattice_is_answered_with_its_usual_name_and_one_list_of_words():
+    text = 'material = "steel"\n[cell]\nlattice = "hexagon"\npitch = "7 mm"\nthickness = "1 mm"\n'
+    with refusing(StudyError, "unknown", "cell.lattice", 'write "hexagonal"') as caught:
+        loads(text)
+    assert str(caught.value).count("honeycomb") == 1
+
+
+@pytest.mark.parametrize("given", [{"pillar": {"diameter": 3e-3}}, {"disc": [{"diameter": 3e-3}]}])
+def test_a_table_of_the_cell_at_the_top_is_moved_into_the_cell(given):
+    with refusing(StudyError, "unknown", next(iter(given)), "move it to [cell]"):
+        Study(**given, cell=CELL, material="steel")

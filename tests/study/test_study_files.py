@@ -21,6 +21,12 @@ class TestUnreadableFiles:
         error = self.refused(tmp_path / "touchpd.toml", "not-found")
         assert str(tmp_path / "touchpad.toml") in error.next_step
 
+    def test_no_vaguely_similar_file_is_suggested(self, tmp_path, reference_text):
+        (tmp_path / "tc.toml").write_text(reference_text)
+        for name in ("nosuch.toml", "x.toml"):
+            assert self.refused(tmp_path / name, "not-found").next_step == "check the path"
+        assert "tc.toml" in self.refused(tmp_path / "tc.tml", "not-found").next_step
+
     def test_a_broken_link_is_not_suggested_as_a_file(self, tmp_path):
         (tmp_path / "linked.toml").symlink_to(tmp_path / "gone.toml")
         assert "linked.toml" not in self.refused(tmp_path / "linked.toml", "not-found").next_step

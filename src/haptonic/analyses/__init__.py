@@ -1,7 +1,8 @@
 """The table of analyses; each is a module of this package.
 
 `NAMES` is their only list. The command line, ``study.run("bands")`` and the report read it. A new analysis
-needs a module here with an ``ANALYSIS``, and a line in `NAMES`.
+needs a module here with an ``ANALYSIS``, and a line in `NAMES`. `SYNONYMS` has words that are
+refused with the name of an analysis.
 """
 
 from __future__ import annotations
@@ -41,6 +42,15 @@ NAMES = {
     "simulate scan": "A simulated scan of the study's plate. Everything is marked as simulated.",
 }
 
+SYNONYMS = {  # word that people try: name of its analysis
+    "report": "reproduce",
+    "gap": "bands",
+    "gaps": "bands",
+    "dispersion": "bands",
+    "optimize": "design",
+    "optimise": "design",
+}
+
 
 def named(name: str) -> Analysis:
     """Import the module of an analysis and return its record.
@@ -50,9 +60,13 @@ def named(name: str) -> Analysis:
     StudyError : no analysis has this name
     """
     if name not in NAMES:
-        raise StudyError.unknown("name of the analysis", name, NAMES, "no analysis has this name")
+        meant = SYNONYMS.get(name)
+        raise StudyError.unknown(
+            "name of the analysis", name, NAMES, "no analysis has this name", slip=meant is None,
+            next_step=f'write "{meant}"' if meant else "choose one of these",
+        )  # fmt: skip
     analysis: Analysis = import_module(f"haptonic.analyses.{name.replace(' ', '_')}").ANALYSIS
     return analysis
 
 
-__all__ = ["NAMES", "named"]
+__all__ = ["NAMES", "SYNONYMS", "named"]

@@ -70,6 +70,8 @@ class Listed(Worded):
         return list(self.commands)
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        if not self._before and args and args[0] in analyses.SYNONYMS:
+            ctx.fail(f"No such command {args[0]!r}. Did you mean {analyses.SYNONYMS[args[0]]!r}?")
         name, command, rest = super().resolve_command(ctx, args)
         return name, command and self._build(name or ""), rest
 

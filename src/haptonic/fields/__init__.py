@@ -7,7 +7,7 @@ from haptonic.fields.expressions import PARAMETERS, ExpressedNumber, Scope
 from haptonic.fields.keys import ByPattern, Key, leaves, table
 from haptonic.fields.numbers import numbers, unknown_number, with_numbers
 from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
-from haptonic.fields.placing import INLINE, TOP, Named, Placed
+from haptonic.fields.placing import INLINE, TOP, Named, Placed, Synonyms
 from haptonic.fields.quantity import (
     CARRIER,
     FASTEST,
@@ -52,6 +52,7 @@ __all__ = [
     "Placed",
     "Quantity",
     "Scope",
+    "Synonyms",
     "absent",
     "ascending",
     "caller",

@@ -96,7 +96,7 @@ def _tabled(slot: Slot, key: Key, keys: dict[str, Key]) -> Schema:
 def _plain(slot: Slot, key: Key) -> Schema:
     """Schema of a value that is neither a table nor a list."""
     if key.choices:
-        return {"enum": list(key.choices)}
+        return {"enum": [*key.choices, *key.synonyms]}
     if key.named:  # the case of letters and blanks are ignored in these names, which an editor cannot express
         return {"anyOf": [{"enum": list(key.known_names)}, {"type": "string"}]}
     if key.quantity:

@@ -14,7 +14,7 @@ from pydantic.fields import FieldInfo
 
 from haptonic.fields.entries import Entries
 from haptonic.fields.expressions import ExpressedNumber
-from haptonic.fields.placing import Named, Placed
+from haptonic.fields.placing import Named, Placed, Synonyms
 from haptonic.fields.quantity import AnyUnit, Quantity
 from haptonic.units import format_quantity
 
@@ -31,7 +31,8 @@ class Key:
     unit : SI unit, of each quantity of a list; empty without one
     default : as in a file; None for a required key, "" for one that may be absent
     bounds, typical : as texts; empty without any
-    choices : allowed words of a choice; named : for a value that may be given by name, such as a material
+    choices : allowed words of a choice; synonyms : other words that are read as one of them
+    named : for a value that may be given by name, such as a material
     quantity : the declaration, for a quantity or number; that of the first number of a list
     count : length of a list
     numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
@@ -47,6 +48,7 @@ class Key:
     typical: str
     description: str
     choices: tuple[str, ...] = ()
+    synonyms: tuple[str, ...] = ()
     named: Named | None = None
     quantity: Quantity | None = None
     count: int = 1
@@ -259,6 +261,7 @@ def _key(path: str, field: FieldInfo) -> Key:
         typical=typical,
         description=field.description or "",
         choices=_choices(field.annotation),
+        synonyms=tuple(word for mark in field.metadata if isinstance(mark, Synonyms) for word in mark.words),
         named=named,
         quantity=quantity,
         count=count,

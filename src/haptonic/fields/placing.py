@@ -1,4 +1,4 @@
-"""Marks in the annotation of a field: the place of its keys in a file, and values given by name."""
+"""Marks in the annotation of a field: the place of its keys, values given by name, and other words."""
 
 from __future__ import annotations
 
@@ -25,6 +25,21 @@ class Placed:
 
 
 INLINE, TOP = Placed(inline=True), Placed(top=True)
+
+
+class Synonyms:
+    """Other words of a choice, each with the word that it means: ``Synonyms(hexagonal="triangular")``."""
+
+    def __init__(self, **words: str) -> None:
+        self.words = words
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_before_validator_function(self._read, handler(source))
+
+    def _read(self, value: object) -> object:
+        return self.words.get(value, value) if isinstance(value, str) else value
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from haptonic.errors import HaptonicError, StudyError, nearest, shown
+from haptonic.errors import CLOSE, VAGUE, HaptonicError, StudyError, nearest, proposed, shown
 from haptonic.fields.aliases import Alias, aliases
 from haptonic.fields.keys import Key, key_of, slots, table
 from haptonic.fields.quantity import FOLLOWING
@@ -19,6 +19,7 @@ UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names
 OUT_OF_RANGE = {"greater_than_equal", "less_than_equal", "greater_than", "less_than"}
 EXTRA = "unexpected_positional_argument"
 MOST_LISTED = 20
+WRONG_WORD = "it is not one of the known words"
 
 
 def refusal(
@@ -43,15 +44,19 @@ def refusal(
     first, *others = problems_of(error, kind, place=place, names=names)
     next_step = first.next_step
     if others:
-        lines = [
-            f"    {other.argument}: got {other.given}; {other.cause}; {other.next_step}" for other in others
-        ]
+        lines = [_in_a_line(other) for other in others]
         hidden = len(lines) - MOST_LISTED
         lines = lines[:MOST_LISTED] + ([f"    and {hidden} more"] if hidden > 0 else [])
         count = f"{len(others)} other problem{'s' if len(others) > 1 else ''}"
         next_step = "\n".join([f"{next_step}\n  {count} in the same study:", *lines])
     argument = f"{origin}: {first.argument}" if origin else first.argument
     return first.changed(family, argument=argument, next_step=next_step)
+
+
+def _in_a_line(error: HaptonicError) -> str:
+    """An error in a list of problems; of its allowed values only the words of a choice are repeated."""
+    words = f": {error.allowed}" if error.cause == WRONG_WORD else ""
+    return f"    {error.argument}: got {error.given}; {error.cause}{words}; {error.next_step}"
 
 
 def problems_of(
@@ -101,9 +106,9 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known_aliases: Mapping[str,
         next_step = f"add {example_at(key)}" if key else "add it"
     elif key and key.choices:
         code, given = "unknown", shown(details["input"])
-        cause = f"it is not one of the known words: {', '.join(key.choices)}"
-        guess = nearest(str(details["input"])[:40], key.choices)
-        next_step = f'write "{guess}"' if guess else "choose one of these"
+        cause = WRONG_WORD
+        words = (*key.choices, *key.synonyms)
+        next_step = proposed(str(details["input"])[:40], words) or "choose one of these"
     else:
         given, cause, next_step = (
             shown(details["input"]),
@@ -148,8 +153,10 @@ def _neighbours(section: str, keys: Mapping[str, Key]) -> list[str]:
 
 
 def _guess(pattern: str, keys: Mapping[str, Key]) -> str | None:
+    """Key of the same table that a misspelt name means; a name of another table's key has to be closer."""
     section, _, name = pattern.rpartition(".")
-    return nearest(name.lower(), _neighbours(section, keys))
+    is_key = any(key.rpartition(".")[2] == name for key in keys)
+    return nearest(name.lower(), _neighbours(section, keys), CLOSE if is_key else VAGUE)
 
 
 def _left_out(details: Any) -> str | None:
@@ -181,6 +188,7 @@ def _unknown(
     section, _, name = pattern.rpartition(".")
     here, guess = _neighbours(section, keys), _guess(pattern, keys)
     elsewhere = [key for key in keys if key.rpartition(".")[2] == name]
+    elsewhere.sort(key=lambda key: key.count("."))  # the disc of a cell before that of a site
     inside = [key for key in elsewhere if section and key.startswith(f"{section}.")]
     alias = _alias(pattern, known_aliases)
     if alias is not None:
@@ -190,10 +198,12 @@ def _unknown(
     elif guess and not inside:
         cause, next_step = "a slip in the name", f'write "{guess}"'
     elif elsewhere:
-        table_name = (inside or elsewhere)[0].rpartition(".")[0].replace("[]", "")
+        there = (inside or elsewhere)[0].replace("[]", "")
+        table_name = there.rpartition(".")[0]
+        heading = f": [{there}] in a file" if keys[(inside or elsewhere)[0]].kind == "table" else ""
         cause, next_step = (
             "the key belongs to another table",
-            f"move it to [{table_name}]" if table_name else "move it to the top",
+            f"move it to [{table_name}]{heading}" if table_name else "move it to the top",
         )
     else:
         cause, next_step = "no key has this name", "remove it, or look its name up in the list of keys"

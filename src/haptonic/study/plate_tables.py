@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.design.parameters import UNITS
-from haptonic.errors import StudyError, nearest, shown
+from haptonic.errors import StudyError, proposed, shown
 from haptonic.fields import (
     Aliases,
     Entries,
@@ -197,9 +197,8 @@ class PlateSettings:
 
     @staticmethod
     def _unknown(at: str, name: str, names: list[str], cause: str, next_step: str = "") -> None:
-        guess = nearest(name, names)
         allowed = f"one of {', '.join(names)}" if names else "the name of a region; this plate has no regions"
-        hint = f'write "{guess}"' if guess else "choose one of these, or add it to [plate.tiles]"
+        hint = proposed(name, names) or "choose one of these, or add it to [plate.tiles]"
         raise problem("unknown", shown(name), allowed, cause, next_step or hint, at=at)
 
     @property

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from haptonic.errors import StudyError, nearest, shown
+from haptonic.errors import CLOSE, StudyError, nearest, shown
 from haptonic.study.template import ENDING
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
@@ -68,7 +68,8 @@ def _similar(path: Path) -> str:
         names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ENDING]
     except OSError:
         return f"check the path: its folder {path.parent} does not exist either"
-    guess = nearest(path.name, names)
+    stems = {name.removesuffix(ENDING): name for name in names}  # all endings are alike
+    guess = stems.get(nearest(path.stem, stems, CLOSE) or "")
     return f"did you mean {path.parent / guess}?" if guess else "check the path"
 
 
