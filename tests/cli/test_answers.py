@@ -141,6 +141,14 @@ def test_bands_report_where_the_carrier_lies(carrier):
     assert f"{abs(room) / 1e3:.2g} kHz" in sentence
 
 
+def test_the_carrier_is_in_the_first_sentences_of_a_cell_with_several_gaps():
+    bands = reference_bands()
+    summary = Bands(bands.isel(gap=[0, 0, 0]).assign_attrs(carrier_hz=1e3)).summary()
+    assert summary[0].startswith("Complete gaps from ")
+    assert summary[0].count("between bands") == 3
+    assert "The carrier, 1 kHz, lies in no complete gap" in summary[1]
+
+
 @pytest.mark.parametrize("others", [(), ("plate",), ("feel", "plate")])
 def test_a_report_lists_the_first_line_of_each_part(others):
     parts = {
@@ -157,7 +165,7 @@ def test_a_report_lists_the_first_line_of_each_part(others):
 
 
 @pytest.mark.parametrize("all_of_it", [True, False])
-def test_a_scan_summary_lists_the_data_then_the_fit_of_a_model_and_the_gap(all_of_it):
+def test_a_scan_summary_lists_the_data_then_the_agreement_with_a_model_and_the_gap(all_of_it):
     """Reading and registration come last; parts that are not asked for are not mentioned."""
     moved = Registration(scale=1.0, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=0.0)
     edges = LatticeGap(Edge(66e3, 100.0), None, ("no upper edge",))
@@ -165,7 +173,7 @@ def test_a_scan_summary_lists_the_data_then_the_fit_of_a_model_and_the_gap(all_o
     scan = SimpleNamespace(
         response=SimpleNamespace(points=np.zeros((3, 2)), frequency=np.array([40e3, 70e3])),
         flags={"low": 2, "odd": 0}, origin="measured", lattice=edges, measured=stands_out,
-        verdict=SimpleNamespace(summary=lambda: ["The model fits."]), registration=moved,
+        verdict=SimpleNamespace(summary=lambda: ["The model fits.", "Compared."]), registration=moved,
         gap=SimpleNamespace(lower=52e3, upper=60e3), report=SimpleNamespace(complete=False, remarks=()),
     )  # fmt: skip
     if not all_of_it:
@@ -173,7 +181,7 @@ def test_a_scan_summary_lists_the_data_then_the_fit_of_a_model_and_the_gap(all_o
         scan.report.complete = True
     summary = ScanResult.summary(scan)
     begun = ["3 points (2 low), 2 frequencies", "The model fits.", "Gap in the scan: lower edge",
-             "  no upper edge", "High contrast of the driven region", "namespace(",
+             "  no upper edge", "High contrast of the driven region", "Compared.", "namespace(",
              "Registered: scale"]  # fmt: skip
     assert len(summary) == (len(begun) if all_of_it else 1)
     assert all(text.startswith(start) for text, start in zip(summary, begun, strict=False)), summary

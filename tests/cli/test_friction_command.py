@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -67,6 +68,14 @@ def test_friction_writes_its_files_and_tables(inside, tmp_path):
     assert_five_parts(
         inside("friction", folder, "--out", out), "trials.nc", code="repeated", argument="output file"
     )
+
+
+def test_the_first_sentence_has_the_reduction_of_every_region(inside, tmp_path):
+    folder = written(tmp_path / "trials", MADE)
+    ran = inside("friction", folder, "--out", tmp_path / "out")
+    assert ran.code == 0, ran.err
+    every = r"WG1: friction (falls|rises) by .*; WG2: friction (falls|rises) by"
+    assert re.match(every, " ".join(ran.out.split()))
 
 
 def test_one_object_for_machines(inside, tmp_path, monkeypatch):

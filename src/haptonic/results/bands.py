@@ -163,21 +163,23 @@ class Bands(Result):
         )
 
     def summary(self) -> list[str]:
+        """Complete gaps in one sentence, and the carrier: a command prints the first sentences only."""
         complete = [gap for gap in self.gaps if gap.complete]
-        sentences = [
-            f"Complete gap from {gap_text(gap)}, between bands {gap.between[0]} and {gap.between[1]}"
-            + ("." if gap.certain else "; it is not wider than the errors of its edges, so it may not exist.")
+        listed = [
+            f"from {gap_text(gap)}, between bands {gap.between[0]} and {gap.between[1]}"
+            + ("" if gap.certain else " (it is not wider than the errors of its edges, so it may not exist)")
             for gap in complete
         ]
-        sentences += [] if complete else [self._without_gap()]
-        sentences += [
+        noun = "Complete gaps" if len(listed) > 1 else "Complete gap"
+        gaps = f"{noun} {'; '.join(listed)}." if listed else self._without_gap()
+        of_some = [
             f"Gap of {gap.waves} waves alone from {gap_text(gap)}, between their bands {gap.between[0]} and "
             f"{gap.between[1]}."
             for gap in self.gaps
             if gap.waves != "all"
         ]
         checked, missed = (int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed"))
-        return [*sentences, *self._about_carrier(complete), counted(checked, missed)]
+        return [gaps, *self._about_carrier(complete), *of_some, counted(checked, missed)]
 
     def _without_gap(self) -> str:
         carrier = self.dataset.attrs.get("carrier_hz")

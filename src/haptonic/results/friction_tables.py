@@ -23,12 +23,13 @@ Row = TypeVar("Row", Condition, Test)
 
 
 def reported(result: FrictionResult) -> list[str]:
-    """Sentences: conclusions, then reductions and localisation, then remarks."""
+    """Sentences: the reductions of all regions, then conclusions and localisation, then remarks."""
     summary = result.found
-    sentences = list(summary.conclusions)
-    for guide, estimate in summary.reductions.items():
-        effect = change(estimate.value, estimate.low, estimate.high)
-        sentences.append(f"{guide}: {effect}{_note(estimate)}.")
+    effects = [
+        f"{guide}: {change(estimate.value, estimate.low, estimate.high)}{_note(estimate)}"
+        for guide, estimate in summary.reductions.items()
+    ]
+    sentences = [*([f"{'; '.join(effects)}."] if effects else []), *summary.conclusions]
     if summary.driven:
         sentences.append(f"Driven: {summary.driven}, {summary.chosen}.")
     for guide, estimate in summary.stopped.items():

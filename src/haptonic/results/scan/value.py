@@ -236,14 +236,15 @@ class ScanResult(Result):
             shutil.rmtree(self.state, ignore_errors=True)
 
     def summary(self) -> list[str]:
-        """Contents of the scan, comparison with a model, gap; then reading and registration."""
+        """Contents of the scan, agreement with a model, gap; then the rest of the comparison, and reading."""
         flags = ", ".join(f"{count} {flag}" for flag, count in self.flags.items() if count)
         low, high = (f"{self.response.frequency[end] / 1e3:.4g}" for end in (0, -1))
         sentences = [
             f"{len(self.response.points)} points ({flags or 'none flagged'}), {len(self.response.frequency)} "
             f"frequencies from {low} to {high} kHz, {self.origin}."
         ]
-        sentences += self.verdict.summary() if self.verdict else []
+        agreement, *compared = self.verdict.summary() if self.verdict else [""]
+        sentences += [agreement] if agreement else []
         if self.lattice is not None:
             computed = f"; computed {hz_text(self.gap.lower, self.gap.upper, form='.2f')}" if self.gap else ""
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
@@ -257,6 +258,7 @@ class ScanResult(Result):
                 f"{hz_text(seen.lower, form='.2f', error=seen.lower_error)} to "
                 f"{hz_text(seen.upper, form='.2f', error=seen.upper_error)}."
             )
+        sentences += compared
         if not self.report.complete or self.report.remarks:
             sentences.append(str(self.report))
         if self.registration is not None:
