@@ -159,7 +159,9 @@ class Lattice:
         None, "Length of the second translation of an oblique lattice.", title="Second pitch"
     )
     angle: Annotated[float, Quantity("rad", above=0.0, below=math.pi, typical=USUAL_ANGLE)] | None = setting(
-        None, "Angle from the first pitch, along x, to the second one of an oblique lattice."
+        None,
+        "Angle from the first pitch, along x, to the second one of an oblique lattice.",
+        examples=["75 deg"],
     )
     first: tuple[Coordinate, Coordinate] | None = Field(
         alias="a1",

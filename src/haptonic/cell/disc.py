@@ -88,11 +88,13 @@ class Disc(Sectioned):
         "Height of the lower end above the plate's upper face, negative inside the plate; without it the "
         "lower face.",
         title="Lower end of the disc",
+        examples=["-0.5 mm"],
     )
     high: Annotated[float, Quantity("m", at_least=-FARTHEST, at_most=FARTHEST)] | None = setting(
         None,
         "Height of the upper end, counted alike; without it the plate's upper face.",
         title="Upper end of the disc",
+        examples=["1 mm"],
     )
     material: Annotated[Material, GIVEN] | None = setting(
         None,

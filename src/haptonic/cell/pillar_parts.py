@@ -17,10 +17,10 @@ class Corner:
     """A corner of a pillar's section, in half diameters from the pillar's axis."""
 
     x: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
-        "Position in half diameters from the axis.", title="Corner along x"
+        "Position in half diameters from the axis.", title="Corner along x", examples=["1"]
     )
     y: Annotated[float, Quantity("", at_least=-100.0, at_most=100.0)] = needed(
-        "Position in half diameters from the axis.", title="Corner along y"
+        "Position in half diameters from the axis.", title="Corner along y", examples=["0.5"]
     )
 
 
@@ -29,10 +29,12 @@ class Step:
     """Step at which a pillar becomes narrower, m. The section above is a scaled copy of that below."""
 
     diameter: Annotated[float, size(20e-9, 50e-3)] = needed(
-        "Diameter that is smaller than below the step by more than 5 %.", title="Diameter above the step"
+        "Diameter that is smaller than below the step by more than 5 %.",
+        title="Diameter above the step",
+        examples=["2.5 mm"],
     )
     height: Annotated[float, size(10e-9, 100e-3)] = needed(
-        "Height above the face of the plate.", title="Height of the step"
+        "Height above the face of the plate.", title="Height of the step", examples=["10 mm"]
     )
 
 

@@ -22,15 +22,24 @@ LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
 # declarations of the numbers of a section, shared by the classes with a section
 SECTION = setting("round", "Section seen from above. Before the turn, sides of a square lie along x and y.")
 SectionLength = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
-LENGTH = setting(None, "Width of a rectangle or an ellipse along y.", title="Length of the section")
+LENGTH = setting(
+    None, "Width of a rectangle or an ellipse along y.", title="Length of the section", examples=["5 mm"]
+)
 ArmWidth = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
-ARM_WIDTH = setting(None, "Width of each arm of a cross or a snowflake.", title="Width of the arms")
+ARM_WIDTH = setting(
+    None, "Width of each arm of a cross or a snowflake.", title="Width of the arms", examples=["1 mm"]
+)
 SectionSides = Annotated[int, Field(ge=3, le=MOST_CORNERS)] | None
 SIDES = setting(None, "Number of sides of a regular polygon.", title="Number of sides")
 CornerRadius = Annotated[float, Quantity("m", at_least=0.0, at_most=LARGEST)] | None
-CORNER_RADIUS = setting(None, "Radius of rounded corners, seen from above; without it they are sharp.")
+CORNER_RADIUS = setting(
+    None, "Radius of rounded corners, seen from above; without it they are sharp.", examples=["0.5 mm"]
+)
 SectionTurn = Annotated[float, Quantity("rad", at_least=-math.pi, at_most=math.pi)] | None
-TURN = setting(None, "Angle by which the section is turned anticlockwise.", title="Turn of the section")
+TURN = setting(
+    None, "Angle by which the section is turned anticlockwise.", title="Turn of the section",
+    examples=["45 deg"],
+)  # fmt: skip
 CORNERS = setting(
     (),
     'Corners of the section "points", in order, each visible from the axis.',

@@ -32,16 +32,19 @@ class DesignLimits:
         None,
         "Diameter of the end mill: the least gap between two pillars, and the least width of a hole.",
         title="End mill",
+        examples=["3 mm"],
     )
     reach: Length | None = setting(
-        None, "Largest depth of the end mill's cut: the largest height of a pillar."
+        None, "Largest depth of the end mill's cut: the largest height of a pillar.", examples=["20 mm"]
     )
     finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = (
         setting(None, "Force in the middle of a waveguide of the given span.", title="Force of a finger")
     )
-    finger_span: Length | None = setting(None, "Width of the waveguide under the finger.", title="Span")
+    finger_span: Length | None = setting(
+        None, "Width of the waveguide under the finger.", title="Span", examples=["20 mm"]
+    )
     finger_deflection: Length | None = setting(
-        None, "Largest deflection of the plate; limits its thickness.", title="Deflection"
+        None, "Largest deflection of the plate; limits its thickness.", title="Deflection", examples=["10 um"]
     )
 
     def __post_init__(self) -> None:

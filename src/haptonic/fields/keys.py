@@ -265,8 +265,18 @@ def _key(path: str, field: FieldInfo) -> Key:
         named=named,
         quantity=quantity,
         count=count,
-        example=next(iter(field.examples or ()), ""),
+        example=next(iter(field.examples or ()), "") or _usual_list(field),
     )
+
+
+def _usual_list(field: FieldInfo) -> str:
+    """The default of a list of quantities, as in a file; empty without one."""
+    declared, value = quantities_of(field), field.default
+    if not declared or not isinstance(value, tuple) or len(value) != len(declared):
+        return ""
+    texts = [format_quantity(number, each.unit) for number, each in zip(value, declared, strict=True)]
+    quote = '"' if declared[0].unit else ""
+    return f"[{', '.join(f'{quote}{text}{quote}' for text in texts)}]"
 
 
 def _kind(field: FieldInfo) -> str:

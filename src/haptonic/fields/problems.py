@@ -255,7 +255,7 @@ def example_at(key: Key) -> str:
     name = key.path.rpartition(".")[2]
     examples = ["" if key.kind == "quantities" else key.example, *key.known_names, *key.numbers]
     if text := next(filter(None, examples), key.default if key.kind == "text" else None):
-        return f'{name} = "{text}"'
+        return f"{name} = {text}" if key.quantity and not key.unit else f'{name} = "{text}"'
     if key.kind in {"table", "tables", "entries"}:
         return allowed_at(key)
     if key.kind == "quantities":

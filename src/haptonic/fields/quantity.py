@@ -79,6 +79,11 @@ class Quantity:
         """True if a value (in ``unit``) lies within the hard bounds."""
         return self.above < number < self.below and self.at_least <= number <= self.at_most
 
+    def _suits(self, number: float) -> bool:
+        """True for an allowed value within the typical range."""
+        low, high = self.typical or (-math.inf, math.inf)
+        return self.holds(number) and low <= number <= high
+
     @property
     def limits(self) -> str:
         """The hard bounds as text."""
@@ -97,15 +102,18 @@ class Quantity:
 
     @property
     def example(self) -> str:
-        """An example value as in a study file."""
-        if self.typical is None or self.unit:
-            return f'"{example_of(self.unit)}"' if self.unit else format_quantity(self.at_least, "")
-        return format_quantity(self.typical[0], "")
+        """An allowed and typical value as in a study file: that of the unit, or one amid the range."""
+        if self.unit and self._suits(to_si(example_of(self.unit), self.unit, "")):
+            return f'"{example_of(self.unit)}"'
+        low, high = self.typical or (max(self.above, self.at_least), min(self.below, self.at_most))
+        amid = math.sqrt(low * high) if low > 0 else 0.5 * high if low == 0 else 0.0
+        text = format_quantity(float(f"{amid:.1g}"), self.unit)
+        return f'"{text}"' if self.unit else text
 
     @cached_property  # asked for whenever a value is read, so that an error has it
     def allowed(self) -> str:
         """Allowed values in a file, as text."""
-        kind = f'a number with its unit, such as "{example_of(self.unit)}",' if self.unit else "a number"
+        kind = f"a number with its unit, such as {self.example}," if self.unit else "a number"
         return f"{kind} {self.limits}"
 
     @property

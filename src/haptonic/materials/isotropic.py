@@ -73,7 +73,7 @@ class IsotropicMaterial:
     )
     poisson_ratio: Annotated[
         float, Quantity("", above=-1.0, below=0.5, typical=(0.1, 0.45), hint=INCOMPRESSIBLE)
-    ] = needed("Sideways contraction over stretch.")
+    ] = needed("Sideways contraction over stretch.", examples=["0.34"])
     density: Annotated[float, DENSITY] = needed("Mass per volume.")
     loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = setting(
         0.0, "Imaginary over real part of the stiffness; about 1 / Q."

@@ -112,7 +112,7 @@ class PlateSettings:
         None, "Number of rows; the lines of the map are repeated to fill them."
     )
     loss_factor: Loss | None = setting(
-        None, "Loss factor of the mounted plate; by default that of its material."
+        None, "Loss factor of the mounted plate; by default that of its material.", examples=["0.01"]
     )
     tiles: Entries[Name] = needed(
         'Each letter means "lattice", the name of a plate.cell, or the name of a region of plain plate.',

@@ -170,13 +170,15 @@ def _declared() -> dict[str, Any]:
         low, high = usual.bounds
         number = Annotated[float, Quantity(usual.unit, above=low, below=high)]
         three = (usual.plausible[0], usual.value, usual.plausible[1])
-        words = ", ".join(format_quantity(number_in_unit, usual.unit) for number_in_unit in three)
+        texts = [format_quantity(number_in_unit, usual.unit) for number_in_unit in three]
+        words, quote = ", ".join(texts), '"' if usual.unit else ""
         kinds[name] = tuple[number, number, number] | None
         fields[name] = setting(
             None,
             f"Lowest plausible value, value, highest plausible value; by default {words}, "
             f"{usual.mark}: {usual.source}.",
             title=usual.title[0].upper() + usual.title[1:],
+            examples=[f"[{', '.join(f'{quote}{text}{quote}' for text in texts)}]"],
         )
     return {"__annotations__": kinds, **fields}
 

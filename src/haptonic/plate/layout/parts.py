@@ -47,7 +47,9 @@ OWN_CARRIER = "Frequency of the drive, if not the study's. Drives of different f
 class Bond:
     """The layer of glue below an actuator."""
 
-    thickness: BondThickness = needed("Thickness of the layer of glue.", title="Thickness of the bond")
+    thickness: BondThickness = needed(
+        "Thickness of the layer of glue.", title="Thickness of the bond", examples=["50 um"]
+    )
     material: Annotated[Material, SOLID] = needed("A built-in one.", title="Material of the bond")
 
 
@@ -73,7 +75,9 @@ class Actuator:
 
     name: Name = needed("Name in results.", examples=["A1"])
     centre: tuple[Position, Position] = needed(CENTRE)
-    size: tuple[Width, Width, PatchThickness] = needed("Size along x, size along y, and thickness.")
+    size: tuple[Width, Width, PatchThickness] = needed(
+        "Size along x, size along y, and thickness.", examples=['["11.5 mm", "8 mm", "0.7 mm"]']
+    )
     material: Annotated[PiezoelectricMaterial, CERAMIC] = needed(
         "A built-in piezoelectric one, poled along z."
     )
@@ -118,7 +122,9 @@ class Force:
     name: Name = needed("Name in results.", examples=["F1"])
     centre: tuple[Position, Position] = needed(CENTRE)
     size: tuple[Width, Width] | None = setting(
-        None, "Size along x and along y; without it the force acts at a point."
+        None,
+        "Size along x and along y; without it the force acts at a point.",
+        examples=['["2 mm", "2 mm"]'],
     )
     force: Annotated[float, Quantity("N", at_least=0.0, at_most=1e6, typical=(0.0, 100.0))] = setting(
         1.0, "Amplitude of its total."
