@@ -104,6 +104,15 @@ class TestProtocol:
             answers.append([row["actuation"] for row in listed(tmp_path / name)])
         assert answers[0] == answers[1] != answers[2]
 
+    def test_a_warning_that_all_feel_the_regions_in_the_same_order(self, inside, study):
+        published = inside("protocol", study(SMALL), "--json").json["warnings"]
+        assert ["in the same order" in text and 'order = "balanced"' in text for text in published] == [True]
+        for change in (
+            ("[protocol]", '[protocol]\norder = "balanced"'),
+            ("participants = 2", "participants = 1"),
+        ):
+            assert inside("protocol", study(SMALL, change), "--json").json["warnings"] == []
+
     def test_one_participant_proves_nothing(self, inside, study):
         ran = inside("protocol", study(SMALL, ("participants = 2", "participants = 1")), "--json")
         assert ran.json["shown"] is None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -126,6 +127,20 @@ class TrialPlan(Result):
             "earlier or later in a session than those with it off: a steady drift of 10 % over a session of "
             f"{session} adds {added:.2g} % of the friction to a difference."
         )
+
+    def remarks(self) -> list[str]:
+        """Warning if all participants feel the regions in the same order."""
+        orders = {
+            tuple(label.waveguide for label in labels)
+            for _, labels in groupby(self.labels, lambda label: label.participant)
+        }
+        if self.participants < 2 or len(orders) > 1:
+            return []
+        return [
+            "All participants feel the regions in the same order, so a difference between regions also "
+            'contains the effect of this order. With order = "balanced" in [protocol] it changes between '
+            "participants."
+        ]
 
     def facts(self) -> dict[str, Any]:
         return {
