@@ -59,6 +59,30 @@ def test_marks_are_at_their_designs(dataset):
     assert places == {"carrier": [[16.0, 0.6]], "failed": [[14.0, 0.6]], "own": [[14.5, 0.5]]}
 
 
+def test_the_star_of_the_study_leaves_its_circle_visible(dataset):
+    dataset = dataset.assign_attrs(own_value=16e-3, own_second_value=0.6)
+    figure = plots.sweep_grid(dataset)
+    star, circle = artists(figure, "own"), artists(figure, "carrier")
+    assert star.get_xydata().tolist() == circle.get_xydata().tolist()
+    assert star.get_zorder() < circle.get_zorder()
+    assert star.get_markersize() > 2 * circle.get_markersize()
+
+
+def legend(figure) -> list[str]:
+    return [text.get_text() for each in (*figure.legends, figure.axes[0].get_legend()) if each
+            for text in each.get_texts()]  # fmt: skip
+
+
+def test_the_legend_lists_only_marks_that_occur(dataset):
+    every = ["carrier 60 kHz inside a gap", "could not be computed", "no certain complete gap", "this study"]
+    assert legend(plots.sweep_grid(dataset)) == every
+    sound = dataset.isel(step=[0, 4, 5, 0, 4, 5]).assign_attrs(own_value=99.0, carrier_hz=1.0)
+    for name in ("value", "second_value"):
+        sound[name] = ("step", dataset[name].values, dataset[name].attrs)
+    assert legend(plots.sweep_grid(sound)) == []
+    assert legend(plots.sweep_grid(sound.assign_attrs(carrier_hz=57e3))) == ["carrier 57 kHz inside a gap"]
+
+
 def test_the_map_ends_half_a_step_beyond_the_outer_designs(dataset):
     """Also if the study's own design lies outside."""
     dataset = dataset.assign_attrs(own_value=30e-3)

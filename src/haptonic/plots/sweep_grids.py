@@ -15,12 +15,16 @@ from haptonic.plots.stage import stage
 from haptonic.plots.text import readable, scaled_unit
 from haptonic.units import hz_text
 
+CIRCLE, STAR = 5, 16  # points; the circle fits into the middle of the star
 AXES = (("value", "expression", "own_value"), ("second_value", "second_expression", "own_second_value"))
 
 
 @style.drawn
 def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
-    """Width of the widest certain gap by colour; a ring where a gap has the carrier inside.
+    """Width of the widest certain gap by colour; a circle where a gap has the carrier inside.
+
+    The star of the study lies below the circle and is larger, so that both are seen. The legend lists only
+    marks that occur.
 
     Parameters
     ----------
@@ -47,13 +51,13 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     on.figure.colorbar(image, ax=axes, label="width of the widest complete gap (kHz)")
     axes.set_facecolor(style.BEYOND)
     handles: list[Artist] = []
-    carrier = dataset.attrs.get("carrier_hz")
-    if carrier is not None:
-        held = (certain & (lower < carrier) & (carrier < upper)).any(axis=1)
+    carrier = dataset.attrs.get("carrier_hz", np.nan)
+    held = (certain & (lower < carrier) & (carrier < upper)).any(axis=1)
+    if held.any():
         label = f"carrier {hz_text(carrier, form='g')} inside a gap"
         handles += axes.plot(
-            places[0][held], places[1][held], ls="", marker="o", ms=5, mfc="white", mec=style.INK, mew=0.8,
-            label=label, gid="carrier",
+            places[0][held], places[1][held], ls="", marker="o", ms=CIRCLE, mfc="white", mec=style.INK,
+            mew=0.8, label=label, gid="carrier", zorder=3,
         )  # fmt: skip
     failed = np.isnan(dataset["searched_up_to"].values)
     if failed.any():
@@ -61,14 +65,18 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
             places[0][failed], places[1][failed], ls="", marker="x", color=style.INK, ms=6,
             label="could not be computed", gid="failed",
         )  # fmt: skip
-    handles.append(
-        Line2D([], [], ls="", marker="s", color=style.BEYOND, ms=8, label="no certain complete gap")
-    )
+    if not certain[~failed].any(axis=1).all():
+        handles.append(
+            Line2D([], [], ls="", marker="s", color=style.BEYOND, ms=8, label="no certain complete gap")
+        )
     own = [dataset.attrs[own] * factor for (*_, own), (_, factor) in zip(AXES, units, strict=True)]
-    handles += axes.plot(
-        [own[0]], [own[1]], ls="", marker="*", ms=9, mfc=style.CARRIER, mec="white", mew=0.7,
-        label="this study", gid="own",
+    (star,) = axes.plot(
+        [own[0]], [own[1]], ls="", marker="*", ms=STAR, mfc=style.CARRIER, mec="white", mew=0.7,
+        label="this study", gid="own", zorder=2.5,
     )  # fmt: skip
+    ends = axes.get_xlim(), axes.get_ylim()
+    if all(low <= place <= high for place, (low, high) in zip(own, ends, strict=True)):
+        handles.append(star)
     names = [
         f"{readable(dataset.attrs[expression])} ({unit})"
         for (_, expression, _), (unit, _) in zip(AXES, units, strict=True)
