@@ -35,6 +35,13 @@ def memory(monkeypatch):
     return may_be_used
 
 
+def test_a_budget_for_meshes_is_offered_by_commands_that_mesh(inside):
+    without = ("protocol", "chirp", "simulate friction")
+    for name in ("bands", "plate", "export", "simulate scan", *without):
+        help_text = inside(*name.split(), "--help").out
+        assert ("--budget" in help_text) == (name not in without), name
+
+
 @given(st.integers(0, 1000), st.sampled_from(["1 s", "20 s", "10 min"]), st.sampled_from([4e8, 2e9, 1e12]))
 @settings(max_examples=3, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_a_dry_run_ends_as_the_run_does(inside, tmp_path, stopped, memory, number, budget, free):

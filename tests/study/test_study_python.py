@@ -257,3 +257,10 @@ def test_a_command_that_an_error_advises_keeps_its_flags(tmp_path):
     given = {"path": str(tmp_path), "against": "model.nc"}
     error = refused(lambda: named("scan").run(None, Runner(), given), argument="against")
     assert error.next_step == "haptonic scan PATH STUDY --against model.nc"
+
+
+def test_a_study_without_a_title_is_printed_with_its_sentence_once():
+    study = Study(material="brass", cell={"pitch": 6e-3, "thickness": 1e-3})
+    assert repr(study) == "<Study: a square lattice in brass without pillars.>"
+    titled = study.with_keys({"title": "Mine"})
+    assert repr(titled) == "<Study: Mine: a square lattice in brass without pillars.>"

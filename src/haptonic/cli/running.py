@@ -13,6 +13,7 @@ import typer
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import option_of, path_of
 from haptonic.analyses.runner import Runner
+from haptonic.analyses.support import no_cell
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.watching import watched
 from haptonic.errors import HaptonicError, ResourceError
@@ -67,7 +68,7 @@ def command(analysis: Analysis) -> Callable[..., None]:
                for n, kind in SHARED.items()]  # fmt: skip
     if analysis.cost is not None:
         shared.append(inspect.Parameter("dry_run", last, default=False, annotation=DRY_RUN))
-        if analysis.study == "needed":
+        if analysis.study == "needed" and analysis.supports is not no_cell:
             shared.append(inspect.Parameter("budget", last, default=None, annotation=BUDGET))
     if analysis.watches:
         shared.append(inspect.Parameter("watch", last, default=False, annotation=WATCH))

@@ -88,7 +88,8 @@ class Study(Description, Methods):
         return type(study)(**{slot.key: getattr(study, slot.name) for slot in slots(type(study))} | values)
 
     def __repr__(self) -> str:
-        return f"<Study: {sentence_of(self.title, self.cell, self.carrier)}>"
+        sentence = sentence_of(self.title, self.cell, self.carrier)
+        return f"<{sentence}>" if sentence.startswith("Study: ") else f"<Study: {sentence}>"
 
     def _repr_html_(self) -> str:
         """HTML for a notebook: a sentence, and below it the text of the study file."""
