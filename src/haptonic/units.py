@@ -283,22 +283,23 @@ def example_of(unit: str) -> str:
     return EXAMPLES.get(unit, f"1 {unit}".rstrip())
 
 
-def _usual_unit(number: Fraction, unit: str) -> str:
-    """Unit that is probably meant for a number without one: that of the example, or with another prefix.
+def example_value(unit: str) -> float:
+    """The example in SI units; this needs no pint."""
+    number, words = example_of(unit).split(" ", 1)
+    return float(number) * (math.radians(1.0) if words == "deg" else float(_table(unit)[words]))
 
-    Another prefix is chosen for a value that is far from the example, such as 0.006 for a length.
-    """
-    usual, words = example_of(unit).split(" ", 1)
-    factors = _table(unit)
-    if words not in factors:  # degrees
-        return words
-    typical = Fraction(usual) * factors[words]
+
+def _usual_unit(number: Fraction, unit: str) -> str:
+    """Unit that is probably meant for a number without one: that of the example, or, for a value that is far
+    from the example, such as 0.006 for a length, one with another prefix."""
+    words, factors = example_of(unit).split(" ", 1)[1], _table(unit)
 
     def decades(prefixed: str) -> float:
-        value = abs(number) * factors[prefixed] / typical
+        value = abs(number) * factors[prefixed] / Fraction(example_value(unit))
         return abs(math.log10(value.numerator) - math.log10(value.denominator))
 
-    return words if decades(words) <= USUAL_DECADES else min(factors, key=decades)
+    is_usual = words not in factors or decades(words) <= USUAL_DECADES  # degrees have no prefixes
+    return words if is_usual else min(factors, key=decades)
 
 
 class _UnknownUnitError(Exception):

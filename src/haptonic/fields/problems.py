@@ -223,7 +223,8 @@ def allowed_at(key: Key | None) -> str:
     if key is None:
         return "a value of the form in the list of keys"
     if key.kind == "quantities":
-        return f"a list of {key.count} quantities with their units, such as {_list(key)}"
+        kind = "quantities with their units" if key.unit else "numbers"
+        return f"a list of {key.count} {kind}, such as {_list(key)}"
     if key.kind == "entries":
         value = key.quantity.example if key.quantity else f'"{key.example or "..."}"'
         return f"a table, [{key.path.replace('[]', '')}], of lines such as name = {value}"

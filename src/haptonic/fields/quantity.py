@@ -19,7 +19,7 @@ from pydantic_core import PydanticCustomError, core_schema
 from haptonic.errors import HaptonicError, shown
 from haptonic.fields.expressions import ExpressedNumber, FollowingError, ScopedText, scope_of
 from haptonic.names import hidden_in
-from haptonic.units import example_of, format_quantity, to_si
+from haptonic.units import example_of, example_value, format_quantity, to_si
 
 FROM_FILE = {"from a file": True}  # validation context for files: a number with a dimension needs its unit
 
@@ -103,7 +103,7 @@ class Quantity:
     @property
     def example(self) -> str:
         """An allowed and typical value as in a study file: that of the unit, or one amid the range."""
-        if self.unit and self._suits(to_si(example_of(self.unit), self.unit, "")):
+        if self.unit and self._suits(example_value(self.unit)):
             return f'"{example_of(self.unit)}"'
         low, high = self.typical or (max(self.above, self.at_least), min(self.below, self.at_most))
         amid = math.sqrt(low * high) if low > 0 else 0.5 * high if low == 0 else 0.0
