@@ -5,7 +5,7 @@ from hypothesis import given, strategies as st
 from matplotlib.figure import Figure
 
 from haptonic.plots import style
-from haptonic.plots.text import readable, scaled_unit
+from haptonic.plots.text import band_text, readable, scaled_unit
 from haptonic.units import uncertain
 
 
@@ -32,6 +32,28 @@ def test_the_shown_bound_is_never_smaller_than_the_bound_nor_much_larger(frequen
     assert float(shown) * 1e3 <= 1.5 * error * (1 + 1e-6)
 
 
+@pytest.mark.parametrize(
+    ("lower", "upper", "text"),
+    [
+        ((55357.0, 29.0), (61958.8, 19.6), "55.36 ± 0.03 to 61.96 ± 0.02 kHz"),
+        ((54710.0, 67.0), (65300.0, 96.0), "54.71 ± 0.07 to 65.30 ± 0.10 kHz"),
+        ((54.36e6, 1e4), (61.2e6, 2e4), "54.36 ± 0.01 to 61.20 ± 0.02 MHz"),
+        ((52000.0, 0.0), (60000.0, 0.0), "52.000 to 60.000 kHz"),
+        ((52000.0, 30.0), (60000.0, 1e-9), "52.000000 ± 0.030000 to 60.000000 ± 0.000001 kHz"),
+    ],
+)
+def test_both_edges_of_a_range_have_the_same_decimals(lower, upper, text):
+    assert band_text(*lower, *upper) == text
+
+
+@given(st.floats(1.0, 1e4), st.floats(1.0, 1e4))
+def test_no_bound_of_a_range_is_smaller_than_the_bound_or_much_larger(low, high):
+    shown = band_text(50e3, low, 60e3, high).removesuffix(" kHz").split(" to ")
+    assert len({len(text.split(" ")[0].partition(".")[2]) for text in shown}) == 1
+    for text, bound in zip(shown, (low, high), strict=True):
+        assert bound * (1 - 1e-6) <= 1e3 * float(text.split(" ± ")[1]) <= 1.5 * bound * (1 + 1e-6)
+
+
 def test_expressions_in_words():
     assert readable("cell.pillar.diameter / cell.pitch") == "pillar diameter / pitch"
     assert readable("material.youngs_modulus") == "Young's modulus"
@@ -47,7 +69,14 @@ def test_expressions_in_words():
 
 @pytest.mark.parametrize(
     ("low", "high", "labels"),
-    [(1e-6, 1e-3, {"10⁻⁵", "10⁻⁴"}), (2e-3, 7e-3, {"2\N{MULTIPLICATION SIGN}10⁻³"}), (1, 30, {"10⁰"})],
+    [
+        (1e-6, 1e-3, {"10⁻⁵", "10⁻⁴"}),
+        (2e-5, 7e-5, {"2\N{MULTIPLICATION SIGN}10⁻⁵"}),
+        (1, 300, {"10⁰"}),
+        (0.35, 3.5, {"0.4", "3"}),
+        (2e-3, 7e-3, {"0.002"}),
+        (1, 30, {"1", "10"}),
+    ],
 )
 def test_powers_of_ten_are_plain_text(low, high, labels):
     """Pictures parse no formulas, because a name may hold dollar signs."""

@@ -36,6 +36,7 @@ WIDTH = PAGE.width
 DOTS_PER_INCH = PAGE.dots
 PASSES = 2  # of the layout: ticks and so the widths of their labels change with the size of the axes
 TICK = 0.39  # length of a tick, and its distance from its label, over the size of the type
+PLAIN = (1e-3, 1e4)  # numbers that a short logarithmic axis shows without powers of ten
 FINE = 0.94  # type of ticks and legends over that of labels
 
 INK = "#222222"
@@ -252,11 +253,17 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class PowersOfTen(LogFormatterSciNotation):
-    """Labels of a logarithmic axis, matplotlib's own in plain text: pictures parse no formulas."""
+    """Labels of a logarithmic axis, matplotlib's own in plain text: pictures parse no formulas.
+
+    An axis of less than two decades of usual numbers has plain numbers, such as 0.4 and 3.
+    """
 
     def __call__(self, x: float, pos: Any = None) -> str:
         """The label of a place, such as 10⁻³; empty where matplotlib gives none."""
         formula = super().__call__(x, pos)
+        low, high = sorted(self.axis.get_view_interval())
+        if formula and PLAIN[0] <= low and high < min(PLAIN[1], 100 * low * (1 - 1e-9)):
+            return f"{x:.6g}"
         text = re.sub(r"\^\{(.*?)\}", lambda power: power[1].translate(SUPERSCRIPTS), formula)
         return re.sub(r"\$|\\mathdefault|[{}]", "", text).replace(r"\times", "\N{MULTIPLICATION SIGN}")
 

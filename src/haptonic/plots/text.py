@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from haptonic.bloch import Gap
     from haptonic.vibrometry import MeasuredGap
 
+LOOSEST = 1.25  # times a bound, to which it may be enlarged for fewer decimals
+
 WavevectorUnit = Literal["rad/m", "pi/a"]
 
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten by which they divide
@@ -35,14 +37,34 @@ def uncertain_hertz(frequency: float, error: float) -> str:
 
 
 def band_text(lower: float, lower_error: float, upper: float, upper_error: float) -> str:
-    """``52.51 ± 0.05 to 60.2 ± 0.1 kHz``: both ends of a band with the bounds of their errors, Hz."""
+    """``52.51 ± 0.05 to 60.21 ± 0.10 kHz``: both ends of a band with the bounds of their errors, Hz.
+
+    Both ends have the same number of decimals, the smaller one of `uncertain` for each unless it would
+    enlarge a bound by more than a quarter. Bounds are rounded up.
+    """
     unit, scale = frequency_scale(lower, upper)
-    low, high = uncertain(lower * scale, lower_error * scale), uncertain(upper * scale, upper_error * scale)
+    ends = [(lower * scale, lower_error * scale), (upper * scale, upper_error * scale)]
+    fewest, most = sorted(len(uncertain(*end).split(" ")[0].partition(".")[2]) for end in ends)
+    coarse = any(_rounded_up(bound, fewest) > LOOSEST * bound for _, bound in ends if _known(bound))
+    low, high = (_with_decimals(*end, most if coarse else fewest) for end in ends)
     return f"{low} to {high} {unit}"
 
 
+def _with_decimals(value: float, bound: float, decimals: int) -> str:
+    text = f"{value:.{decimals}f}"
+    return f"{text} ± {_rounded_up(bound, decimals):.{decimals}f}" if _known(bound) else text
+
+
+def _known(bound: float) -> bool:
+    return math.isfinite(bound) and bound > 0
+
+
+def _rounded_up(bound: float, decimals: int) -> float:
+    return max(math.ceil(bound * 10.0**decimals - 1e-9), 1) / 10.0**decimals  # never zero
+
+
 def gap_text(gap: Gap | MeasuredGap) -> str:
-    """``52.51 ± 0.05 to 60.2 ± 0.1 kHz``: both edges of a gap with the bounds of their errors."""
+    """``52.51 ± 0.05 to 60.21 ± 0.10 kHz``: both edges of a gap with the bounds of their errors."""
     return band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)
 
 
