@@ -6,19 +6,24 @@ import json
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
-from haptonic.arrays import Array, Ints
+from haptonic.arrays import Ints
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
+from haptonic.plots.curves import PIECES, curves
 from haptonic.plots.looks import AxisUnit, choice, colours
 from haptonic.plots.stage import stage
 from haptonic.plots.text import WavevectorUnit, band_text
 from haptonic.units import hz_text
 
 LEAST_SHOWN = 0.4  # of the frequencies, for plain bands to end where the last one is lowest
+BELOW_LAST = 0.99  # of its lowest frequency, so that the last band is not on the frame
+ROOM_ABOVE = 1.12  # times the highest complete gap, of the axis of frequencies
 MARK_EVERY = 5  # wavevectors between two markers on a curve
 
 
@@ -70,9 +75,9 @@ def dispersion(
     on = stage(ax, 11.5)
     axes = on.axes
     distance = dataset["distance"].values
-    frequency = dataset["frequency"].values / 1e3
     axes.set_xlim(distance[0], distance[-1])
     axes.set_ylim(0, shown_up_to(dataset, carrier_hz, whole=natures) / 1e3)
+    handles = _shade_incomplete(axes, dataset)
     for lower, upper, _, _ in complete_gaps(dataset):
         axes.axhspan(lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
     for (lower, upper), waves in parity_gaps(dataset):
@@ -80,16 +85,19 @@ def dispersion(
             lower / 1e3, upper / 1e3, facecolor="none", edgecolor=style.GAP_EDGE, hatch=HATCHES[waves],
             linewidth=0.0, alpha=0.35, zorder=0, gid=f"gap {waves}",
         )  # fmt: skip
-    present = _draw_branches(axes, dataset, distance, frequency, None if natures else colours([style.INK])[0])
+    present = _draw_branches(axes, dataset, None if natures else colours([style.INK])[0])
     mark_corners(axes, dataset, wavevectors)
     axes.set_ylabel("frequency (kHz)")
     if title:
         axes.set_title(title, parse_math=False)
-    if natures:
-        for name in present:
-            stroke = CURVE_STYLES[name]
-            axes.plot([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
-        on.legend(ncols=min(3, max(1, len(present))), handlelength=3.4)
+    strokes = [(name, CURVE_STYLES[name]) for name in present if natures]
+    handles = [
+        *(Line2D([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
+          for name, stroke in strokes),
+        *handles,
+    ]  # fmt: skip
+    if handles:
+        on.legend(handles, ncols=min(3, len(handles)), handlelength=3.4)
     labels = [(centre, text, style.GAP_EDGE) for centre, text in _gap_labels(dataset)]
     labels += [
         (0.5 * sum(edges) / 1e3, f"gap of\n{waves}\nwaves", style.GAP_EDGE)
@@ -103,12 +111,36 @@ def dispersion(
 
 
 def shown_up_to(dataset: xr.Dataset, carrier_hz: float | None, *, whole: bool = False) -> float:
-    """Upper end of the axis of frequencies, Hz; ``whole`` : up to the highest frequency of the last band."""
-    frequency = dataset["frequency"].values
-    lowest, highest = frequency[:, -1].min(), frequency.max()
+    """Upper end of the axis of frequencies, Hz; ``whole`` : up to the highest frequency of the last band.
+
+    The complete gaps and the bands that close them are in view.
+    """
+    lowest, highest, few = _last_band(dataset)
     # below the lowest frequency of the last band no band is missing; of few bands that leaves too little
-    top = 1.03 * highest if whole or lowest < LEAST_SHOWN * highest else lowest
+    top = 1.03 * highest if whole or few else BELOW_LAST * lowest
+    top = max([top, *(ROOM_ABOVE * upper for _, upper, _, _ in complete_gaps(dataset))])
     return float(top if carrier_hz is None or carrier_hz <= top else 1.05 * carrier_hz)
+
+
+def _last_band(dataset: xr.Dataset) -> tuple[float, float, bool]:
+    """Lowest frequency of the last band, highest one of all (Hz), and whether only few bands are complete."""
+    frequency = dataset["frequency"].values
+    lowest, highest = float(frequency[:, -1].min()), float(frequency.max())
+    return lowest, highest, lowest < LEAST_SHOWN * highest
+
+
+def _shade_incomplete(axes: Axes, dataset: xr.Dataset) -> list[Artist]:
+    """Shade the range of bands that were not computed; its entry of the legend if it is in view."""
+    lowest, _, few = _last_band(dataset)
+    top = axes.get_ylim()[1]
+    if few:
+        return []
+    name = f"bands above band {dataset.sizes['band']} are missing"
+    patch = axes.axhspan(
+        lowest / 1e3, 2 * top, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond", label=name,
+    )  # fmt: skip
+    axes.set_ylim(0, top)
+    return [patch] if top > lowest / 1e3 * (1 + 1e-9) else []
 
 
 def complete_gaps(dataset: xr.Dataset) -> list[tuple[float, float, float, float]]:
@@ -167,33 +199,32 @@ def mark_corners(axes: Axes, dataset: xr.Dataset, unit: WavevectorUnit | None = 
     axes.set_xlabel(f"length of the path ({of_path.name})")
 
 
-def _draw_branches(
-    axes: Axes, dataset: xr.Dataset, distance: Array, frequency: Array, color: str | None
-) -> list[str]:
+def _draw_branches(axes: Axes, dataset: xr.Dataset, color: str | None) -> list[str]:
     """Draw all curves, in one colour or by their characters; names of these, in the order of the legend."""
     names = json.loads(dataset.attrs["character_names"])
-    branch, character = dataset["branch"].values, dataset["character"].values
+    character = dataset["character"].values
     seen: set[str] = set()
-    for number in np.unique(branch):
-        rows, columns = np.nonzero(branch == number)
-        for part in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(rows) > 1) + 1):
-            i, j = rows[part], columns[part]
-            if color is not None:
-                axes.plot(distance[i], frequency[i, j], color=color, lw=1.1, gid=f"branch {number}", zorder=3)
+    for curve in curves(dataset):
+        height = curve.frequency / 1e3
+        if color is not None:
+            gid = f"branch {curve.branch[0]}"
+            axes.plot(curve.distance, height, color=color, lw=1.1, gid=gid, zorder=3)
+            continue
+        kind = _without_rigid(character[np.arange(len(curve.band)), curve.band], names.index(RIGID))
+        for start, stop in _runs(kind, curve.branch):
+            name = names[kind[start]]
+            if name == RIGID:  # nothing else on this curve: points at zero frequency
                 continue
-            kind = _without_rigid(character[i, j], names.index(RIGID))
-            for start, stop in _runs(kind):
-                name = names[kind[start]]
-                if name == RIGID:  # nothing else on this branch: points at zero frequency
-                    continue
-                seen.add(name)
-                x, y = _stretched(distance[i], frequency[i, j], start, stop)
-                stroke = CURVE_STYLES[name]
-                marked = np.flatnonzero(i[start:stop] % MARK_EVERY == 2) + (start > 0)
-                axes.plot(
-                    x, y, color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=2.8,
-                    markevery=marked.tolist(), gid=f"branch {number} {name}", zorder=3,
-                )  # fmt: skip
+            seen.add(name)
+            # with half of the step to each neighbour of another character
+            low, high = max(PIECES * start - PIECES // 2, 0), PIECES * stop - PIECES // 2 + 1
+            stroke = CURVE_STYLES[name]
+            marked = [PIECES * i - low for i in range(start, stop) if i % MARK_EVERY == 2]
+            axes.plot(
+                curve.distance[low:high], height[low:high], color=stroke.colour, ls=stroke.dashes,
+                marker=stroke.marker, ms=2.8, markevery=marked, gid=f"branch {curve.branch[start]} {name}",
+                zorder=3,
+            )  # fmt: skip
     return [name for name in CURVE_STYLES if name in seen]
 
 
@@ -206,16 +237,7 @@ def _without_rigid(kind: Ints, rigid: int) -> Ints:
     return np.asarray(kind[nearest])
 
 
-def _runs(kind: Ints) -> list[tuple[int, int]]:
-    """(start, stop) of the stretches of equal numbers."""
-    ends = np.flatnonzero(np.diff(kind)) + 1
-    return list(zip([0, *ends.tolist()], [*ends.tolist(), len(kind)], strict=True))
-
-
-def _stretched(x: Array, y: Array, start: int, stop: int) -> tuple[Array, Array]:
-    """Points start to stop, with half of the step to each neighbour of another colour."""
-    before = [0.5 * (start - 1 + start)] if start else []
-    after = [stop - 0.5] if stop < len(x) else []
-    places = np.array([*before, *range(start, stop), *after])
-    index = np.arange(len(x))
-    return np.interp(places, index, x), np.interp(places, index, y)
+def _runs(*numbers: Ints) -> list[tuple[int, int]]:
+    """(start, stop) of the stretches in which no array changes."""
+    ends = np.flatnonzero(np.any([np.diff(each) != 0 for each in numbers], axis=0)) + 1
+    return list(zip([0, *ends.tolist()], [*ends.tolist(), len(numbers[0])], strict=True))

@@ -261,6 +261,7 @@ class PowersOfTen(LogFormatterSciNotation):
     def __call__(self, x: float, pos: Any = None) -> str:
         """The label of a place, such as 10⁻³; empty where matplotlib gives none."""
         formula = super().__call__(x, pos)
+        assert self.axis is not None, "a formatter is asked by its axis"
         low, high = sorted(self.axis.get_view_interval())
         if formula and PLAIN[0] <= low and high < min(PLAIN[1], 100 * low * (1 - 1e-9)):
             return f"{x:.6g}"
