@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -139,6 +141,12 @@ class TestDecay:
         assert "4.0 dB per row" in [text for text, _ in shown_texts(drawn["decay, usual"])]
         assert not artists(drawn["decay, elsewhere"], "number")
 
+    def test_the_decay_at_the_carrier_has_its_error(self):
+        """With a slope of 0.5 dB per row and kHz, and frequencies uncertain by 0.5 %, that is 0.29 kHz."""
+        data = made_up_mirror(relative_frequency_error=5e-3)
+        data["attenuation"][:, 0] = 4.0 + 0.5 * (data["frequency"] / 1e3 - 58.0)
+        assert "4.00 ± 0.17 dB per row" in [text for text, _ in shown_texts(plots.decay(data))]
+
     def test_a_spectrum_in_which_nothing_decays_is_drawn(self):
         data = made_up_mirror()
         data["attenuation"][:] = 0.0
@@ -183,6 +191,21 @@ class TestLayers:
             assert axes.get_ylim()[0] <= max(lowest, -100.0)
         assert drawn["layers, twelve rows"].axes[4].get_ylim()[0] == pytest.approx(-106.0)
 
+    def test_curves_that_go_on_below_the_axis_are_marked_and_others_are_not(self, drawn):
+        figure = drawn["layers, twelve rows"]
+        marks = [mark for mark in artists(figure, "cut") if mark.axes is figure.axes[4]]
+        curves = [line for line in figure.axes[4].lines if line.get_gid() == "rows"]
+        below = [line for line in curves if line.get_ydata().min() < figure.axes[4].get_ylim()[0]]
+        assert len(below) == 5  # rows 8 to 12 of SH0, -120 to -180 dB
+        assert [mark.get_color() for mark in marks] == [line.get_color() for line in below]
+        others = [mark.axes for mark in artists(figure, "cut") if mark not in marks]
+        assert others == [figure.axes[2]] * 2  # rows 11 and 12 of S0, -110 and -120 dB
+        assert all(50 <= mark.get_xdata()[0] <= 60 for mark in marks)
+        (legend,) = figure.legends
+        assert [text.get_text() for text in legend.get_texts()] == ["the curve goes on below the axis"]
+        assert not artists(drawn["layers, usual"], "cut")
+        assert not drawn["layers, usual"].legends
+
     def test_rows_that_transmit_everything_are_drawn(self):
         data = made_up_mirror()
         data["transmitted"][:] = 0.25
@@ -219,6 +242,46 @@ class TestGuide:
         low, high = axes.get_xlim()
         assert low < places[0]
         assert places[1] < high
+
+    def test_the_curve_goes_on_into_the_lattices_if_their_motion_is_known(self):
+        position = np.linspace(-16e-3, 16e-3, 101)
+        beyond = np.linspace(-44e-3, 44e-3, 177)
+        falling = 0.1 * np.exp(-(np.abs(beyond) - 16e-3) / 4e-3)
+        figure = plots.guide(
+            position, np.cos(np.pi * position / 34e-3), 0.1, 32e-3, 1e-3, lattice=(beyond, falling),
+            title="mode 0x17 at 56.90 kHz",
+        )  # fmt: skip
+        (axes,) = figure.axes
+        left, right = artists(figure, "in the lattice")
+        (between,) = (line for line in axes.lines if "amplitude" in line.get_label())
+        assert (left.get_xdata()[-1], right.get_xdata()[0]) == pytest.approx((-16.0, 16.0))
+        assert right.get_ydata()[0] == between.get_ydata()[-1]
+        assert right.get_xdata()[1:] == pytest.approx(1e3 * beyond[beyond > 16e-3])
+        assert right.get_ydata()[1:] == pytest.approx(falling[beyond > 16e-3])
+        assert left.get_ydata() == pytest.approx(right.get_ydata()[::-1])
+        at_end = np.interp(axes.get_xlim()[1], right.get_xdata(), right.get_ydata())
+        assert at_end < 0.01
+        assert axes.get_title() == "mode 0x17 at 56.90 kHz"
+        assert_readable(figure)
+
+    def test_the_picture_of_a_result_has_the_motion_that_was_computed(self):
+        guides = reference_guides()
+        half, grid = 0.5 * guides.best.mode.width, ("waveguide", "across", "along")
+        across = np.linspace(-2 * half, 2 * half, 81)
+        field = np.outer(1.0 / (1.0 + (across / half) ** 2), [1.0, 0.0])
+        shape = (len(guides.strips), 1, 1)
+        data = guides.dataset.assign(
+            mode_real=(grid, np.tile(0.6 * field, shape)), mode_imag=(grid, np.tile(0.8 * field, shape)),
+            across=("across", across),
+        )  # fmt: skip
+        (_, right) = artists(dataclasses.replace(guides, dataset=data).plot(), "in the lattice")
+        assert len(right.get_xdata()) > 2
+        assert right.get_ydata()[-1] == pytest.approx(0.2)  # at twice the half width
+        assert not artists(guides.plot(), "in the lattice")
+
+    def test_the_picture_of_a_result_names_its_mode_and_frequency(self, drawn):
+        assert drawn["guide, real"].axes[0].get_title().startswith("mode 0x")
+        assert drawn["guide, real"].axes[0].get_title().endswith("kHz")
 
     def test_the_legend_names_each_thing_once(self, drawn):
         (legend,) = drawn["guide"].legends

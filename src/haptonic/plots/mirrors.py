@@ -16,11 +16,13 @@ from haptonic.plots import style
 from haptonic.plots.looks import colours
 from haptonic.plots.marks import above, mark
 from haptonic.plots.stage import below, stage
-from haptonic.units import hz_text
+from haptonic.units import hz_text, uncertain
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
 DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of 1 rad
 FLOOR = -100.0  # dB
+CUT = 0.03  # of the height, of the mark of a curve that goes on below the axis
+LEAST = 0.01  # amplitude down to which a mode is shown in the lattice
 ROOM = 0.025  # of the axis beyond zero and the end, so that lines on them are visible
 FAMILIES = ("A0", "S0", "SH0")
 
@@ -36,7 +38,8 @@ def decay(dataset: xr.Dataset) -> Figure:
     Parameters
     ----------
     dataset : variables ``kappa_real``, ``kappa_imag`` (frequency, wave) and ``attenuation`` (frequency,
-        phase); attributes ``gap`` (edges in Hz, or empty) and ``carrier_hz``
+        phase); attributes ``gap`` (edges in Hz, or empty), ``carrier_hz`` and, if it is known, the bound
+        ``relative_frequency_error`` of the lattice
     """
     figure = style.blank(12.0)
     depth, phases = figure.subplots(2, 1, sharex=True, height_ratios=(5, 2))
@@ -57,7 +60,7 @@ def decay(dataset: xr.Dataset) -> Figure:
     ]  # fmt: skip
     carrier = float(dataset.attrs["carrier_hz"])
     if frequency.min() <= carrier / 1e3 <= frequency.max():
-        there = float(np.interp(carrier / 1e3, frequency, reach[:, 0]))
+        there, error = _at_carrier(dataset, reach[:, 0])
         depth.plot(carrier / 1e3, there, "o", color=color, ms=5, zorder=5, gid="number")
     depth.set_ylim(0, top)
     depth.set_ylabel("decay (dB per row)")
@@ -70,9 +73,23 @@ def decay(dataset: xr.Dataset) -> Figure:
     for axes in (phases, depth):
         _mark(axes, dataset, named=axes is depth)
     if frequency.min() <= carrier / 1e3 <= frequency.max():
-        above(depth, [(carrier / 1e3, f"{there:.1f} dB per row", color)], first=2)
+        text = f"{there:.1f}" if error is None else uncertain(there, error)
+        above(depth, [(carrier / 1e3, f"{text} dB per row", color)], first=2)
     below(figure, handles)
     return figure
+
+
+def _at_carrier(dataset: xr.Dataset, decay: Array) -> tuple[float, float | None]:
+    """Decay at the drive frequency and its error, dB per row; None if that of the frequency is not known.
+
+    The error is the largest change if all frequencies of the lattice move by the bound of their relative
+    error, and this share of the decay, as on the page of a mirror.
+    """
+    share = dataset.attrs.get("relative_frequency_error")
+    at = float(dataset.attrs["carrier_hz"]) * (1 + np.array([0.0, -1.0, 1.0]) * float(share or 0.0))
+    there, *moved = np.interp(at, dataset["frequency"].values, decay).tolist()
+    error = max(abs(other - there) for other in moved) + float(share or 0.0) * there
+    return there, error if share is not None else None
 
 
 @style.drawn
@@ -101,6 +118,7 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
     rows, frequency = dataset["rows"].values, dataset["frequency"].values / 1e3
     shades = colours([to_hex(shade) for shade in style.perceptual()(np.linspace(0.72, 0.05, len(rows)))])
     carrier = float(dataset.attrs["carrier_hz"]) / 1e3
+    cut: list[Artist] = []
     for (axes, beside), family in zip(panels, there, strict=True):
         total = dataset["transmitted"].sel(incident=family).sum("outgoing", skipna=False).values
         level = 10 * np.log10(np.maximum(total, 1e-30))
@@ -112,6 +130,7 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
                 beside.plot(count, at, "o", color=shade, ms=5, gid="at carrier")
         axes.set_ylim(1.06 * lowest, 3)
         axes.set_xlim(frequency[0], frequency[-1])
+        cut += _mark_cut(axes, frequency, level, shades, first=not cut)
         axes.set_ylabel(f"{family} (dB)" if len(there) > 1 else f"{family}: transmitted (dB)")
         _mark(axes, dataset, named=axes is panels[0][0])
         if beside is not None:
@@ -124,6 +143,7 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
     if given is not None:
         given.legend()
         return given.figure
+    below(figure, cut[:1])
     panels[-1][1].set_xlabel("rows")
     above(
         panels[0][1], [(0.5 * (rows[0] + rows[-1]), f"at {hz_text(1e3 * carrier, form='g')}", style.CARRIER)]
@@ -139,6 +159,19 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
     return figure
 
 
+def _mark_cut(axes: Axes, frequency: Array, level: Array, shades: list[str], *, first: bool) -> list[Artist]:
+    """Mark curves (frequency, rows) that leave the axes at the bottom, each where it is lowest."""
+    drawn: list[Artist] = []
+    for curve, shade in zip(level.T, shades, strict=False):
+        if np.nanmin(curve, initial=0.0) < axes.get_ylim()[0]:
+            drawn += axes.plot(
+                frequency[np.nanargmin(curve)], CUT, "v", color=shade, ms=5.5, mec="white", mew=0.5, zorder=6,
+                transform=axes.get_xaxis_transform(), gid="cut",
+                label="the curve goes on below the axis" if first and not drawn else None,
+            )  # fmt: skip
+    return drawn
+
+
 def _rows(count: int) -> str:
     return f"{count} row{'s' if count > 1 else ''}"
 
@@ -151,22 +184,36 @@ def guide(
     width: float,
     fixed_line: float,
     *,
+    lattice: tuple[Array, Array] | None = None,
+    title: str = "",
     ax: Axes | None = None,
 ) -> Figure:
-    """Amplitude of the guided mode across the strip, between the two lattices.
+    """Amplitude of the guided mode across the strip, between and in the two lattices.
 
     Parameters
     ----------
     position : (s,) from the middle of the strip, m; amplitude : (s,) its peak 1
     at_edge : amplitude where the lattices begin, on average; beside zigzags the curve ends before
     width : of the strip, m; fixed_line : distance inside the lattices at which the plate seems to be fixed, m
+    lattice : positions (l,) from the middle, m, and amplitudes there; those in the lattices are drawn
+    title : above a figure of its own
     """
     on = stage(ax, 7.5)
     axes = on.axes
     edge, line = 500 * width, 1e3 * (0.5 * width + fixed_line)
     reach = max(1.25 * edge, 1.15 * line)
     axes.plot(1e3 * position, amplitude, color=style.BLUE, label="amplitude of the mode")
-    if position[-1] < (1 - 1e-9) * 0.5 * width:
+    if lattice is not None:
+        for side in (-1, 1):
+            beyond = side * lattice[0] > position[-1]
+            x, y = (
+                np.concatenate([end, part[beyond]] if side > 0 else [part[beyond], end])
+                for end, part in zip(((side * position[-1:]), amplitude[-1:]), lattice, strict=True)
+            )
+            axes.plot(1e3 * x, y, color=style.BLUE, gid="in the lattice")
+            seen = np.abs(x[y >= LEAST])
+            reach = max(reach, 1.05e3 * float(seen.max(initial=0.0)))
+    elif position[-1] < (1 - 1e-9) * 0.5 * width:
         ends = [-edge, edge], [at_edge, at_edge]
         axes.plot(*ends, "o", color=style.BLUE, ms=4, clip_on=False, label="on the lattice's faces")
     for side in (-1, 1):
@@ -178,6 +225,8 @@ def guide(
     axes.set_ylim(0, 1.08)
     axes.set_xlabel("position across the waveguide (mm)")
     axes.set_ylabel("amplitude\n(dimensionless)")
+    if title and on.own:
+        axes.set_title(title)
     on.legend(ncols=3)
     return on.figure
 

@@ -6,7 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from haptonic import plots
+from haptonic.arrays import Array
 from haptonic.bloch import Gap
 from haptonic.bloch.waveguides import Strip
 from haptonic.later import Axes, Figure, xarray as xr
@@ -70,7 +73,22 @@ class Guides(Result):
     @figure("waveguide", "Simulated mode across the waveguide.")
     def _across(self, *, ax: Axes | None = None) -> Figure:
         best, mode = self.best, self.best.mode
-        return plots.guide(mode.position, mode.amplitude, mode.at_edge, mode.width, best.fixed_line, ax=ax)
+        title = f"mode {self.across}x{self.along} at {hz_text(best.frequency, form='.2f')}"
+        return plots.guide(
+            mode.position, mode.amplitude, mode.at_edge, mode.width, best.fixed_line, ax=ax, title=title,
+            lattice=self._profile(),
+        )  # fmt: skip
+
+    def _profile(self) -> tuple[Array, Array] | None:
+        """Positions across the `best` waveguide and its lattices, m, and the amplitude there, its peak 1.
+
+        The amplitude is the root mean square over a period. None if the fields were not computed.
+        """
+        if "mode_real" not in self.dataset:
+            return None
+        field = self.dataset[["mode_real", "mode_imag"]].isel(waveguide=self.strips.index(self.best))
+        squared = (field["mode_real"] ** 2 + field["mode_imag"] ** 2).mean("along").values
+        return self.dataset["across"].values, np.sqrt(squared / squared.max())
 
     @file("waveguide.html", when=lambda result: "mode_real" in result.dataset)
     def _write_page(self, path: Path) -> None:
