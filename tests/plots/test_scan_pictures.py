@@ -73,15 +73,53 @@ def test_waves_and_dispersion():
     figure = plots.wave_map(waves, curve, (np.zeros(0), np.zeros(0)), region="WG1", origin="simulated")
     axes = figure.axes[0]
     drawn = axes.collections[0].get_array()
-    assert np.unravel_index(np.argmax(drawn), drawn.shape) == (10, 30)
+    assert np.unravel_index(np.argmax(drawn), drawn.shape) == (10, 30 * drawn.shape[1] // 41)
     # there and back: a standing wave is both
     assert [line.get_xdata().tolist() for line in axes.lines] == [[0.2, 0.3], [-0.2, -0.3]]
-    assert "along WG1" in texts(figure)
+    assert "along the region WG1" in texts(figure)
+    assert "no mode of the guide in the gap" in texts(figure)
     assert "simulated" in texts(figure)
     bar = figure.axes[-1]
     named = [label.get_text() for label in bar.get_yticklabels()]
     assert {"10⁻²", "10⁻¹", "10⁰"} <= set(named)
     assert not any("$" in label for label in named)
+
+
+def test_a_guide_with_a_mode_and_one_of_which_nothing_is_computed_have_no_such_entry():
+    waves = xr.DataArray(
+        np.ones((len(LINES), 41)), dims=("frequency", "wavenumber"),
+        coords={"frequency": LINES, "wavenumber": np.linspace(-500, 500, 41)},
+    )  # fmt: skip
+    mode = (np.array([52e3, 58e3]), np.array([250.0, 260.0]))
+    for guided in (mode, None):
+        figure = plots.wave_map(waves, None, guided, region="WG1", origin="simulated")
+        assert "no mode" not in texts(figure)
+        assert len(figure.axes[0].lines) == (2 if guided else 0)
+
+
+@pytest.mark.parametrize("points", [24, 25])
+def test_a_map_of_waves_has_the_values_between_the_wavenumbers(points):
+    """As if the rows were padded with more zeros, for an odd and an even number of points."""
+    place = 2e-3 * np.arange(points)
+    motion = np.exp(-310j * place) + 0.5 * np.exp(150j * place) + 0.1 * np.exp(700j * place)
+    motion = motion * np.hanning(points + 2)[1:-1]
+
+    def shown(padded: int) -> xr.DataArray:
+        k = np.fft.fftshift(2 * np.pi * np.fft.fftfreq(padded * points, 2e-3))
+        amplitude = np.fft.fftshift(np.abs(np.fft.fft(motion, padded * points)))
+        lines = np.array([50e3, 51e3])
+        return xr.DataArray(
+            np.stack([amplitude, amplitude]), dims=("frequency", "wavenumber"),
+            coords={"frequency": lines, "wavenumber": k},
+        )  # fmt: skip
+
+    (image,) = plots.wave_map(shown(4), None, None, region="WG1", origin="measured").axes[0].collections
+    drawn, exact = np.asarray(image.get_array())[0], shown(4 * len(image.get_array()[0]) // (4 * points))
+    assert len(drawn) >= 1000
+    wanted = exact.values[0] / exact.values.max()
+    assert drawn == pytest.approx(np.maximum(wanted, 1e-2), rel=2e-3)
+    edges = np.asarray(image.get_coordinates())[0, :, 0]
+    assert 0.5 * (edges[1:] + edges[:-1]) == pytest.approx(exact["wavenumber"].values / 1e3, abs=1e-9)
 
 
 def test_a_loud_line_among_very_many_is_drawn():

@@ -10,6 +10,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from haptonic.arrays import Array
 from haptonic.later import xarray as xr
@@ -29,6 +30,7 @@ FLOOR = -80.0  # dB below the largest line, the lowest that a spectrum of a driv
 LEAST_NOISE = 1e-6  # of 1 less the coherence, for its logarithm
 TENFOLD = 10.0  # the least range of the scale of noise
 ROWS = 600  # of a map of waves at most: more than its picture has
+COLUMNS = 1200  # of a map of waves at least
 BEYOND = 1.5  # times the largest computed wavenumber that are in view
 RANGE = 1e-2  # of the largest amplitude, the smallest in a map of waves
 DARK_PURPLE = "#8a4a70"  # of text
@@ -162,15 +164,16 @@ def wave_map(
 
     Parameters
     ----------
-    waves : (frequency, wavenumber)
+    waves : (frequency, wavenumber) from `haptonic.vibrometry.wavenumber_map`
     plain : frequency (Hz) and wavenumber (rad/m) of the flexural wave of the plate
-    guided : the same of the guide's mode without nodal lines along it
+    guided : the same of the guide's mode without nodal lines along it; empty if it has none in the gap
     """
     on = stage(ax, 10.5)
     axes = on.axes
     starts = np.unique(np.linspace(0, waves.sizes["frequency"], ROWS, endpoint=False).astype(int))
-    amplitude = np.maximum.reduceat(waves.values / waves.values.max(), starts, axis=0)
-    frequency, wavenumber = waves["frequency"].values[starts] / 1e3, waves["wavenumber"].values / 1e3
+    frequency = waves["frequency"].values[starts] / 1e3
+    amplitude, wavenumber = _finer(waves.values, waves["wavenumber"].values / 1e3)
+    amplitude = np.maximum.reduceat(amplitude / amplitude.max(), starts, axis=0)
     image = axes.pcolormesh(
         wavenumber, frequency, np.maximum(amplitude, RANGE), norm=LogNorm(RANGE, 1), cmap=style.amount(),
         shading="nearest", rasterized=True,
@@ -187,13 +190,32 @@ def wave_map(
             continue
         for sign in (1, -1):
             drawn += axes.plot(sign * curve[1] / 1e3, curve[0] / 1e3, **look)[: 1 if sign > 0 else 0]
-    axes.set(xlabel=f"wavenumber along {region} (rad/mm)", ylabel="frequency (kHz)",
+    if guided is not None and not len(guided[0]):
+        drawn.append(Line2D([], [], ls="none", label="no mode of the guide in the gap"))
+    axes.set(xlabel=f"wavenumber along the region {region} (rad/mm)", ylabel="frequency (kHz)",
              xlim=(-reach, reach), ylim=(frequency[0], frequency[-1]))  # fmt: skip
     on.figure.colorbar(
         image, ax=axes, label=f"{origin} amplitude\n/ its maximum (dimensionless)", format=style.PowersOfTen()
     )
     on.legend(drawn, ncols=2)
     return on.figure
+
+
+def _finer(amplitude: Array, wavenumber: Array) -> tuple[Array, Array]:
+    """Amplitudes (f, k) and their wavenumbers (k,), so many that they are not seen one by one.
+
+    The transform was padded with zeros. Its square is then that of an autocorrelation with zeros at its end;
+    more of these give the values between the computed wavenumbers exactly.
+    """
+    count = len(wavenumber)
+    times = -(-COLUMNS // count)
+    lags = np.fft.rfft(amplitude**2, axis=1)
+    if count % 2 == 0:
+        lags[:, -1] *= 0.5  # it counts for both signs
+    squared = times * np.fft.irfft(lags, n=times * count, axis=1)
+    # periodic: the values beyond the last wavenumber lie between it and the first one
+    finer = wavenumber[0] + (wavenumber[1] - wavenumber[0]) * np.arange(times * count) / times
+    return np.sqrt(np.maximum(squared, 0.0)), finer
 
 
 @style.drawn

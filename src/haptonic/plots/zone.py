@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
+from haptonic.arrays import Array
 from haptonic.bloch.zone import ZoneSurface
 from haptonic.later import xarray as xr
 from haptonic.plots import style
@@ -18,6 +20,10 @@ from haptonic.plots.stage import stage
 from haptonic.plots.text import band_text
 
 LEVELS = 9  # lines of equal frequency
+SHARP, OFTEN = np.radians(15.0), 0.2  # turns to and fro, and their share of the points, of a zigzag
+EDGE, ROOM = 0.14, 0.12  # of the zone, that a value keeps from its border, and from another value
+LEVEL = 0.15  # largest slope of a line where its value is written upright, so that it hides no others
+FEW = 2  # values on lines, below which also lines between them have theirs
 
 
 @style.drawn
@@ -49,14 +55,13 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int, besid
     filled = axes.tripcolor(
         plane, values, shading="gouraud", cmap=style.perceptual(), rasterized=True, gid="frequency"
     )
-    lines = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
-    axes.tricontour(plane, values, levels=lines, colors="white", linewidths=0.6)
+    labels = surface.zone.corner_phases
+    corners = surface.zone.lattice.wavevector(np.array(list(labels.values()))) / 1e3
+    _draw_levels(axes, plane, values, corners)
     bar = figure.colorbar(filled, ax=axes, location="bottom", aspect=25, pad=0.03)
     bar.set_label("frequency (kHz)")
     bar.locator = MaxNLocator(3)
     bar.update_ticks()
-    labels = surface.zone.corner_phases
-    corners = surface.zone.lattice.wavevector(np.array(list(labels.values()))) / 1e3
     outline = np.concatenate([corners, corners[:1]])
     axes.plot(
         outline[:, 0], outline[:, 1], color=style.CARRIER, ls=style.DASHED, lw=1.2, gid="irreducible zone",
@@ -72,6 +77,59 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int, besid
     axes.set_title(f"band {band}{beside}", pad=15)  # above the labels of corners at the upper border
     axes.xaxis.set_major_locator(MaxNLocator(3, symmetric=True))
     axes.yaxis.set_major_locator(MaxNLocator(3, symmetric=True))
+
+
+def _draw_levels(axes: Axes, plane: Triangulation, values: Array, corners: Array) -> None:
+    """Lines of equal frequency, every second one with its value if there is room.
+
+    A line beside a plateau runs to and fro between the samples of the zone, which do not resolve it; such a
+    line is left out.
+    """
+    every = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
+    drawn = axes.tricontour(plane, values, levels=every)
+    paths = [path.vertices for path in drawn.get_paths()]
+    drawn.remove()
+    chosen = [n for n, path in enumerate(paths) if len(path) > 2 and not _zigzags(np.asarray(path))]
+    if not chosen:
+        return
+    levels = every[chosen]
+    drawn = axes.tricontour(plane, values, levels=levels, colors="white", linewidths=0.6)
+    drawn.set_gid("levels")
+    size = float(np.abs(corners).max())
+    taken = [*corners, *np.linspace(corners, np.roll(corners, 1, axis=0), 9)[1:-1].reshape(-1, 2)]
+    angle = np.linspace(0, 2 * np.pi, 72, endpoint=False)
+    normals = np.stack([np.cos(angle), np.sin(angle)])
+    border = (np.column_stack([plane.x, plane.y]) @ normals).max(axis=0)
+    placed = 0
+    for number, n in enumerate([*chosen[::-2], *chosen[-2::-2]]):
+        if number >= len(chosen[::-2]) and placed >= FEW:
+            break
+        line = np.asarray(paths[n])
+        along = np.gradient(line, axis=0)
+        level = np.abs(along[:, 1]) < LEVEL * np.abs(along[:, 0])
+        inside = (line @ normals < border - EDGE * size).all(axis=1)
+        inner = line[inside & level] if (inside & level).any() else line[inside]
+        if not len(inner):
+            continue
+        free = np.linalg.norm(inner[:, None] - np.array(taken), axis=2).min(axis=1)
+        if free.max() < ROOM * size:
+            continue
+        place = inner[free.argmax()]
+        taken.append(place)
+        placed += 1
+        drawn.clabel([every[n]], fmt="%g", inline=True, inline_spacing=1, manual=[tuple(place)],
+                     colors=style.INK, fontsize=style.FINE * mpl.rcParams["font.size"])  # fmt: skip
+        drawn.labelTexts[-1].set(path_effects=HALO, gid="level", rotation=0)
+
+
+def _zigzags(line: Array) -> bool:
+    """Whether a line (n, 2) turns to and fro at many of its points."""
+    step = np.diff(line, axis=0)
+    step = step[np.linalg.norm(step, axis=1) > 0]
+    heading = np.arctan2(step[:, 1], step[:, 0])
+    turn = (np.diff(heading) + np.pi) % (2 * np.pi) - np.pi
+    fro = (turn[1:] * turn[:-1] < 0) & (np.minimum(np.abs(turn[1:]), np.abs(turn[:-1])) > SHARP)
+    return bool(fro.mean() > OFTEN) if len(fro) else False
 
 
 @style.drawn

@@ -184,7 +184,7 @@ class ScanResult(Result):
         seen, plain, mode = waves_of(self.data, guide.region), None, None
         if self.waves is not None:
             plain = self.waves["frequency"].values, self.waves["wavenumber"].values
-            mode = guided(self.waves, guide)
+            mode = guided(self.waves, guide) if self.gap else None
         return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin, ax=ax)
 
     @figure(
