@@ -9,6 +9,8 @@ from seeing import artists, shown_texts
 
 from haptonic import plots
 from haptonic.vibrometry import Edge, LatticeGap, MeasuredGap, Quality, drive
+from haptonic.vibrometry.guides import Guiding
+from haptonic.vibrometry.theory import guided
 
 LINES = 1e3 * np.arange(40.0, 71.0)
 
@@ -165,3 +167,20 @@ def test_bad_points_are_marked():
     assert np.asarray(shown.get_array()) == pytest.approx(np.full(11, 0.03))  # 1 less the coherence
     unknown = Quality(quality.names, quality.clipped, quality.frozen, np.full(12, np.nan), ((),) * 12)
     assert len(plots.point_quality(places, unknown, origin="measured").axes) == 1
+
+
+def test_a_guide_without_a_mode_differs_from_one_that_was_not_computed():
+    waves = xr.Dataset(
+        {
+            "guided_frequency": (("guide", "step"), [[np.nan, np.nan], [52e3, np.nan]]),
+            "guided_wavenumber": (("guide", "step"), [[np.nan, np.nan], [250.0, np.nan]]),
+        },
+        coords={"width": ("guide", [8e-3, 32e-3]), "along": ("guide", ["y", "y"])},
+    )
+
+    def of_width(width: float):
+        return guided(waves, Guiding("WG1", "y", width, "lattice"))
+
+    assert [len(part) for part in of_width(8e-3)] == [0, 0]
+    assert [part.tolist() for part in of_width(32e-3)] == [[52e3], [250.0]]
+    assert of_width(14e-3) is None

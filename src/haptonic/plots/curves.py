@@ -16,7 +16,7 @@ PIECES = 8  # straight pieces of a curve between two wavevectors
 
 
 @dataclass(frozen=True)
-class Curve:
+class BandCurve:
     """One of the curves of a diagram; each runs along the whole path.
 
     It follows a branch through crossings. Where a branch ends and another one begins, the curve goes on
@@ -33,7 +33,7 @@ class Curve:
     frequency: Array
 
 
-def curves(dataset: xr.Dataset) -> list[Curve]:
+def curves(dataset: xr.Dataset) -> list[BandCurve]:
     """Curves through the frequencies of a diagram, with its group velocities as their slopes.
 
     Between two wavevectors a curve is the cubic polynomial with the frequencies and slopes at both ends.
@@ -48,7 +48,7 @@ def curves(dataset: xr.Dataset) -> list[Curve]:
     share = np.arange(PIECES) / PIECES
     places = np.append((distance[:-1, None] + step[:, None] * share).ravel(), distance[-1])
     rows, last = np.arange(len(distance)), frequency.shape[1] - 1
-    found = []
+    smooth = []
     for band in _followed(branch):
         values, number = frequency[rows, band], branch[rows, band]
         ends = after[rows, band][:-1] * step, before[rows, band][1:] * step
@@ -58,8 +58,8 @@ def curves(dataset: xr.Dataset) -> list[Curve]:
         tangents = _lower_tangent(values, *ends, share)
         kinked = entered & (tangents[:, 0] == values[:-1]) & (values[1:] <= values[:-1] + ends[0])
         heights = np.where(kinked[:, None], tangents, heights)
-        found.append(Curve(band, number, places, np.append(heights.ravel(), values[-1])))
-    return found
+        smooth.append(BandCurve(band, number, places, np.append(heights.ravel(), values[-1])))
+    return smooth
 
 
 def _followed(branch: Ints) -> list[Ints]:

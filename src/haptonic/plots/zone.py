@@ -20,7 +20,10 @@ from haptonic.plots.stage import stage
 from haptonic.plots.text import band_text
 
 LEVELS = 9  # lines of equal frequency
-SHARP, OFTEN = np.radians(15.0), 0.2  # turns to and fro, and their share of the points, of a zigzag
+SHARP, OFTEN = (
+    np.radians(15.0),
+    0.2,
+)  # turns one way and then back, and their share of the points, of a zigzag
 EDGE, ROOM = 0.14, 0.12  # of the zone, that a value keeps from its border, and from another value
 LEVEL = 0.15  # largest slope of a line where its value is written upright, so that it hides no others
 FEW = 2  # values on lines, below which also lines between them have theirs
@@ -82,14 +85,14 @@ def _contours(figure: Figure, axes: Axes, surface: ZoneSurface, band: int, besid
 def _draw_levels(axes: Axes, plane: Triangulation, values: Array, corners: Array) -> None:
     """Lines of equal frequency, every second one with its value if there is room.
 
-    A line beside a plateau runs to and fro between the samples of the zone, which do not resolve it; such a
+    A line beside a plateau may zigzag between the samples of the zone, which do not resolve it; such a
     line is left out.
     """
-    every = MaxNLocator(LEVELS).tick_values(values.min(), values.max())
+    every = np.asarray(MaxNLocator(LEVELS).tick_values(values.min(), values.max()))
     drawn = axes.tricontour(plane, values, levels=every)
-    paths = [path.vertices for path in drawn.get_paths()]
+    paths = [np.asarray(path.vertices) for path in drawn.get_paths()]
     drawn.remove()
-    chosen = [n for n, path in enumerate(paths) if len(path) > 2 and not _zigzags(np.asarray(path))]
+    chosen = [n for n, path in enumerate(paths) if len(path) > 2 and not _zigzags(path)]
     if not chosen:
         return
     levels = every[chosen]
@@ -104,7 +107,7 @@ def _draw_levels(axes: Axes, plane: Triangulation, values: Array, corners: Array
     for number, n in enumerate([*chosen[::-2], *chosen[-2::-2]]):
         if number >= len(chosen[::-2]) and placed >= FEW:
             break
-        line = np.asarray(paths[n])
+        line = paths[n]
         along = np.gradient(line, axis=0)
         level = np.abs(along[:, 1]) < LEVEL * np.abs(along[:, 0])
         inside = (line @ normals < border - EDGE * size).all(axis=1)
@@ -123,13 +126,13 @@ def _draw_levels(axes: Axes, plane: Triangulation, values: Array, corners: Array
 
 
 def _zigzags(line: Array) -> bool:
-    """Whether a line (n, 2) turns to and fro at many of its points."""
+    """Whether a line (n, 2) turns one way and then back at many of its points."""
     step = np.diff(line, axis=0)
     step = step[np.linalg.norm(step, axis=1) > 0]
     heading = np.arctan2(step[:, 1], step[:, 0])
     turn = (np.diff(heading) + np.pi) % (2 * np.pi) - np.pi
-    fro = (turn[1:] * turn[:-1] < 0) & (np.minimum(np.abs(turn[1:]), np.abs(turn[:-1])) > SHARP)
-    return bool(fro.mean() > OFTEN) if len(fro) else False
+    back = (turn[1:] * turn[:-1] < 0) & (np.minimum(np.abs(turn[1:]), np.abs(turn[:-1])) > SHARP)
+    return bool(back.mean() > OFTEN) if len(back) else False
 
 
 @style.drawn

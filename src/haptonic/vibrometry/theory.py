@@ -108,11 +108,14 @@ def computed_waves(
     )
 
 
-def guided(waves: xr.Dataset, guide: Guiding) -> tuple[Array, Array]:
-    """Frequencies (Hz) and wavenumbers (rad/m) of a guide's mode without nodal lines along it."""
+def guided(waves: xr.Dataset, guide: Guiding) -> tuple[Array, Array] | None:
+    """Frequencies (Hz) and wavenumbers (rad/m) of a guide's mode without nodal lines along it.
+
+    They are empty if the guide has no such mode in the gap; None if its modes were not computed.
+    """
     for row in range(waves.sizes["guide"]):
         if (float(waves["width"][row]), str(waves["along"].values[row])) == (guide.width, guide.along):
             at = waves["guided_frequency"].values[row]
             propagates = np.isfinite(at)
             return at[propagates], waves["guided_wavenumber"].values[row][propagates]
-    return np.zeros(0), np.zeros(0)
+    return None
