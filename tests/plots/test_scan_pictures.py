@@ -93,10 +93,10 @@ def test_a_guide_with_a_mode_and_one_of_which_nothing_is_computed_have_no_such_e
         coords={"frequency": LINES, "wavenumber": np.linspace(-500, 500, 41)},
     )  # fmt: skip
     mode = (np.array([52e3, 58e3]), np.array([250.0, 260.0]))
-    for guided in (mode, None):
-        figure = plots.wave_map(waves, None, guided, region="WG1", origin="simulated")
+    for given in (mode, None):
+        figure = plots.wave_map(waves, None, given, region="WG1", origin="simulated")
         assert "no mode" not in texts(figure)
-        assert len(figure.axes[0].lines) == (2 if guided else 0)
+        assert len(figure.axes[0].lines) == (2 if given else 0)
 
 
 @pytest.mark.parametrize("points", [24, 25])
