@@ -35,7 +35,7 @@ WORKERS = 2
 def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        table = made_up(folder)
+        table = simulated(folder)
         runs = []
         for times in (1, TIMES):
             people = range(1, times * PARTICIPANTS + 1)
@@ -47,7 +47,7 @@ def main() -> None:
     write("hundred_thousand_trials", {"workers": WORKERS, "bytes_read": [size, size * TIMES], "runs": runs})
 
 
-def made_up(folder: Path) -> pd.DataFrame:
+def simulated(folder: Path) -> pd.DataFrame:
     """Files of blocks, and the table of their trials."""
     rows, block = [], []
     protocol = Protocol()

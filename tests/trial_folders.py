@@ -27,7 +27,7 @@ def truth_of(**changes: Any) -> Truth:
     return Truth(Participants(**people), **changes)
 
 
-def made_up(participants: int = 3, blocks: int = 2, trials: int = 6, seed: int = 0, **truth: Any) -> Made:
+def simulated(participants: int = 3, blocks: int = 2, trials: int = 6, seed: int = 0, **truth: Any) -> Made:
     """Labels and records of an experiment."""
     experiment = strokes(truth_of(**truth), Protocol(blocks, trials), participants, seed)
     return [(label, record) for label, record, _ in experiment]

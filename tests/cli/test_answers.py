@@ -21,7 +21,7 @@ from haptonic.results.scan.value import ScanResult
 from haptonic.results.table import Table
 from haptonic.vibrometry.maps.edges import Edge, LatticeGap
 from haptonic.vibrometry.maps.registration import Registration
-from made_up import reference_bands
+from simulated import reference_bands
 
 tables = st.lists(st.integers(0, 40), max_size=6).map(
     lambda counts: [

@@ -11,7 +11,7 @@ from haptonic.friction.recordings import Sensor, analysed
 from haptonic.friction.recordings.draft import drafted
 from haptonic.friction.signals import Rules
 from haptonic.friction.signals.columns import meanings, whole_number
-from trial_folders import made_up, written
+from trial_folders import simulated, written
 
 FORMS = (
     "{p}_{w}_{a}_{t:02d}", "{p}-blk{b}-{w}-{a}-{t}", "{p}/{w}/{a}_{t:03d}", "{p}/block {b}/{w} {a} trial {t}",
@@ -45,7 +45,7 @@ def test_columns_are_found_in_drawn_names(tmp_path_factory, form, person, guide)
 
 def test_a_draft_is_written_once_and_read(inside, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    folder = written(tmp_path / "lab", made_up(trials=4))
+    folder = written(tmp_path / "lab", simulated(trials=4))
     rows = list(csv.DictReader((folder / "trials.csv").read_text("utf-8").splitlines()))
     (folder / "trials.csv").unlink()
     for row in rows:
@@ -64,7 +64,7 @@ def test_a_draft_is_written_once_and_read(inside, tmp_path, monkeypatch):
 
 
 def test_the_draft_of_names_that_number_each_condition_from_1_is_read(inside, tmp_path):
-    folder = written(tmp_path / "lab", made_up(trials=4))
+    folder = written(tmp_path / "lab", simulated(trials=4))
     rows = list(csv.DictReader((folder / "trials.csv").read_text("utf-8").splitlines()))
     (folder / "trials.csv").unlink()
     seen = Counter()

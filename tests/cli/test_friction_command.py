@@ -15,12 +15,12 @@ from five_parts import assert_five_parts
 from haptonic.analyses import named
 from haptonic.analyses.runner import Runner
 from haptonic.friction.phrases import averages
-from trial_folders import edited, made_up, written
+from trial_folders import edited, simulated, written
 
 pytestmark = pytest.mark.usefixtures("empty_pictures")
 
 ROOT = Path(__file__).parents[2]
-MADE = made_up(trials=4)
+MADE = simulated(trials=4)
 PICTURES = {f"{name}.{kind}" for name in ("conditions", "reductions") for kind in ("svg", "png")}
 TABLES = {"trials.csv", "conditions.csv", "tests.csv"}
 FILES = {"trials.nc", "quality.html"} | TABLES | PICTURES
@@ -114,7 +114,7 @@ def test_one_object_for_machines(inside, tmp_path, monkeypatch):
 
 
 def test_one_participant_gets_no_p_value_for_people(inside, tmp_path):
-    folder = written(tmp_path / "trials", made_up(1, trials=4))
+    folder = written(tmp_path / "trials", simulated(1, trials=4))
     answer = inside("friction", folder, "--json").json
     for test in answer["tests"]:
         assert (test["p"] is None) == (test["name"] != "trials, as published"), test
@@ -199,7 +199,7 @@ def test_bad_places_are_refused(inside, tmp_path):
 
 
 def test_json_has_no_nan(inside, tmp_path):
-    folder = written(tmp_path / "trials", made_up(1, trials=2))
+    folder = written(tmp_path / "trials", simulated(1, trials=2))
     ran = inside("friction", folder, "--json")
     json.loads(ran.out, parse_constant=lambda name: pytest.fail(name))
     assert np.isfinite(ran.json["reduction"]["WG1"]["value"])

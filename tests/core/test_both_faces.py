@@ -178,7 +178,7 @@ def test_modes_at_a_crossing_keep_their_parity():
 
 
 def test_rows_keep_flexural_waves_apart_from_the_others():
-    """In the gap of antisymmetric waves alone rows stop A0 and let S0 through; neither becomes the other.
+    """In the gap of antisymmetric waves alone rows stop A0 and transmit S0; neither becomes the other.
 
     With pillars on one face, and the same everything else, both do.
     """

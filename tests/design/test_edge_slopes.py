@@ -10,7 +10,7 @@ from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.design.edges import edge_slopes
 from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
-from made_up import reference_study
+from simulated import reference_study
 
 PATHS = ("cell.pillar.height", "material.density")
 

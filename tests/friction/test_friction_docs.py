@@ -13,7 +13,7 @@ from haptonic.cli.app import app
 from haptonic.friction.lubrication import parameters
 from haptonic.friction.signals import measured
 from haptonic.results import FrictionResult
-from trial_folders import made_up, written
+from trial_folders import simulated, written
 
 DOCS = Path(__file__).parents[2] / "docs"
 TEXT = "\n".join((DOCS / name).read_text("utf-8") for name in ("friction.md", "trials.md"))
@@ -38,7 +38,7 @@ def test_the_printed_section_and_commands_run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     tables = re.findall(r"```toml\n(.*?)```", TEXT, re.DOTALL)
     (section,) = (table for table in tables if "[trials]" in table)
-    records = made_up(2, 4, 8)
+    records = simulated(2, 4, 8)
     folder = written(
         tmp_path / "trials",
         records,

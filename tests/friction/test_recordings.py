@@ -12,9 +12,9 @@ from haptonic.errors import ResourceError
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, read_calibration, traces
 from haptonic.friction.signals import Record, Rules, exclusions, measure, measured
 from haptonic.friction.signals.measuring import measure_all
-from trial_folders import channels, edited, made_up, written
+from trial_folders import channels, edited, simulated, written
 
-MADE = made_up(trials=2)
+MADE = simulated(trials=2)
 TRUE = measured(MADE)["friction"].values
 FEW, FEW_TRUE = MADE[:4], TRUE[:4]  # of one person
 PLAIN = Sensor()

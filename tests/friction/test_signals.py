@@ -46,7 +46,7 @@ def stroke(friction=0.4, force=0.8, speed=0.08, noise=0.0, seed=0, bias=(0.0, 0.
 class TestFilters:
     @pytest.mark.parametrize(("name", "level"), [("literal", -6.02), ("compensated", -3.01), ("none", 0.0)])
     def test_attenuation_at_50_hz(self, name, level):
-        """Seen in a sine that is let through, away from the ends."""
+        """A sine that passes the filter shows it, away from the ends."""
         time = np.arange(4000) / 1000
         through = smoothed(np.sin(2 * np.pi * 50 * time), 1000.0, name)[1000:3000]
         attenuation = 20 * np.log10(np.sqrt(2 * np.mean(through**2)))

@@ -155,7 +155,7 @@ class TestProtocol:
 
     @pytest.mark.parametrize("protocol", [Protocol(), Protocol(4, 30, counterbalanced=True), Protocol(2, 6)])
     def test_shuffled_pairs(self, protocol):
-        """The same numbers in every block, no drift let through, and an order that is not the plain one."""
+        """The same numbers in every block, no drift left, and an order that is not the plain one."""
         drawn = replace(protocol, seed=0)
         plain, mixed = protocol.order(3), drawn.order(3)
 

@@ -31,7 +31,7 @@ from haptonic.study import loads
 from haptonic.vibrometry import InMemory, TimeScan, read_scan, write_records
 from haptonic.vibrometry.exports import csv_files, write_mat, write_mat_records, write_tdms
 from haptonic.vibrometry.writers import write_uff, write_uff_records
-from trial_folders import WRITERS, channels, made_up, written
+from trial_folders import WRITERS, channels, simulated, written
 
 DATA = Path(__file__).parents[1] / "data" / "uff"
 SMALL = 60_000  # bytes of a file of others, from which it is too slow to be damaged thousands of times
@@ -145,7 +145,7 @@ def _csv(folder: Path) -> list[Path]:
 
 
 def _friction(folder: Path) -> list[Path]:
-    records = made_up(participants=1, blocks=2, trials=2)[:2]
+    records = simulated(participants=1, blocks=2, trials=2)[:2]
     return [written(folder / kind, records, kind=kind) for kind in ("csv", "h5", "mat", "tdms")]
 
 
@@ -163,7 +163,7 @@ def _analyse(path: Path) -> None:
 
 def _signals(folder: Path) -> list[Path]:
     """What friction reads, and what no scan is read from."""
-    forces = channels([record for _, record in made_up(participants=1, blocks=2, trials=2)[:1]])
+    forces = channels([record for _, record in simulated(participants=1, blocks=2, trials=2)[:1]])
     for kind, write_one in WRITERS.items():
         write_one(forces, folder / f"a.{kind}")
     write_uff_records(_records(), folder / "a.uff")
@@ -172,7 +172,7 @@ def _signals(folder: Path) -> list[Path]:
 
 
 def _signals_hdf5(folder: Path) -> list[Path]:
-    forces = channels([record for _, record in made_up(participants=1, blocks=2, trials=2)[:1]])
+    forces = channels([record for _, record in simulated(participants=1, blocks=2, trials=2)[:1]])
     WRITERS["h5"](forces, folder / "a.h5")
     return [folder / "a.h5"]
 

@@ -1,4 +1,4 @@
-"""Texts that stand for the pictures of the gallery name what the axes show."""
+"""Alternative texts of the pictures of the gallery name what the axes show."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from test_designs import UNITS
 from test_plate_pictures import FREQUENCY, GAP, IMPEDANCE
 
 from haptonic import plots
-from made_up import made_up_mirror, made_up_search, reference_bands
+from simulated import reference_bands, simulated_mirror, simulated_search
 
 PAGE = (Path(__file__).parents[2] / "docs" / "gallery.md").read_text("utf-8")
 ALTERNATIVES = {
@@ -19,8 +19,8 @@ ALTERNATIVES = {
 }
 DRAWN = {
     'bands.plot("density_of_states")': lambda: plots.density_of_states(reference_bands()),
-    'rows.plot("decay")': lambda: plots.decay(made_up_mirror()),
-    "study.design().plot()": lambda: plots.search(made_up_search(), UNITS),
+    'rows.plot("decay")': lambda: plots.decay(simulated_mirror()),
+    "study.design().plot()": lambda: plots.search(simulated_search(), UNITS),
     'plate.plot("impedance-A1")': lambda: plots.impedance_spectrum(FREQUENCY[1:], IMPEDANCE, GAP),
 }
 UNNAMED = {"the", "per", "and", "khz", "dimensionless", "cell", "wavevector", "frequency"}
@@ -33,5 +33,5 @@ def words(text: str) -> set[str]:
 @pytest.mark.parametrize("code", DRAWN)
 def test_a_text_names_the_quantities_of_the_axes(code):
     axes = DRAWN[code]().axes
-    named = set().union(*(words(label) for one in axes for label in (one.get_xlabel(), one.get_ylabel())))
+    named = set().union(*(words(label) for panel in axes for label in (panel.get_xlabel(), panel.get_ylabel())))
     assert named <= words(ALTERNATIVES[code]), named - words(ALTERNATIVES[code])

@@ -14,7 +14,7 @@ from haptonic import plots
 from haptonic.bloch.bands import lattice_of
 from haptonic.plots import style
 from haptonic.plots.curves import PIECES, curves
-from made_up import reference_bands
+from simulated import reference_bands
 
 KHZ = 1e3
 
@@ -24,17 +24,17 @@ def levels(kappa: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
     The first two cross; the third enters from above and crosses the second.
     """
-    (x, y), one = kappa.T, np.ones(len(kappa))
+    (x, y), ones = kappa.T, np.ones(len(kappa))
     waves = [
-        (20 * one - 9 * np.cos(x) - 2 * np.cos(y), 9 * np.sin(x), 2 * np.sin(y)),
-        (21 * one + 6 * np.cos(x) + 3 * np.cos(y), -6 * np.sin(x), -3 * np.sin(y)),
-        (26 * one + 12 * np.cos(x + 1.2), -12 * np.sin(x + 1.2), 0 * one),
+        (20 * ones - 9 * np.cos(x) - 2 * np.cos(y), 9 * np.sin(x), 2 * np.sin(y)),
+        (21 * ones + 6 * np.cos(x) + 3 * np.cos(y), -6 * np.sin(x), -3 * np.sin(y)),
+        (26 * ones + 12 * np.cos(x + 1.2), -12 * np.sin(x + 1.2), 0 * ones),
     ]
     values = np.stack([wave[0] for wave in waves], axis=1)
     return KHZ * values, KHZ * np.stack([np.stack(wave[1:], axis=1) for wave in waves], axis=1)
 
 
-def made_up(count: int) -> xr.Dataset:
+def simulated(count: int) -> xr.Dataset:
     """The lowest bands of `levels` along the path of the reference cell."""
     given = reference_bands()
     kappa = given["kappa"].values
@@ -71,7 +71,7 @@ def test_curves_contain_all_computed_frequencies():
 
 
 def test_a_curve_is_near_the_wave_between_the_wavevectors_and_crosses_others():
-    data = made_up(3)
+    data = simulated(3)
     exact, places = between(data), curves(data)[0].distance
     straight = np.stack([np.interp(places, places[::PIECES], wave[::PIECES]) for wave in exact.T], axis=1)
     most = np.abs(straight - exact).max()
@@ -83,7 +83,7 @@ def test_a_curve_is_near_the_wave_between_the_wavevectors_and_crosses_others():
 
 
 def test_slopes_are_those_of_the_segment_on_both_sides_of_a_corner():
-    data = made_up(3)
+    data = simulated(3)
     corner = PIECES * json.loads(data.attrs["path_corners"])[1]
     exact = between(data)
     near = exact[corner - 1 : corner + 2, 0]
@@ -92,7 +92,7 @@ def test_slopes_are_those_of_the_segment_on_both_sides_of_a_corner():
 
 
 def test_a_wave_that_enters_from_above_meets_the_last_band_in_a_corner():
-    data = made_up(2)
+    data = simulated(2)
     exact = np.sort(between(data), axis=1)[:, :2]
     drawn = np.stack([curve.frequency for curve in curves(data)], axis=1)
     assert len(set(curves(data)[0].branch) | set(curves(data)[1].branch)) == 3

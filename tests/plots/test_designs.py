@@ -14,29 +14,29 @@ from daily import daily
 from haptonic import plots
 from haptonic.design.parameters import UNITS
 from haptonic.plots import style
-from made_up import made_up_front, made_up_search, made_up_tolerance
+from simulated import simulated_front, simulated_search, simulated_tolerance
 
 FOUR = ("cell.pillar.diameter", "cell.pillar.height", "material.youngs_modulus", "cell.thickness")
 
 
 def nothing_held():
-    data = made_up_front(3)
+    data = simulated_front(3)
     data["margin"][:] = -0.01
     return data
 
 
 PICTURES = {
-    "search": lambda: plots.search(made_up_search(), UNITS),
-    "search without a gap": lambda: plots.search(made_up_search(best=-0.02), UNITS),
-    "search of one design": lambda: plots.search(made_up_search(1), UNITS),
-    "long search": lambda: plots.search(made_up_search(60), UNITS),
-    "front": lambda: plots.front(made_up_front()),
-    "front of two pitches": lambda: plots.front(made_up_front(2)),
-    "front of most pitches": lambda: plots.front(made_up_front(40)),
+    "search": lambda: plots.search(simulated_search(), UNITS),
+    "search without a gap": lambda: plots.search(simulated_search(best=-0.02), UNITS),
+    "search of one design": lambda: plots.search(simulated_search(1), UNITS),
+    "long search": lambda: plots.search(simulated_search(60), UNITS),
+    "front": lambda: plots.front(simulated_front()),
+    "front of two pitches": lambda: plots.front(simulated_front(2)),
+    "front of most pitches": lambda: plots.front(simulated_front(40)),
     "front that holds nothing": lambda: plots.front(nothing_held()),
-    "tolerance": lambda: plots.tolerance(made_up_tolerance(FOUR)),
-    "tolerance of one": lambda: plots.tolerance(made_up_tolerance(FOUR[:1], margin=0.0)),
-    "tolerance of all": lambda: plots.tolerance(made_up_tolerance(tuple(UNITS))),
+    "tolerance": lambda: plots.tolerance(simulated_tolerance(FOUR)),
+    "tolerance of one": lambda: plots.tolerance(simulated_tolerance(FOUR[:1], margin=0.0)),
+    "tolerance of all": lambda: plots.tolerance(simulated_tolerance(tuple(UNITS))),
 }
 
 
@@ -121,7 +121,7 @@ class TestEveryPicture:
 
 class TestSearch:
     def test_sizes_are_against_each_other_with_the_margin_as_colour(self, drawn):
-        data = made_up_search()
+        data = simulated_search()
         height, diameter = 1e3 * data["value"].values.T
         for stage in ("look", "climb", "polish"):
             (points,) = by_gid(drawn["search"], stage)
@@ -135,7 +135,7 @@ class TestSearch:
         assert (axes.get_xlabel(), axes.get_ylabel()) == ("pillar height (mm)", "pillar diameter (mm)")
 
     def test_the_best_design_is_ringed(self, drawn):
-        data = made_up_search()
+        data = simulated_search()
         (ring,) = by_gid(drawn["search"], "best")
         place = 1e3 * data["value"].values[int(data["margin"].values.argmax())]
         assert np.ravel(ring.get_data()) == pytest.approx(place)
@@ -143,17 +143,17 @@ class TestSearch:
         assert set(in_legend(drawn["search of one design"])) == {"starts", "best, margin -8.0 %"}
 
     def test_of_one_size_the_margin_is_the_height_and_of_many_each_has_a_panel(self):
-        search = made_up_search().isel(parameter=[0])
+        search = simulated_search().isel(parameter=[0])
         axes = plots.search(search, UNITS).axes[0]
         assert (axes.get_xlabel(), axes.get_ylabel()) == ("pillar height (mm)", "margin (%)")
-        three = made_up_search().isel(parameter=[0, 1, 1])
+        three = simulated_search().isel(parameter=[0, 1, 1])
         three = three.assign_coords(parameter=["cell.pillar.height", "cell.pillar.diameter", "cell.pitch"])
         assert len(plots.search(three, UNITS).axes) == 3  # two panels and the scale
 
 
 class TestFront:
     def test_bars_span_the_gaps_that_hold_the_carrier(self, drawn):
-        data = made_up_front()
+        data = simulated_front()
         held = data["margin"].values > 0
         assert held.tolist() == [False, False, True, True, True, True]
         shown = bars(drawn["front"].axes[0], style.GAP)
@@ -164,7 +164,7 @@ class TestFront:
         assert np.array(ends) == pytest.approx(wanted)
 
     def test_widths_are_printed_above_the_bars(self, drawn):
-        data = made_up_front().isel(design=slice(2, None))
+        data = simulated_front().isel(design=slice(2, None))
         texts = drawn["front"].axes[0].texts
         for text, upper, lower in zip(texts[::-1], data["upper"].values, data["lower"].values, strict=True):
             assert text.xy[1] == pytest.approx(upper / 1e3)
@@ -186,14 +186,14 @@ class TestFront:
         assert set(in_legend(drawn["front that holds nothing"])) == {
             "carrier 60 kHz", "no allowed design has a gap there",
         }  # fmt: skip
-        all_held = plots.front(made_up_front().isel(design=slice(2, None)))
+        all_held = plots.front(simulated_front().isel(design=slice(2, None)))
         assert not by_gid(all_held, "none")
         assert len(in_legend(all_held)) == 2
 
 
 class TestTolerance:
     def test_the_histograms_hold_all_plates(self, drawn):
-        data = made_up_tolerance(FOUR)
+        data = simulated_tolerance(FOUR)
         for side, name in enumerate(("lower edge", "upper edge")):
             filled = [bar for bar in by_gid(drawn["tolerance"], name) if bar.get_height() > 0]
             assert sum(bar.get_height() for bar in filled) == data.sizes["plate"]
@@ -214,7 +214,7 @@ class TestTolerance:
         [("tolerance", FOUR), ("tolerance of one", FOUR[:1]), ("tolerance of all", tuple(UNITS))],
     )
     def test_bars_and_diamonds_are_the_shares(self, drawn, name, paths):
-        data, axes = made_up_tolerance(paths), drawn[name].axes[1]
+        data, axes = simulated_tolerance(paths), drawn[name].axes[1]
         for side, colour in enumerate((style.BLUE, style.ORANGE)):
             lengths = [bar.get_width() for bar in bars(axes, colour)]
             assert lengths == pytest.approx(100 * data["total_index"].values[:, side])

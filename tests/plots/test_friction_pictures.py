@@ -12,7 +12,7 @@ from haptonic.analyses.friction import compute_friction
 from haptonic.friction.recordings import Sensor
 from haptonic.friction.signals import Rules
 from haptonic.results.friction import MOST_SHEETS
-from trial_folders import made_up, written
+from trial_folders import simulated, written
 
 PUBLISHED = {"driven": 0.55, "idle": 0.11, "stopped": 0.8}
 
@@ -20,7 +20,11 @@ PUBLISHED = {"driven": 0.55, "idle": 0.11, "stopped": 0.8}
 @pytest.fixture(scope="module")
 def result(tmp_path_factory):
     folder = written(
-        tmp_path_factory.mktemp("trials") / "a", made_up(trials=4), per="block", kind="h5", origin="simulated"
+        tmp_path_factory.mktemp("trials") / "a",
+        simulated(trials=4),
+        per="block",
+        kind="h5",
+        origin="simulated",
     )
     return compute_friction(folder, Sensor(), Rules())
 

@@ -19,7 +19,7 @@ from five_parts import refused
 from haptonic import plots
 from haptonic.plots.looks import LOOKS
 from haptonic.results.bands import Bands
-from made_up import made_up_sweep, reference_bands, reference_layers
+from simulated import reference_bands, reference_layers, simulated_sweep
 
 MODULES = (test_designs, test_mirror_pictures, test_plate_pictures, test_verdict_pictures)
 VARIANTS = {
@@ -31,7 +31,7 @@ PICTURES = {
     "natures": lambda: plots.dispersion(reference_bands(), carrier_hz=60e3, natures=True),
     "density": lambda: plots.density_of_states(reference_bands()),
     "iso": lambda: plots.iso_frequency(reference_bands()),
-    "sweep": lambda: plots.sweep(made_up_sweep()),
+    "sweep": lambda: plots.sweep(simulated_sweep()),
 } | {
     name: draw
     for name, draw in chain.from_iterable(module.PICTURES.items() for module in MODULES)

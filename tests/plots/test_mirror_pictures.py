@@ -13,7 +13,7 @@ from seeing import Drawn, artists, assert_readable, shown_texts
 
 from daily import daily
 from haptonic import plots
-from made_up import made_up_mirror, reference_guides
+from simulated import reference_guides, simulated_mirror
 
 ONE_FAMILY = ("SH0",)
 DATASETS = {
@@ -36,10 +36,10 @@ def guide(width: float = 32e-3, fixed_line: float = 1e-3) -> Figure:
 
 PICTURES = {
     **{
-        f"decay, {name}": (lambda k=DATASETS[name]: plots.decay(made_up_mirror(**k)))
+        f"decay, {name}": (lambda k=DATASETS[name]: plots.decay(simulated_mirror(**k)))
         for name in ("usual", "no gap", "elsewhere")
     },
-    **{f"layers, {name}": (lambda k=k: plots.layers(made_up_mirror(**k))) for name, k in DATASETS.items()},
+    **{f"layers, {name}": (lambda k=k: plots.layers(simulated_mirror(**k))) for name, k in DATASETS.items()},
     "guide": guide,
     "guide, narrow": lambda: guide(0.9e-3, 2e-3),
     "guide, held in front": lambda: guide(120e-3, -1e-3),
@@ -127,7 +127,7 @@ class TestDecay:
         assert {round(float(level), 9) for level in others.get_ydata()} <= decibels
 
     def test_normal_incidence_is_a_curve_and_all_directions_a_band(self, drawn):
-        data = made_up_mirror()
+        data = simulated_mirror()
         (curve,) = artists(drawn["decay, usual"], "normal")
         assert curve.get_xdata() == pytest.approx(data["frequency"].values / 1e3)
         assert curve.get_ydata() == pytest.approx(data["attenuation"].values[:, 0])
@@ -143,12 +143,12 @@ class TestDecay:
 
     def test_the_decay_at_the_carrier_has_its_error(self):
         """With a slope of 0.5 dB per row and kHz, and frequencies uncertain by 0.5 %, that is 0.29 kHz."""
-        data = made_up_mirror(relative_frequency_error=5e-3)
+        data = simulated_mirror(relative_frequency_error=5e-3)
         data["attenuation"][:, 0] = 4.0 + 0.5 * (data["frequency"] / 1e3 - 58.0)
         assert "4.00 ± 0.17 dB per row" in [text for text, _ in shown_texts(plots.decay(data))]
 
     def test_a_spectrum_in_which_nothing_decays_is_drawn(self):
-        data = made_up_mirror()
+        data = simulated_mirror()
         data["attenuation"][:] = 0.0
         assert plots.decay(data).axes[0].get_ylim()[1] >= 1.0
 
@@ -207,7 +207,7 @@ class TestLayers:
         assert not drawn["layers, usual"].legends
 
     def test_rows_that_transmit_everything_are_drawn(self):
-        data = made_up_mirror()
+        data = simulated_mirror()
         data["transmitted"][:] = 0.25
         low, high = plots.layers(data).axes[0].get_ylim()
         assert low <= -10
@@ -219,7 +219,7 @@ class TestLayers:
         assert drawn["layers, one wave"].get_supylabel() == "normal incidence"
 
     def test_the_direction_of_the_rows_is_named_unless_it_is_the_usual_one(self):
-        other = plots.layers(made_up_mirror(along=np.array([1, -1])))
+        other = plots.layers(simulated_mirror(along=np.array([1, -1])))
         assert other.get_supylabel().startswith("transmitted, rows along [1, -1], normal incidence")
 
 

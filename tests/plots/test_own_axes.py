@@ -21,14 +21,14 @@ from matplotlib.text import Text
 from five_parts import refused
 from haptonic import plots
 from haptonic.results.bands import Bands
-from made_up import made_up_sweep, reference_bands, reference_guides, reference_layers
+from simulated import reference_bands, reference_guides, reference_layers, simulated_sweep
 
 MODULES = (test_designs, test_mirror_pictures, test_plate_pictures, test_verdict_pictures)
 SEVERAL = re.compile("decay|friction|tolerance|.*search|impedance|maps|before|no contrast|frac|guide, real")
 PICTURES = {
     "dispersion": lambda: plots.dispersion(reference_bands(), carrier_hz=60e3),
     "density": lambda: plots.density_of_states(reference_bands()),
-    "sweep": lambda: plots.sweep(made_up_sweep()),
+    "sweep": lambda: plots.sweep(simulated_sweep()),
     "map": lambda: plots.map_at(test_plate_pictures.vibration(), 58.8e3, None, None, drive=60.0),
 } | {name: draw for module in MODULES for name, draw in module.PICTURES.items() if not SEVERAL.match(name)}
 ALONE = [name for name in plots.__all__ if "ax" in inspect.signature(getattr(plots, name)).parameters]
@@ -63,7 +63,7 @@ def test_a_picture_keeps_to_its_axes_and_to_their_style(name, monkeypatch):
 
 
 def test_what_is_drawn_is_the_same(monkeypatch):
-    own = plots.sweep(made_up_sweep()).axes[0]
+    own = plots.sweep(simulated_sweep()).axes[0]
     given = Figure().add_subplot()
     on(given, PICTURES["sweep"], monkeypatch)
     for ours, theirs in zip(own.lines, given.lines, strict=True):

@@ -24,7 +24,7 @@ from haptonic.plots import style
 from haptonic.plots.bands import CURVE_STYLES, RIGID
 from haptonic.plots.curves import PIECES
 from haptonic.results.bands import Bands
-from made_up import made_up_sweep, reference_bands, reference_study
+from simulated import reference_bands, reference_study, simulated_sweep
 
 
 def pictures() -> dict[str, Figure]:
@@ -35,7 +35,7 @@ def pictures() -> dict[str, Figure]:
         "modes": plots.mode_shapes(bands),
         "iso": plots.iso_frequency(bands),
         "density": plots.density_of_states(bands),
-        "sweep": plots.sweep(made_up_sweep()),
+        "sweep": plots.sweep(simulated_sweep()),
     }
 
 
@@ -94,7 +94,7 @@ def test_a_picture_does_not_replace_a_file_unasked(drawn, tmp_path):
 
 def test_the_same_result_is_the_same_file(tmp_path):
     for folder in ("one", "two"):
-        plots.save(plots.sweep(made_up_sweep()), tmp_path / folder, "sweep")
+        plots.save(plots.sweep(simulated_sweep()), tmp_path / folder, "sweep")
     first, second = (sorted((tmp_path / folder).iterdir()) for folder in ("one", "two"))
     for a, b in zip(first, second, strict=True):
         assert a.read_bytes() == b.read_bytes()
@@ -103,7 +103,7 @@ def test_the_same_result_is_the_same_file(tmp_path):
 def test_drawing_changes_no_settings_and_opens_no_windows(tmp_path):
     with mpl.rc_context({"font.size": 30, "axes.grid": True}):
         before = dict(mpl.rcParams)
-        figure = plots.sweep(made_up_sweep())
+        figure = plots.sweep(simulated_sweep())
         plots.save(figure, tmp_path, "sweep")
         assert dict(mpl.rcParams) == before
         assert figure.axes[0].xaxis.label.get_fontsize() == 9
@@ -257,7 +257,7 @@ class TestSweep:
         return sorted(map(tuple, np.concatenate(points))) if points else []
 
     def test_edges_are_points_and_the_gap_between_them_is_shaded(self, drawn):
-        data = made_up_sweep()
+        data = simulated_sweep()
         there = np.isfinite(data["gap_lower"].values) & (data["gap_below"].values != 3)
         steps, _ = np.nonzero(there)
         edges = [data[f"gap_{side}"].values[there] / 1e3 for side in ("lower", "upper")]
@@ -278,7 +278,7 @@ class TestSweep:
             assert (faces == {"white"}) == hollow
 
     def test_resonances_are_drawn_by_both_theories(self, drawn):
-        data = made_up_sweep()
+        data = simulated_sweep()
         for name, dashed in (("euler_bernoulli", True), ("timoshenko", False)):
             for k in range(3):
                 (line,) = artists(drawn["sweep"], f"{name} {k + 1}")
@@ -287,28 +287,28 @@ class TestSweep:
 
     def test_the_end_of_the_search_is_a_line(self, drawn):
         (line,) = artists(drawn["sweep"], "beyond")
-        assert line.get_ydata() == pytest.approx(made_up_sweep()["searched_up_to"].values / 1e3)
+        assert line.get_ydata() == pytest.approx(simulated_sweep()["searched_up_to"].values / 1e3)
 
     def test_a_sweep_downwards_is_the_same_picture(self, drawn):
-        down = plots.sweep(made_up_sweep().isel(step=slice(None, None, -1)))
+        down = plots.sweep(simulated_sweep().isel(step=slice(None, None, -1)))
         for gid in ("certain gap", "uncertain gap", "beyond", "timoshenko 1"):
             assert self.points(down, gid) == self.points(drawn["sweep"], gid)
 
     def test_the_own_design_is_marked_only_on_the_axis(self, drawn):
         (line,) = artists(drawn["sweep"], "own")
         assert set(line.get_xdata()) == {0.5}
-        assert not artists(plots.sweep(made_up_sweep(own_value=2.0)), "own")
-        without = made_up_sweep()
+        assert not artists(plots.sweep(simulated_sweep(own_value=2.0)), "own")
+        without = simulated_sweep()
         del without.attrs["own_value"]
         assert not artists(plots.sweep(without), "own")
 
     def test_a_design_that_failed_is_crossed_out(self):
-        data = made_up_sweep()
+        data = simulated_sweep()
         data["searched_up_to"][2] = np.nan
         assert self.points(plots.sweep(data), "failed") == [(float(data["value"][2]), 0.0)]
 
     def test_lengths_are_drawn_in_mm(self):
-        data = made_up_sweep(expression="cell.pitch", own_value=5e-4)
+        data = simulated_sweep(expression="cell.pitch", own_value=5e-4)
         data["value"] = data["value"] * 1e-3
         data["value"].attrs = {"units": "m"}
         axes = plots.sweep(data).axes[0]
@@ -316,7 +316,7 @@ class TestSweep:
         assert axes.get_xlim()[1] == pytest.approx(0.8 + 0.03 * 0.4)
 
     def test_a_sweep_without_gaps_or_pillar_is_drawn(self):
-        data = made_up_sweep().isel(gap_slot=slice(0))
+        data = simulated_sweep().isel(gap_slot=slice(0))
         data["euler_bernoulli"][:] = data["timoshenko"][:] = np.nan
         figure = plots.sweep(data)
         assert not self.points(figure, "certain gap")

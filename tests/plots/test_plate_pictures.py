@@ -12,8 +12,8 @@ import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
-from plates_made_up import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, prototype, turned, vibration
 from seeing import Drawn, artists, assert_readable, shown_texts
+from simulated_plates import ALUMINIUM, GAP, LINES, busy_plate, notched, plate, prototype, turned, vibration
 
 from daily import daily
 from haptonic import plots

@@ -14,7 +14,7 @@ PHASES, PERIOD, PITCH = np.linspace(0, np.pi, 9), 12e-3, 10e-3
 COLUMNS = 6
 
 
-def made_up_ribbon(crystals: int = 2, apart: float = 0.0, carrier: float = 100e3) -> xr.Dataset:
+def simulated_ribbon(crystals: int = 2, apart: float = 0.0, carrier: float = 100e3) -> xr.Dataset:
     """A mode at 100 kHz between two bulk bands, on an oblique ribbon."""
     bulk = np.array([80e3, 104e3]) + apart * np.arange(crystals)[:, None, None] + 0 * PHASES[:, None]
     column, along = np.meshgrid(np.arange(COLUMNS + 1), np.arange(5), indexing="ij")
@@ -41,18 +41,18 @@ def made_up_ribbon(crystals: int = 2, apart: float = 0.0, carrier: float = 100e3
 
 
 def legend(figure):
-    return [text.get_text() for found in figure.legends for text in found.get_texts()]
+    return [text.get_text() for legend in figure.legends for text in legend.get_texts()]
 
 
 def test_carrier_and_bulk_bands_are_named():
-    figure = plots.projected(made_up_ribbon())
+    figure = plots.projected(simulated_ribbon())
     assert legend(figure) == ["bulk bands of both crystals", "not computed", "carrier 100 kHz"]
     assert_readable(figure)
 
 
 def test_each_crystal_has_its_own_shade_unless_they_are_mirror_images():
-    assert legend(plots.projected(made_up_ribbon(1)))[:1] == ["bulk bands"]
-    two = legend(plots.projected(made_up_ribbon(apart=1e3)))
+    assert legend(plots.projected(simulated_ribbon(1)))[:1] == ["bulk bands"]
+    two = legend(plots.projected(simulated_ribbon(apart=1e3)))
     assert two[:2] == ["bulk bands of crystal 1", "bulk bands of crystal 2"]
 
 
@@ -63,7 +63,7 @@ def test_every_colour_of_a_mode_has_a_contrast_of_3_on_white():
 
 
 def test_the_field_of_an_oblique_ribbon_fills_its_axes():
-    data = made_up_ribbon()
+    data = simulated_ribbon()
     figure = plots.ribbon_field(data)
     axes = figure.axes[0]
     copies = [part for part in axes.collections if hasattr(part, "_triangulation")]
@@ -78,7 +78,7 @@ def test_the_field_of_an_oblique_ribbon_fills_its_axes():
 
 
 def test_the_bar_of_a_field_is_as_high_as_the_axes():
-    figure = plots.ribbon_field(made_up_ribbon())
+    figure = plots.ribbon_field(simulated_ribbon())
     figure.canvas.draw()
     axes = figure.axes[0]
     (bar,) = axes.child_axes

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from plates_made_up import prototype
 from seeing import artists, assert_readable, shown_texts
+from simulated_plates import prototype
 
 from daily import daily
 from haptonic import plots

@@ -12,7 +12,7 @@ from seeing import artists, assert_readable
 
 from haptonic.results.bands import Bands
 from haptonic.verification import CaseComparison, cases, page
-from made_up import reference_bands
+from simulated import reference_bands
 
 DOCS = Path(__file__).parents[2] / "docs"
 

@@ -9,7 +9,7 @@ import pytest
 from five_parts import refusing
 from haptonic.errors import ResourceError
 from haptonic.vtu import write_modes
-from made_up import reference_bands
+from simulated import reference_bands
 
 
 def test_what_is_written_is_read_back(tmp_path):

@@ -9,7 +9,7 @@ from seeing import artists, assert_readable
 
 from haptonic import plots
 from haptonic.bloch.zone import ZoneSurface
-from made_up import reference_bands
+from simulated import reference_bands
 
 
 def beside_plateau():

@@ -32,7 +32,7 @@ from haptonic.store import Store
 from haptonic.study import loads
 from haptonic.vibrometry.of_settings import drive_for, response_for
 from tiny_scan import TINY
-from trial_folders import made_up, written
+from trial_folders import simulated, written
 
 # four people and two guides; tables of trials give names back without blanks around them
 GROUPS = [
@@ -54,7 +54,7 @@ def trials(request, tmp_path_factory):
     guides = {"WG1": first, "WG2": second}
     labelled = [
         (replace(label, waveguide=guides[label.waveguide], participant=label.participant), record)
-        for label, record in made_up(len(people), 2, 4)
+        for label, record in simulated(len(people), 2, 4)
     ]
     folder = written(tmp_path_factory.mktemp("trials"), labelled)
     table = folder / "trials.csv"

@@ -31,13 +31,13 @@ from haptonic.results.bands import Bands
 from haptonic.results.references import References
 from haptonic.results.sweeps import Sweep, Sweeps
 from haptonic.study import Study
-from made_up import (
-    made_up_sweep,
+from simulated import (
     reference_bands,
     reference_guides,
     reference_layers,
     reference_study,
     results_of,
+    simulated_sweep,
 )
 from toy import Toy
 
@@ -86,7 +86,7 @@ REFERENCES = References.read(Path(__file__).parents[2] / "studies" / "references
 
 
 def results(**changes) -> Results:
-    sweeps = (made_up_sweep(), made_up_sweep(expression="cell.pillar.height / cell.pitch", own_value=0.6))
+    sweeps = (simulated_sweep(), simulated_sweep(expression="cell.pillar.height / cell.pitch", own_value=0.6))
     timings = {"bands": 1.26, "sweeps": 20.0}
     whole = {"study": reference_study(), "bands": reference_bands(), "sweeps": sweeps, "timings": timings,
              "started": STARTED, "references": REFERENCES}  # fmt: skip
@@ -226,7 +226,7 @@ class TestHostileInput:
     def test_names_in_the_material_and_the_sweep_are_text(self):
         cell = reference_study().cell
         cell = replace(cell, material=replace(cell.material, name="<img src=x onerror=alert(1)>"))
-        sweep = made_up_sweep(expression="<b>$x$ / y_{</b>")
+        sweep = simulated_sweep(expression="<b>$x$ / y_{</b>")
         reader = read(page(results(study=study_with(cell=cell), sweeps=(sweep,))))
         assert not reader.of("b")
         assert all(image["src"].startswith("data:") for image in reader.of("img"))
@@ -418,7 +418,7 @@ class TestComparison:
 
     def test_remarks_and_figures_reach_their_chapters(self, whole, empty_pictures, undrawn_mirror):
         text = read(whole).text
-        assert "That three rows are enough the paper says without details." in text
+        assert "The paper gives no details of its statement that three rows are enough." in text
         assert "(Fig. 4A of the paper)" in text
         without = read(page(mirrored(references=None))).text
         assert "the paper" not in without
@@ -557,7 +557,7 @@ class TestMirror:
 class TestTrend:
     @pytest.mark.parametrize("exponent", [1.0, -2.0, 0.37])
     def test_an_exact_power_is_found(self, exponent):
-        trend = trend_of(made_up_sweep(exponent=exponent))
+        trend = trend_of(simulated_sweep(exponent=exponent))
         power = trend.power(trend.upper)
         assert power.exponent == pytest.approx(exponent)
         assert power.error < 1e-9
@@ -573,41 +573,41 @@ class TestTrend:
         assert claimed == pytest.approx(scatter, rel=0.1)
 
     def test_a_line_through_equation_3_is_straight(self):
-        assert trend_of(made_up_sweep(exponent=1.0)).straightness < 1e-6
-        assert trend_of(made_up_sweep(exponent=2.0)).straightness > 1e3
+        assert trend_of(simulated_sweep(exponent=1.0)).straightness < 1e-6
+        assert trend_of(simulated_sweep(exponent=2.0)).straightness > 1e3
 
     @pytest.mark.parametrize(
         ("exponent", "words"), [(0.8, "is a straight line"), (3.0, "deviates from a straight line")]
     )
     def test_a_bent_edge_is_not_called_straight(self, exponent, words):
-        chapter = sweeps.chapter(results(sweeps=(made_up_sweep(exponent=exponent),)))
+        chapter = sweeps.chapter(results(sweeps=(simulated_sweep(exponent=exponent),)))
         assert words in chapter.findings[1]
 
     def test_the_gap_is_followed_without_a_break(self):
-        sweep = made_up_sweep()
+        sweep = simulated_sweep()
         sweep["gap_lower"][6, 0] = np.nan
         assert len(trend_of(sweep).value) == 6
 
     def test_a_gap_in_another_slot_is_the_same_gap(self):
-        sweep = made_up_sweep()
+        sweep = simulated_sweep()
         for name in ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_below"):
             sweep[name][0, [0, 1]] = sweep[name][0, [1, 0]].values
         assert len(trend_of(sweep).value) == 9
 
     @pytest.mark.parametrize("attrs", [{"own_value": 2.0}, {"own_value": None}])
     def test_no_trend_without_the_own_design(self, attrs):
-        assert trend_of(made_up_sweep(**attrs)) is None
+        assert trend_of(simulated_sweep(**attrs)) is None
 
     def test_no_trend_from_three_designs_or_from_none_with_a_gap(self):
-        assert trend_of(made_up_sweep(steps=3)) is None
-        sweep = made_up_sweep()
+        assert trend_of(simulated_sweep(steps=3)) is None
+        sweep = simulated_sweep()
         sweep["gap_upper"][:] = sweep["gap_lower"]
         assert trend_of(sweep) is None
 
 
 def test_sweeps_of_several_lengths_and_numbers_of_gaps_are_one_dataset():
     """The reference study has both, and its report ended in a traceback."""
-    long = made_up_sweep()
+    long = simulated_sweep()
     short = long.isel(step=slice(0, -1), gap_slot=slice(0, 1)).assign_attrs(expression="cell.pitch")
     rows = Sweeps((Sweep(long, {}), Sweep(short, {})))
     assert rows.dataset["gap_lower"].sizes == {"sweep": 2, **long["gap_lower"].sizes}

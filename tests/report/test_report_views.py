@@ -11,8 +11,8 @@ from browser import STILL, faults_of_layout, page_at
 from haptonic.report.page import page
 from haptonic.study import loads
 from haptonic.views import program
-from made_up import reference_layers, results_of
 from quick import QUICK_CELL, QUICK_RIBBON
+from simulated import reference_layers, results_of
 
 
 def test_views_of_chapters_open_one_at_a_time(browser, tmp_path, monkeypatch):

@@ -12,12 +12,12 @@ from haptonic.friction.signals import Rules
 from haptonic.report import Absent, Chapter, Results
 from haptonic.report.chapters.trials import chapter
 from haptonic.results.references import References
-from trial_folders import made_up, written
+from trial_folders import simulated, written
 
 
 @pytest.fixture(scope="module")
 def result(tmp_path_factory):
-    folder = written(tmp_path_factory.mktemp("trials"), made_up(2, 4, 6))
+    folder = written(tmp_path_factory.mktemp("trials"), simulated(2, 4, 6))
     return compute_friction(folder, Sensor(), Rules(), driven="WG1")
 
 

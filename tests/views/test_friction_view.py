@@ -9,12 +9,12 @@ from haptonic.analyses import named
 from haptonic.analyses.runner import Runner
 from haptonic.results.friction import FrictionResult
 from haptonic.results.friction_view import FRICTION, REDUCTION
-from trial_folders import made_up, written
+from trial_folders import simulated, written
 
 
 @pytest.fixture(scope="module")
 def result(tmp_path_factory: pytest.TempPathFactory) -> FrictionResult:
-    folder = written(tmp_path_factory.mktemp("friction") / "<i>trials", made_up(participants=3, trials=4))
+    folder = written(tmp_path_factory.mktemp("friction") / "<i>trials", simulated(participants=3, trials=4))
     answer = named("friction").run(None, Runner(), {"path": folder, "html": True})
     assert isinstance(answer, FrictionResult)
     return answer

@@ -9,14 +9,14 @@ from browser import STILL, faults_of_layout, page_at
 from haptonic.results.layers_view import layers_view
 from haptonic.units import uncertain
 from haptonic.views import sent_page
-from made_up import made_up_mirror
+from simulated import simulated_mirror
 
 SHARE = 0.01  # relative error of frequencies
 
 
 @pytest.fixture(scope="module")
 def view():
-    data = made_up_mirror(relative_frequency_error=SHARE, families=("A0", "SH0"))
+    data = simulated_mirror(relative_frequency_error=SHARE, families=("A0", "SH0"))
     return layers_view(data, "Mirror", ["Simulated."])
 
 

@@ -253,10 +253,7 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class PowersOfTen(LogFormatterSciNotation):
-    """Labels of a logarithmic axis, matplotlib's own in plain text: pictures parse no formulas.
-
-    An axis of less than two decades of usual numbers has plain numbers, such as 0.4 and 3.
-    """
+    """Labels of a logarithmic axis in plain text; below two decades plain numbers, such as 0.4 and 3."""
 
     def __call__(self, x: float, pos: Any = None) -> str:
         """The label of a place, such as 10⁻³; empty where matplotlib gives none."""

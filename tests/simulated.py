@@ -44,7 +44,7 @@ def reference_bands() -> xr.Dataset:
     return _reference_bands().copy(deep=True)
 
 
-def made_up_sweep(steps: int = 9, exponent: float = 0.8, **attrs: object) -> xr.Dataset:
+def simulated_sweep(steps: int = 9, exponent: float = 0.8, **attrs: object) -> xr.Dataset:
     """A gap between bands 6 and 7 whose edges follow a power of the swept value exactly; below it, in the
     first four designs, a gap that is narrower than its errors; the last design has a third gap."""
     value = np.linspace(0.4, 0.8, steps)
@@ -72,7 +72,7 @@ def made_up_sweep(steps: int = 9, exponent: float = 0.8, **attrs: object) -> xr.
     return dataset
 
 
-def made_up_search(visits: int = 14, *, best: float = 0.06) -> xr.Dataset:
+def simulated_search(visits: int = 14, *, best: float = 0.06) -> xr.Dataset:
     """Starts, climbs and a polish whose margins rise to the best; a design without margin has no gap either.
 
     The gap that a margin belongs to is as wide above the carrier as below it.
@@ -94,7 +94,7 @@ def made_up_search(visits: int = 14, *, best: float = 0.06) -> xr.Dataset:
     )
 
 
-def made_up_front(pitches: int = 6) -> xr.Dataset:
+def simulated_front(pitches: int = 6) -> xr.Dataset:
     """A gap that widens with the pitch; the first pitch holds no carrier, and the second allows no design."""
     margin = np.linspace(-0.03, 0.08, pitches)
     lower, upper = 60e3 * (1 - margin), 60e3 * (1 + 1.2 * margin)
@@ -110,7 +110,7 @@ def made_up_front(pitches: int = 6) -> xr.Dataset:
     )
 
 
-def made_up_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Dataset:
+def simulated_tolerance(paths: tuple[str, ...], margin: float = 500.0) -> xr.Dataset:
     """Edges at 55 and 64 kHz that scatter by 300 and 500 Hz, the shares of their variances falling by half
     from one parameter to the next; the carrier is 60 kHz."""
     chance = np.random.default_rng(7)
@@ -150,7 +150,7 @@ def reference_guides() -> Guides:
     return _reference_mirror()[1]
 
 
-def made_up_mirror(rows: int = 6, families: tuple[str, ...] = FAMILIES, **attrs: object) -> xr.Dataset:
+def simulated_mirror(rows: int = 6, families: tuple[str, ...] = FAMILIES, **attrs: object) -> xr.Dataset:
     """Spectra from 40 to 80 kHz: one wave propagates below 50 kHz and one above 60 kHz; in between the n-th
     kind of wave decays by 5 n dB per row, its energy evenly spread over all kinds."""
     frequency = np.linspace(40e3, 80e3, 21)
