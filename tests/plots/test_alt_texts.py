@@ -33,5 +33,7 @@ def words(text: str) -> set[str]:
 @pytest.mark.parametrize("code", DRAWN)
 def test_a_text_names_the_quantities_of_the_axes(code):
     axes = DRAWN[code]().axes
-    named = set().union(*(words(label) for panel in axes for label in (panel.get_xlabel(), panel.get_ylabel())))
+    named = set().union(
+        *(words(label) for panel in axes for label in (panel.get_xlabel(), panel.get_ylabel()))
+    )
     assert named <= words(ALTERNATIVES[code]), named - words(ALTERNATIVES[code])

@@ -75,6 +75,21 @@ def test_what_is_no_number_is_changed_by_its_key():
 
 
 STEEL = "steel"
+
+
+def test_parts_are_replaced_by_texts_tables_and_values():
+    cell = UnitCell(Lattice.square(8e-3), 1e-3, "brass")
+    assert STUDY.replace(material="brass").cell.material.name == "brass"
+    assert STUDY.replace(material=material("brass")).cell.pillar == STUDY.cell.pillar
+    assert STUDY.replace(cell=cell, carrier="50 kHz") == Study(cell=cell, carrier=50e3)
+    assert STUDY.replace(cell={"pitch": "8 mm", "thickness": "1 mm"}, material="brass").cell == cell
+    assert STUDY.replace(bands={"count": 7}).bands_settings.count == 7
+    assert STUDY.replace() == STUDY
+    with pytest.raises(StudyError) as caught:
+        STUDY.replace(materail="brass")
+    assert_explained(caught.value, 'write "material"', code="unknown", argument="materail")
+
+
 LARGE = st.floats(0.2, 500)
 MAKERS = {
     "a study": lambda z: Study(cell=SIZES | {"pillar": {"diameter": 3e-3, "height": z}}, material=STEEL),
@@ -84,6 +99,7 @@ MAKERS = {
     "a changed study": lambda size: STUDY.with_parameter("cell.pillar.height", size),
     "several changes": lambda size: STUDY.with_parameters({"cell.pillar.height": size}),
     "changed keys": lambda size: STUDY.with_keys({"cell.pillar.height": f"{size} m"}),
+    "another cell": lambda size: STUDY.replace(cell=SIZES | {"pillar": {"diameter": 3e-3, "height": size}}),
 }  # fmt: skip
 
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Self
 
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.runner import Runner
+from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
-from haptonic.fields import extended, remade
-from haptonic.fields.keys import is_described, slots
+from haptonic.fields import caller, extended, remade, warn_caller
+from haptonic.fields.keys import slots
 from haptonic.progress import Progress, in_notebook
 from haptonic.results.plan import sentence_of
 from haptonic.results.result import Result
@@ -68,24 +69,29 @@ class Study(Description, Methods):
             return named(name).run(self.within(budget), runner, options)
 
     def replace(self, **changes: Any) -> Self:
-        """The study with changed tables and keys at the top of its file, and without sweeps: one design.
+        """The study with other tables and keys at the top of its file, and without sweeps: one design.
 
         ``study.replace(material="silicon", cell={"pitch": "6 mm", "thickness": "1 mm"})``
 
         Parameters
         ----------
-        changes : as for a new study: texts with units, numbers, whole tables, or values such as a `UnitCell`;
-            `with_keys` changes single keys of a table
+        changes : as for a new study: numbers in SI, texts with units, whole tables, or values such as a
+            `UnitCell`; `with_keys` changes single keys of a table
 
         Raises
         ------
-        StudyError : an unknown key, a value that is not allowed, or a study that cannot be written as a file
+        StudyError : an unknown key, a value that is not allowed, or an impossible study
         """
-        values = {key: value for key, value in changes.items() if is_described(value)}
-        study = self.with_keys({key: value for key, value in changes.items() if key not in values})
-        if material := values.pop("material", None):
-            values["cell"] = remade(values.get("cell", study.cell), material=material)
-        return type(study)(**{slot.key: getattr(study, slot.name) for slot in slots(type(study))} | values)
+        design = self.with_parameters({})
+        cell = changes.get("cell", design.cell)
+        if isinstance(cell, UnitCell) and "material" in changes:
+            changes |= {"cell": remade(cell, material=changes.pop("material"))}
+        elif not isinstance(cell, UnitCell):
+            changes = {"material": design.cell.material} | changes
+        kept = {slot.key: getattr(design, slot.name) for slot in slots(type(design))}
+        changed = type(design)(**kept | changes)
+        warn_caller((f"{path}: {text}" for path, text in changed._unusual_values().items()), caller())
+        return changed
 
     def __repr__(self) -> str:
         sentence = sentence_of(self.title, self.cell, self.carrier)
