@@ -39,10 +39,11 @@ def test_every_value_of_the_source_lies_within_the_axes(name, monkeypatch):
     assert_readable(figure)
 
 
-def test_the_edges_of_the_source_are_written(monkeypatch):
+def test_the_edges_of_the_source_are_written_in_the_legend_of_the_bands(monkeypatch):
     figure, _ = drawn("prototype", monkeypatch)
-    texts = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
-    assert texts == ["edges of the gap in the source, 52.9 and 61.4 kHz"]
+    (legend,) = figure.legends
+    texts = [text.get_text() for text in legend.get_texts()]
+    assert texts == ["bands above band 8 are missing", "edges of the gap in the source, 52.9 and 61.4 kHz"]
 
 
 def test_a_case_with_a_picture_has_a_value_on_its_path():

@@ -42,9 +42,18 @@ class Stage:
 
 
 def below(figure: Figure, handles: Sequence[Artist], ncols: int = 3, **look: Any) -> None:
-    """Explain the handles below a figure, in as many columns as its width has room for, up to ``ncols``."""
+    """Explain the handles below a figure, in as many columns as its width has room for, up to ``ncols``.
+
+    Handles that are explained there already come first.
+    """
     if not handles or not choice().legend:
         return
+    for legend in figure.legends.copy():
+        for handle, text in zip(legend.legend_handles, legend.get_texts(), strict=True):
+            assert handle is not None, "a legend without a handle"
+            handle.set_label(text.get_text())
+        handles = [*filter(None, legend.legend_handles), *handles]
+        legend.remove()
     for columns in range(min(ncols, len(handles)), 0, -1):
         legend = figure.legend(handles=list(handles), loc="outside lower center", ncols=columns, **look)
         if columns == 1 or legend.get_window_extent().width < figure.bbox.width:

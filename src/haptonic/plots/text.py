@@ -40,11 +40,15 @@ def band_text(lower: float, lower_error: float, upper: float, upper_error: float
     """``52.51 ± 0.05 to 60.21 ± 0.10 kHz``: both ends of a band with the bounds of their errors, Hz.
 
     Both ends have the same number of decimals, the smaller one of `uncertain` for each unless it would
-    enlarge a bound by more than a quarter. Bounds are rounded up.
+    enlarge a bound by more than a quarter. Bounds are rounded up. If bounds differ by more than a digit, as
+    of a low and a high frequency, each end has its own.
     """
     unit, scale = frequency_scale(lower, upper)
     ends = [(lower * scale, lower_error * scale), (upper * scale, upper_error * scale)]
-    fewest, most = sorted(len(uncertain(*end).split(" ")[0].partition(".")[2]) for end in ends)
+    alone = [uncertain(*end) for end in ends]
+    fewest, most = sorted(len(text.split(" ")[0].partition(".")[2]) for text in alone)
+    if most > fewest + 1:
+        return f"{' to '.join(alone)} {unit}"
     coarse = any(_rounded_up(bound, fewest) > LOOSEST * bound for _, bound in ends if _known(bound))
     low, high = (_with_decimals(*end, most if coarse else fewest) for end in ends)
     return f"{low} to {high} {unit}"
