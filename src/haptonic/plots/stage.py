@@ -14,6 +14,7 @@ from haptonic.errors import HaptonicError, shown
 from haptonic.plots import style
 from haptonic.plots.looks import choice
 
+FULL = 0.96  # of the width of a figure, for a legend: its text is measured to a pixel for each letter
 
 @dataclass(frozen=True)
 class Stage:
@@ -56,7 +57,7 @@ def below(figure: Figure, handles: Sequence[Artist], ncols: int = 3, **look: Any
         legend.remove()
     for columns in range(min(ncols, len(handles)), 0, -1):
         legend = figure.legend(handles=list(handles), loc="outside lower center", ncols=columns, **look)
-        if columns == 1 or legend.get_window_extent().width < figure.bbox.width:
+        if columns == 1 or legend.get_window_extent().width < FULL * figure.bbox.width:
             return
         legend.remove()
 
