@@ -48,7 +48,9 @@ def region_levels(response: FrequencyResponse, driven: str | None) -> tuple[xr.D
         data["error_of_contrast"] = along({pair: level["error"] for pair, level in levels.items()}, "pair")
     for pair, level in levels.items():
         if hidden := int(np.isnan(level["level"].values).sum()):
-            hides.append(f"noise hides the contrast of {pair} at {hidden} line{'s' if hidden > 1 else ''}")
+            hides.append(
+                f"noise hides the contrast {pair} at {hidden} of {level.sizes['frequency']} frequencies"
+            )
     return data, hides
 
 
