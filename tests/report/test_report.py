@@ -293,7 +293,9 @@ class TestWords:
     def test_all_results_are_marked_as_simulated(self, whole):
         text = read(whole).text
         assert "All results on this page are simulated" in text
-        for caption in re.findall(r"<figcaption>(.*?)</figcaption>", whole):
+        first, *others = re.findall(r"<figcaption>(.*?)</figcaption>", whole)
+        assert re.fullmatch(r'Simulated.*<a href="#picture-(\d+)">Figure \1 in its chapter</a>', first)
+        for caption in others:
             assert re.match(r"<strong>Figure \d+\.</strong> Simulated", caption)
 
     def test_numbers_follow_the_results(self, whole):

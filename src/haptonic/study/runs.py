@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Self
 
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.runner import Runner
-from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
 from haptonic.fields import caller, extended, remade, warn_caller
 from haptonic.fields.keys import slots
@@ -84,10 +83,11 @@ class Study(Description, Methods):
         """
         design = self.with_parameters({})
         cell = changes.get("cell", design.cell)
-        if isinstance(cell, UnitCell) and "material" in changes:
-            changes |= {"cell": remade(cell, material=changes.pop("material"))}
-        elif not isinstance(cell, UnitCell):
+        is_table = not isinstance(cell, type(design.cell))
+        if is_table:
             changes = {"material": design.cell.material} | changes
+        elif "material" in changes:
+            changes |= {"cell": remade(cell, material=changes.pop("material"))}
         kept = {slot.key: getattr(design, slot.name) for slot in slots(type(design))}
         changed = type(design)(**kept | changes)
         warn_caller((f"{path}: {text}" for path, text in changed._unusual_values().items()), caller())

@@ -243,8 +243,8 @@ class ScanResult(Result):
             f"{len(self.response.points)} points ({flags or 'none flagged'}), {len(self.response.frequency)} "
             f"frequencies from {low} to {high} kHz, {self.origin}."
         ]
-        agreement, *compared = self.verdict.summary() if self.verdict else [""]
-        sentences += [agreement] if agreement else []
+        compared = self.verdict.summary() if self.verdict else []
+        sentences += compared[:1]  # the agreement
         if self.lattice is not None:
             computed = f"; computed {hz_text(self.gap.lower, self.gap.upper, form='.2f')}" if self.gap else ""
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
@@ -258,7 +258,7 @@ class ScanResult(Result):
                 f"{hz_text(seen.lower, form='.2f', error=seen.lower_error)} to "
                 f"{hz_text(seen.upper, form='.2f', error=seen.upper_error)}."
             )
-        sentences += compared
+        sentences += compared[1:]
         if not self.report.complete or self.report.remarks:
             sentences.append(str(self.report))
         if self.registration is not None:
