@@ -16,6 +16,7 @@ from haptonic.plots.looks import choice
 
 FULL = 0.96  # of the width of a figure, for a legend: its text is measured to a pixel for each letter
 
+
 @dataclass(frozen=True)
 class Stage:
     """One system of axes.
