@@ -96,7 +96,7 @@ def cost_of(order: int) -> dict[str, float]:
         "trace": superelement.trace_size,
         "condense_s": seconds,
         "peak_memory_bytes": peak_memory(),
-        "memory_foreseen_bytes": resolution.memory(cell),
+        "memory_estimated_bytes": resolution.memory(cell),
     }
 
 

@@ -25,7 +25,18 @@ from record import ROOT, write
 from threadpoolctl import threadpool_limits
 
 sys.path.insert(0, str(ROOT / "tests" / "core"))
-from truth import KINDS, STOUT_FROM, TILES, TILES_FROM, Drawn, Truth, drawn, foreseen, truth, wavevectors
+from truth import (
+    KINDS,
+    STOUT_FROM,
+    TILES,
+    TILES_FROM,
+    Drawn,
+    Truth,
+    drawn,
+    estimated_seconds,
+    truth,
+    wavevectors,
+)
 
 from haptonic.bloch.mesh_levels import MeshLimits, first_level, started
 from haptonic.bloch.model import bloch_model
@@ -242,7 +253,7 @@ def numbers(count: int, stout: int, tiles: int, seed: int) -> list[int]:
     def seconds(number: int) -> float:
         question = drawn(seed, number)
         tried = started(question.cell, question.count, question.accuracy, _limits())
-        return float(foreseen(question) + sum(level.seconds(question.cell) for level in tried))
+        return float(estimated_seconds(question) + sum(level.seconds(question.cell) for level in tried))
 
     blocks = ((0, count), (STOUT_FROM, stout), (TILES_FROM, tiles))
     return sorted((first + n for first, length in blocks for n in range(length)), key=seconds)

@@ -76,12 +76,12 @@ def compare_edges(name: str, study: haptonic.Study, kept: Path | None) -> dict[s
     assert gap is not None
     edges = {
         side: {"computed": getattr(gap, side)}
-        | ({"told": edge.frequency, "error": edge.error} if edge else {})
+        | ({"determined": edge.frequency, "error": edge.error} if edge else {})
         for side, edge in (("lower", lattice.lower), ("upper", lattice.upper))
     }
     return {
         "name": name, "points": len(simulated.records.names), "reasons": lattice.reasons, **edges,
-        "beside_upper": beside(result.dataset["fading"], gap.upper),
+        "beside_upper": beside(result.dataset["row_decay"], gap.upper),
         "contrast_db": float(np.nanmax(off)), "hidden_lines": int(np.isnan(off).sum()), "lines": len(off),
     }  # fmt: skip
 

@@ -326,7 +326,7 @@ share of wavevectors at which a band would be beyond its error without the move 
 def growth(record: dict[str, Any]) -> str:
     rows = [
         [row["order"], row["unknowns"], row["trace"], f"{row['condense_s']:.2f} s",
-         f"{row['peak_memory_bytes'] / 1e9:.2f} GB", f"{row['memory_foreseen_bytes'] / 1e9:.2f} GB"]
+         f"{row['peak_memory_bytes'] / 1e9:.2f} GB", f"{row['memory_estimated_bytes'] / 1e9:.2f} GB"]
         for row in record["rows"]
     ]  # fmt: skip
     heads = ["order", "unknowns", "trace", "condensation", "peak memory", "estimated for a whole model"]
@@ -617,12 +617,12 @@ def edges(record: dict[str, Any]) -> str:
         lower, upper, beside = plate["lower"], plate["upper"], plate["beside_upper"]
         determined = "not determined"
         off = ""
-        if "told" in lower:
-            determined = f"{lower['told'] / 1e3:.2f} ± {lower['error'] / 1e3:.2f} kHz"
-            off = f"{(lower['told'] - lower['computed']) / lower['error']:+.1f}"
+        if "determined" in lower:
+            determined = f"{lower['determined'] / 1e3:.2f} ± {lower['error'] / 1e3:.2f} kHz"
+            off = f"{(lower['determined'] - lower['computed']) / lower['error']:+.1f}"
         rows.append([
             plate["name"], plate["points"], f"{lower['computed'] / 1e3:.2f} kHz", determined, off,
-            f"{upper['computed'] / 1e3:.2f} kHz", "determined" if "told" in upper else "not determined",
+            f"{upper['computed'] / 1e3:.2f} kHz", "determined" if "determined" in upper else "not determined",
             *(f"{before:.1f}, {after:.1f}" for before, after in (beside["small"], beside["large"])),
         ])  # fmt: skip
     heads = ["plate", "points", "lower, computed", "in the scan", "errors off", "upper, computed", "in the scan",

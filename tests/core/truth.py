@@ -232,7 +232,7 @@ def truth(question: Drawn) -> Truth | None:
     return reference
 
 
-def foreseen(question: Drawn) -> float:
+def estimated_seconds(question: Drawn) -> float:
     """Estimated processor time of a truth, s, for want of a better measure by the product."""
     if not question.cell.has_features:
         return 0.0
