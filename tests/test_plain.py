@@ -81,9 +81,9 @@ def test_nothing_is_split_from_nothing():
 
 def test_a_nan_is_none_where_it_is_declared_and_refused_elsewhere():
     values = "x", [1.0, np.nan], {"units": "Hz"}
-    data = xr.Dataset({"silent": values, "told": values})
-    data["told"].attrs[WORD] = "it was not measured"
-    assert plain(data)["told_hz"] == [1.0, None]
+    data = xr.Dataset({"silent": values, "known": values})
+    data["known"].attrs[WORD] = "it was not measured"
+    assert plain(data)["known_hz"] == [1.0, None]
     with refusing(NumericalError, "inaccurate", "result silent_hz[1]"):
         json_of(plain(data))
 

@@ -241,21 +241,21 @@ def share_text(value: float, low: float = math.nan, high: float = math.nan) -> s
     return in_percent(value, form=form) + interval
 
 
-def uncertain(value: float, bound: float) -> str:
+def uncertain(value: float, bound: float, decimals: int | None = None) -> str:
     """Value and bound of its error, ``52.51 ± 0.05``, both in the unit of the text.
 
-    The bound is rounded up to one digit, or to two if the first is a 1; the value has the same decimals.
+    The bound is rounded up to one digit, or to two if the first is a 1, or to ``decimals``; the value has the
+    same decimals. Without a bound it is alone.
     """
     if not (math.isfinite(bound) and bound > 0):
-        return f"{value:.3f}"
+        return f"{value:.{3 if decimals is None else decimals}f}"
     bound = max(bound, 10.0**-MOST_DECIMALS)  # never printed as zero
-    power = math.floor(math.log10(bound) + 1e-9)
-    power -= bound < 2 * 10.0**power  # for 1.02, one digit would double the bound
-    digit = math.ceil(bound / 10.0**power - 1e-9)
-    if digit == 10:
-        digit, power = 1, power + 1
-    decimals = min(max(-power, 0), MOST_DECIMALS)
-    return f"{value:.{decimals}f} ± {digit * 10.0**power:.{decimals}f}"
+    power = math.floor(math.log10(bound) + 1e-9) if decimals is None else -decimals
+    if decimals is None:
+        power -= bound < 2 * 10.0**power  # for 1.02, one digit would double the bound
+        power += math.ceil(bound / 10.0**power - 1e-9) == 10
+    digits, shown = max(math.ceil(bound / 10.0**power - 1e-9), 1), min(max(-power, 0), MOST_DECIMALS)
+    return f"{value:.{shown}f} ± {digits * 10.0**power:.{shown}f}"
 
 
 def kind_of(unit: str) -> str:

@@ -16,7 +16,7 @@ STUDIES = {name: loads(text) for name, text in TEMPLATES.items()}
 PLANNED = {
     name: templates_of[-1]
     for name in NAMES
-    if (templates_of := [each for each, study in STUDIES.items() if named(name).foreseen(study)])
+    if (templates_of := [each for each, study in STUDIES.items() if named(name).is_planned(study)])
 }  # commands that a plan lists, with the largest template that each can be run with
 
 
@@ -51,7 +51,7 @@ class TestPlan:
         assert ran.code == 0, ran.err
         assert f"{1e3 * study.cell.lattice.pitch:.4g}" in ran.out
         for command in PLANNED:
-            assert (f"haptonic {command} " in ran.out) == named(command).foreseen(study), command
+            assert (f"haptonic {command} " in ran.out) == named(command).is_planned(study), command
         drawn = {path.name for path in (tmp_path / "out").glob("*")}
         assert ("files:" in ran.out) == bool(drawn)
         assert drawn == ({"plan.svg", "plan.png"} if study.finite_plate else set())
@@ -60,7 +60,7 @@ class TestPlan:
     def test_what_it_forecasts_can_be_asked_for(self, name):
         study = STUDIES[name]
         for analysis in map(named, PLANNED):
-            if analysis.foreseen(study):
+            if analysis.is_planned(study):
                 analysis.check(study, analysis.chosen({}))
 
     @pytest.mark.parametrize("name", TEMPLATES)

@@ -214,7 +214,7 @@ class Analysis:
         }
         return error if renamed == parts else error.changed(type(error), **renamed)
 
-    def foreseen(self, study: Any) -> bool:
+    def is_planned(self, study: Any) -> bool:
         """True if the plan of a study lists the cost of this analysis."""
         if self.planned is not None:
             return self.planned(study)

@@ -19,7 +19,9 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
     plate = plate_of(study.finite_plate, study.cell) if study.finite_plate else None
     every = ((name, named(name)) for name in NAMES)
     costs = {
-        name: _cost(analysis, study) for name, analysis in every if analysis.cost and analysis.foreseen(study)
+        name: _cost(analysis, study)
+        for name, analysis in every
+        if analysis.cost and analysis.is_planned(study)
     }
     return StudyPlan(
         study=study.title,

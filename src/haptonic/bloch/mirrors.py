@@ -136,6 +136,19 @@ def scattering_at(
     return each_by
 
 
+def errors_if_moved(values: Array, at: Array, frequency: Array, curve: Array, share: float) -> Array:
+    """(n,) errors of values of a curve (f,) over frequencies (f,); NaN remains.
+
+    An error is the largest change if the lattice's frequencies move by the bound ``share`` of their relative
+    error, and this share of the value.
+
+    values : (n,) at the frequencies ``at`` (n,)
+    """
+    moved = [np.interp(at * (1 + by), frequency, curve) for by in (-share, share)]
+    change = np.fmax(*np.abs(np.array(moved) - values))  # at the end of a wave's range only one is known
+    return np.asarray(np.where(np.isnan(values), np.nan, np.nan_to_num(change) + share * np.abs(values)))
+
+
 def first_reaching(insulation: Sequence[float] | Array, goal: float) -> int | None:
     """Smallest number of rows from which on the insulation reaches a goal, dB; None if it does not."""
     below = np.flatnonzero(np.asarray(insulation) < goal)

@@ -21,7 +21,7 @@ from haptonic.bloch.mesh_levels import (
     refusal,
     starting_level,
 )
-from haptonic.bloch.pencil import SplitPencil, change_in_hertz, eigenpairs, hertz
+from haptonic.bloch.pencil import SplitPencil, change_in_hertz, eigenpairs, error_in_hertz, hertz
 from haptonic.bloch.reduced import ReducedCell
 from haptonic.bloch.representative import Representative
 from haptonic.bloch.resolution import LEVELS, Resolution
@@ -174,7 +174,7 @@ class BlochModel:
         missing, _, left_out = self.fine.losses(modes, kappa)
         relative = self.fine.projection_error + self.fine.tiling.rim_error
         error = interior_error(values, left_out) + frequency * relative
-        error += self._in_hertz(missing + self.fine.rounding, frequency)
+        error += error_in_hertz(missing + self.fine.rounding, frequency)
         error = ranked(frequency, error)
         return Solution(source=source, frequency=frequency, error=error, fields=fields, modes=modes).lowest(
             count
@@ -183,11 +183,7 @@ class BlochModel:
     def to_lower_orders(self, solution: Solution) -> Array:
         """(k,) estimated distances to the frequencies of a mesh with orders one lower, Hz."""
         _, lower, _ = self.fine.losses(solution.modes, solution.source.kappa)
-        return self._in_hertz(lower, solution.frequency)
-
-    def _in_hertz(self, change: Array, frequency: Array) -> Array:
-        """Changes of frequencies, Hz, from those of eigenvalues, (rad/s)^2; of a mode at rest, their root."""
-        return change_in_hertz(change, np.maximum(frequency, np.sqrt(np.maximum(change, 0.0)) / (4 * np.pi)))
+        return error_in_hertz(lower, solution.frequency)
 
     def displacement(self, solution: Solution) -> Complex:
         """(nodes, 3, k) motion of the meshes of all tiles, one after the other, at `Solution.kappa`."""

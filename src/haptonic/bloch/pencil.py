@@ -225,6 +225,11 @@ def change_in_hertz(change: Array, frequency: Array) -> Array:
     return np.asarray(change / (8 * np.pi**2 * frequency))
 
 
+def error_in_hertz(energy: Array, frequency: Array) -> Array:
+    """Errors of frequencies, Hz, from missing energies, (rad/s)^2; that of a mode at rest is the root."""
+    return change_in_hertz(energy, np.maximum(frequency, np.sqrt(np.maximum(energy, 0.0)) / (4 * np.pi)))
+
+
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
     """Compute the ``count`` lowest eigenvalues omega^2, (rad/s)^2, and modes (n, count) of unit mass.
 

@@ -15,7 +15,7 @@ import numpy as np
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.bloch.chain import BlockChain, eigenpairs_within
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.pencil import Periodic, change_in_hertz, hertz
+from haptonic.bloch.pencil import Periodic, change_in_hertz, error_in_hertz, hertz
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.truncation import interior_error
 from haptonic.cell import Ribbon
@@ -198,7 +198,7 @@ class RibbonModel:
             )
         stiff_values, stiff_modes = self._of_ranks(kappa, low, high, below, len(frequency))
         surplus = (self._summed(self.fine, _surplus(number), fields).sum(axis=(1, 2)) for number in range(3))
-        error = change_in_hertz(missing_energy(*surplus), frequency)
+        error = error_in_hertz(missing_energy(*surplus), frequency)
         remaining = _root_mean_square(error) / _root_mean_square(hertz(stiff_values) - frequency)
         left_out = self._summed(self.fine, lambda tile: tile.truncation, fields).sum(axis=(1, 2))
         error += interior_error(values, left_out)

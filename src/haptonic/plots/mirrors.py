@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.arrays import Array
+from haptonic.bloch.mirrors import errors_if_moved
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
@@ -82,14 +83,14 @@ def decay(dataset: xr.Dataset) -> Figure:
 def _at_carrier(dataset: xr.Dataset, decay: Array) -> tuple[float, float | None]:
     """Decay at the drive frequency and its error, dB per row; None if that of the frequency is not known.
 
-    The error is the largest change if all frequencies of the lattice move by the bound of their relative
-    error, and this share of the decay, as on the page of a mirror.
+    See `haptonic.bloch.mirrors.errors_if_moved`.
     """
+    at, frequency = np.array([float(dataset.attrs["carrier_hz"])]), dataset["frequency"].values
+    there = np.interp(at, frequency, decay)
     share = dataset.attrs.get("relative_frequency_error")
-    at = float(dataset.attrs["carrier_hz"]) * (1 + np.array([0.0, -1.0, 1.0]) * float(share or 0.0))
-    there, *moved = np.interp(at, dataset["frequency"].values, decay).tolist()
-    error = max(abs(other - there) for other in moved) + float(share or 0.0) * there
-    return there, error if share is not None else None
+    if share is None:
+        return float(there[0]), None
+    return float(there[0]), float(errors_if_moved(there, at, frequency, decay, float(share))[0])
 
 
 @style.drawn

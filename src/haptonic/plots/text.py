@@ -45,26 +45,12 @@ def band_text(lower: float, lower_error: float, upper: float, upper_error: float
     """
     unit, scale = frequency_scale(lower, upper)
     ends = [(lower * scale, lower_error * scale), (upper * scale, upper_error * scale)]
-    alone = [uncertain(*end) for end in ends]
-    fewest, most = sorted(len(text.split(" ")[0].partition(".")[2]) for text in alone)
-    if most > fewest + 1:
-        return f"{' to '.join(alone)} {unit}"
-    coarse = any(_rounded_up(bound, fewest) > LOOSEST * bound for _, bound in ends if _known(bound))
-    low, high = (_with_decimals(*end, most if coarse else fewest) for end in ends)
-    return f"{low} to {high} {unit}"
-
-
-def _with_decimals(value: float, bound: float, decimals: int) -> str:
-    text = f"{value:.{decimals}f}"
-    return f"{text} ± {_rounded_up(bound, decimals):.{decimals}f}" if _known(bound) else text
-
-
-def _known(bound: float) -> bool:
-    return math.isfinite(bound) and bound > 0
-
-
-def _rounded_up(bound: float, decimals: int) -> float:
-    return max(math.ceil(bound * 10.0**decimals - 1e-9), 1) / 10.0**decimals  # never zero
+    fewest, most = sorted(len(uncertain(*end).split(" ")[0].partition(".")[2]) for end in ends)
+    known = (10.0**fewest * bound for _, bound in ends if math.isfinite(bound))
+    coarse = any(math.ceil(digits - 1e-9) > LOOSEST * digits for digits in known if digits > 0)
+    decimals = None if most > fewest + 1 else most if coarse else fewest
+    texts = (uncertain(*end, decimals) for end in ends)
+    return f"{' to '.join(texts)} {unit}"
 
 
 def gap_text(gap: Gap | MeasuredGap) -> str:

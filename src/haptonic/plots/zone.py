@@ -20,10 +20,7 @@ from haptonic.plots.stage import stage
 from haptonic.plots.text import band_text
 
 LEVELS = 9  # lines of equal frequency
-SHARP, OFTEN = (
-    np.radians(15.0),
-    0.2,
-)  # turns one way and then back, and their share of the points, of a zigzag
+SHARP, OFTEN = np.radians(15.0), 0.2  # least turns to and from, and their share of the points, of a zigzag
 EDGE, ROOM = 0.14, 0.12  # of the zone, that a value keeps from its border, and from another value
 LEVEL = 0.15  # largest slope of a line where its value is written upright, so that it hides no others
 FEW = 2  # values on lines, below which also lines between them have theirs

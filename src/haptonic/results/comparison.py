@@ -305,7 +305,8 @@ class Comparison(Result):
                 f"{lacking} more bands of {self.second.name} are not compared: increase count in [bands]"
             )
         remarks += self.second.remarks
-        distance = np.abs(self.second.position[:, None] - self.first.position).min(axis=1)
+        nearest = np.interp(self.second.position, self.first.position, np.arange(len(self.first.position)))
+        distance = np.abs(self.first.position[np.round(nearest).astype(int)] - self.second.position)
         if (distance > SAME_PLACE).any():
             remarks.append(
                 f"bands of {self.first.name} are interpolated linearly between its "

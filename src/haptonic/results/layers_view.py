@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.bloch.mirrors import LEAST_SHARE
+from haptonic.bloch.mirrors import LEAST_SHARE, errors_if_moved
 from haptonic.gate import WORD
 from haptonic.later import xarray as xr
 from haptonic.results.steps import in_steps, step_colours
@@ -68,14 +68,6 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
 
 def _errors(values: Array, frequency: Array, share: float) -> Array:
     """(..., f) errors of values (..., f) at frequencies (f,) with this relative error; NaN remains."""
-    moved = np.array(
-        [
-            [
-                np.interp(frequency * (1 + by), frequency, curve)
-                for curve in values.reshape(-1, len(frequency))
-            ]
-            for by in (-share, share)
-        ]
-    ).reshape(2, *values.shape)
-    change = np.fmax(*np.abs(moved - values))  # at the end of a wave's range only one of them is known
-    return np.asarray(np.where(np.isnan(values), np.nan, np.nan_to_num(change) + share * np.abs(values)))
+    curves = values.reshape(-1, len(frequency))
+    errors = [errors_if_moved(curve, frequency, frequency, curve, share) for curve in curves]
+    return np.array(errors).reshape(values.shape)

@@ -90,7 +90,7 @@ class Study(Description, Methods):
             changes |= {"cell": remade(cell, material=changes.pop("material"))}
         kept = {slot.key: getattr(design, slot.name) for slot in slots(type(design))}
         changed = type(design)(**kept | changes)
-        warn_caller((f"{path}: {text}" for path, text in changed._unusual_values().items()), caller())
+        warn_caller(changed._slips(), caller())
         return changed
 
     def __repr__(self) -> str:

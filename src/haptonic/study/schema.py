@@ -285,7 +285,7 @@ class Description:
         for key, value in changes.items():
             data = with_value(data, key.replace("[", ".").replace("]", "").split("."), value)
         changed = read(type(self), data, "study")
-        warn_caller((f"{path}: {text}" for path, text in changed._unusual_values().items()), caller())
+        warn_caller(changed._slips(), caller())
         return changed
 
     def with_fitted(self, values: Mapping[str, float]) -> Self:
@@ -329,8 +329,7 @@ class Description:
 
     def unusual(self) -> tuple[str, ...]:
         """Remarks on values outside their typical range; without any, on those that only a sweep reaches."""
-        remarks = tuple(f"{path}: {words}" for path, words in self._unusual_values().items())
-        return remarks or tuple(self._unusual_sweeps())
+        return tuple(self._slips()) or tuple(self._unusual_sweeps())
 
     def _unusual_sweeps(self) -> Iterator[str]:
         for row, sweep in enumerate(self.sweep_settings, start=1):
@@ -343,10 +342,10 @@ class Description:
     def _unusual_values(self) -> dict[str, str]:
         return unusual_values(self)
 
-    def _slips(self, changed: Container[str]) -> Iterator[str]:
-        """Remarks on changed numbers, by path; a warning computes them, and few changes give one."""
+    def _slips(self, changed: Container[str] | None = None) -> Iterator[str]:
+        """Remarks on changed numbers, by default on all; only a warning computes them."""
         for path, text in self._unusual_values().items():
-            if path in changed:
+            if changed is None or path in changed:
                 yield f"{path}: {text}"
 
     def doubtful(self) -> dict[str, str]:
