@@ -20,7 +20,7 @@ CHECKED = (5e3, 20e3, 48e3, 57e3, 75e3, 98e3)  # Hz, lines that are compared wit
 
 def main() -> None:
     study = haptonic.load(STUDY)
-    plate, section = study.mounted_plate(), study.finite_plate
+    plate, section = study.mounted_plate(), study.plate_settings
     assert section is not None
     asked = section.response
     lines = np.linspace(asked.lowest, asked.highest, asked.points)

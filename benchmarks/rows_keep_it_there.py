@@ -60,7 +60,7 @@ def resonance(
 
 def main() -> None:
     study = haptonic.load(STUDY)
-    plate, section = study.mounted_plate(), study.finite_plate
+    plate, section = study.mounted_plate(), study.plate_settings
     assert section is not None
     first, second = plate.layout.regions
     asked = section.response

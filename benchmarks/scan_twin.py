@@ -52,7 +52,7 @@ def main() -> None:
     warnings.simplefilter("ignore", haptonic.HaptonicWarning)  # the period is shorter than the ring-down
     study, store = haptonic.load(STUDY), Store.default()
     question = study.scan_settings
-    section = study.finite_plate
+    section = study.plate_settings
     assert section is not None
     asked = response_for(question, section.response.tolerance, drive_for(question, study.mounted_plate()))
     start = time.perf_counter()

@@ -54,7 +54,7 @@ class TestPlan:
             assert (f"haptonic {command} " in ran.out) == named(command).is_planned(study), command
         drawn = {path.name for path in (tmp_path / "out").glob("*")}
         assert ("files:" in ran.out) == bool(drawn)
-        assert drawn == ({"plan.svg", "plan.png"} if study.finite_plate else set())
+        assert drawn == ({"plan.svg", "plan.png"} if study.plate_settings else set())
 
     @pytest.mark.parametrize("name", TEMPLATES)
     def test_what_it_forecasts_can_be_asked_for(self, name):

@@ -73,7 +73,7 @@ def test_one_command_gives_maps_gap_and_verdict(inside, folder, tmp_path):
     assert loss["value"] == pytest.approx(TRUE, rel=0.02)
     before, after = (data["agreement"][name]["unexplained"] for name in ("model as given", "model fitted"))
     assert after < 1e-2 < 3e-2 < before
-    assert load(out / "fitted.toml").finite_plate.loss_factor == pytest.approx(TRUE, rel=0.02)
+    assert load(out / "fitted.toml").plate_settings.loss_factor == pytest.approx(TRUE, rel=0.02)
     # what the scan has given is judged once more, by the same measure
     again = inside(
         "verdict", out / "response.nc", folder / "plain.toml", "--computed", out / "model.nc", "--json"

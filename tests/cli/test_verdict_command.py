@@ -144,7 +144,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(inside, plated, scan, tm
     updated = load(out / "fitted.toml")
     fitted = {parameter["name"]: parameter["value"] for parameter in data["fit"]["parameters"]}
     assert updated.cell.material.youngs_modulus == pytest.approx(fitted["material.youngs_modulus"], rel=1e-12)
-    assert updated.finite_plate.loss_factor == pytest.approx(fitted["plate.loss_factor"], rel=1e-12)
+    assert updated.plate_settings.loss_factor == pytest.approx(fitted["plate.loss_factor"], rel=1e-12)
     assert read(out / "model.nc").dataset.attrs["origin"] == "simulated"
 
 

@@ -177,4 +177,4 @@ class TestStudies:
         plate = f'[plate]\nmap = "APA"\n{tiles}'
         with refusing(StudyError, "missing", "plate.loss_factor"):
             loads(STUDY + plate)
-        assert loads(STUDY + plate.replace("map", "loss_factor = 0.01\nmap")).finite_plate.loss_factor == 0.01
+        assert loads(STUDY + plate.replace("map", "loss_factor = 0.01\nmap")).plate_settings.loss_factor == 0.01

@@ -254,7 +254,6 @@ class TestPerception:
         margin = Margin(driven=0.55, idle=0.11)
         assert margin.noticed
         assert margin.localised
-        assert margin.times_threshold == pytest.approx(5)
         assert margin.stopped == pytest.approx(0.8)
         assert not Margin(0.55, 0.111).localised
         assert not Margin(0.1, 0.05).localised

@@ -75,16 +75,16 @@ def near(response, other):
 
 def test_each_carrier_is_answered_as_in_a_study_with_only_its_drives(study, result):
     assert [(answer.carrier, answer.drives) for answer in result.answers] == [(20e3, ["F1"]), (30e3, ["F2"])]
-    alone = remade(study.finite_plate, force=study.finite_plate.force[1:])
-    other = remade(study, carrier=30e3, finite_plate=alone).plate(at=30e3)
+    alone = remade(study.plate_settings, force=study.plate_settings.force[1:])
+    other = remade(study, carrier=30e3, plate_settings=alone).plate(at=30e3)
     response = result.answers[1].result.response
     near(response, other.response)
     assert response.dataset.attrs["reference"] == "F2, N"
 
 
 def test_the_whole_response_has_the_drives_of_the_carrier_of_the_study(study, result):
-    alone = remade(study.finite_plate, force=study.finite_plate.force[:1])
-    other = remade(study, finite_plate=alone).plate()
+    alone = remade(study.plate_settings, force=study.plate_settings.force[:1])
+    other = remade(study, plate_settings=alone).plate()
     near(result.response, other.response)
     assert other.answers == ()
 

@@ -170,6 +170,24 @@ def test_the_form_of_another_study_shows_only_its_own_tables(browser, studio):
             expect(plate).to_be_visible(visible=has_plate)
 
 
+def test_bands_of_a_study_that_is_opened_are_computed_if_they_take_seconds(browser, tmp_path):
+    slow = QUICK_CELL.replace("order = 2", "order = 6").replace("foot_rings = 0", "foot_rings = 2")
+    (tmp_path / "slow.toml").write_text(slow, "utf-8")
+    (tmp_path / "quick.toml").write_text(QUICK_CELL, "utf-8")
+    with served(tmp_path, "slow.toml") as fresh:
+        jobs = fresh.studio.jobs.jobs
+        with opened(browser, fresh) as page:
+            with page.expect_response("**/api/forecast"):
+                page.reload()
+            page.get_by_label(re.compile("^Open, in")).select_option("quick.toml")
+            page.wait_for_selector("canvas[data-shown]", timeout=120_000)
+            expect(page.get_by_role("button", name="Compute bands")).to_be_in_viewport()  # the page has not scrolled
+        assert [job.order.text for job in jobs.values()] == [QUICK_CELL]
+        with opened(browser, fresh) as page:  # another page shows this result, and computes nothing
+            page.wait_for_selector("canvas[data-shown]", timeout=120_000)
+        assert len(jobs) == 1
+
+
 def test_a_refused_name_is_explained(browser, studio):
     # the browser reports the refusal on its console, which `page_at` would take for a fault
     context = browser.new_context(storage_state=admitted(studio))

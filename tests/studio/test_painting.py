@@ -207,8 +207,8 @@ def test_the_drawing_has_the_lines_and_pillars_of_the_layout():
     drawing, layout = painting(study), study.mounted_plate().layout
     assert drawing is not None
     assert {len(drawing["x"]) - 1, len(drawing["y"]) - 1} == {
-        len(study.finite_plate.grid[0]),
-        len(study.finite_plate.grid),
+        len(study.plate_settings.grid[0]),
+        len(study.plate_settings.grid),
     }
     np.testing.assert_allclose([drawing["x"][-1], drawing["y"][-1]], [layout.x[-1], layout.y[-1]], rtol=1e-12)
     places = sorted(place for kind in drawing["features"] for place in map(tuple, kind["places"]))

@@ -8,8 +8,8 @@ BOND, LOSS = "plate.actuator[1].bond.thickness", "plate.loss_factor"
 def test_a_study_takes_fitted_numbers_and_nothing_else(every_key_text):
     study = loads(every_key_text)
     other = study.with_fitted({BOND: 72e-6, LOSS: 4e-3})
-    assert other.finite_plate.actuator[0].bond.thickness == 72e-6
-    assert other.finite_plate.loss_factor == 4e-3
+    assert other.plate_settings.actuator[0].bond.thickness == 72e-6
+    assert other.plate_settings.loss_factor == 4e-3
     assert other.with_fitted({BOND: 50e-6, LOSS: 2e-3}) == study
     assert loads(other.to_toml()) == other
 

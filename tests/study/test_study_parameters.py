@@ -352,7 +352,7 @@ class TestStudies:
             'centre = ["a/2", "1.5*a"]\nforce = "x*4 N"\n'
         )
         assert discs.cell.disc[0].diameter == 4e-3
-        assert discs.finite_plate.force[0].centre == (4e-3, 12e-3)
+        assert discs.plate_settings.force[0].centre == (4e-3, 12e-3)
 
     def test_changed_parameters_move_all_that_follows(self):
         larger = STUDY.with_parameter("parameters.a", "8 mm")

@@ -326,9 +326,9 @@ class TestTwoCarriers:
 
     def test_without_a_region_a_centre_counts_from_the_corner_of_the_plate(self):
         study = load(STUDIES / "two_carriers.toml")
-        named, plate = study.mounted_plate(), study.finite_plate
+        named, plate = study.mounted_plate(), study.plate_settings
         placed = remade(plate, actuator=named.actuators, force=named.forces, finger=named.finger)
-        assert remade(study, finite_plate=placed).mounted_plate() == named
+        assert remade(study, plate_settings=placed).mounted_plate() == named
         assert [patch.region for patch in placed.actuator] == [None, None, None]
 
     def test_antiphase_is_exact(self):
@@ -352,10 +352,10 @@ class TestTwoCarriers:
     @pytest.mark.parametrize("carrier", [None, 60e3])
     def test_a_carrier_that_no_drive_has_is_refused(self, carrier):
         study = load(STUDIES / "two_carriers.toml")
-        drives = tuple(replace(patch, carrier=76e3) for patch in study.finite_plate.actuator)
-        plate = remade(study.finite_plate, actuator=drives)
+        drives = tuple(replace(patch, carrier=76e3) for patch in study.plate_settings.actuator)
+        plate = remade(study.plate_settings, actuator=drives)
         with refusing(StudyError, "conflict", "carrier", 'write carrier = "76 kHz" at the top of the study'):
-            remade(study, carrier=carrier, finite_plate=plate)
+            remade(study, carrier=carrier, plate_settings=plate)
 
     def test_lattices_beside_each_region(self):
         layout = load(STUDIES / "two_carriers.toml").mounted_plate().layout
@@ -413,10 +413,10 @@ class TestLayout:
     def test_tiles_are_where_the_map_has_them(self, drawing):
         study, lines = drawing
         layout = study.mounted_plate().layout
-        letters = {name: letter for letter, name in study.finite_plate.tiles.items()} | {None: "."}
+        letters = {name: letter for letter, name in study.plate_settings.tiles.items()} | {None: "."}
         again = ["".join(letters[name] for name in row) for row in reversed(layout.tiles)]
         assert again == lines * (layout.rows // len(lines))
-        assert study.finite_plate.map == "\n".join([*lines, ""])
+        assert study.plate_settings.map == "\n".join([*lines, ""])
 
     @settings(deadline=None, max_examples=60)
     @given(plates())
@@ -444,7 +444,7 @@ class TestLayout:
     @given(plates())
     def test_columns_have_the_widths_of_the_study(self, drawing):
         study, lines = drawing
-        layout, widths = study.mounted_plate().layout, study.finite_plate.widths
+        layout, widths = study.mounted_plate().layout, study.plate_settings.widths
         for j in range(layout.columns):
             names = {LETTERS.get(line[j]) for line in lines}
             wide = [] if names & {"lattice", "fine"} else [widths[name] for name in names if name in widths]
@@ -665,7 +665,7 @@ class TestSupports:
 class TestInAStudy:
     def test_a_plate_that_is_not_there_leaves_no_trace(self):
         study = loads(CELL)
-        assert study.finite_plate is None
+        assert study.plate_settings is None
         assert "[plate" not in study.to_toml()
         assert "plate" not in study.inputs()
 
@@ -694,7 +694,7 @@ class TestInAStudy:
         assert thicker.mounted_plate().layout.thickness == 1.6e-3
         assert thicker.mounted_plate().actuators == study.mounted_plate().actuators
         # with a pitch of 4 mm the patch would not fit on the plate
-        assert [design.finite_plate for design in study.designs(study.sweep_settings[0])] == [None] * 3
+        assert [design.plate_settings for design in study.designs(study.sweep_settings[0])] == [None] * 3
         with refusing(StudyError, "out-of-range", 'plate.actuator[1] "A1".centre'):
             study.with_parameter("cell.pitch", 4e-3)
 

@@ -13,6 +13,7 @@ import { Editor, textKeys } from "./studio/editor";
 import { Bar } from "./studio/files";
 import { Form } from "./studio/form";
 import { follow, lost } from "./studio/jobs";
+import { followOpenings } from "./studio/opening";
 import { Paint } from "./studio/paint/paint";
 import paintStyle from "./studio/paint/paint.css";
 import { Points, pointsKeys } from "./studio/points";
@@ -83,6 +84,7 @@ async function begin(): Promise<void> {
     if (start.opened !== null) await openFile(start.opened);
     await openLink();
     follow();
+    followOpenings();
     followPoints();
     followComparison();
     followTurns();

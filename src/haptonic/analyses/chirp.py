@@ -127,7 +127,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Excitatio
     ScanError : settings that contradict each other
     """
     settings = study.scan_settings
-    plate = study.mounted_plate() if study.finite_plate else None
+    plate = study.mounted_plate() if study.plate_settings else None
     plan = None if plate is None else plan_for(settings, plate)
     return Excitation(settings, drive_for(settings, plate), plate, plan)
 

@@ -42,7 +42,7 @@ def waveguides_of(study: Description) -> tuple[str, str]:
     ------
     StudyError : a name that the plate does not have, or a plate with fewer than two regions
     """
-    section, plate = study.protocol_settings, study.finite_plate
+    section, plate = study.protocol_settings, study.plate_settings
     regions = plate.regions if plate else []
     for key in ("driven", "idle"):
         name = getattr(section, key)
@@ -94,7 +94,7 @@ def basis_of(study: Description, amplitudes: Mapping[str, float] | None) -> str:
     numbers = f"{in_percent(people.driven)} and {in_percent(people.idle)}"
     if (people.driven, people.idle) != (published.driven, published.idle):
         return f"The reductions, {numbers}, are given in [participants] of the study."
-    if study.finite_plate is None:
+    if study.plate_settings is None:
         return f"The reductions, {numbers}, are values of the published prototype."
     return (
         f"The reductions, {numbers}, are values of the published prototype, not of this plate. "

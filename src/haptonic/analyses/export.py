@@ -65,7 +65,7 @@ class ExportOptions:
         ------
         GeometryError : an impossible number of cells, or a plate that cannot be manufactured
         """
-        if study.finite_plate is not None and self.columns is None and self.rows is None:
+        if study.plate_settings is not None and self.columns is None and self.rows is None:
             return Part.whole(study.mounted_plate(), study.cell)
         columns, rows = (1 if number is None else number for number in (self.columns, self.rows))
         return Part.piece(study.cell, columns, rows)

@@ -76,7 +76,7 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
     if options.draft:
         return _drafted(path)
     section, whole = _settings(options)
-    driven = driven_region(whole.mounted_plate()) if whole is not None and whole.finite_plate else None
+    driven = driven_region(whole.mounted_plate()) if whole is not None and whole.plate_settings else None
     result = compute_friction(
         path, section.sensor, section, section.exclude, driven=section.driven or driven,
         workers=runner.workers, progress=runner.progress,

@@ -46,7 +46,7 @@ def meshes_of(study: Description) -> list[Resolution]:
 
 def further_lattices(study: Description) -> dict[str, UnitCell]:
     """Cells of the plate's lattices other than the study's own cell, by name."""
-    if study.finite_plate is None:
+    if study.plate_settings is None:
         return {}
     cells = study.mounted_plate().layout.cells
     return {name: cell for name, cell in cells.items() if cell != study.cell}

@@ -16,7 +16,7 @@ from haptonic.study.schema import Description
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan:
     """Sizes of the study, its plate if it has one, and the estimated cost of every command that applies."""
-    plate = plate_of(study.finite_plate, study.cell) if study.finite_plate else None
+    plate = plate_of(study.plate_settings, study.cell) if study.plate_settings else None
     every = ((name, named(name)) for name in NAMES)
     costs = {
         name: _cost(analysis, study)

@@ -28,13 +28,13 @@ OF_SOLIDS = 2.1
 
 def has_plate(study: Description) -> bool:
     """True if the study has a finite plate and a carrier."""
-    return study.finite_plate is not None and study.carrier is not None
+    return study.plate_settings is not None and study.carrier is not None
 
 
 def response_settings(study: Description) -> ResponseSettings:
     """The table [plate.response] of a study that has a plate."""
-    assert study.finite_plate is not None
-    return study.finite_plate.response
+    assert study.plate_settings is not None
+    return study.plate_settings.response
 
 
 def fineness(study: Description) -> Fineness | None:

@@ -210,7 +210,7 @@ def scan_of(options: ScanOptions) -> Scan:
 
 def _need_plate(study: Description, options: ScanOptions, runner: Runner) -> OnPlate:
     """Facts of the study about the scanned plate; raises StudyError for a study without a plate."""
-    if study.finite_plate is None:
+    if study.plate_settings is None:
         raise StudyError.missing(
             argument="plate", given="nothing", allowed="a study with a [plate]",
             cause="the study describes a lattice without a plate",
@@ -228,7 +228,7 @@ def examine(study: Description | None, options: ScanOptions, runner: Runner) -> 
     """
     runner.progress(0, 0, "reading")
     scan = scan_of(options)
-    if study is None or study.finite_plate is None:
+    if study is None or study.plate_settings is None:
         return ScanReading(scan)
     plate = study.mounted_plate()
     return ScanReading(scan, plate, registration_of(scan.points, plate, study.scan_settings, options))

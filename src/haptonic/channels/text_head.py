@@ -20,7 +20,7 @@ class Head:
     """Lines above the rows.
 
     first : index of the first row among the lines, from 0
-    line, text : number of the line of names, from 1, and the line; None and "" without one
+    line : number of the line of names, from 1; None without one
     names, units : of the columns, may be empty
     unmatched : number of a line that may contain names, but not as many as columns
     titles : other lines
@@ -29,7 +29,6 @@ class Head:
 
     first: int
     line: int | None = None
-    text: str = ""
     names: list[str] = field(default_factory=list)
     units: list[str] = field(default_factory=list)
     unmatched: int | None = None
@@ -95,7 +94,7 @@ def head_of(path: Path, lines: Sequence[str], dialect: Dialect, skip: int, optio
         if units and not head.units and above and names_in(above[-1][1]) and not is_title(above[-1][1]):
             head.units = units
         elif names is not None and possible:
-            head.line, head.text, head.names = k + 1, line.strip(), names
+            head.line, head.names = k + 1, names
             break
         elif not possible and _is_free(plain, line, dialect):
             _refuse_rows(path, [(k, line)], dialect, option)

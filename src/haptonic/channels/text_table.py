@@ -75,7 +75,6 @@ class TextTable:
     lines : (row,) number of the row's line in the file, from 1
     blocks : (row,) 0, 1, ...: number of empty lines, or groups of them, above the row within the table
     names_line : number of the line of names, None without one
-    names_text : this line
     unmatched : number of a line above the rows with names that match no columns, or None
     titles : lines above the table, comments among them
     short : lines with fewer cells than columns, which are filled with missing numbers
@@ -87,7 +86,6 @@ class TextTable:
     lines: NDArray[np.int64] = field(repr=False)
     blocks: NDArray[np.int64] = field(repr=False)
     names_line: int | None
-    names_text: str
     unmatched: int | None
     titles: tuple[str, ...]
     short: tuple[int, ...]
@@ -134,11 +132,6 @@ class TextTable:
                 next_step=f"correct line {line} of {self.path.name}, or put # before it",
             )
         return column.values
-
-    def without_names(self) -> str:
-        """Sentence about a table without names: names given to its columns, and its first row."""
-        first = shown(", ".join(self.first_row), 80)
-        return f"no line of names; its columns are called 1 to {len(self.columns)}, and begin with {first}"
 
 
 def read_table(
@@ -190,7 +183,6 @@ def read_table(
         lines=np.array(body.lines, dtype=np.int64),
         blocks=np.array(body.blocks, dtype=np.int64),
         names_line=head.line,
-        names_text=head.text,
         unmatched=head.unmatched,
         titles=(*(line.strip() for line in lines[:skip]), *head.titles),
         short=tuple(body.short),

@@ -75,7 +75,7 @@ def _of_waves(study: Description) -> dict[str, Any]:
 
 
 def _of_plate(study: Description) -> dict[str, Any]:
-    if study.finite_plate is None:
+    if study.plate_settings is None:
         return {}
     try:
         layout = study.mounted_plate().layout

@@ -26,7 +26,7 @@ def painting(study: Study) -> dict[str, Any] | None:
     lattice; ``parts`` are everything that can be moved, with the steps to its table, its centre on the plate
     and the corner that its key counts from.
     """
-    section = study.finite_plate
+    section = study.plate_settings
     if section is None:
         return None
     plate = plate_of(section, study.cell)

@@ -121,7 +121,7 @@ class Description:
     ribbon_settings: RibbonSettings | None = setting(
         None, "Columns of cells side by side, and the waves that run along them.", alias="ribbon"
     )
-    finite_plate: PlateSettings | None = setting(
+    plate_settings: PlateSettings | None = setting(
         None, "Finite plate of cells and of plain plate.", alias="plate"
     )
     touch: TouchSettings = setting(TouchSettings(), "Finger that touches the plate.")
@@ -140,7 +140,7 @@ class Description:
 
     def __post_init__(self) -> None:
         try:
-            plate = None if self.finite_plate is None else self.mounted_plate()
+            plate = None if self.plate_settings is None else self.mounted_plate()
             if plate is not None:
                 check_carriers(plate, self.carrier)
             if self.ribbon_settings is not None:
@@ -170,7 +170,7 @@ class Description:
         ------
         StudyError : the study has no [plate]
         """
-        plate = plate_of(self.finite_plate, self.cell)
+        plate = plate_of(self.plate_settings, self.cell)
         if self.carrier is None:
             return plate
         return plate.driven_at(self.carrier if carrier is None else carrier, self.carrier)
@@ -180,7 +180,7 @@ class Description:
         """Different carriers of the plate's drives, Hz, the study's first; without a plate only that one."""
         if self.carrier is None:
             return ()
-        others = plate_of(self.finite_plate, self.cell).carriers(self.carrier) if self.finite_plate else ()
+        others = plate_of(self.plate_settings, self.cell).carriers(self.carrier) if self.plate_settings else ()
         return tuple(dict.fromkeys((self.carrier, *others)))
 
     def within(self, budget: float | str | None, argument: str = "budget") -> Self:
@@ -201,9 +201,9 @@ class Description:
 
     def without_plate(self) -> Self:
         """The study of the lattice alone."""
-        if self.finite_plate is None and self.ribbon_settings is None:
+        if self.plate_settings is None and self.ribbon_settings is None:
             return self
-        return unchecked(self, finite_plate=None, ribbon_settings=None)
+        return unchecked(self, plate_settings=None, ribbon_settings=None)
 
     def parameters(self) -> dict[str, float]:
         """Values of all numeric parameters in this study, by path and in SI units."""
@@ -350,7 +350,7 @@ class Description:
 
     def doubtful(self) -> dict[str, str]:
         """Remarks, by path, on values that are unusual relative to one another."""
-        return doubts_of(self.carrier, self.cell, self.finite_plate)
+        return doubts_of(self.carrier, self.cell, self.plate_settings)
 
     def to_toml(self) -> str:
         """Text of a study file that loads to an equal study.
@@ -359,7 +359,7 @@ class Description:
         ------
         StudyError : a material, given in Python, that cannot be written to a file
         """
-        glued = self.finite_plate.materials.values() if self.finite_plate else ()
+        glued = self.plate_settings.materials.values() if self.plate_settings else ()
         of_cell = [
             solid for solid in self.cell.materials.values() if not isinstance(solid, IsotropicMaterial)
         ]
@@ -381,11 +381,11 @@ class Description:
         by its constants, so that a correction in the library changes the key.
         """
         data = document(self, lambda value, unit: value, absent=True)
-        left = {"title", PARAMETERS} | AFTERWARDS | ({"plate"} if self.finite_plate is None else set())
+        left = {"title", PARAMETERS} | AFTERWARDS | ({"plate"} if self.plate_settings is None else set())
         left |= {"ribbon"} if self.ribbon_settings is None else set()
         data = {key: value for key, value in data.items() if key not in left}
-        if self.finite_plate is not None:
-            glued = self.finite_plate.materials.items()
+        if self.plate_settings is not None:
+            glued = self.plate_settings.materials.items()
             data["plate"]["materials"] = {name: solid.to_dict() for name, solid in glued}
         solids = {at: solid.to_dict() for at, solid in self.cell.materials.items()}
         data["material"] = solids.pop("material")

@@ -8,10 +8,11 @@ export const jobs = signal<Job[]>([]);
 export const lost = signal(false); // the server does not answer
 export const shown = signal<number | null>(null); // number of the job whose answer is on the page
 export const whole = signal<WholeJob | null>(null);
-export const painting = signal(true); // the map of the plate is open; it closes for a result, which is below it
+export const painting = signal(true); // the map of the plate is open
 export const shownJob = computed(() => jobs.value.find(({ number }) => number === whole.value?.number));
 export const awaited = { job: 0 }; // the job whose result comes into view when it is there
 const heard = signal(0); // time of the last list
+export const isFollowed = computed(() => heard.value > 0);
 
 export const running = () => jobs.value.find((job) => job.state === "running");
 
@@ -30,9 +31,6 @@ export function follow(): void {
     (gone) => (lost.value = gone),
   );
   effect(() => {
-    if (shown.value !== null) painting.value = false;
-  });
-  effect(() => {
     const job = jobs.value.find((each) => each.number === shown.value);
     if (job === undefined || job.state === "running") return; // until then the result before stays
     const known = whole.peek();
@@ -44,10 +42,17 @@ export function follow(): void {
   });
 }
 
+/** Show the result of a job that the user has chosen; the map above it closes. */
+export function showResult(number: number): void {
+  shown.value = number;
+  painting.value = false;
+}
+
 export const compute = (wanted: Wanted) =>
   attempt(async () => {
     const { number } = await server.run(wanted);
-    shown.value = awaited.job = number;
+    awaited.job = number;
+    showResult(number);
   });
 
 export const remove = (number: number) =>

@@ -1,7 +1,7 @@
 /** The list of runs in this folder, newest first: open or remove one. */
 
 import { other } from "./compare";
-import { jobs, remove, shown } from "./jobs";
+import { jobs, remove, showResult, shown } from "./jobs";
 import type { Job } from "./server";
 
 export const STATES = { running: "is computed", done: "", failed: "failed", cancelled: "cancelled" };
@@ -51,7 +51,7 @@ function Run({ job }: { job: Job }) {
     <tr>
       <td>
         <button type="button" class="minor" aria-pressed={shown.value === job.number}
-          onClick={() => (shown.value = job.number)}>
+          onClick={() => showResult(job.number)}>
           {name} {STATES[job.state] && `(${STATES[job.state]})`}
         </button>
       </td>

@@ -34,11 +34,6 @@ class Margin:
         return self.noticed and self.idle <= WEBER_FRACTION
 
     @property
-    def times_threshold(self) -> float:
-        """The driven reduction in units of the threshold."""
-        return self.driven / WEBER_FRACTION
-
-    @property
     def stopped(self) -> float:
         """Share of the driven reduction that does not reach the idle region."""
         return 1 - self.idle / self.driven
