@@ -150,6 +150,17 @@ def test_a_word_in_a_column_is_a_fault_of_its_numbers_only(tmp_path):
     refused(lambda: group["Fz"], "line 3", "lost", argument="a.csv, column Fz", kind=ChannelError)
 
 
+def test_a_table_of_words_has_its_names_in_the_first_full_line(tmp_path):
+    path = tmp_path / "answers.csv"
+    path.write_text("Answers of the first day\nparticipant,answer\nP1,yes\nP2,no\n")
+    table = read_table(path)
+    assert [(column.name, list(column.values)) for column in table.columns] == [
+        ("participant", ["P1", "P2"]),
+        ("answer", ["yes", "no"]),
+    ]
+    assert (table.titles, table.names_line) == (("Answers of the first day",), 2)
+
+
 def test_comments_among_rows_and_short_rows_are_named(tmp_path):
     (tmp_path / "a.csv").write_text("k;f;g\n0;1;2\n# band 2\n\n0;1\n1;2;3\n")
     table = read_table(tmp_path / "a.csv")

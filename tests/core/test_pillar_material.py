@@ -177,4 +177,5 @@ class TestStudies:
         plate = f'[plate]\nmap = "APA"\n{tiles}'
         with refusing(StudyError, "missing", "plate.loss_factor"):
             loads(STUDY + plate)
-        assert loads(STUDY + plate.replace("map", "loss_factor = 0.01\nmap")).plate_settings.loss_factor == 0.01
+        damped = loads(STUDY + plate.replace("map", "loss_factor = 0.01\nmap"))
+        assert damped.plate_settings.loss_factor == 0.01

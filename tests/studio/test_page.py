@@ -181,7 +181,8 @@ def test_bands_of_a_study_that_is_opened_are_computed_if_they_take_seconds(brows
                 page.reload()
             page.get_by_label(re.compile("^Open, in")).select_option("quick.toml")
             page.wait_for_selector("canvas[data-shown]", timeout=120_000)
-            expect(page.get_by_role("button", name="Compute bands")).to_be_in_viewport()  # the page has not scrolled
+            # the page has not scrolled
+            expect(page.get_by_role("button", name="Compute bands")).to_be_in_viewport()
         assert [job.order.text for job in jobs.values()] == [QUICK_CELL]
         with opened(browser, fresh) as page:  # another page shows this result, and computes nothing
             page.wait_for_selector("canvas[data-shown]", timeout=120_000)

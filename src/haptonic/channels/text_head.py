@@ -131,13 +131,8 @@ def _of_words(path: Path, lines: Sequence[str], dialect: Dialect, skip: int) -> 
     for k, line in enumerate(lines[skip:], start=skip):
         cells = dialect.split(line)
         if len(cells) == dialect.cells and not is_comment(line):
-            return Head(
-                k + 1,
-                k + 1,
-                line.strip(),
-                cells,
-                titles=[title.strip() for title in lines[:k] if title.strip()],
-            )
+            titles = [title.strip() for title in lines[:k] if title.strip()]
+            return Head(k + 1, k + 1, names=cells, titles=titles)
     raise refused(path, "no row of numbers", "export it as text, a row of numbers a line")
 
 

@@ -180,7 +180,9 @@ class Description:
         """Different carriers of the plate's drives, Hz, the study's first; without a plate only that one."""
         if self.carrier is None:
             return ()
-        others = plate_of(self.plate_settings, self.cell).carriers(self.carrier) if self.plate_settings else ()
+        if self.plate_settings is None:
+            return (self.carrier,)
+        others = plate_of(self.plate_settings, self.cell).carriers(self.carrier)
         return tuple(dict.fromkeys((self.carrier, *others)))
 
     def within(self, budget: float | str | None, argument: str = "budget") -> Self:
