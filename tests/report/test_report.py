@@ -618,6 +618,32 @@ def test_sweeps_of_several_lengths_and_numbers_of_gaps_are_one_dataset():
     assert " is at 0.8: " in rows.summary()[0]  # a bare number has no unit
 
 
+@pytest.mark.parametrize(
+    ("carrier", "words", "margin"),
+    [
+        # edges of 50 and 60 kHz times (value / 0.5)^0.8, with errors of 80 Hz
+        (55e3, "inside a gap of 3 of 9 designs; its largest margin is 4.92 kHz, at 0.5.", 4920.0),
+        (59.95e3, "inside a gap of 2 of 9 designs; its largest margin is 4.72 kHz, at 0.55.", 4723.8207),
+        (
+            20.05e3,
+            "No gap of these designs contains the carrier, 20.05 kHz.",
+            None,
+        ),  # a gap within its errors
+        (np.nan, "", None),
+    ],
+)
+def test_a_sweep_names_the_design_with_the_largest_margin_around_the_carrier(carrier, words, margin):
+    dataset = simulated_sweep(carrier_hz=carrier)
+    if np.isnan(carrier):
+        del dataset.attrs["carrier_hz"]
+    sweep = Sweep(dataset, {})
+    _, *about_carrier = Sweeps((sweep,)).summary()
+    assert words in about_carrier[0] if words else not about_carrier
+    margins = [design["carrier_margin_hz"] for design in sweep.facts()["designs"]]
+    assert max(filter(None, margins), default=None) == (margin and pytest.approx(margin))
+    assert [row[-1] for row in sweep.table().rows] == margins
+
+
 @pytest.mark.usefixtures("empty_pictures", "undrawn_mirror")
 class TestFirstScreen:
     def test_it_has_the_gap_and_the_picture_of_the_bands_where_there_is_no_plate(self):

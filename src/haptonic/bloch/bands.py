@@ -238,6 +238,19 @@ def certain_gaps(dataset: xr.Dataset) -> NDArray[np.bool_]:
     return np.asarray(width > dataset["gap_lower_error"].values + dataset["gap_upper_error"].values)
 
 
+def carrier_margins(dataset: xr.Dataset) -> Array:
+    """(step,) margins of the carrier in the gaps of a sweep, Hz; NaN without a carrier, or outside of all.
+
+    The margin is the distance to the nearer edge, with the error of the edge subtracted.
+    """
+    carrier = float(dataset.attrs.get("carrier_hz", np.nan))
+    lower, upper, lower_error, upper_error = (
+        dataset[name].values for name in ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error")
+    )
+    margin = np.minimum(carrier - lower - lower_error, upper - upper_error - carrier)
+    return np.asarray(np.fmax.reduce(np.where(margin > 0, margin, np.nan), axis=1, initial=np.nan))
+
+
 def lattice_of(dataset: xr.Dataset) -> Lattice:
     """Read the lattice of a dataset of bands."""
     keys = {"form": "lattice", "period": "pitch"}  # fields with another name as a key

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from haptonic.bloch.bands import certain_gaps
+from haptonic.bloch.bands import carrier_margins, certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage
@@ -51,12 +51,11 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     on.figure.colorbar(image, ax=axes, label="width of the widest complete gap (kHz)")
     axes.set_facecolor(style.BEYOND)
     handles: list[Artist] = []
-    carrier = dataset.attrs.get("carrier_hz", np.nan)
-    held = (certain & (lower < carrier) & (carrier < upper)).any(axis=1)
-    if held.any():
-        label = f"carrier {hz_text(carrier, form='g')} inside a gap"
+    inside = np.isfinite(carrier_margins(dataset))
+    if inside.any():
+        label = f"carrier {hz_text(dataset.attrs['carrier_hz'], form='g')} inside a gap"
         handles += axes.plot(
-            places[0][held], places[1][held], ls="", marker="o", ms=CIRCLE, mfc="white", mec=style.INK,
+            places[0][inside], places[1][inside], ls="", marker="o", ms=CIRCLE, mfc="white", mec=style.INK,
             mew=0.8, label=label, gid="carrier", zorder=3,
         )  # fmt: skip
     failed = np.isnan(dataset["searched_up_to"].values)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots
+from haptonic.bloch.bands import carrier_margins
 from haptonic.bloch.mesh_levels import rounded_up
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
@@ -82,30 +83,49 @@ class Sweep:
             f"{rounded_up(float(missed[steps].max())):g} of an edge. A larger --budget may reach it."
         ]
 
+    def around_carrier(self) -> list[str]:
+        """Sentence on the designs with a gap around the carrier; none without a carrier."""
+        if "carrier_hz" not in self.dataset.attrs:
+            return []
+        carrier = f"carrier, {hz_text(self.dataset.attrs['carrier_hz'], form='g')}"
+        margins = carrier_margins(self.dataset)
+        count = int(np.isfinite(margins).sum())
+        if not count:
+            return [f"No gap of these designs contains the {carrier}."]
+        best = int(np.nanargmax(margins))
+        return [
+            f"The {carrier}, is inside a gap of {count} of {len(margins)} designs; its largest margin is "
+            f"{hz_text(float(margins[best]), form='.2f')}, at {self.values_at(best)}."
+        ]
+
     def table(self) -> Table:
-        """Table of the widest complete gap of each design."""
+        """Table of the widest complete gap of each design, and of the margin of the carrier in a gap."""
         data = self.dataset
         rows: list[tuple[Cell, ...]] = []
+        margins = carrier_margins(data)
         for step, values in enumerate(np.stack([data[name].values for name in self.axes], axis=1)):
             gaps = self.gaps_at(step)
             widest = max(gaps, key=lambda gap: gap["upper_hz"] - gap["lower_hz"], default=None)
             edges = (widest["lower_hz"], widest["upper_hz"]) if widest else None
             count = "failed" if step in self.failed else str(len(gaps))
-            rows.append((*values.tolist(), count, *((edges[1] - edges[0], *edges) if edges else (None,) * 3)))
+            frequencies = (edges[1] - edges[0], *edges) if edges else (None,) * 3
+            margin = None if np.isnan(margins[step]) else float(margins[step])
+            rows.append((*values.tolist(), count, *frequencies, margin))
         return Table(
             "sweep",
             (*(Column(name, unit, "mm" if unit == "m" else "") for name, unit in self.axes.values()), "gaps",
-             *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to"))),
+             *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to", "margin"))),
             rows,
         )  # fmt: skip
 
     def facts(self) -> dict[str, Any]:
         """Designs with their gaps, for JSON."""
-        data = self.dataset
+        data, margins = self.dataset, carrier_margins(self.dataset)
         designs = [
             {
                 **{name: float(data[name][step]) for name in self.axes},
                 "gaps": self.gaps_at(step),
+                "carrier_margin_hz": None if np.isnan(margins[step]) else float(margins[step]),
                 "error": self.failed.get(step),
             }
             for step in range(data.sizes["step"])
@@ -154,6 +174,7 @@ class Sweeps(Result):
                 f"Along {name}, the widest complete gap of {count} designs is at {row.values_at(step)}: "
                 f"{hz_text(best['lower_hz'], best['upper_hz'], form='.2f')}."
             )
+            sentences += row.around_carrier()
         return sentences
 
     def tables(self) -> list[Table]:
