@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
-from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs
+from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs, error_in_hertz
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.superelement import Tiling, condense
@@ -149,3 +149,10 @@ def test_low_eigenvalues_keep_their_digits_below_very_high_ones(powers, count):
     exact = 1 / np.linalg.eigvalsh(pencil.inverse())[::-1][:count]
     assert values == pytest.approx(exact, rel=1e-8)
     assert modes.T @ modes == pytest.approx(np.eye(count), abs=1e-6)
+
+
+def test_errors_of_modes_at_rest_are_finite():
+    energy = np.array([0.0, -4e-2, 4e-2, 1e6, -1e6])
+    error = error_in_hertz(energy, np.array([0.0, 0.0, 0.0, 1e4, 1e4]))
+    at_rest = np.sqrt(4e-2) / (2 * np.pi)  # root of the energy
+    assert error == pytest.approx([0.0, at_rest, at_rest, *[1e6 / (8 * np.pi**2 * 1e4)] * 2])

@@ -226,8 +226,16 @@ def change_in_hertz(change: Array, frequency: Array) -> Array:
 
 
 def error_in_hertz(energy: Array, frequency: Array) -> Array:
-    """Errors of frequencies, Hz, from missing energies, (rad/s)^2; that of a mode at rest is the root."""
-    return change_in_hertz(energy, np.maximum(frequency, np.sqrt(np.maximum(energy, 0.0)) / (4 * np.pi)))
+    """Errors of frequencies, Hz, from missing energies, (rad/s)^2; that of a mode at rest is the root.
+
+    Rounding may make energies slightly negative; their size bounds the error.
+    """
+    size = np.abs(energy)
+    error = np.zeros_like(size)
+    beyond = size > 0
+    least = np.sqrt(size[beyond]) / (4 * np.pi)
+    error[beyond] = change_in_hertz(size[beyond], np.maximum(frequency[beyond], least))
+    return error
 
 
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
