@@ -76,4 +76,6 @@ def test_a_smaller_range_of_some_strokes_is_seen_where_noise_shows(seed):
     drawn = {"step": 1e-3, "noise": 3.0, "offset": 0.0, "drift": 0.0, "rest_after": 0.2, "count": 3}
     small, changed = experiment(seed, limit=0.7, **drawn)
     large, _ = experiment(seed + 1, limit=10.0, **drawn)
-    assert RangeEnds.of([*small, *large]).reached().tolist()[:3] == (changed > 0).tolist()
+    reached = RangeEnds.of([*small, *large]).reached()[:3]
+    assert reached[changed > 2e-3].all(), "smaller changes are a few samples of noise"
+    assert not reached[changed == 0].any()

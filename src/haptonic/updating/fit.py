@@ -27,6 +27,9 @@ ROUNDS = 6  # at most, of fit and extension
 STRANGE = 4.0  # ratio of a point's rms residual to that of the median point, above which it is left out
 NARROW = 0.2  # half of an interval over its value; narrower intervals are given in per cent
 AT_BOUND = 1e-3  # share of the range: a number closer to a bound has stopped there
+# A number at its bound that data would not determine in a range so many times as wide was not stopped by the
+# bound: a support as stiff as a wall, 5.4 ranges, in contrast to a modulus beyond its range, 1.8.
+WIDER = 5.0
 UNEXPLAINED = 0.5  # largest share of the measured energy that a fit may leave unexplained
 
 
@@ -222,7 +225,8 @@ def _numbers(space: Space, x: Array, intervals: Uncertainty) -> tuple[Fitted, ..
         half = float(intervals.half[k])
         low, high = float(space.low[k]), float(space.high[k])
         remark = ""
-        if min(x[k] - low, high - x[k]) < AT_BOUND * (high - low):
+        is_at_bound = min(x[k] - low, high - x[k]) < AT_BOUND * (high - low)
+        if is_at_bound and half < 0.5 * WIDER * (high - low):
             remark = "stopped at its bound"
         elif lost[k]:
             remark = "not determined by the data"
