@@ -82,9 +82,9 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
         body, shifted = forms.body, forms.interior.copy()
         shifted[part.pattern.indptr[:-1]] -= omega**2 * body.mass
         below = solver.factorise(shifted, definite=False)
-        inside = solver.solve(-body.coupling)
+        inside = body.static(solver)
         stiffness = body.outer_stiffness - omega**2 * body.outer_mass + body.coupling.T @ inside
-        inertia = body.outer_mass + inside.T @ (body.mass[:, None] * inside)
+        inertia = body.outer_mass + body.energy(inside)
         shares = {}
         for q, boundary in forms.boundary.items():
             fields, unfold = part.inside[q], shared.traces[q].unfold_form

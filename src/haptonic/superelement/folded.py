@@ -123,7 +123,7 @@ class FoldedMesh:
         mass = np.repeat(self.representative_mass[folding.interior :], 3)
         alive = folding.sign[q][folding.origin[: folding.interior]] != 0
         body = Bounded(
-            coupling=stiffness.coupling() @ motion,
+            coupling=stiffness.coupling() @ sp.csr_array(motion),
             outer_stiffness=motion.T @ (stiffness.boundary() @ motion),
             outer_mass=motion.T @ (mass[:, None] * motion),
             mass=(self.representative_mass[: folding.interior, None] * alive).ravel(),

@@ -18,6 +18,7 @@ SOFT_TRACES = 4
 # steps then contains that of fewer. With as many as directions in all blocks, a further step removed 5 % of
 # an error instead of 40 %.
 STARTS_PER_DIRECTION = 2
+PORTION = 256  # fields whose inertia is stored at a time
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction depends on others
 EXTRA = 3  # random directions in addition, for modes with little motion near the trace
 # If there are few modes: all up to this multiple of the highest frequency are used, others by their response
@@ -41,11 +42,12 @@ class Factorised(Protocol):
 class Bounded:
     """Forms of a body with n interior unknowns and b on its boundary.
 
-    coupling : (n, b) stiffness between the two; outer_stiffness, outer_mass : (b, b)
+    coupling : (n, b) stiffness between the two, sparse where few unknowns inside meet the boundary
+    outer_stiffness, outer_mass : (b, b)
     mass : (n,) diagonal, or (n, n) sparse; mass_coupling : (n, b), or None where mass is lumped
     """
 
-    coupling: Array
+    coupling: Array | sp.csr_array
     outer_stiffness: Array
     outer_mass: Array
     mass: Array | sp.csr_array
@@ -55,6 +57,16 @@ class Bounded:
         """(n, k) mass times fields (n, k)."""
         lumped = isinstance(self.mass, np.ndarray)
         return np.asarray(self.mass[:, None] * fields if lumped else self.mass @ fields)
+
+    def energy(self, fields: Array) -> Array:
+        """(k, k) mass between fields (n, k); the inertia of few is stored at a time."""
+        portions = (fields[:, first : first + PORTION] for first in range(0, fields.shape[1], PORTION))
+        return np.hstack([fields.T @ self.inertia(portion) for portion in portions])
+
+    def static(self, solver: Factorised) -> Array:
+        """(n, b) motion inside for unit motions of the boundary; ``solver`` has factorised the interior."""
+        forces = -self.coupling
+        return solver.solve(forces if isinstance(forces, np.ndarray) else forces.toarray(order="F"))
 
 
 @dataclass(frozen=True)
@@ -151,24 +163,27 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
 
     with ``F = M_ii [T, Phi]``. Only the static responses T to the softest boundary motions enter Omega.
     """
-    static = solver.solve(-body.coupling)
-    inertia = body.inertia(static)
-    mass = body.outer_mass + static.T @ inertia
+    static = body.static(solver)
+    mass = body.outer_mass + body.energy(static)
     if body.mass_coupling is not None:
         crossed = body.mass_coupling.T @ static
         mass += crossed + crossed.T
-        inertia += body.mass_coupling
     stiffness = body.outer_stiffness + body.coupling.T @ static
     soft, dual = _softest(stiffness, mass, SOFT_TRACES + steps * block)
-    force = inertia @ soft
+    force = body.inertia(static @ soft)
+    if body.mass_coupling is not None:
+        force += body.mass_coupling @ soft
     if isinstance(body.mass, np.ndarray):
         values, modes, dynamic, moved = interior_modes(solver, body.mass, force, steps, block)
     else:
         values, modes, dynamic, moved = consistent_modes(solver, body.mass, force, steps, block)
-    to_modes = inertia.T @ modes
+    moving = body.inertia(modes)
+    to_modes = static.T @ moving
+    if body.mass_coupling is not None:
+        to_modes += body.mass_coupling.T @ modes
     # work of the inertia of soft motions and modes on its static response, without the share of the modes
     to_all = np.vstack([soft.T @ to_modes, np.eye(len(values))])
-    forces = np.hstack([force, body.inertia(modes)])
+    forces = np.hstack([force, moving])
     missing = forces.T @ np.hstack([dynamic, moved]) - (to_all / values) @ to_all.T
     spread = la.block_diag(dual, np.eye(len(values)))
     truncation = spread @ missing @ spread.T

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.superelement.folded import FoldedMesh
 from haptonic.superelement.interior import CraigBampton
 from haptonic.superelement.lifting import whole_fields
 from haptonic.superelement.sections import PillarSections, momentum_forms
 
 ENERGIES = ("pillar_stiffness", "pillar_mass", "vertical_mass")
+PORTION = 10_000  # rows of fields that are copied at a time
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,8 @@ class ClassMeasures:
         moved = (stiff @ fields[:, count:]).T @ fields
         strain = np.block([[of_static, moved[:, :count].T], [moved]])
         mass = np.repeat(shared.representative_mass, 3)
-        pillar_mass, vertical_mass = (_gram(fields[rows], mass[rows]) for rows in (shared.above, np.s_[2::3]))
+        vertical = np.arange(len(mass)) % 3 == 2
+        pillar_mass, vertical_mass = (_gram(fields, mass, rows) for rows in (shared.above, vertical))
         energies = dict(zip(ENERGIES, (strain, pillar_mass, vertical_mass), strict=True))
         return cls(energies, momentum_forms(shared.mesh, shared.folding, q, shared.nodal_mass) @ fields)
 
@@ -72,7 +74,12 @@ class ClassMeasures:
         return cls(energies, whole.reshape(-1, whole.shape[2]))
 
 
-def _gram(fields: Array, mass: Array) -> Array:
-    """(k, k) products of fields (n, k) of diagonal mass (n,)."""
-    scaled = np.sqrt(mass)[:, None] * fields
-    return np.asarray(scaled.T @ scaled)
+def _gram(fields: Array, mass: Array, chosen: Bools) -> Array:
+    """(k, k) products of the chosen rows of fields (n, k) of diagonal mass (n,)."""
+    rows = np.flatnonzero(chosen)
+    form = np.zeros((fields.shape[1],) * 2)
+    for first in range(0, len(rows), PORTION):
+        portion = rows[first : first + PORTION]
+        scaled = np.sqrt(mass[portion])[:, None] * fields[portion]
+        form += scaled.T @ scaled
+    return form

@@ -72,7 +72,7 @@ class PartForms:
         return cls(
             interior=interior,
             body=Bounded(
-                coupling=part.inside[first].T @ body.coupling @ boundary,
+                coupling=part.inside[first].T @ body.coupling @ sp.csr_array(boundary),
                 outer_stiffness=boundary.T @ body.outer_stiffness @ boundary,
                 outer_mass=boundary.T @ body.outer_mass @ boundary,
                 mass=part.inside[first].power(2).T @ body.mass,
