@@ -83,7 +83,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
         shifted[part.pattern.indptr[:-1]] -= omega**2 * body.mass
         below = solver.factorise(shifted, definite=False)
         inside = body.static(solver)
-        stiffness = body.outer_stiffness - omega**2 * body.outer_mass + body.coupling.T @ inside
+        stiffness = body.stiffness(inside) - omega**2 * body.outer_mass
         inertia = body.outer_mass + body.energy(inside)
         shares = {}
         for q, boundary in forms.boundary.items():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -18,7 +18,7 @@ SOFT_TRACES = 4
 # steps then contains that of fewer. With as many as directions in all blocks, a further step removed 5 % of
 # an error instead of 40 %.
 STARTS_PER_DIRECTION = 2
-PORTION = 256  # fields whose inertia is stored at a time
+PORTION = 128  # fields that are copied at a time
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction depends on others
 EXTRA = 3  # random directions in addition, for modes with little motion near the trace
 # If there are few modes: all up to this multiple of the highest frequency are used, others by their response
@@ -28,6 +28,11 @@ EXACT, SAMPLED = 1.5, (0.3, 0.55, 0.8, 1.0)
 # part of the truncation: of steel in epoxy in aluminium it was 4.1e-4 with modes for 3e-2, 1.7e-4 with 1.5e-2
 # and 1.6e-4 with 1e-2, and the pencil had 543, 576 and 612 unknowns.
 MISSED, MISSED_BY_BANDS = 1e-2, 1.5e-2
+
+
+def portions(count: int) -> Iterator[slice]:
+    """Slices of few columns each, whose copies need little memory."""
+    return (slice(first, min(first + PORTION, count)) for first in range(0, count, PORTION))
 
 
 class Factorised(Protocol):
@@ -59,14 +64,22 @@ class Bounded:
         return np.asarray(self.mass[:, None] * fields if lumped else self.mass @ fields)
 
     def energy(self, fields: Array) -> Array:
-        """(k, k) mass between fields (n, k); the inertia of few is stored at a time."""
-        portions = (fields[:, first : first + PORTION] for first in range(0, fields.shape[1], PORTION))
-        return np.hstack([fields.T @ self.inertia(portion) for portion in portions])
+        """(k, k) mass between fields (n, k)."""
+        return np.hstack([fields.T @ self.inertia(fields[:, few]) for few in portions(fields.shape[1])])
+
+    def stiffness(self, static: Array) -> Array:
+        """(b, b) stiffness of the boundary if the interior responds with ``static`` (n, b)."""
+        along = [self.coupling.T @ static[:, few] for few in portions(static.shape[1])]
+        return np.asarray(self.outer_stiffness + np.hstack(along))
 
     def static(self, solver: Factorised) -> Array:
         """(n, b) motion inside for unit motions of the boundary; ``solver`` has factorised the interior."""
-        forces = -self.coupling
-        return solver.solve(forces if isinstance(forces, np.ndarray) else forces.toarray(order="F"))
+        if isinstance(self.coupling, np.ndarray):
+            return solver.solve(-self.coupling)
+        motion = np.empty(self.coupling.shape, order="F")
+        for few in portions(motion.shape[1]):
+            motion[:, few] = solver.solve(-self.coupling[:, few].toarray(order="F"))
+        return motion
 
 
 @dataclass(frozen=True)
@@ -168,7 +181,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     if body.mass_coupling is not None:
         crossed = body.mass_coupling.T @ static
         mass += crossed + crossed.T
-    stiffness = body.outer_stiffness + body.coupling.T @ static
+    stiffness = body.stiffness(static)
     soft, dual = _softest(stiffness, mass, SOFT_TRACES + steps * block)
     force = body.inertia(static @ soft)
     if body.mass_coupling is not None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from haptonic.arrays import Array, Bools
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import CraigBampton
+from haptonic.superelement.interior import CraigBampton, portions
 from haptonic.superelement.lifting import whole_fields
 from haptonic.superelement.sections import PillarSections, momentum_forms
 
@@ -51,7 +51,8 @@ class ClassMeasures:
         # on the ends do work then.
         loaded = np.diff(stiff.indptr) > 0
         loaded[:inner] &= np.repeat(shared.folding.origin < shared.mesh.topology.first_above, 3)[:inner]
-        of_static = fields[loaded, :count].T @ (stiff[np.flatnonzero(loaded)] @ fields[:, :count])
+        forces, on_plate = stiff[np.flatnonzero(loaded)], fields[loaded, :count].T
+        of_static = np.hstack([on_plate @ (forces @ fields[:, few]) for few in portions(count)])
         moved = (stiff @ fields[:, count:]).T @ fields
         strain = np.block([[of_static, moved[:, :count].T], [moved]])
         mass = np.repeat(shared.representative_mass, 3)
