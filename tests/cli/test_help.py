@@ -61,6 +61,16 @@ def test_a_folder_is_named_after_what_the_command_is_asked_of(name, asked):
     assert f"named after {asked} and the command" in helped(app, name)
 
 
+def test_options_are_listed_below_their_topics():
+    panels = CliRunner().invoke(app, ["scan", "--help"]).output.split("╭─ ")
+    for topic, flag in (
+        ("Options", "--window"), ("Facts that the file may lack", "--unit"),
+        ("Position of the plate", "--corners"), ("Comparison with a model", "--model"),
+        ("Files and printing", "--out"),
+    ):  # fmt: skip
+        assert [panel.split(" ─")[0] for panel in panels if f"{flag} " in panel] == [topic]
+
+
 BRACKETS = (
     "[trials]", "[/x]", "haptonic[cad]", "[bold]", "\\[a]", "[", "]", "\\", "*c* `d`", "[[plate.force]]",
 )  # fmt: skip

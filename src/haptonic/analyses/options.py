@@ -23,7 +23,7 @@ class Option:
     metavar : name of the value in a help; flag : name on the command line
     place : "option", or an argument of the command line before or behind the study
     is_path : True if `read` takes the path of a file; options of type Path need no mark
-    topic : heading under which a page asks for it; empty for one that is rarely needed
+    topic : heading under which a help lists it and a page asks for it; empty for one that is rarely needed
     """
 
     help: str

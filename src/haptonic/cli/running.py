@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, get_type_hints
 
@@ -27,20 +28,22 @@ from haptonic.studio.recording import CommandRun
 from haptonic.study import load
 
 SCREEN = 24  # lines of a terminal
+OUTPUT = "Files and printing"  # heading in a help
 SENTENCES = 3  # sentences of the answer that are always printed
+_of_output = partial(typer.Option, rich_help_panel=OUTPUT)
 Json = Annotated[
-    bool, typer.Option("--json", help="Print one JSON object; files are then written only with --out.")
+    bool, _of_output("--json", help="Print one JSON object; files are then written only with --out.")
 ]
 SHARED: dict[str, Any] = {
     "json": Json,
-    "tables": Annotated[bool, typer.Option("--tables", help="Print all tables, however long they are.")],
+    "tables": Annotated[bool, _of_output("--tables", help="Print all tables, however long they are.")],
     "tables_as": Annotated[
         str | None,
-        typer.Option(
+        _of_output(
             "--tables-as", metavar="FORM", help=f"Print all tables and nothing else, as {' or '.join(FORMS)}."
         ),
     ],
-    "overwrite": Annotated[bool, typer.Option("--overwrite", help="Replace files of an earlier run.")],
+    "overwrite": Annotated[bool, _of_output("--overwrite", help="Replace files of an earlier run.")],
 }
 DRY_RUN = Annotated[
     bool, typer.Option("--dry-run", help="Only estimate time and memory, or give the reason of a refusal.")
@@ -87,7 +90,7 @@ def _folder_option(analysis: Analysis) -> Any:
     named = f"named after {' and '.join(arguments or ['STUDY'])} and the command"
     return Annotated[
         Path | None,
-        typer.Option("--out", metavar="DIR", help=f"Folder for the files; by default in results/, {named}."),
+        _of_output("--out", metavar="DIR", help=f"Folder for the files; by default in results/, {named}."),
     ]
 
 
@@ -126,7 +129,7 @@ def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
         metavar = option.metavar or (field.name.upper() if option.place != "option" else None)
         words: dict[str, Any] = {"help": option.help, "metavar": metavar, "min": option.least}
         argument = (
-            typer.Option(*option.flag.split(), **words)
+            typer.Option(*option.flag.split(), rich_help_panel=option.topic or None, **words)
             if option.place == "option"
             else typer.Argument(**words)
         )

@@ -31,8 +31,8 @@ MISSED, MISSED_BY_BANDS = 1e-2, 1.5e-2
 
 
 def portions(count: int) -> Iterator[slice]:
-    """Slices of few columns each, whose copies need little memory."""
-    return (slice(first, min(first + PORTION, count)) for first in range(0, count, PORTION))
+    """At least one slice of few columns each, whose copies need little memory."""
+    return (slice(first, min(first + PORTION, count)) for first in range(0, max(count, 1), PORTION))
 
 
 class Factorised(Protocol):
