@@ -231,8 +231,9 @@ def test_slopes_of_the_edges_are_those_of_whole_designs(path):
 
 def test_sides_start_with_the_edges():
     low, high = designed()
-    assert low.frequency[0] == low.frequency.max()
-    assert high.frequency[0] == high.frequency.min()
+    # of equal frequencies any may be first
+    assert low.frequency[0] == pytest.approx(low.frequency.max(), rel=1e-9)
+    assert high.frequency[0] == pytest.approx(high.frequency.min(), rel=1e-9)
     lower, upper = QuickDesign.of(CELL, 8).edges()[:, 5]
     assert low.frequency[0] == pytest.approx(lower, rel=1e-3)
     assert high.frequency[0] == pytest.approx(upper, rel=1e-3)

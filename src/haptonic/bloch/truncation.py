@@ -105,10 +105,11 @@ def reach_truncation(
         highest = ROOM * last
         reached = Interior(mesh, whole, truncation, highest)
         if truncation <= goal or not further:
-            break
+            return reached, None
         wanted = mesh.grown(growth_for(truncation, goal))
         lack = limits.lack(cell, wanted, spent)
         if lack is not None and (truncation <= TRUSTED_TRUNCATION or lack.of == "memory"):
             return reached, lack
         mesh = wanted
-    return reached, None
+        del whole, reached  # the next condensation needs their memory
+    raise AssertionError("the last interior is returned")

@@ -196,8 +196,8 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
         to_modes += body.mass_coupling.T @ modes
     # work of the inertia of soft motions and modes on its static response, without the share of the modes
     to_all = np.vstack([soft.T @ to_modes, np.eye(len(values))])
-    forces = np.hstack([force, moving])
-    missing = forces.T @ np.hstack([dynamic, moved]) - (to_all / values) @ to_all.T
+    work = np.block([[form.T @ answer for answer in (dynamic, moved)] for form in (force, moving)])
+    missing = work - (to_all / values) @ to_all.T
     spread = la.block_diag(dual, np.eye(len(values)))
     truncation = spread @ missing @ spread.T
     truncation = 0.5 * (truncation + truncation.T)
@@ -300,8 +300,7 @@ def interior_modes(
     random = mass[:, None] * np.random.default_rng(0).standard_normal((len(mass), EXTRA))
     answers = solver.solve(np.hstack([inertia, random]))
     dynamic, extra = np.split(answers, [inertia.shape[1]], axis=1)
-    scaled = root * dynamic
-    starts = scaled[:, : SOFT_TRACES + STARTS_PER_DIRECTION * block]
+    starts = root * dynamic[:, : SOFT_TRACES + STARTS_PER_DIRECTION * block]
     _, turn = la.eigh(starts.T @ starts)
     new = np.hstack([starts @ turn[:, -block:], root * extra])
     blocks: list[Array] = []
@@ -315,20 +314,25 @@ def interior_modes(
         answers_to.append(solver.solve(root * new))
         new = root * answers_to[-1]
     fields = np.hstack(answers_to)
+    answers_to.clear()  # arrays as large as this one are freed where they have served
     moving = root * fields
-    form = np.hstack(blocks).T @ moving
-    # K^-1 M maps the fields of all blocks but the last into the space
-    further = fields @ form
-    further[:, -new.shape[1] :] = solver.solve(root * new)
+    form = np.vstack([old.T @ moving for old in blocks])
+    blocks.clear()
     # a small interior has fewer unknowns than the blocks have directions
     weights, turn = la.eigh(moving.T @ moving)
+    del moving
     independent = weights > DEPENDENT * weights[-1]
     basis = turn[:, independent] / np.sqrt(weights[independent])
     values, turn = la.eigh(basis.T @ form @ basis)
-    modes, moved = (columns @ (basis @ turn) for columns in (fields, further))
+    of_modes = basis @ turn
+    modes = fields @ of_modes
     # signs that do not depend on rounding, for later random start vectors in terms of these modes
     sign = np.where(random[:, 0] @ modes < 0, -1.0, 1.0)
-    return values, sign * modes, dynamic, sign * moved
+    modes *= sign
+    # K^-1 M maps the fields of all blocks but the last into the space
+    further = fields @ form
+    further[:, -new.shape[1] :] = solver.solve(root * new)
+    return values, modes, dynamic, further @ (of_modes * sign)
 
 
 def few_modes(

@@ -1,10 +1,10 @@
-/** First result of a page: the chosen analysis of a study that is opened, if it takes seconds. */
+/** First result of a page without a plate: the chosen analysis of the study that is opened, if it takes seconds. */
 
 import { effect } from "@preact/signals";
 import { analysis, isWrong, missing, usesStudy, wanted } from "./chosen";
 import { isFollowed, running, shown } from "./jobs";
 import { server } from "./server";
-import { loaded, react } from "./study";
+import { loaded, plate, react } from "./study";
 
 const QUICK = "seconds"; // the shortest class of the estimated time
 
@@ -17,9 +17,9 @@ export function followOpenings(): void {
   });
 }
 
-/** Compute the chosen analysis if the page shows no result and none is computed. */
+/** Compute the chosen analysis if the page shows no result and no map, and nothing is computed. */
 async function computeIfQuick(): Promise<void> {
-  const isIdle = () => shown.peek() === null && running() === undefined;
+  const isIdle = () => shown.peek() === null && plate.peek() === null && running() === undefined;
   const asked = wanted.peek();
   if (!isIdle() || asked === null || !usesStudy.peek() || isWrong.peek() || missing.peek().length > 0) return;
   const { costs } = await server.forecast(asked.text);
