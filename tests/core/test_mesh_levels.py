@@ -379,7 +379,7 @@ def measured(number):
     "number", [17, *(pytest.param(number, marks=pytest.mark.nightly) for number in (0, 2, 3, 8, 9, 10, 19))]
 )
 def test_the_memory_that_is_used_is_near_the_estimate(number):
-    """It was estimated at 0.7 to 3.6 times of it."""
+    """Before the estimates of 37 designs, 0.7 to 3.6 times of it."""
     estimated, used = measured(number)
     assert 0.8 * used <= estimated <= 2 * used
 

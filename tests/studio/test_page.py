@@ -153,7 +153,7 @@ def test_a_study_is_made_from_a_template_saved_and_opened(browser, studio):
         page.get_by_label("New, from a template").select_option("mirror")
         wait_for_text(page, str(templates()["mirror"])[:60])
         page.get_by_label("File name").fill("mine")
-        page.get_by_role("button", name="Save").click()
+        page.get_by_role("button", name="Save", exact=True).click()
         page.get_by_text("saved", exact=True).wait_for()
         path = studio.studio.workspace.folder / "mine.toml"
         assert path.read_text("utf-8") == str(templates()["mirror"])
@@ -195,7 +195,7 @@ def test_a_refused_name_is_explained(browser, studio):
     page = context.new_page()
     page.goto(f"{studio.origin}/")
     page.get_by_label("File name").fill("../outside")
-    page.get_by_role("button", name="Save").click()
+    page.get_by_role("button", name="Save", exact=True).click()
     page.get_by_role("alert").get_by_text("next step").wait_for()
     context.close()
     assert not (studio.studio.workspace.folder.parent / "outside.toml").exists()
