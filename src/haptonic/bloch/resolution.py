@@ -22,9 +22,9 @@ SOLID_UNKNOWNS, SOLID_SECONDS, SOLID_COST, SOLID_BYTES, SOLID_GROWTH = 1.0, 6.5e
 MESH_SECONDS, MESH_BYTES = 1.1e-6, 75.0
 PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
 # Memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
-# and the square of a pencil's size; bytes of the program at rest. Models of 37 designs took 0.4 to 6 GB, and
-# 0.53 to 0.95 of the estimate; see benchmarks/answered_in_budget.py.
-PER_KEPT, PER_PAIR, PER_FACTOR, PER_PENCIL, RESIDENT = 1.6, 24.0, 45.0, 42.0, 4.5e8
+# and the square of a pencil's size; bytes of the program at rest. Models of 39 designs took 0.4 to 7.5 GB,
+# 0.5 to 1.05 of the estimate; see benchmarks/answered_in_budget.py.
+PER_KEPT, PER_PAIR, PER_FACTOR, PER_PENCIL, RESIDENT = 2.0, 28.0, 55.0, 42.0, 4.5e8
 BY_THIRDS = 1.5  # times the pairs: parts of a tile with the third of a turn have separate indices
 LEAST_ORDER = 2  # that a study can set
 LEAST_STEPS, WIDEST = 2, 40  # of an interior: least number of blocks, and their largest size
