@@ -103,6 +103,7 @@ class Sweep:
         data = self.dataset
         rows: list[tuple[Cell, ...]] = []
         margins = carrier_margins(data)
+        of_carrier = ("margin",) if "carrier_hz" in data.attrs else ()
         for step, values in enumerate(np.stack([data[name].values for name in self.axes], axis=1)):
             gaps = self.gaps_at(step)
             widest = max(gaps, key=lambda gap: gap["upper_hz"] - gap["lower_hz"], default=None)
@@ -110,11 +111,11 @@ class Sweep:
             count = "failed" if step in self.failed else str(len(gaps))
             frequencies = (edges[1] - edges[0], *edges) if edges else (None,) * 3
             margin = None if np.isnan(margins[step]) else float(margins[step])
-            rows.append((*values.tolist(), count, *frequencies, margin))
+            rows.append((*values.tolist(), count, *frequencies, *(margin for _ in of_carrier)))
         return Table(
             "sweep",
             (*(Column(name, unit, "mm" if unit == "m" else "") for name, unit in self.axes.values()), "gaps",
-             *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to", "margin"))),
+             *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to", *of_carrier))),
             rows,
         )  # fmt: skip
 
