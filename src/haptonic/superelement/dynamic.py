@@ -83,8 +83,8 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
         shifted[part.pattern.indptr[:-1]] -= omega**2 * body.mass
         below = solver.factorise(shifted, definite=False)
         inside = body.static(solver)
-        stiffness = body.stiffness(inside) - omega**2 * body.outer_mass
-        inertia = body.outer_mass + body.energy(inside)
+        stiffness = body.stiffness_with(inside) - omega**2 * body.outer_mass
+        inertia = body.mass_with(inside)
         shares = {}
         for q, boundary in forms.boundary.items():
             fields, unfold = part.inside[q], shared.traces[q].unfold_form

@@ -18,7 +18,7 @@ SOFT_TRACES = 4
 # steps then contains that of fewer. With as many as directions in all blocks, a further step removed 5 % of
 # an error instead of 40 %.
 STARTS_PER_DIRECTION = 2
-PORTION = 128  # fields that are copied at a time
+COLUMNS_AT_ONCE = 128  # fields that are copied at a time
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction depends on others
 EXTRA = 3  # random directions in addition, for modes with little motion near the trace
 # If there are few modes: all up to this multiple of the highest frequency are used, others by their response
@@ -32,7 +32,8 @@ MISSED, MISSED_BY_BANDS = 1e-2, 1.5e-2
 
 def portions(count: int) -> Iterator[slice]:
     """At least one slice of few columns each, whose copies need little memory."""
-    return (slice(first, min(first + PORTION, count)) for first in range(0, max(count, 1), PORTION))
+    starts = range(0, max(count, 1), COLUMNS_AT_ONCE)
+    return (slice(first, min(first + COLUMNS_AT_ONCE, count)) for first in starts)
 
 
 class Factorised(Protocol):
@@ -63,11 +64,16 @@ class Bounded:
         lumped = isinstance(self.mass, np.ndarray)
         return np.asarray(self.mass[:, None] * fields if lumped else self.mass @ fields)
 
-    def energy(self, fields: Array) -> Array:
-        """(k, k) mass between fields (n, k)."""
-        return np.hstack([fields.T @ self.inertia(fields[:, few]) for few in portions(fields.shape[1])])
+    def mass_with(self, static: Array) -> Array:
+        """(b, b) mass of the boundary if the interior responds with ``static`` (n, b)."""
+        along = [static.T @ self.inertia(static[:, few]) for few in portions(static.shape[1])]
+        mass = self.outer_mass + np.hstack(along)
+        if self.mass_coupling is not None:
+            crossed = self.mass_coupling.T @ static
+            mass += crossed + crossed.T
+        return np.asarray(mass)
 
-    def stiffness(self, static: Array) -> Array:
+    def stiffness_with(self, static: Array) -> Array:
         """(b, b) stiffness of the boundary if the interior responds with ``static`` (n, b)."""
         along = [self.coupling.T @ static[:, few] for few in portions(static.shape[1])]
         return np.asarray(self.outer_stiffness + np.hstack(along))
@@ -177,11 +183,7 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     with ``F = M_ii [T, Phi]``. Only the static responses T to the softest boundary motions enter Omega.
     """
     static = body.static(solver)
-    mass = body.outer_mass + body.energy(static)
-    if body.mass_coupling is not None:
-        crossed = body.mass_coupling.T @ static
-        mass += crossed + crossed.T
-    stiffness = body.stiffness(static)
+    mass, stiffness = body.mass_with(static), body.stiffness_with(static)
     soft, dual = _softest(stiffness, mass, SOFT_TRACES + steps * block)
     force = body.inertia(static @ soft)
     if body.mass_coupling is not None:

@@ -14,7 +14,7 @@ from haptonic.superelement.lifting import whole_fields
 from haptonic.superelement.sections import PillarSections, momentum_forms
 
 ENERGIES = ("pillar_stiffness", "pillar_mass", "vertical_mass")
-PORTION = 10_000  # rows of fields that are copied at a time
+ROWS_AT_ONCE = 10_000  # rows of fields that are copied at a time
 
 
 @dataclass(frozen=True)
@@ -79,8 +79,8 @@ def _gram(fields: Array, mass: Array, chosen: Bools) -> Array:
     """(k, k) products of the chosen rows of fields (n, k) of diagonal mass (n,)."""
     rows = np.flatnonzero(chosen)
     form = np.zeros((fields.shape[1],) * 2)
-    for first in range(0, len(rows), PORTION):
-        portion = rows[first : first + PORTION]
+    for first in range(0, len(rows), ROWS_AT_ONCE):
+        portion = rows[first : first + ROWS_AT_ONCE]
         scaled = np.sqrt(mass[portion])[:, None] * fields[portion]
         form += scaled.T @ scaled
     return form

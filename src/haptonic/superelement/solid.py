@@ -214,12 +214,11 @@ class SolidBody:
         assert body.mass_coupling is not None
         shifted = body.coupling - omega**2 * body.mass_coupling
         inside = solver.solve(-shifted)
-        crossed = body.mass_coupling.T @ inside
         return DynamicStiffness(
             omega=omega,
             below=below,
             matrix=body.outer_stiffness - omega**2 * body.outer_mass + shifted.T @ inside,
-            mass=body.outer_mass + crossed + crossed.T + inside.T @ body.inertia(inside),
+            mass=body.mass_with(inside),
             parts=(),
             held=np.zeros((0, 3, 0)),
             force=np.zeros((self.on_sides.shape[1], 0)),
