@@ -69,7 +69,7 @@ def test_a_dropped_scan_is_shown_and_a_wrong_unit_is_refused_at_its_question(bro
     with opened(browser, studio) as page:
         drop(page, "dropped.h5", SCAN.read_bytes())
         expect(page.get_by_label("Analysis")).to_have_value("scan")
-        expect(page.get_by_label("path")).to_have_value("dropped.h5")
+        expect(page.get_by_role("combobox", name="path")).to_have_value("dropped.h5")
         plan = page.get_by_role("img", name=re.compile("^9 points: x from 0 to 50 mm, y from 0 to 30 mm"))
         plan.wait_for()
         expect(row(page, "frequencies")).to_have_text("30, 40 to 60 kHz")
@@ -93,7 +93,7 @@ def test_a_dropped_scan_is_shown_and_a_wrong_unit_is_refused_at_its_question(bro
 def test_wrong_columns_are_corrected_and_the_scan_is_computed_without_a_study(browser: Browser, studio):
     with opened(browser, studio) as page:
         page.get_by_label("Analysis").select_option("scan")
-        page.get_by_label("path").select_option("german")
+        page.get_by_role("combobox", name="path").select_option("german")
         page.get_by_role("link", name="Go to the question: variables").wait_for()
         expect(page.locator(".field.wrong .refusal")).to_contain_text("Realteil")
         answer(page, "variables", "frequency=Frequenz,real=Realteil,imaginary=Wrong")
@@ -113,10 +113,10 @@ def test_files_are_chosen_and_computed_by_the_keyboard(browser: Browser, studio)
         select.focus()
         page.keyboard.type("friction")
         expect(select).to_have_value("friction")
-        for locator in (page.get_by_role("button", name="Choose files"), page.get_by_label("path")):
+        for locator in (page.get_by_role("button", name="Choose files"), page.get_by_role("combobox", name="path")):
             tab_to(page, locator)
         page.keyboard.type("trials")
-        expect(page.get_by_label("path")).to_have_value("trials")
+        expect(page.get_by_role("combobox", name="path")).to_have_value("trials")
         expect(row(page, "normal channel")).to_have_text('"F_z", 1 unit = 1 N')
         page.wait_for_selector(".understood .curves canvas")
         compute = page.get_by_role("button", name="Compute friction")
@@ -150,7 +150,7 @@ def test_several_files_get_a_folder_and_none_is_replaced_without_a_question(brow
     page.get_by_role("button", name="Replace").click()
     page.get_by_text("Added mine.").wait_for()
     assert (folder / "on.csv").read_text() != "edited"
-    expect(page.get_by_label("path")).to_have_value("mine")
+    expect(page.get_by_role("combobox", name="path")).to_have_value("mine")
     context.close()
 
 
@@ -166,7 +166,7 @@ def test_a_refused_channel_leads_to_its_table_in_the_form(browser: Browser, stud
     shutil.copytree(CASES / "friction-without-names", studio.studio.workspace.folder / "unnamed")
     with opened(browser, studio) as page:
         page.get_by_label("Analysis").select_option("friction")
-        page.get_by_label("path").select_option("unnamed")
+        page.get_by_role("combobox", name="path").select_option("unnamed")
         page.get_by_role("button", name="Open the table trials.sensor in the form").click()
         for label, column in (("Time", "1"), ("Normal", "4"), ("Tangential", "3")):
             name = page.get_by_label(label, exact=False).first
@@ -178,7 +178,7 @@ def test_a_refused_channel_leads_to_its_table_in_the_form(browser: Browser, stud
 def test_the_wizard_is_accessible_and_fits(browser: Browser, studio):
     with opened(browser, studio) as page:
         page.get_by_label("Analysis").select_option("scan")
-        page.get_by_label("path").select_option("german")
+        page.get_by_role("combobox", name="path").select_option("german")
         page.locator(".field.wrong .refusal").wait_for()
         answer(page, "variables", "frequency=Frequenz,real=Realteil,imaginary=Imaginärteil")
         page.wait_for_selector(".reading .points")
