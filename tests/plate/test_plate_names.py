@@ -23,7 +23,7 @@ from haptonic.plate.layout.supports import Support
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.response import read, write
 from haptonic.results.common import write_netcdf
-from haptonic.results.plate.value import impedance_names
+from haptonic.results.plate.drawing import impedance_names
 from haptonic.store import Store
 from hostile import NASTY, names
 

@@ -113,7 +113,10 @@ def test_files_are_chosen_and_computed_by_the_keyboard(browser: Browser, studio)
         select.focus()
         page.keyboard.type("friction")
         expect(select).to_have_value("friction")
-        for locator in (page.get_by_role("button", name="Choose files"), page.get_by_role("combobox", name="path")):
+        for locator in (
+            page.get_by_role("button", name="Choose files"),
+            page.get_by_role("combobox", name="path"),
+        ):
             tab_to(page, locator)
         page.keyboard.type("trials")
         expect(page.get_by_role("combobox", name="path")).to_have_value("trials")

@@ -84,7 +84,7 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     vibration_below = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,
         diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at,
-        gap=(gap.lower, gap.upper) if gap else None,
+        gap=gap.edges if gap else None,
         grid=settings.grid, tolerance=settings.tolerance, fineness=chosen,
     )  # fmt: skip
     friction = FrictionOnPlate(

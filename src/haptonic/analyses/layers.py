@@ -98,7 +98,7 @@ def compute(study: Description, options: PageOption, runner: Runner) -> Layers:
         "angle": incidence.angle,
         "along": list(along),
         "loss_factor": incidence.loss_factor,
-        "gap": [gap.lower, gap.upper] if gap else [],
+        "gap": list(gap.edges) if gap else [],
         "mesh": json.dumps(asdict(rows.plan)),
         **scales(cell),
         **best.attributes(settings),

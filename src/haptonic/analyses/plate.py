@@ -124,7 +124,7 @@ def compute_plate(
     """
     reference_of(plate)
     need_loss(plate)
-    edges = None if gap is None else [gap.lower, gap.upper]
+    edges = list(gap.edges) if gap else None
     keys = [
         content_key(
             {"part": f"plate {part}", "plate": plate, "settings": settings, "carrier": carrier, "gap": edges,

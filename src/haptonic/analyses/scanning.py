@@ -221,7 +221,7 @@ def compute_scan(
     stands_out, reasons = _beside_lattice(response, on.plate, mirror, data)
     remarks += [*reasons, *unseen]
     lattice = lattice_gap(response, on.plate, data)
-    edges = None if on.gap is None else (on.gap.lower, on.gap.upper)
+    edges = on.gap.edges if on.gap else None
     names = [str(name) for name in response.dataset["region"].values]
     marked = marked_lines(on.plate, response.frequency, response.values[..., 0].T, names, on.carrier, edges)
     shapes = tuple(response.frequency[marked].tolist()) if at is None else (at,)

@@ -98,7 +98,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     drawn = DrawnPoints(study, gap, runner.report)
     datasets = runner.run(beside_dataset, tasks, 1, drawn.heard)
     nominal, *parts = (dataset["frequency"].values for dataset in datasets)
-    offset = np.array([gap.lower, gap.upper]) - edges_of(nominal)[0]
+    offset = np.array(gap.edges) - edges_of(nominal)[0]
     frequency = np.concatenate(parts) + offset[:, None]
     own = {path: float(links.own(path)) for path in paths if path.startswith(NAMED)}
     slopes = edge_slopes(cell, gap, paths, links.directions(own))
@@ -169,7 +169,7 @@ class DrawnPoints:
             self.waiting.append((position, outcome))
         elif outcome.dataset is not None:
             nominal = edges_of(outcome.dataset["frequency"].values)[0]
-            self.offset = np.array([self.gap.lower, self.gap.upper]) - nominal
+            self.offset = np.array(self.gap.edges) - nominal
         if self.offset is None:
             return
         for place, batch in self.waiting:

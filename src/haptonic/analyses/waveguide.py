@@ -112,7 +112,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
         "mode": f"{across}x{along}",
         "ends": waveguide.ends,
         "period": period,
-        "gap": [gap.lower, gap.upper],
+        "gap": list(gap.edges),
         "mesh": json.dumps(asdict(lattice.plan)),
         **scales(cell),
         **best.attributes(settings),

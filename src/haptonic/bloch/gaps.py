@@ -48,6 +48,10 @@ class Gap:
     waves: Waves = "all"
 
     @property
+    def edges(self) -> tuple[float, float]:
+        return self.lower, self.upper
+
+    @property
     def width(self) -> float:
         return self.upper - self.lower
 

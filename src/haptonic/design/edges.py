@@ -60,6 +60,6 @@ def beside_dataset(argument: tuple[Sequence[UnitCell], Gap]) -> xr.Dataset:
 def linear(gap: Gap, per_width: Array) -> Surface:
     """The edges of a gap to first order in the deviations."""
     coefficients = np.zeros((terms_needed(len(per_width)), 2, 1))
-    coefficients[0, :, 0] = gap.lower, gap.upper
+    coefficients[0, :, 0] = gap.edges
     coefficients[1 : len(per_width) + 1, :, 0] = per_width
     return Surface(coefficients, np.zeros(2))

@@ -104,7 +104,7 @@ class CertifiedBands:
         of_edges, error_of_edges = ratio[rows, bands], share[rows, bands]
         for gap in self._complete():
             column = gap.between[0] - 1
-            ends = np.array([gap.lower, gap.upper])
+            ends = np.array(gap.edges)
             of_edges[:, column] = ends / self.coarse.edges[:, column]
             error_of_edges[:, column] = np.array([gap.lower_error, gap.upper_error]) / ends
         edges = of_edges * samples.edges

@@ -262,7 +262,7 @@ class Comparison(Result):
     def _gap_rows(self) -> list[tuple[Cell, Cell, Cell, Cell, Cell]]:
         """Bands and edges (Hz) of each gap; None for an edge that one of the two lacks."""
         first, second = (
-            {gap.between: (gap.lower, gap.upper) for gap in side.gaps} if side.ours else side.on_path()
+            {gap.between: gap.edges for gap in side.gaps} if side.ours else side.on_path()
             for side in (self.first, self.second)
         )
         none: tuple[None, None] = (None, None)
@@ -327,10 +327,7 @@ class Comparison(Result):
     def _drawn(self, *, ax: Axes | None = None) -> Figure:
         sides = (self.first, self.second)
         return plots.compared(
-            [
-                (side.name, side.position, side.frequency, [(g.lower, g.upper) for g in side.gaps])
-                for side in sides
-            ],
+            [(side.name, side.position, side.frequency, [gap.edges for gap in side.gaps]) for side in sides],
             self.first.labels,
             crosses=not self.second.ours,
             ax=ax,

@@ -1,15 +1,16 @@
 """Protocol of results, used by everything that shows a result.
 
 A result is a frozen dataclass derived from `Result`. It gives its answer in sentences and tables. Its
-pictures and files are methods marked with `figure` and `file`, so their names are known before anything is
-drawn or computed. The output and files of a command, JSON, notebooks and chapters of the report all use this
-protocol.
+pictures and files are made by methods marked with `figure` and `file`, or, where they are many, by functions
+of another module with these marks, which are the ``products`` of the class. So their names are known before
+anything is drawn or computed. The output and files of a command, JSON, notebooks and chapters of the report
+all use this protocol.
 """
 
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import partial
@@ -63,26 +64,31 @@ def _always(result: object) -> bool:
 def figure(
     name: str, caption: str = "", *, when: Callable[[Any], object] = _always
 ) -> Callable[[Callable[..., Any]], Any]:
-    """Mark a method that draws the picture of this name; for ``name-*``, one that returns drawers by name."""
-    return lambda make: _Marked((Product(name, make, when, caption),), "_pictures")
+    """Mark what draws the picture of this name; for ``name-*``, what returns drawers by name."""
+    return lambda make: Marked((Product(name, make, when, caption),), "_pictures")
 
 
 def file(*names: str, when: Callable[[Any], object] = _always) -> Callable[[Callable[..., Any]], Any]:
-    """Mark a method that writes files of these names to a path, each in the format of its ending; for
-    ``name-*``, one that returns writers by name."""
-    return lambda make: _Marked(tuple(Product(name, make, when) for name in names), "_writers")
+    """Mark what writes files of these names to a path, each in the format of its ending; for ``name-*``, what
+    returns writers by name."""
+    return lambda make: Marked(tuple(Product(name, make, when) for name in names), "_writers")
 
 
 @dataclass(frozen=True)
-class _Marked:
+class Marked:
+    """Pictures or files made by one function, for the attribute ``kind`` of a class of results."""
+
     parts: tuple[Product, ...]
     kind: str
 
     def __set_name__(self, owner: type[Result], name: str) -> None:
+        self.add_to(owner)
+        setattr(owner, name, self.parts[0].make)
+
+    def add_to(self, owner: type[Result]) -> None:
         # a class has the parts of its base classes, and its own parts
         inherited: tuple[Product, ...] = getattr(owner, self.kind)
         setattr(owner, self.kind, (*inherited, *self.parts))
-        setattr(owner, name, self.parts[0].make)
 
 
 class Figures(Mapping[str, "Figure"]):
@@ -144,6 +150,11 @@ class Result:
     data_file: ClassVar[str | None] = None  # name of the NetCDF file of the dataset, without its suffix
     _pictures: ClassVar[tuple[Product, ...]] = ()
     _writers: ClassVar[tuple[Product, ...]] = ()
+
+    def __init_subclass__(cls, products: Iterable[Marked] = (), **keywords: Any) -> None:
+        super().__init_subclass__(**keywords)
+        for marked in products:
+            marked.add_to(cls)
 
     if TYPE_CHECKING:  # at run time a property here would be taken for the default of a dataclass's field
 

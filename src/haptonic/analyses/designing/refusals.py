@@ -67,7 +67,7 @@ def out_of_reach(
 
 def _closest(carrier: float, best: Gap | None, seen: Sequence[Visited]) -> str:
     """Text on the closest gap; uses the coarse model only if no gap was computed accurately."""
-    gaps = [(best.lower, best.upper)] if best is not None else []
+    gaps = [best.edges] if best is not None else []
     gaps = gaps or [(visit.lower, visit.upper) for visit in seen if visit.is_open(carrier)]
     if not gaps:
         return "no examined design has a gap"

@@ -29,7 +29,7 @@ def chapter(results: Results) -> Chapter | Absent:
     plate, scan = results.of(PlateResult), results.of(ScanResult)
     if plate is None or scan is None:
         return Absent(TITLE, "no scan was simulated in this run")
-    edges = None if plate.gap is None else (plate.gap.lower, plate.gap.upper)
+    edges = plate.gap.edges if plate.gap else None
     rows = {"computed": plate.response, "simulated scan": scan.response}
     maps = Picture(
         plots.maps_compared(rows, scan.shapes, plate.plate.layout, edges),
@@ -110,12 +110,12 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
         rows.append(
             (
                 "lattice, computed",
-                *(hz_text(edge, form=".2f") for edge in (plate.gap.lower, plate.gap.upper)),
+                *(hz_text(edge, form=".2f") for edge in plate.gap.edges),
             )
         )
     if scan.lattice:
         edges = (scan.lattice.lower, scan.lattice.upper)
-        other = plate.gap is not None and scan.lattice.beside(plate.gap.lower, plate.gap.upper)
+        other = plate.gap is not None and scan.lattice.beside(*plate.gap.edges)
         rows.append(
             (
                 "lattice, simulated scan" + ": another range, perhaps a gap of some waves" * other,

@@ -197,7 +197,7 @@ class Feel(Result):
     def facts(self) -> dict[str, Any]:
         friction = self.friction
         return {
-            "gap_hz": (self.gap.lower, self.gap.upper) if self.gap else None,
+            "gap_hz": self.gap.edges if self.gap else None,
             "drive": {"amplitude": friction.drive, "unit": friction.unit},
             "driven": friction.driven,
             "regions": split(self.by_region, "region"),

@@ -65,7 +65,7 @@ def _extra(result: PlateResult) -> dict[str, Any]:
     return {
         "summary": result.summary(),
         "colours": step_colours(),
-        "gap": None if result.gap is None else [result.gap.lower, result.gap.upper],
+        "gap": list(result.gap.edges) if result.gap else None,
         "carrier": result.carrier,
         "first": result.resonance,
         "first_is": "resonance in the gap",

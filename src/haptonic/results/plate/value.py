@@ -2,35 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property, partial
-from pathlib import Path
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from haptonic import plots
 from haptonic.arrays import Complex
 from haptonic.bloch import Gap
-from haptonic.later import Axes, Figure, xarray as xr
-from haptonic.names import file_parts
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout.sampling import driven_region, reference_of
 from haptonic.plate.vibration.datasets import part_name
-from haptonic.plate.vibration.region_measures import below_finger, compared, contrasts, resonance_of
-from haptonic.response import FrequencyResponse, rms, write
+from haptonic.plate.vibration.region_measures import below_finger, contrasts, resonance_of
+from haptonic.response import FrequencyResponse, rms
 from haptonic.response.measures import along
-from haptonic.results.common import write_netcdf
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text
+from haptonic.results.plate.drawing import PRODUCTS
 from haptonic.results.plate.interactive import plate_view
 from haptonic.results.plate.tables import carriers_table, lines_table, modes_table, power_table
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result
 from haptonic.results.table import Table
 from haptonic.units import hz_text
-from haptonic.views import InteractiveView, write_page
-from haptonic.vtu import write_body
+from haptonic.views import InteractiveView
 
 # Measured in tests/plate/test_full_plate.py; no cheap estimate for an arbitrary plate is known.
 ERRORS = (
@@ -43,14 +39,6 @@ ERRORS = (
 OF_FILES = (
     " The error of the meshes of cells from files is not estimated either; `haptonic bands` does, for bands."
 )
-
-
-def _has_spectrum(result: PlateResult) -> bool:
-    return len(result.response.frequency) > 1
-
-
-def _compares(result: PlateResult) -> bool:
-    return _has_spectrum(result) and bool(compared(result.response, result.driven))
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +70,7 @@ class CarrierAnswer:
 
     def facts(self) -> dict[str, Any]:
         """Values for JSON."""
-        gaps = {name: gap and (gap.lower, gap.upper) for name, gap in self.around.items()}
+        gaps = {name: gap.edges if gap else None for name, gap in self.around.items()}
         return {
             "carrier_hz": self.carrier, "drives": self.drives, "driven": self.result.driven, "gaps_hz": gaps,
             "contrast_db": self.contrasts,
@@ -90,7 +78,7 @@ class CarrierAnswer:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PlateResult(Result):
+class PlateResult(Result, products=PRODUCTS):
     """Response of a plate per unit of its reference, with energies, impedances and modes.
 
     plate : the computed plate; gap : of its lattice around the carrier, if any; carrier : Hz
@@ -135,99 +123,13 @@ class PlateResult(Result):
         return self.lines
 
     @property
-    def _origin(self) -> str:
-        return str(self.response.dataset.attrs["origin"])
-
-    @figure("plan", "Simulated plate: its pillars, regions, actuators and supports.")
-    def _plan(self, *, ax: Axes | None = None) -> Figure:
-        return plots.plate_plan(self.plate, ax=ax)
-
-    @property
     def drive(self) -> float:
         """Amplitude of the first drive, used in pictures, in the unit of the reference."""
         return reference_of(self.plate)[1]
 
-    @figure("maps", "Simulated normal displacement of the flat face, all maps on one scale.")
-    def _maps(self, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
-        layout, drive = self.plate.layout, self.drive
-        gap = None if self.answers else self._gap_edges  # lattices of several carriers have different gaps
-        shown, lines = self.marked, self.marked.frequency.tolist()
-        if frequency is not None:
-            shown, lines = self.response, [frequency]
-        if ax is not None:
-            return plots.map_at(shown, frequency or self.resonance, layout, gap, drive=drive, ax=ax)
-        return plots.maps(shown, lines, layout, gap, drive=drive)
-
-    @figure(
-        "carriers",
-        "Simulated normal displacement of the flat face at each carrier, with its own drives alone.",
-        when=lambda result: result.answers,
-    )
-    def _carriers(self) -> Figure:
-        alone = [(" and ".join(answer.drives), answer.result) for answer in self.answers]
-        driven = {drives: (each.marked, each.drive, each._gap_edges) for drives, each in alone}
-        return plots.maps_of_drives(driven, self.plate.layout)
-
-    @figure("velocity", "Simulated velocity of the regions.", when=_has_spectrum)
-    def _velocity(self, *, ax: Axes | None = None) -> Figure:
-        levels = {name: level.values for name, level in self.levels.items()}
-        return plots.velocity_spectrum(
-            self.response.frequency, levels, self._gap_edges, units=self.response.units, drive=self.drive,
-            carrier=self.carrier, origin=self._origin, ax=ax,
-        )  # fmt: skip
-
-    @figure("contrast", "Simulated contrast of the driven region.", when=_compares)
-    def _contrast(self, *, ax: Axes | None = None) -> Figure:
-        curves = {name: level.values for name, level in self.contrasts(self.response).items()}
-        lines = self.response.frequency
-        return plots.contrast_spectrum(
-            lines, curves, self._gap_edges, carrier=self.carrier, origin=self._origin, ax=ax
-        )
-
-    @figure(
-        "impedance-*",
-        "Simulated conductance and capacitance of a driven actuator, which give its electrical impedance.",
-        when=_has_spectrum,
-    )
-    def _impedances(self) -> dict[str, Callable[[], Figure]]:
-        return {
-            name: partial(self._impedance, actuator)
-            for actuator, name in impedance_names(self.plate).items()
-            if self.impedance(actuator).any()
-        }
-
-    def _impedance(self, actuator: str) -> Figure:
-        lines, values = self.lines["frequency"].values, self.impedance(actuator)
-        return plots.impedance_spectrum(lines, values, self._gap_edges, origin=self._origin)
-
-    @file("response.nc")
-    def _write_response(self, path: Path) -> None:
-        write(self.response, path)
-
-    @file("maps.nc")
-    def _write_maps(self, path: Path) -> None:
-        write(self.marked, path)
-
-    @file("modes.nc")
-    def _write_modes(self, path: Path) -> None:
-        write_netcdf(self.modes, path)
-
-    @file("plate.vtu")
-    def _write_body(self, path: Path) -> None:
-        write_body(path, self.body)
-
-    @file("plate.html", when=lambda result: result.interactive)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
-
     def view(self) -> InteractiveView | None:
         """Interactive view of the response; None if it was not asked for."""
         return plate_view(self) if self.interactive else None
-
-    @file("carrier.webp")
-    def _animate(self, path: Path) -> None:
-        content = plots.animated(self.marked, self.resonance, self.plate.layout, drive=self.drive)
-        path.write_bytes(content)
 
     def summary(self) -> list[str]:
         line = self.maps.sel(frequency=self.resonance)
@@ -257,8 +159,8 @@ class PlateResult(Result):
         return [*tables, modes_table(self.modes)] if self.modes.sizes["mode"] else tables
 
     @property
-    def _gap_edges(self) -> tuple[float, float] | None:
-        return (self.gap.lower, self.gap.upper) if self.gap else None
+    def gap_edges(self) -> tuple[float, float] | None:
+        return self.gap.edges if self.gap else None
 
     def impedance(self, actuator: str) -> Complex:
         """(frequency of ``lines``,) voltage over current of an actuator with all drives active, ohm."""
@@ -268,7 +170,7 @@ class PlateResult(Result):
     @property
     def resonance(self) -> float:
         """Frequency of the map in the gap, or else of the map nearest to the carrier, Hz."""
-        return resonance_of(self.marked.frequency, self.carrier, self._gap_edges)
+        return resonance_of(self.marked.frequency, self.carrier, self.gap_edges)
 
     @cached_property
     def maps(self) -> xr.Dataset:
@@ -307,7 +209,7 @@ class PlateResult(Result):
         return {
             "reference": self.response.dataset.attrs["reference"],
             "carrier_hz": self.carrier,
-            "gap_hz": self._gap_edges,
+            "gap_hz": self.gap_edges,
             "driven": self.driven,
             "pillars": self.plate.layout.pillars,
             "resonance_hz": self.resonance,
@@ -317,9 +219,3 @@ class PlateResult(Result):
             "guide_modes": self._guide_modes(),
             **({"carriers": [answer.facts() for answer in self.answers]} if self.answers else {}),
         }
-
-
-def impedance_names(plate: Plate) -> dict[str, str]:
-    """Name of the picture of each actuator's impedance."""
-    parts = file_parts(actuator.name for actuator in plate.actuators)
-    return {name: f"impedance-{part}" for name, part in parts.items()}

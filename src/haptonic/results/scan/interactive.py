@@ -125,7 +125,7 @@ def _extra(result: ScanResult, titles: Mapping[str, str], shown: FrequencyRespon
     return {
         "summary": [*result.summary(), *left_out],
         "colours": step_colours(),
-        "gap": None if result.gap is None else [result.gap.lower, result.gap.upper],
+        "gap": list(result.gap.edges) if result.gap else None,
         "carrier": result.carrier,
         "first": result.loudest,
         "first_is": "operating shape",

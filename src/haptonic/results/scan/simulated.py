@@ -120,7 +120,7 @@ class SimulatedScan(Result):
             "origin": "simulated",
             "seed": self.seed,
             "contrast_range": stands_out,
-            "computed_gap_hz": None if self.gap is None else [self.gap.lower, self.gap.upper],
+            "computed_gap_hz": self.gap.edges if self.gap else None,
             "frequency_hz": self.true.frequency.tolist(),
             "contrast_db": {name: level.values.tolist() for name, level in levels.items()},
             "points": len(self.true.points),

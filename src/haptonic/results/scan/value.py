@@ -2,57 +2,39 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.gate import WORD
-from haptonic.later import Axes, Figure, xarray as xr
-from haptonic.names import cell, file_parts
+from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout.grid import Layout
 from haptonic.progress import Progress, silent
-from haptonic.response import FrequencyResponse, write
-from haptonic.results.common import accuracy_remarks, write_netcdf
+from haptonic.response import FrequencyResponse
+from haptonic.results.common import accuracy_remarks
 from haptonic.results.plain import split
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result
+from haptonic.results.scan.drawing import PRODUCTS
 from haptonic.results.scan.interactive import scan_view
 from haptonic.results.table import Column, Table
 from haptonic.results.verdict import Verdict
 from haptonic.units import hz_text
 from haptonic.vibrometry import LatticeGap, MeasuredGap, Quality, ReadReport, Registration
 from haptonic.vibrometry.estimation.quality import FLAGS
-from haptonic.vibrometry.guides import Guiding, Mirror, guides_of
-from haptonic.vibrometry.theory import guided
-from haptonic.views import InteractiveView, write_page
+from haptonic.vibrometry.guides import Mirror
+from haptonic.views import InteractiveView
 
 SHOWN = ("average", "rms", "contrast", "decay", "low", "high")  # variables at the operating shapes
 DECAY = ("decay", "error_of_decay", "low", "high")  # variables of the decay through a mirror
 
 
-def _on_plate(result: ScanResult) -> bool:
-    return result.plate is not None
-
-
-def _mapped(result: ScanResult) -> bool:
-    return result.mapped
-
-
-def _has(name: str) -> Callable[[ScanResult], bool]:
-    return lambda result: name in result.dataset
-
-
 @dataclass(frozen=True, eq=False, repr=False)
-class ScanResult(Result):
+class ScanResult(Result, products=PRODUCTS):
     """Responses of a scan and their analysis; with a plate, registered to it.
 
     response : per unit of its reference; quality : of its points; report : of the reader
@@ -118,8 +100,8 @@ class ScanResult(Result):
         return self.data[list(DECAY)].assign_attrs(json.loads(self.data.attrs["decay"]))
 
     @property
-    def _edges(self) -> tuple[float, float] | None:
-        return (self.gap.lower, self.gap.upper) if self.gap else None
+    def gap_edges(self) -> tuple[float, float] | None:
+        return self.gap.edges if self.gap else None
 
     @property
     def layout(self) -> Layout | None:
@@ -129,92 +111,6 @@ class ScanResult(Result):
     def mapped(self) -> bool:
         """True if maps and an animation are possible: they need the motion normal to the plate."""
         return "z" in self.response.dataset["direction"].values
-
-    @figure("average", "{Origin} velocity averaged over all points.")
-    def _average(self, *, ax: Axes | None = None) -> Figure:
-        average = self.data["average"].values
-        return plots.average_response(
-            self.response.frequency, average, units=self.response.units, origin=self.origin, ax=ax
-        )
-
-    @figure(
-        "quality",
-        "{Origin} share of noise at every point, 1 less its median coherence; points with flags are marked.",
-    )
-    def _quality(self, *, ax: Axes | None = None) -> Figure:
-        return plots.point_quality(self.response.points, self.quality, origin=self.origin, ax=ax)
-
-    @figure("maps", "{Origin} normal displacement, all maps on one scale.", when=_mapped)
-    def _maps(self, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
-        if ax is not None:
-            return plots.map_at(self.response, frequency or self.loudest, self.layout, self._edges, ax=ax)
-        shapes = self.shapes if frequency is None else (frequency,)
-        return plots.maps(self.response, shapes, self.layout, self._edges)
-
-    @figure("velocity", "{Origin} velocity of the regions.", when=_has("rms"))
-    def _velocity(self, *, ax: Axes | None = None) -> Figure:
-        levels = {name: level.values for name, level in split(self.data.get("rms"), "region").items()}
-        return plots.velocity_spectrum(
-            self.response.frequency, levels, self._edges, units=self.response.units, origin=self.origin,
-            ax=ax,
-        )  # fmt: skip
-
-    @figure(
-        "contrast",
-        "{Origin} contrast of the driven region; the range of high contrast is the bar on the upper edge.",
-        when=_has("contrast"),
-    )
-    def _contrast(self, *, ax: Axes | None = None) -> Figure:
-        curves = {name: level.values for name, level in self.contrasts.items()}
-        return plots.measured_contrast(
-            self.response.frequency, curves, self.measured, self._edges, origin=self.origin, ax=ax
-        )
-
-    @figure("waves-*", "{Origin} waves along a guide.", when=_has("waves"))
-    def _waves(self) -> dict[str, Callable[[], Figure]]:
-        assert self.layout is not None
-        named, present = wave_names(self.layout), self.data["guide"].values.tolist()
-        return {
-            named[guide.region]: partial(self._waves_along, guide)
-            for guide in guides_of(self.layout)
-            if guide.region in present
-        }
-
-    def _waves_along(self, guide: Guiding, *, ax: Axes | None = None) -> Figure:
-        seen, plain, mode = waves_of(self.data, guide.region), None, None
-        if self.waves is not None:
-            plain = self.waves["frequency"].values, self.waves["wavenumber"].values
-            mode = guided(self.waves, guide) if self.gap else None
-        return plots.wave_map(seen, plain, mode, region=guide.region, origin=self.origin, ax=ax)
-
-    @figure(
-        "row_decay",
-        "{Origin} decay of waves from row to row of the lattice, means over frequency.",
-        when=_has("row_decay"),
-    )
-    def _row_decay_map(self, *, ax: Axes | None = None) -> Figure:
-        return plots.decay_map(self.data["row_decay"], self.lattice, self._edges, origin=self.origin, ax=ax)
-
-    @figure("decay", "{Origin} decay into the lattice.", when=_has("decay"))
-    def _decay(self, *, ax: Axes | None = None) -> Figure:
-        assert self.decay is not None
-        return plots.measured_decay(self.decay, self._computed_decay, self._edges, origin=self.origin, ax=ax)
-
-    @file("response.nc")
-    def _write_response(self, path: Path) -> None:
-        write(self.response, path)
-
-    @file("scan.nc")
-    def _write_data(self, path: Path) -> None:
-        write_netcdf(self.dataset.assign_attrs(report=json.dumps(self.to_json())), path)
-
-    @file("shape.webp", when=_mapped)
-    def _animate(self, path: Path) -> None:
-        path.write_bytes(plots.animated(self.response, self.loudest, self.layout))
-
-    @file("scan.html", when=lambda result: result.interactive and result.mapped)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the maps; None if not asked for, or without motion normal to the plate."""
@@ -248,7 +144,7 @@ class ScanResult(Result):
         if self.lattice is not None:
             computed = f"; computed {hz_text(self.gap.lower, self.gap.upper, form='.2f')}" if self.gap else ""
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
-            if self.gap and self.lattice.beside(self.gap.lower, self.gap.upper):
+            if self.gap and self.lattice.beside(*self.gap.edges):
                 computed += ": another range, in which probably only some waves decay"
             sentences.append(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
             sentences += [f"  {text}" for text in self.lattice.reasons]
@@ -285,30 +181,17 @@ class ScanResult(Result):
         return [shapes, *(self.verdict.tables() if self.verdict else [])]
 
     @property
-    def _computed_decay(self) -> xr.Dataset | None:
+    def computed_decay(self) -> xr.Dataset | None:
         if self.waves is None or "attenuation" not in self.waves:
             return None
         return xr.Dataset({"attenuation": self.waves["attenuation"]}).rename(mirror_frequency="frequency")
-
-    @file("points.csv")
-    def _write_points(self, path: Path) -> None:
-        quality = self.quality
-        with path.open("w", newline="", encoding="utf-8") as file:
-            table = csv.writer(file, lineterminator="\n")
-            table.writerow(["point", "x (m)", "y (m)", "clipped", "frozen", "coherence", "flags", "origin"])
-            for i, (x, y) in enumerate(self.response.points):
-                coherence = f"{quality.coherence[i]:.5f}" if np.isfinite(quality.coherence[i]) else ""
-                table.writerow(
-                    [cell(quality.names[i]), f"{x:.7g}", f"{y:.7g}", f"{quality.clipped[i]:.3g}",
-                     f"{quality.frozen[i]:.3g}", coherence, "; ".join(quality.flags[i]), self.origin]
-                )  # fmt: skip
 
     @cached_property
     def at_shapes(self) -> xr.Dataset:
         """The data at the operating shapes; with a decay also ``computed_least`` and ``computed_largest``."""
         names = [name for name in SHOWN if name in self.data]
         data = self.data[names].sel(frequency=list(self.shapes), method="nearest")
-        if "decay" in data and (decay := self._computed_decay) is not None:
+        if "decay" in data and (decay := self.computed_decay) is not None:
             near = decay["attenuation"].interp(frequency=list(self.shapes))
             beyond = {"units": "dB/row", WORD: "it was computed around the gap only"}
             data["computed_least"] = "frequency", near.min("phase").values, beyond
@@ -338,20 +221,7 @@ class ScanResult(Result):
             "registration": self.registration,
             "gap": self.lattice,
             "contrast_range": self.measured,
-            "computed_gap_hz": self._edges,
+            "computed_gap_hz": self.gap_edges,
             "shapes": split(self.at_shapes, "frequency"),
             **({"verdict": self.verdict.to_json()} if self.verdict else {}),
         }
-
-
-def waves_of(data: xr.Dataset, guide: str) -> xr.DataArray:
-    """(frequency, wavenumber) amplitude of the waves along a guide."""
-    seen = data["waves"].sel(guide=guide)
-    finite = np.isfinite(seen["wavenumber"].values)
-    cut = seen.isel(step=finite).drop_vars("guide")
-    return cut.swap_dims(step="wavenumber")
-
-
-def wave_names(layout: Layout) -> dict[str, str]:
-    """Name of the picture of the waves along each region."""
-    return {name: f"waves-{part}" for name, part in file_parts(layout.regions).items()}
