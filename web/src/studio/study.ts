@@ -11,7 +11,7 @@ interface Version {
 
 const PAUSE = 250; // ms after the last letter before the text is checked
 const STEP = 800; // ms; letters within it are undone together
-const MOST_STEPS = 300;
+const MOST_STEPS = 100; // with values, some kilobytes each
 
 export const text = signal("");
 export const values = signal<Tables>({});
