@@ -14,7 +14,7 @@ from haptonic.errors import HaptonicError
 from haptonic.results.cost import Cost
 from haptonic.study.schema import Description
 
-FIRST, SECOND = 0.5, 0.25  # shares of the estimate for a mesh; the second mesh is not always needed
+FIRST, SECOND = 0.8, 0.35  # shares of the estimate for a mesh; the second mesh is not always needed
 ZONE = 0.2  # s, of the search for gaps
 
 

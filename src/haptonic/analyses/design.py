@@ -26,7 +26,7 @@ from haptonic.study.schema import Description
 
 # share of the estimate for one mesh, per design of a search: twenty drawn searches of square lattices took
 # 0.15 to 0.4 s per design, those of honeycomb and kagome lattices 1.0 and 0.8 s
-QUICK_DESIGN = 0.19
+QUICK_DESIGN = 0.25
 REFINED = 6  # designs of a search that are computed to the full accuracy
 
 

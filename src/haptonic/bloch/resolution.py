@@ -20,7 +20,7 @@ SOLID_UNKNOWNS, SOLID_SECONDS, SOLID_COST, SOLID_BYTES, SOLID_GROWTH = 1.0, 6.5e
 # For meshes from files, per unknown and unknown of the trace: meshes of 134 hexahedra to 4458 tetrahedra took
 # 56 to 59 bytes and 1.0 to 1.1 us at orders 3 and 4.
 MESH_SECONDS, MESH_BYTES = 1.1e-6, 75.0
-PER_ANSWER, PER_CUBE, TWICE_FOLDED = 4e-7, 1e-8, 1.5  # s, s and a factor, see `seconds`
+PER_ANSWER, PER_NEIGHBOUR, PER_CUBE, TWICE_FOLDED = 3.5e-7, 2.6e-7, 5e-9, 1.5  # s and a factor, see `seconds`
 # Memory: numbers for each unknown that waits, each pair of nodes of an element, each unknown's factor
 # and the square of a pencil's size; bytes of the program at rest. Models of 39 designs took 0.4 to 7.5 GB,
 # 0.5 to 1.05 of the estimate; see benchmarks/answered_in_budget.py.
@@ -117,8 +117,7 @@ class Resolution:
             of_class = 3 * sum(plan.level_sizes) / classes  # unknowns
             trace = piece.boundary(plan.upward + 1) / classes
             waiting += classes * of_class * (trace + 13 + self.steps * self.block)
-            across, along, upward = plan.outward + 1, plan.order + 1, plan.upward + 1
-            pairs = of_class * (across * along + along * upward + across * upward)
+            pairs = of_class * _neighbours(plan)
             pairs *= BY_THIRDS if piece.tile.has_symmetry(THIRD) else 1.0
             factors = min(threads(), classes) * of_class ** (4 / 3)
             working = max(working, PER_PAIR * pairs + PER_FACTOR * factors)
@@ -141,11 +140,11 @@ class Resolution:
     def seconds(self, cell: Period) -> float:
         """Estimate of the processor time of a model, s.
 
-        Static responses to the trace and the interior's blocks dominate: their number times the number of
-        nodes. Fourteen cells of orders 3 to 6 with plates of 0.005 to 0.35 pitches took 0.24 to 0.42 us for
-        each. Six cells with pillars on both faces, and twice as many symmetry classes, took 1.4 to 1.7 times
-        as long. With many bands the condensed pencil dominates, whose modes at two dozen wavevectors form
-        the small basis: 6 to 18 ns times the cube of its size, for sizes of 600 to 1,600.
+        Static responses to the trace and the interior's blocks take most of it: their number times the number
+        of nodes. Six cells with pillars on both faces, and twice as many symmetry classes, took 1.4 to 1.7
+        times as long. Matrices of the elements take a time for each unknown and neighbour. With many bands
+        the condensed pencil dominates, whose modes at two dozen wavevectors form the small basis: a time for
+        the cube of its size. Models of 39 drawn designs, of 1 to 100 s, took 0.75 to 1.25 of the estimate.
         """
         if isinstance(cell, UnitCell) and cell.solid is not None:
             if cell.solid.is_mesh:
@@ -153,11 +152,18 @@ class Resolution:
             return float(SOLID_SECONDS * self._solid_unknowns(cell) ** SOLID_COST)
         needed, directions = 0.0, 4 * self.steps * self.block
         for piece in self._meshed(cell):
-            answers = piece.boundary(piece.plan.plate_levels) + directions
+            plan, nodes = piece.plan, sum(piece.plan.level_sizes)
+            answers = piece.boundary(trace_levels(plan)) + directions
             # with fewer folds the number of responses is equal, each with more unknowns
             folded = 4 / 2 ** len(folds_of(piece.tile)) * (TWICE_FOLDED if piece.tile.is_halved else 1.0)
-            needed += PER_ANSWER * sum(piece.plan.level_sizes) * answers * folded
+            needed += nodes * (PER_ANSWER * answers * folded + PER_NEIGHBOUR * 3 * _neighbours(plan))
         return needed + PER_CUBE * self._pencil(cell) ** 3
+
+
+def _neighbours(plan: MeshPlan) -> int:
+    """Nodes that share a plane of an element with a node."""
+    across, along, upward = plan.outward + 1, plan.order + 1, plan.upward + 1
+    return across * along + along * upward + across * upward
 
 
 def meeting(tiles: Sequence[TileShape], plans: Sequence[MeshPlan]) -> tuple[MeshPlan, ...]:
