@@ -213,6 +213,15 @@ def test_a_hostile_title_is_text(browser, studio):
         assert page.evaluate("window.harmed") is False
 
 
+def test_a_link_leads_past_the_form_on_a_narrow_screen(browser, studio):
+    with opened(browser, studio, 360) as page:
+        expect(page.get_by_role("heading", name="Compute")).not_to_be_in_viewport()
+        page.get_by_role("link", name="Go to the analyses").click()
+        expect(page.get_by_role("heading", name="Compute")).to_be_in_viewport()
+    with opened(browser, studio) as page:
+        expect(page.get_by_role("link", name="Go to the analyses")).to_be_hidden()
+
+
 def test_bands_are_computed_shown_and_marked_when_the_study_has_changed(browser, studio):
     with opened(browser, studio) as page:
         page.get_by_label(re.compile("^Open, in")).select_option("quick.toml")

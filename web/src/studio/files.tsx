@@ -88,6 +88,9 @@ export function Bar({ start }: { start: Start }) {
           Copy link
         </button>
         <Help />
+        <a class="narrow" href="#compute-title">
+          Go to the analyses
+        </a>
         <span class="quiet" role="status">
           {copied}
         </span>
