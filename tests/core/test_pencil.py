@@ -4,10 +4,11 @@ from functools import cache
 
 import numpy as np
 import pytest
+import scipy.linalg as la
 from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, reference_cell
 
-from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs, error_in_hertz
+from haptonic.bloch.pencil import Pencil, Periodic, bloch_pencil, eigenpairs, error_in_hertz, largest_pairs
 from haptonic.cell import MeshPlan, Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.superelement import Tiling, condense
@@ -25,12 +26,20 @@ def random_pencil(seed: int, size: int = 7) -> Pencil:
     return Pencil(SHIFTS, stiffness, mass)
 
 
+RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
+
+
 @cache
 def condensed(name: str):
     if name == "square":
         return condense(reference_cell(), MeshPlan(2, 1, 2), measured=False)
-    cell = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
-    return condense(cell, MeshPlan(2, 0, 2), measured=False)
+    return condense(RECTANGULAR, MeshPlan(2, 0, 2), measured=False)
+
+
+@cache
+def finer(name: str):
+    cell = reference_cell() if name == "square" else RECTANGULAR
+    return condense(cell, MeshPlan(4, 0, 3), measured=False)
 
 
 physical = pytest.mark.parametrize("name", ["square", "rectangular"])
@@ -149,6 +158,19 @@ def test_low_eigenvalues_keep_their_digits_below_very_high_ones(powers, count):
     exact = 1 / np.linalg.eigvalsh(pencil.inverse())[::-1][:count]
     assert values == pytest.approx(exact, rel=1e-8)
     assert modes.T @ modes == pytest.approx(np.eye(count), abs=1e-6)
+
+
+@physical
+@pytest.mark.parametrize("kappa", [(0.0, 0.0), (np.pi, np.pi), (np.pi, 0.0), (0.7, 0.3)])
+def test_a_krylov_space_has_the_modes_of_lapack(name, kappa):
+    """At rest three modes have the frequency 0, at a corner of the square zone frequencies are double."""
+    K, M = bloch_pencil(Tiling.single(finer(name))).at(np.array(kappa))
+    K = K + 1e-8 * np.trace(K).real / np.trace(M).real * M
+    count = 8
+    values, modes = largest_pairs(M, K, count)
+    assert values == pytest.approx(la.eigh(M, K, eigvals_only=True)[-count:], rel=1e-12)
+    assert modes.conj().T @ K @ modes == pytest.approx(np.eye(count), abs=1e-7)
+    assert np.abs(M @ modes - K @ modes * values).max() < 1e-7 * np.abs(M @ modes).max()
 
 
 def test_errors_of_modes_at_rest_are_finite():

@@ -212,6 +212,11 @@ class SplitPencil(Generic[AnyPencil]):
 # so the shift lies amid the range needed, from rest to a tenth of that ratio. With 1e-12, bands 7 to 20 had
 # errors of 2e-5 at rest.
 SHIFT = 1e-8
+# A Krylov space is faster than LAPACK for this number of unknowns and more: 0.2 s instead of 0.5 s for 1200
+# complex ones, 0.8 s instead of 3.8 s for 2400
+LARGE = 800
+MOST_BLOCKS, SPARE = 12, 8  # blocks, of which 7 or 8 are needed; their directions beyond the wanted modes
+CONVERGED = 1e-10  # residual as a share of an eigenvalue, which then has an error of about its square
 
 
 @definite()
@@ -255,8 +260,48 @@ def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fiel
     K, M = pencil.at(kappa)
     size = pencil.size
     shift = SHIFT * float(np.trace(K).real / np.trace(M).real)
-    inverse, modes = la.eigh(
-        M, K + shift * M, subset_by_index=(max(size - count, 0), size - 1), check_finite=False
-    )
+    shifted = K + shift * M
+    pairs = largest_pairs(M, shifted, count) if size >= LARGE else None
+    if pairs is None:
+        subset = max(size - count, 0), size - 1
+        inverse, modes = la.eigh(M, shifted, subset_by_index=subset, check_finite=False)
+    else:
+        inverse, modes = pairs
     inverse, modes = inverse[::-1], modes[:, ::-1]
     return 1 / inverse - shift, modes / np.sqrt(inverse)
+
+
+def largest_pairs(mass: Fields, stiffness: Fields, count: int) -> tuple[Array, Fields] | None:
+    """Compute the ``count`` largest eigenvalues of ``M x = t K x`` and modes (n, count) with ``x* K x = 1``.
+
+    Both ascend, as those of LAPACK. With ``K = L L*`` the fields ``L* x`` are Ritz vectors of
+    ``L^-1 M L^-*`` on a block Krylov space; multiple eigenvalues need blocks of as many directions. None if
+    the space would be a large share of all fields, or does not converge.
+    """
+    directions = count + SPARE
+    if MOST_BLOCKS * directions > len(mass):
+        return None
+    factor = la.cholesky(stiffness, lower=True, check_finite=False)
+
+    def solve(fields: Fields, trans: str) -> Fields:
+        solution = la.solve_triangular(factor, fields, trans=trans, lower=True, check_finite=False)
+        return np.asarray(solution)
+
+    def applied(fields: Fields) -> Fields:
+        return solve(mass @ solve(fields, "C"), "N")
+
+    start = np.random.default_rng(0).standard_normal((len(mass), directions)).astype(mass.dtype)
+    basis, moved = np.empty((len(mass), 0), mass.dtype), np.empty((len(mass), 0), mass.dtype)
+    new = applied(start)
+    for _ in range(MOST_BLOCKS):
+        for _ in range(2):  # one pass of Gram and Schmidt is not enough
+            new = la.qr(new - basis @ (basis.conj().T @ new), mode="economic", check_finite=False)[0]
+        basis, moved = np.hstack([basis, new]), np.hstack([moved, applied(new)])
+        values, turn = la.eigh(basis.conj().T @ moved)
+        values, turn = values[-count:], turn[:, -count:]
+        fields = basis @ turn
+        residual = np.linalg.norm(moved @ turn - fields * values, axis=0)
+        if (residual <= CONVERGED * values).all():
+            return values, solve(fields, "C")
+        new = moved[:, -directions:]
+    return None
