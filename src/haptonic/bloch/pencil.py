@@ -258,17 +258,19 @@ def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fiel
         lowest = np.argsort(np.concatenate(values), kind="stable")[:count]
         return np.concatenate(values)[lowest], la.block_diag(*modes)[:, lowest]
     K, M = pencil.at(kappa)
-    size = pencil.size
     shift = SHIFT * float(np.trace(K).real / np.trace(M).real)
     shifted = K + shift * M
-    pairs = largest_pairs(M, shifted, count) if size >= LARGE else None
-    if pairs is None:
-        subset = max(size - count, 0), size - 1
-        inverse, modes = la.eigh(M, shifted, subset_by_index=subset, check_finite=False)
-    else:
-        inverse, modes = pairs
-    inverse, modes = inverse[::-1], modes[:, ::-1]
-    return 1 / inverse - shift, modes / np.sqrt(inverse)
+    pairs = largest_pairs(M, shifted, count) if pencil.size >= LARGE else None
+    ascending, shapes = pairs or _pairs_of_lapack(M, shifted, count)
+    inverse = ascending[::-1]
+    return 1 / inverse - shift, shapes[:, ::-1] / np.sqrt(inverse)
+
+
+def _pairs_of_lapack(mass: Fields, stiffness: Fields, count: int) -> tuple[Array, Fields]:
+    """Compute the same pairs as `largest_pairs` from all."""
+    subset = max(len(mass) - count, 0), len(mass) - 1
+    values, modes = la.eigh(mass, stiffness, subset_by_index=subset, check_finite=False)
+    return values, modes
 
 
 def largest_pairs(mass: Fields, stiffness: Fields, count: int) -> tuple[Array, Fields] | None:
