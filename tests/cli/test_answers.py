@@ -174,7 +174,8 @@ def test_a_scan_summary_lists_the_data_then_the_agreement_with_a_model_and_the_g
         response=SimpleNamespace(points=np.zeros((3, 2)), frequency=np.array([40e3, 70e3])),
         flags={"low": 2, "odd": 0}, origin="measured", lattice=edges, measured=stands_out,
         verdict=SimpleNamespace(summary=lambda: ["The model fits.", "Compared."]), registration=moved,
-        gap=SimpleNamespace(lower=52e3, upper=60e3), report=SimpleNamespace(complete=False, remarks=()),
+        gap=SimpleNamespace(lower=52e3, upper=60e3, edges=(52e3, 60e3)),
+        report=SimpleNamespace(complete=False, remarks=()),
     )  # fmt: skip
     if not all_of_it:
         scan.verdict = scan.lattice = scan.measured = scan.registration = None
