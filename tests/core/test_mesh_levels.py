@@ -142,7 +142,7 @@ def follow_a_drawn_design(number):
         changed = following(caught.value, asked)
         if changed is not None:
             budget = max(limits.seconds, changed.budget if changed.budget != asked.budget else 0.0)
-            # order 2 may not resolve the highest bands, and says so: 2.0 for the tenth band of number 0
+            # order 2 may not resolve the highest bands: the error of the tenth of number 0 is 2.0
             assert bloch_model(cell, changed, limits=MeshLimits(budget, limits.memory)).worst_error < 3
 
 

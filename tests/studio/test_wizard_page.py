@@ -139,14 +139,12 @@ def test_several_files_get_a_folder_and_none_is_replaced_without_a_question(brow
     page = context.new_page()
     page.goto(f"{studio.origin}/")
     page.get_by_label("Analysis").select_option("friction")
-    for _ in range(2):
+    for is_first in (True, False):
         page.set_input_files("input[data-choose=files]", files)
         page.get_by_label("Folder for 3 files").fill("mine")
         page.get_by_role("button", name="Add", exact=True).click()
-        page.get_by_text("Added mine.").wait_for() if not _ else page.get_by_text(
-            "In the folder already"
-        ).wait_for()
-        if not _:
+        page.get_by_text("Added mine." if is_first else "In the folder already").wait_for()
+        if is_first:
             assert sorted(path.name for path in folder.iterdir()) == ["off.csv", "on.csv", "trials.csv"]
             (folder / "on.csv").write_text("edited")
     assert (folder / "on.csv").read_text() == "edited"

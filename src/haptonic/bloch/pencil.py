@@ -267,7 +267,7 @@ def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fiel
 
 
 def _pairs_of_lapack(mass: Fields, stiffness: Fields, count: int) -> tuple[Array, Fields]:
-    """Compute the same pairs as `largest_pairs` from all."""
+    """Compute the pairs of `largest_pairs` with LAPACK, which transforms the whole matrices."""
     subset = max(len(mass) - count, 0), len(mass) - 1
     values, modes = la.eigh(mass, stiffness, subset_by_index=subset, check_finite=False)
     return values, modes
