@@ -53,7 +53,9 @@ def quality(scan: ScanResult, *, ax: Axes | None = None) -> Figure:
 def maps(scan: ScanResult, *, frequency: float | None = None, ax: Axes | None = None) -> Figure:
     if ax is not None:
         return plots.map_at(scan.response, frequency or scan.loudest, scan.layout, scan.gap_edges, ax=ax)
-    shapes = scan.shapes if frequency is None else (frequency,)
+    shapes = scan.shapes
+    if frequency is not None:
+        shapes = (frequency,)
     return plots.maps(scan.response, shapes, scan.layout, scan.gap_edges)
 
 
