@@ -49,6 +49,7 @@ class Gap:
 
     @property
     def edges(self) -> tuple[float, float]:
+        """Lower and upper edge, Hz."""
         return self.lower, self.upper
 
     @property

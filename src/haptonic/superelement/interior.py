@@ -8,7 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from haptonic.arrays import Array, Ints
+from haptonic.arrays import Array, Fields, Ints
 from haptonic.later import linalg as la, sparse as sp
 
 # Number of motions of the boundary whose inertia the interior modes must balance, beyond the number of
@@ -275,6 +275,15 @@ def _unit_mass(fields: Array, mass: sp.csr_array) -> Array:
     return np.asarray(fields @ (turn[:, independent] / np.sqrt(weights[independent])))
 
 
+def orthonormal_beside(blocks: Sequence[Fields], new: Fields) -> Fields:
+    """(n, k) orthonormal fields that span ``new`` (n, k) without the directions of orthonormal ``blocks``."""
+    for _ in range(2):  # one pass of Gram and Schmidt is not enough
+        for block in blocks:
+            new = new - block @ (block.conj().T @ new)
+        new = la.qr(new, mode="economic")[0]
+    return new
+
+
 def interior_modes(
     solver: Factorised, mass: Array, inertia: Array, steps: int, block: int
 ) -> tuple[Array, Array, Array, Array]:
@@ -308,10 +317,7 @@ def interior_modes(
     blocks: list[Array] = []
     answers_to: list[Array] = []
     for _ in range(steps):
-        for _ in range(2):  # one pass of Gram and Schmidt is not enough
-            for old in blocks:
-                new = new - old @ (old.T @ new)
-            new = np.asarray(la.qr(new, mode="economic")[0])
+        new = orthonormal_beside(blocks, new)
         blocks.append(new)
         answers_to.append(solver.solve(root * new))
         new = root * answers_to[-1]
