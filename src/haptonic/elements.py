@@ -1,19 +1,22 @@
 """Spectral hexahedra: stiffness and lumped mass of the elements of a mesh.
 
-Nodes and quadrature points coincide (Gauss-Lobatto-Legendre), so the mass matrix is diagonal and most sums
-in the stiffness have a single term.
+Nodes and quadrature points coincide (Gauss-Lobatto-Legendre), so the mass matrix is diagonal, and a
+derivative at a point has the nodes of one line through it.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import product
 
 import numpy as np
 
 from haptonic.arrays import Array, Bools, Ints
 from haptonic.cell.quadrature import lobatto
+from haptonic.later import sparse as sp
 from haptonic.materials import Material, elasticity_tensor
 
 
@@ -21,24 +24,26 @@ from haptonic.materials import Material, elasticity_tensor
 class ElementMatrices:
     """Stiffness and mass of elements of the same orders.
 
-    stiffness : (elements, k, 3, 3) contributions to the stiffness between two nodes, N/m; the last axes are
-        the two displacement components
-    pairs : (2, k) local numbers of these two nodes, in raveled order; a pair may occur several times
+    stiffness : (k, elements, 3, 3) between the two nodes of k pairs, N/m; the last axes are the two
+        displacement components. The nodes of all other pairs are not coupled
+    pairs : (2, k) local numbers of these two nodes, in raveled order
     mass : (elements, nodes), kg; the same for each component
+    moduli : (3, 3, n1, n2, n3, elements, 3, 3) N m, such that twice the strain energy is the sum of
+        ``D_a u . moduli[a, b] D_b u`` over the local axes a, b and the nodes
     """
 
     stiffness: Array
     pairs: Ints
     mass: Array
+    moduli: Array
 
 
 def element_matrices(points: Array, nodes: Ints, material: Material) -> ElementMatrices:
     """Stiffness and lumped mass of elements of the same orders.
 
     With local derivatives ``D``, quadrature weights ``w``, the inverse Jacobian ``G`` and elasticity
-    ``c``, the stiffness of nodes I, J is the sum over points of ``D_a[q, I] C_ab[q] D_b[q, J]`` where
-    ``C_ab = w det(J) G_ak c_ikjl G_bl``. For a = b the points share two indices with both nodes, for
-    a != b the sum has a single term. So each term of the sum couples few pairs; only these are stored.
+    ``c``, the stiffness of nodes I, J is the sum over points q of ``D_a[q, I] C_ab[q] D_b[q, J]`` where
+    ``C_ab = w det(J) G_ak c_ikjl G_bl``.
 
     Parameters
     ----------
@@ -58,16 +63,14 @@ def element_matrices(points: Array, nodes: Ints, material: Material) -> ElementM
     inverse = np.linalg.inv(jacobian)
     tensor = elasticity_tensor(material.stiffness)
     half = np.einsum("xabcmk,ikjl->xabcmijl", inverse, tensor, optimize=True)
-    C = np.einsum("xabcmijl,xabcnl,xabc->mnxabcij", half, inverse, volume, optimize=True)
-    D = (D1, D2, D3)
-    terms = []
-    for formulas in TERMS.values():
-        sums = [np.einsum(f, D[a], D[b], C[a, b], optimize=True) for (a, b), f in formulas.items()]
-        terms.append(sum(sums[1:], start=sums[0]).reshape(len(nodes), -1, 3, 3))
+    moduli = np.einsum("xabcmijl,xabcnl,xabc->mnabcxij", half, inverse, volume, optimize=True)
+    pairs, products = coupled_pairs(sizes)
+    stiffness = products @ moduli.reshape(products.shape[1], -1)
     return ElementMatrices(
-        stiffness=np.concatenate(terms, axis=1),
-        pairs=coupled_pairs(sizes),
+        stiffness=stiffness.reshape(-1, len(nodes), 3, 3),
+        pairs=pairs,
         mass=material.density * volume.reshape(len(nodes), -1),
+        moduli=moduli,
     )
 
 
@@ -83,41 +86,54 @@ def matrices_by_region(
     """
     if all(solid == materials[0] for solid in materials):
         return element_matrices(points, nodes, materials[0])
-    pairs = coupled_pairs(nodes.shape[1:])
+    pairs, _ = coupled_pairs(nodes.shape[1:])
     whole = ElementMatrices(
-        stiffness=np.empty((len(nodes), pairs.shape[1], 3, 3)),
+        stiffness=np.empty((pairs.shape[1], len(nodes), 3, 3)),
         pairs=pairs,
         mass=np.empty((len(nodes), nodes[0].size)),
+        moduli=np.empty((3, 3, *nodes.shape[1:], len(nodes), 3, 3)),
     )
     for number, solid in enumerate(materials):
         members = np.flatnonzero(region == number)
         if len(members):
             part = element_matrices(points, nodes[members], solid)
-            whole.stiffness[members], whole.mass[members] = part.stiffness, part.mass
+            whole.stiffness[:, members], whole.mass[members] = part.stiffness, part.mass
+            whole.moduli[..., members, :, :] = part.moduli
     return whole
 
 
-# coupled nodes (a, b, c), (d, e, f) with their sums over points, for each pair of derivatives
-TERMS = {
-    "abc,dbc": {(0, 0): "qa,qd,xqbcij->xabcdij"},
-    "abc,aec": {(1, 1): "qb,qe,xaqcij->xabceij"},
-    "abc,abf": {(2, 2): "qc,qf,xabqij->xabcfij"},
-    "abc,dec": {(0, 1): "da,be,xdbcij->xabcdeij", (1, 0): "eb,ad,xaecij->xabcdeij"},
-    "abc,dbf": {(0, 2): "da,cf,xdbcij->xabcdfij", (2, 0): "fc,ad,xabfij->xabcdfij"},
-    "abc,aef": {(1, 2): "eb,cf,xaecij->xabcefij", (2, 1): "fc,be,xabfij->xabcefij"},
-}
-
-
 @lru_cache(maxsize=64)
-def coupled_pairs(sizes: tuple[int, int, int]) -> Ints:
-    """(2, k) local numbers of the two nodes of each contribution to the stiffness of an element."""
-    number = np.arange(np.prod(sizes)).reshape(sizes)
-    pairs = []
-    for ends in TERMS:
-        first, second = ends.split(",")
-        letters = first + "".join(x for x in second if x not in first)
-        shape = [sizes["abcdef".index(x) % 3] for x in letters]
-        grid = dict(zip(letters, np.ix_(*map(range, shape)), strict=True))
-        both = (number[tuple(grid[x] for x in end)] for end in (first, second))
-        pairs.append(np.stack([np.broadcast_to(numbers, shape).ravel() for numbers in both]))
-    return np.concatenate(pairs, axis=1)
+def coupled_pairs(sizes: tuple[int, int, int]) -> tuple[Ints, sp.csr_array]:
+    """(2, k) local numbers of the nodes of an element's coupled pairs, and for each the products of
+    derivatives (k, 9 nodes) of `products`.
+    """
+    every = products([derivative(sizes, axis) for axis in range(3)])
+    coupled = np.flatnonzero(np.diff(every.indptr))
+    return np.stack(np.divmod(coupled, math.prod(sizes))), every[coupled]
+
+
+Sums = tuple[Ints, Array]  # (n, k) nodes and their shares in a quantity at each of n nodes
+
+
+def derivative(sizes: tuple[int, ...], axis: int) -> Sums:
+    """Derivatives along a local axis at the nodes of a grid: nodes of the line through each, and shares."""
+    lines = np.moveaxis(np.arange(math.prod(sizes)).reshape(sizes), axis, -1)
+    nodes = np.empty((lines.size, sizes[axis]), dtype=int)
+    shares = np.empty(nodes.shape)
+    nodes[lines], shares[lines] = lines[..., None, :], lobatto(sizes[axis] - 1)[2]
+    return nodes, shares
+
+
+def products(quantities: Sequence[Sums]) -> sp.csr_array:
+    """(n^2, s^2 n) products of the shares of two nodes in two of s quantities at a node.
+
+    Rows are pairs of nodes, columns pairs of quantities and then the node.
+    """
+    count, rows, columns, values = len(quantities[0][0]), [], [], []
+    for number, ((first, a), (second, b)) in enumerate(product(quantities, repeat=2)):
+        row = first[:, :, None] * count + second[:, None, :]
+        rows.append(row.ravel())
+        columns.append(np.repeat(number * count + np.arange(count), row[0].size))
+        values.append((a[:, :, None] * b[:, None, :]).ravel())
+    entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
+    return sp.csr_array(entries, shape=(count**2, len(quantities) ** 2 * count))

@@ -14,7 +14,7 @@ def dense(matrices):
     K = np.zeros((elements, nodes, 3, nodes, 3))
     first, second = matrices.pairs
     for i, j in np.ndindex(3, 3):
-        np.add.at(K, (slice(None), first, i, second, j), matrices.stiffness[..., i, j])
+        np.add.at(K, (slice(None), first, i, second, j), matrices.stiffness[..., i, j].T)
     return K.reshape(elements, 3 * nodes, 3 * nodes)
 
 
@@ -36,8 +36,8 @@ def assembled(mesh: HexMesh, *solids):
             unknown = 3 * nodes.reshape(len(nodes), -1)[..., None] + np.arange(3)
             first, second = matrices.pairs
             shape = matrices.stiffness.shape
-            rows = np.broadcast_to(unknown[:, first, :, None], shape)
-            columns = np.broadcast_to(unknown[:, second, None, :], shape)
+            rows = np.broadcast_to(unknown.swapaxes(0, 1)[first][..., :, None], shape)
+            columns = np.broadcast_to(unknown.swapaxes(0, 1)[second][..., None, :], shape)
             entries = (matrices.stiffness.ravel(), (rows.ravel(), columns.ravel()))
             K = K + sp.coo_array(entries, shape=K.shape).tocsr()
             mass += np.bincount(unknown.ravel(), np.repeat(matrices.mass, 3, axis=1).ravel(), mesh.unknowns)

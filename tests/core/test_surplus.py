@@ -75,7 +75,7 @@ def energies(tile, mesh, fields):
                         totals[form] += (
                             factor
                             * np.einsum(
-                                "kim,kij,kjm->m", moved[first].conj(), matrices.stiffness[0], moved[second]
+                                "kim,kij,kjm->m", moved[first].conj(), matrices.stiffness[:, 0], moved[second]
                             ).real
                         )
     return totals

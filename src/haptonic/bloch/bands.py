@@ -98,7 +98,6 @@ def bands_dataset(
     def merged_parts() -> xr.Dataset:
         along = diagram(model, path, solutions)
         parts = [_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))]
-        parts.append(mode_shapes(model, kappa))
         of_zone: ZoneModes | None = None
         if surface:
             over = zone_surface(model, SURFACE_DIVISIONS)
@@ -109,12 +108,13 @@ def bands_dataset(
         parts += [path_modes(model, along, of_zone), _velocity_errors(model, solutions)] if moving else []
         return xr.merge(parts)
 
-    # the counts use a separate mesh, and take about as long as the rest
+    # the counts use a separate mesh; with the shapes, they take about as long as the rest
     with ThreadPoolExecutor(1) as aside:
         showing = aside.submit(merged_parts)
         levels = [gap.centre for gap in gaps] or [float(showing.result()["frequency"][:, -1].min())]
         checked, missed = count_check(model, levels)
-        dataset = showing.result()
+        shapes = mode_shapes(model, kappa)
+        dataset = xr.merge([showing.result(), shapes])
     tiling = model.fine.tiling
     dataset.attrs = {
         "mesh": _mesh_attribute(model),

@@ -21,7 +21,7 @@ from haptonic.superelement.symmetry import Folding
 class Assembler:
     """Positions of all pairs of element nodes in the folded matrix, as 3 x 3 blocks of its upper triangle.
 
-    kept : for each family, numbers of the contributions used, among (elements, k) raveled
+    kept : for each family, numbers of the contributions used, among (k, elements) raveled
     ends : (2, pairs of all families) numbers of the pair's nodes in the mesh
     weight : (pairs,) number of images that the pair's element represents
     in_pillar : numbers of the pairs above the plate's top
@@ -148,11 +148,11 @@ def _assembler(topology: Topology, folding: Folding) -> Assembler:
     count = len(folding.origin)
     for family, chosen, weight in zip(topology.families, folding.chosen, folding.weight, strict=True):
         nodes = family.nodes[chosen]
-        a, b = coupled_pairs(nodes.shape[1:])
+        (a, b), _ = coupled_pairs(nodes.shape[1:])
         nodes = nodes.reshape(len(nodes), -1)
         representative = folding.node[nodes]
-        e, pair = np.nonzero(representative[:, a] <= representative[:, b])
-        contributions.append(e * len(a) + pair)
+        pair, e = np.nonzero((representative[:, a] <= representative[:, b]).T)
+        contributions.append(pair * len(nodes) + e)
         a, b = a[pair], b[pair]
         ends.append(np.stack([nodes[e, a], nodes[e, b]]))
         keys.append(representative[e, a] * count + representative[e, b])

@@ -79,7 +79,7 @@ class Superelement:
         Curved elements contain rotations exactly, but in their highest polynomials too: without this
         correction errors of long flexural waves decreased like the wavenumber, and not like the frequency.
         """
-        of_parts = [part.surplus for part in self.parts]
+        of_parts = each(lambda part: part.surplus, self.parts)
         forms = np.stack([
             unfolded_form(self.parts, [
                 ClassForm.split(forms[number], len(part.trace.kept))

@@ -34,7 +34,7 @@ class FoldedMesh:
     levels : trace nodes through the thickness
     through : (plate levels, levels) interpolation from these to the levels of the mesh
     paired : (pairs, 9) stiffness between pairs of nodes, see `Assembler`
-    rows : rows of nodes that move by the highest polynomials
+    moduli : of the folded elements of each family, see `ElementMatrices`
     representative_mass, nodal_mass : lumped mass of the folded and the whole mesh, kg
     """
 
@@ -43,7 +43,7 @@ class FoldedMesh:
     levels: int
     assembler: Assembler
     paired: Array
-    rows: list[NodeRows]
+    moduli: tuple[Array, ...]
     through: Array
     representative_mass: Array
     nodal_mass: Array
@@ -73,7 +73,7 @@ class FoldedMesh:
             levels=levels,
             assembler=assembler,
             paired=assembler.paired(tuple(elements)),
-            rows=highest_rows(cell, topology, folding, tuple(elements)),
+            moduli=tuple(matrices.moduli for matrices in elements),
             through=through_levels(cell, mesh, levels),
             representative_mass=mass,
             nodal_mass=(mass / np.bincount(folding.node))[folding.node],
@@ -82,6 +82,11 @@ class FoldedMesh:
     @property
     def folding(self) -> Folding:
         return self.assembler.folding
+
+    @cached_property
+    def rows(self) -> list[NodeRows]:
+        """Rows of nodes that move by the highest polynomials."""
+        return highest_rows(self.cell, self.mesh.topology, self.folding, self.moduli)
 
     @property
     def rim(self) -> Folding:

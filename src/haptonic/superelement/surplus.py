@@ -23,6 +23,8 @@ ratio from one to the next, so that ratio is used for those beyond.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -32,7 +34,7 @@ from numpy.polynomial import legendre
 from haptonic.arrays import Array, Bools, Ints
 from haptonic.cell import TileShape, Topology
 from haptonic.cell.quadrature import lobatto
-from haptonic.elements import ElementMatrices, coupled_pairs
+from haptonic.elements import derivative, products
 from haptonic.later import sparse as sp
 from haptonic.superelement.symmetry import Folding
 
@@ -147,20 +149,19 @@ def _edges(corners: Ints) -> Ints:
 
 
 def highest_rows(
-    tile: TileShape, topology: Topology, folding: Folding, matrices: tuple[ElementMatrices, ...]
+    tile: TileShape, topology: Topology, folding: Folding, moduli: Sequence[Array]
 ) -> list[NodeRows]:
-    """Rows that move by the highest polynomials; ``matrices`` of the elements of each family."""
+    """Rows that move by the highest polynomials; ``moduli`` of each family, see `ElementMatrices`."""
     rows = []
     singular = at_singular_edges(topology, tuple(tile.solids.index(solid) for solid in tile.solids))
     if tile.stack is not None and tile.stack.has_corners:  # along upright edges, which touch most elements
         singular = np.ones_like(singular)
     for family, chosen, weight, of_family in zip(
-        topology.families, folding.chosen, folding.weight, matrices, strict=True
+        topology.families, folding.chosen, folding.weight, moduli, strict=True
     ):
         nodes = family.nodes[chosen]
         representative, sizes = folding.node[nodes], nodes.shape[1:]
         near = np.asarray(singular[nodes].any(axis=(1, 2, 3)))
-        wanted: list[tuple[int, int, int, Ints]] = []
         for axis, size in enumerate(sizes):
             is_image = (representative == np.flip(representative, axis + 1)).all(axis=(1, 2, 3))
             choices = [
@@ -170,48 +171,41 @@ def highest_rows(
                 (2, 3, is_image),
                 (2, 4, is_image),
             ]
-            wanted += [
-                (axis, form, size - lower, np.flatnonzero(members))
-                for form, lower, members in choices
-                if members.any() and size - lower > 1
-            ]
-        if not wanted:  # elements of order one have no such polynomials
-            continue
-        places = tuple((axis, degree) for axis, _, degree, _ in wanted)
-        between = _between_rows(sizes, places)
-        # elements last, because the sparse matrix is the first factor
-        by_pair = of_family.stiffness.transpose(1, 2, 3, 0).reshape(between.shape[1], -1)
-        stiffness = (between @ by_pair).reshape(-1, 3, 3, len(nodes)) * weight
-        start = 0
-        for axis, form, degree, members in wanted:
-            along = np.moveaxis(nodes, axis + 1, -1).reshape(len(nodes), -1, sizes[axis])
-            m = along.shape[1]
-            of_rows = stiffness[start : start + m * m].reshape(m, m, 3, 3, -1)[..., members]
-            start += m * m
-            of_rows = of_rows.transpose(4, 0, 2, 1, 3).reshape(-1, 3 * m, 3 * m)
-            if form == 0:
-                of_rows *= energy_beyond(tile, axis, degree, near[members])[:, None, None]
-            rows.append(NodeRows(form=form, nodes=along[members], degree=degree, stiffness=of_rows))
+            for form, lower, members in choices:
+                degree = size - lower
+                if degree < 2 or not members.any():  # elements of order one have no such polynomials
+                    continue
+                factor = weight[members]
+                if form == 0:
+                    factor = factor * energy_beyond(tile, axis, degree, near[members])
+                along = np.moveaxis(nodes[members], axis + 1, -1).reshape(len(factor), -1, size)
+                stiffness = _row_stiffness(
+                    of_family[..., members, :, :] * factor[:, None, None], axis, degree
+                )
+                rows.append(NodeRows(form=form, nodes=along, degree=degree, stiffness=stiffness))
     return rows
 
 
-@lru_cache(maxsize=256)
-def _between_rows(sizes: tuple[int, int, int], places: tuple[tuple[int, int], ...]) -> sp.csr_array:
-    """Matrix from the stiffness between nodes to that between rows, m^2 for each of some polynomials.
+def _row_stiffness(moduli: Array, axis: int, degree: int) -> Array:
+    """(elements, 3 m, 3 m) stiffness of elements between rows of nodes along an axis, see `NodeRows`."""
+    order = [axis, *(other for other in range(3) if other != axis)]
+    along, *across = (moduli.shape[2 + other] for other in order)
+    values = polynomial(along - 1, degree)[0]
+    factors = np.stack([lobatto(along - 1)[2] @ values, values, values])
+    # (a, b, row, element, i, j): sums over the nodes of each row
+    of_rows = np.einsum(
+        "aq,bq,abqyzxij->abyzxij", factors, factors, np.moveaxis(moduli[np.ix_(order, order)], 2 + axis, 2)
+    )
+    between, m = _products_across(tuple(across)), math.prod(across)
+    stiffness = (between @ of_rows.reshape(9 * m, -1)).reshape(m, m, -1, 3, 3)
+    return np.asarray(stiffness.transpose(2, 0, 3, 1, 4).reshape(-1, 3 * m, 3 * m))
 
-    places : axis and degree of each polynomial
-    """
-    blocks = []
-    for axis, degree in places:
-        rows = [list(np.unravel_index(end, sizes)) for end in coupled_pairs(sizes)]
-        along = [row.pop(axis) for row in rows]
-        others = tuple(size for other, size in enumerate(sizes) if other != axis)
-        first, second = (np.ravel_multi_index(tuple(row), others) for row in rows)
-        count, (values, _) = int(np.prod(others)), polynomial(sizes[axis] - 1, degree)
-        numbers = (first * count + second, np.arange(len(first)))
-        weights = values[along[0]] * values[along[1]]
-        blocks.append(sp.csr_array((weights, numbers), shape=(count**2, len(first))))
-    return sp.csr_array(sp.vstack(blocks))
+
+@lru_cache(maxsize=64)
+def _products_across(sizes: tuple[int, int]) -> sp.csr_array:
+    """(m^2, 9 m) products of the derivatives of two rows at all m rows, without the factors along a row."""
+    m = math.prod(sizes)
+    return products([(np.arange(m)[:, None], np.ones((m, 1))), derivative(sizes, 0), derivative(sizes, 1)])
 
 
 def surplus_forms(folding: Folding, q: int, rows: list[NodeRows], fields: Array) -> Array:

@@ -315,7 +315,7 @@ def _elastic(points: Array, elements: Ints, material: Material, mass: Array) -> 
         matrices = element_matrices(points, nodes, material)
         flat = nodes.reshape(len(nodes), -1)
         first, second = matrices.pairs
-        code, block = np.unique((flat[:, first] * count + flat[:, second]).ravel(), return_inverse=True)
+        code, block = np.unique((flat.T[first] * count + flat.T[second]).ravel(), return_inverse=True)
         entries = (np.ones(len(block)), (block, np.arange(len(block))))
         gather = sp.csr_array(entries, shape=(len(code), len(block)))
         blocks = (gather @ matrices.stiffness.reshape(-1, 9)).reshape(-1, 3, 3)
