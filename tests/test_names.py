@@ -121,8 +121,8 @@ def test_a_terminal_shows_names_as_they_are(title, name):
     voice.out.width = 4000
     table = Table(name, title=title)
     table.add_row(name)
-    voice.tell(table)
-    voice.tell(f"files: {name}")
+    voice.write(table)
+    voice.write(f"files: {name}")
     shown = voice.out.file.getvalue()
     assert "".join(f"files: {name}".split()) in "".join(shown.split())
     assert "".join(shown.split()).count("".join(name.split())) >= 3

@@ -40,7 +40,7 @@ def in_notebook(doing: str) -> Iterator[Progress]:
     module = sys.modules["IPython"]
     due, bar = time.monotonic() + PATIENCE, None
 
-    def tell(done: int, planned: int, what: str = "", /) -> None:
+    def advance(done: int, planned: int, what: str = "", /) -> None:
         nonlocal due, bar
         if time.monotonic() < due:
             return
@@ -56,7 +56,7 @@ def in_notebook(doing: str) -> Iterator[Progress]:
             bar.update(shown, raw=True)
 
     try:
-        yield tell
+        yield advance
     finally:
         if bar is not None:
             bar.update({"text/plain": "", "text/html": ""}, raw=True)

@@ -223,7 +223,7 @@ class TestWatching:
 def test_a_long_command_first_prints_its_cost(inside, study, monkeypatch, tmp_path):
     seen = []
     monkeypatch.setattr("haptonic.cli.running.LONG", 0.0)
-    monkeypatch.setattr("haptonic.cli.console.Voice.say", lambda self, text: seen.append(text))
+    monkeypatch.setattr("haptonic.cli.console.Voice.remark", lambda self, text: seen.append(text))
     monkeypatch.setattr(
         "haptonic.analyses.bands.compute_bands", lambda *_, **__: seen.append("computed") or 1 / 0
     )

@@ -57,8 +57,8 @@ class Voice:
     err: Console = field(default_factory=lambda: PlainConsole(stderr=True))
     warned: list[str] = field(default_factory=list)
 
-    def tell(self, content: object) -> None:
-        """Print something on standard output; silent with ``--json``."""
+    def write(self, content: object) -> None:
+        """Print a line of text on standard output; silent with ``--json``."""
         if not self.machine:
             self.out.print(content)
 
@@ -68,7 +68,7 @@ class Voice:
             sys.stdout.write(text)
             sys.stdout.flush()
 
-    def say(self, text: str) -> None:
+    def remark(self, text: str) -> None:
         """Print a remark on progress on standard error; silent with ``--json``."""
         if not self.machine:
             self.err.print(Text(text, "dim"), soft_wrap=True)

@@ -16,17 +16,17 @@ def entry(voice: Voice, head: str, lines: Mapping[str, str]) -> None:
     """Print a head, and below it a line for every label that has a text."""
     filled = {label: text for label, text in lines.items() if text}
     margin = INDENT + max(map(len, filled), default=0) + 2
-    voice.tell(Text(head, "bold"))
+    voice.write(Text(head, "bold"))
     for label, text in filled.items():
         start = f"{'':{INDENT}}{label}".ljust(margin)
-        voice.tell(Text(folded(text, voice.out.width, start, " " * margin)))
+        voice.write(Text(folded(text, voice.out.width, start, " " * margin)))
 
 
 def pairs(voice: Voice, rows: Mapping[str, str]) -> None:
     """Print a line for each row, with the texts aligned."""
     margin = max(map(len, rows), default=0) + 2
     for head, text in rows.items():
-        voice.tell(Text(folded(text, voice.out.width, head.ljust(margin), " " * margin)))
+        voice.write(Text(folded(text, voice.out.width, head.ljust(margin), " " * margin)))
 
 
 def folded(text: str, width: int, start: str = "", behind: str = "") -> str:

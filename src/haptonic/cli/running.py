@@ -187,7 +187,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     if cost and dry:
         if cost.refusal is not None:
             raise cost.refusal
-        voice.tell(cost.sentence)
+        voice.write(cost.sentence)
         limits = {} if cost.budget is None else {"budget_s": cost.budget}
         voice.answer({"processor_s": cost.seconds, "memory_b": cost.memory, **limits})
         return
@@ -196,7 +196,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
     folder = folder_for(analysis, about, out, json)
     refuse_taken(folder, taken(folder, analysis.names(options, about.stem)), overwrite=overwrite)
     if cost and cost.seconds >= LONG:
-        voice.say(cost.sentence)
+        voice.remark(cost.sentence)
     with voice.counted(analysis.doing or analysis.name) as progress:
         runner = Runner(
             store=Store.default(),
@@ -219,16 +219,16 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
             result.write(folder, overwrite=overwrite, progress=progress)
         located = result.located(folder)
         if form is None and folder.is_dir():  # a plan of a lattice has no picture
-            voice.tell(f"files: {located.get('report', folder)}")
+            voice.write(f"files: {located.get('report', folder)}")
             if analysis.writes and isinstance(paths := located.get("files"), list):
-                voice.tell(f"written: {', '.join(Path(path).name for path in paths)}")
+                voice.write(f"written: {', '.join(Path(path).name for path in paths)}")
     if json:
         voice.answer(result.to_json() | located)
     if run is not None:
         try:
             run.keep(result)
         except ResourceError as error:
-            voice.say(f"The studio will not list this run: {error.cause}.")
+            voice.remark(f"The studio will not list this run: {error.cause}.")
 
 
 def show(result: Result, voice: Voice, *, every: bool) -> None:
@@ -238,7 +238,7 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
     """
     sentences = result.summary()
     for sentence in sentences if every else sentences[:SENTENCES]:
-        voice.tell(sentence)
+        voice.write(sentence)
     room, left = SCREEN, list[Table]()
     for table in () if voice.machine else result.tables():
         room -= voice.height(table)
@@ -250,7 +250,7 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
     omitted = [f"{beyond} sentence{'s' * (beyond > 1)}"] if beyond > 0 else []
     omitted += [f"{table.title} ({len(table.rows)})" for table in left]
     if omitted:
-        voice.tell(f"more with --tables: {', '.join(omitted)}")
+        voice.write(f"more with --tables: {', '.join(omitted)}")
 
 
 def folder_for(analysis: Analysis, about: Path, out: Path | None, json: bool) -> Path | None:

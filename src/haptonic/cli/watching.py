@@ -21,7 +21,7 @@ def watched(file: Path, voice: Voice, again: Callable[[], None]) -> None:
     """
     with suppress(KeyboardInterrupt):
         seen = _saved(file)
-        voice.say(f"{file} is watched: save it to draw again, press Ctrl-C to end")
+        voice.remark(f"{file} is watched: save it to draw again, press Ctrl-C to end")
         while True:
             time.sleep(PAUSE)
             now = _saved(file)

@@ -44,7 +44,7 @@ export interface Analysis {
   name: string;
   help: string;
   interactive: boolean; // its result has an interactive view
-  examines: boolean; // it can tell what it understood of its files
+  examines: boolean; // it can report what it understood of its files
   study: "needed" | "optional" | "settings" | "none"; // "settings": only the tables for its files are used
   tables: string[]; // of the study, with settings for its files
   options: Option[];

@@ -15,9 +15,9 @@ def run(json: Json = False) -> None:
         for table in tables(report):
             voice.show(table)
         for reason in report["slow"]:
-            voice.tell(reason)
+            voice.write(reason)
         if not report["slow"]:
-            voice.tell("haptonic found nothing that slows it down on this machine.")
+            voice.write("haptonic found nothing that slows it down on this machine.")
         voice.answer(report)
         if not report["healthy"]:
             raise SystemExit(1)

@@ -28,21 +28,21 @@ def run(pattern: Pattern = None, json: Json = False) -> None:
         voice.answer({"keys": [facts(key) for key in keys.values()]})
         if pattern is None:
             pairs(voice, {path: key.label for path, key in keys.items()})
-            voice.tell(
+            voice.write(
                 f"{len(keys)} keys. `haptonic keys PATTERN` explains some, such as `haptonic keys pillar`."
             )
         else:
-            tell(voice, keys, pattern)
+            print_keys(voice, keys, pattern)
 
 
-def tell(voice: Voice, keys: dict[str, Key], pattern: str) -> None:
+def print_keys(voice: Voice, keys: dict[str, Key], pattern: str) -> None:
     """Print all facts of the keys whose path contains the pattern; list the others by name."""
     named = {path: key for path, key in keys.items() if _plain(pattern) in _plain(path)} or keys
     for path, key in named.items():
         entry(voice, path, lines(key))
     others = {path: key.label for path, key in keys.items() if path not in named}
     if others:
-        voice.tell(f"The help of {len(others)} more keys contains the pattern:")
+        voice.write(f"The help of {len(others)} more keys contains the pattern:")
         pairs(voice, others)
 
 

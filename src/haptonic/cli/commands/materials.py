@@ -36,7 +36,7 @@ def run(pattern: Pattern = None, json: Json = False) -> None:
         voice.answer({"materials": {name: solid.to_dict() for name, solid in solids.items()}})
         if pattern is None:
             voice.show(overview(solids))
-            voice.tell(
+            voice.write(
                 'In a study: material = "steel". `haptonic materials steel` prints its source and notes.'
             )
         else:

@@ -44,8 +44,8 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
         choices = templates()
         if template is None:
             pairs(voice, {name: text.about for name, text in choices.items()})
-            voice.tell(f"`haptonic new touchpad my{ENDING}` writes the template touchpad.")
-            voice.tell(
+            voice.write(f"`haptonic new touchpad my{ENDING}` writes the template touchpad.")
+            voice.write(
                 "`haptonic new` also writes the study of a case; `haptonic verify --list` lists the cases."
             )
             voice.answer(
@@ -61,8 +61,8 @@ def run(template: First = None, file: Second = None, overwrite: Over = False, js
         text = choices[name].adapted(path)
         write_atomically(path, lambda draft: draft.write_text(text, "utf-8"))
         first = text.commands[0]
-        voice.tell(f"written: {path}, from the template {name}. Next:")
-        voice.tell(f"  {first}")  # on its own line, easy to copy
+        voice.write(f"written: {path}, from the template {name}. Next:")
+        voice.write(f"  {first}")  # on its own line, easy to copy
         voice.answer({"file": str(path), "template": name, "next": text.commands})
 
 

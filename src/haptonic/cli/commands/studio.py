@@ -30,7 +30,7 @@ def run(
     with speaking(False) as voice:
 
         def ready(link: str) -> None:
-            voice.tell("The studio is at this link, which works once; Ctrl-C ends it:")
+            voice.write("The studio is at this link, which works once; Ctrl-C ends it:")
             voice.print(f"  {link}\n")
             if not no_browser:
                 open_browser(link)

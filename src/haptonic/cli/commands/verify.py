@@ -47,7 +47,7 @@ def run(names: Names = None, listing: Listing = False, page: Page = None, json: 
         chosen = cases(names or ())
         if listing:
             pairs(voice, {case.id: f"{case.title} ({case.kind}; {case.source})" for case in chosen})
-            voice.tell("`haptonic new CASE FILE` copies the study of a case.")
+            voice.write("`haptonic new CASE FILE` copies the study of a case.")
             voice.answer({"cases": [case.model_dump() for case in chosen]})
             return
         folder = None if page is None else target(page, "--page")
@@ -60,12 +60,12 @@ def run(names: Names = None, listing: Listing = False, page: Page = None, json: 
         failed = sorted({comparison.case.id for comparison in comparisons if not comparison.agrees})
         for case in chosen:
             if case.remark and (case.id in failed or len(chosen) == 1):
-                voice.tell(f"{case.id}: {case.remark}")
+                voice.write(f"{case.id}: {case.remark}")
         verdict = f"outside the errors: {', '.join(failed)}" if failed else "all agree"
-        voice.tell(f"{len(chosen)} cases, {len(comparisons)} quantities: {verdict}.")
+        voice.write(f"{len(chosen)} cases, {len(comparisons)} quantities: {verdict}.")
         if folder is not None:
             write_page(folder, comparisons, omitted_cases())
-            voice.tell(f"written: {folder}")
+            voice.write(f"written: {folder}")
         voice.answer({"comparisons": list(map(plain_comparison, comparisons)), "failed": failed})
         if failed:
             raise SystemExit(1)
