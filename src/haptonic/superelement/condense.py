@@ -24,7 +24,7 @@ from haptonic.cell import HexMesh, MeshPlan, SurfaceMesh, TileShape
 from haptonic.cell.mesh import trace_shares
 from haptonic.cell.quadrature import lobatto
 from haptonic.cell.sectors import along_sides
-from haptonic.later import linalg as la, sparse as sp
+from haptonic.later import sparse as sp
 from haptonic.parallel import each
 from haptonic.solvers import definite
 from haptonic.superelement.folded import FoldedMesh
@@ -80,19 +80,18 @@ class Superelement:
         correction errors of long flexural waves decreased like the wavenumber, and not like the frequency.
         """
         of_parts = each(lambda part: part.surplus, self.parts)
-        forms = np.stack([
+        momenta = self.rigid_motions.T @ self.mass
+        amounts = np.linalg.solve(momenta @ self.rigid_motions, momenta)  # of a field in the rigid motions
+        whole = np.empty((len(FORMS), self.size, self.size))
+        for number, form in enumerate(whole):
             unfolded_form(self.parts, [
                 ClassForm.split(forms[number], len(part.trace.kept))
                 for forms, part in zip(of_parts, self.parts, strict=True)
-            ])
-            for number in range(len(FORMS))
-        ])  # fmt: skip
-        momenta = self.rigid_motions.T @ self.mass
-        of_motions = forms @ self.rigid_motions
-        amounts = np.linalg.solve(momenta @ self.rigid_motions, momenta)  # of a field in the rigid motions
-        crossed = of_motions @ amounts
-        both = amounts.T @ (self.rigid_motions.T @ of_motions) @ amounts
-        return np.asarray(forms - crossed - crossed.swapaxes(1, 2) + both)
+            ], form)  # fmt: skip
+            of_motions = form @ self.rigid_motions
+            shares = of_motions - 0.5 * amounts.T @ (self.rigid_motions.T @ of_motions)
+            form -= np.hstack([shares, amounts.T]) @ np.vstack([amounts, shares.T])
+        return whole
 
     @cached_property
     def rigid_motions(self) -> Array:
@@ -240,15 +239,20 @@ def whole(pieces: Sequence[CondensedClass], name: str) -> Array:
     return unfolded_form([piece.part for piece in pieces], [piece.forms[name] for piece in pieces])
 
 
-def unfolded_form(parts: Sequence[Lifting], forms: Sequence[ClassForm]) -> Array:
-    """(t + m, t + m) form from those of all classes."""
+def unfolded_form(parts: Sequence[Lifting], forms: Sequence[ClassForm], into: Array | None = None) -> Array:
+    """(t + m, t + m) form from those of all classes, written into the array ``into`` if it is given."""
     spreads = [part.trace.spread for part in parts]
-    pairs = list(zip(spreads, forms, strict=True))
-    corner = sp.hstack(spreads, format="csr") @ np.vstack(
-        [(spread @ form.corner).T for spread, form in pairs]
-    )
-    side = np.hstack([spread @ form.side for spread, form in pairs])
-    return np.block([[corner, side], [side.T, la.block_diag(*(form.modal for form in forms))]])
+    ends = np.cumsum([spreads[0].shape[0], *(len(form.modal) for form in forms)])
+    whole = np.empty((ends[-1], ends[-1])) if into is None else into
+    t = ends[0]
+    on_classes = [(spread @ form.corner).T for spread, form in zip(spreads, forms, strict=True)]
+    whole[:t, :t] = sp.hstack(spreads, format="csr") @ np.vstack(on_classes)
+    whole[t:, t:] = 0.0
+    for spread, form, start, end in zip(spreads, forms, ends, ends[1:], strict=False):
+        whole[:t, start:end] = spread @ form.side
+        whole[start:end, start:end] = form.modal
+    whole[t:, :t] = whole[:t, t:].T
+    return whole
 
 
 @dataclass(frozen=True)
