@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from functools import partial
 from typing import NotRequired, Protocol, Self, TypedDict, TypeVar, Unpack
 
-from haptonic.names import visible
+from haptonic.names import listed, visible
 
 E = TypeVar("E", bound="HaptonicError")
 C = TypeVar("C", bound="HaptonicError", covariant=True)
@@ -218,7 +218,7 @@ class HaptonicWarning(UserWarning):
 def proposed(name: str, known: Iterable[str]) -> str:
     """Next step for an unknown name: to write one of the names that it may mean; empty without any."""
     names = [f'"{each}"' for each in similar(name, known)]
-    return f"write {' or '.join(names)}" if names else ""
+    return f"write {listed(names, 'or')}" if names else ""
 
 
 def similar(name: str, known: Iterable[str]) -> list[str]:

@@ -19,6 +19,7 @@ from pydantic import Field, model_validator
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError
 from haptonic.fields import LARGEST, Quantity, Synonyms, described, handed_on, problem, remade, setting, size
+from haptonic.names import listed
 from haptonic.translations import SAME, check_vectors, recognised, shortest, vector_text, voronoi_cell
 from haptonic.units import format_quantity
 
@@ -198,13 +199,13 @@ class Lattice:
         for field in ("pitch_y", "pitch_2", "angle"):
             value, needed = getattr(self, field), field in FURTHER[self.name]
             having = [name for name, others in FURTHER.items() if field in others]
-            allowed = f"{field} for a lattice that is {' or '.join(having)}, and for no other"
+            allowed = f"{field} for a lattice that is {listed(having, 'or')}, and for no other"
             if needed and value is None:
                 raise problem("missing", "nothing", allowed, "it was left out", f"add {field}", at=field)
             if value is not None and not needed:
                 given = format_quantity(value, "rad" if field == "angle" else "m")
                 cause = f"a {self.name} lattice is given without it"
-                names = " or ".join(f'"{name}"' for name in having)
+                names = listed([f'"{name}"' for name in having], "or")
                 raise problem(
                     "conflict", given, allowed, cause, f"remove {field}, or write lattice = {names}", at=field
                 )

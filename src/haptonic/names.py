@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 LONGEST_PART = 40  # characters of a name in the name of a file, far below the limit of every system
 LONGEST_SLUG = 24
@@ -58,6 +58,11 @@ def names_in(text: str, known: Collection[str]) -> tuple[str, ...]:
         names += [name] if name else []
         parts = parts[count:]
     return tuple(names)
+
+
+def listed(names: Sequence[str], last: str = "and") -> str:
+    """Names in a sentence: ``"a, b and c"``; ``last`` is the word before the last one."""
+    return f" {last} ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
 
 
 def visible(text: str) -> str:

@@ -183,6 +183,11 @@ def format_quantity(value: float, unit: str, *, prefer: str | None = None, digit
     return f"{_plain(rounded.scaleb(-scales[prefer]))} {prefer}".rstrip()
 
 
+def counted(number: int, noun: str) -> str:
+    """Text of a count: ``"3 rows"``, ``"1 row"``, ``"no rows"``."""
+    return f"{number or 'no'} {noun}{'' if number == 1 else 's'}"
+
+
 def duration(seconds: float) -> str:
     """Text of a duration: ``"45 s"``, ``"10 min"``, ``"2.5 h"``; `to_si` reads it."""
     if seconds < 60:

@@ -19,7 +19,7 @@ from five_parts import assert_five_parts
 from haptonic import analyses
 from haptonic.cli import commands
 from haptonic.cli.helping import PANELS
-from haptonic.results.bands import counted
+from haptonic.results.bands import check_text
 from interrupts import hear_interrupts
 
 pytestmark = pytest.mark.usefixtures("empty_pictures")  # of commands in this process
@@ -31,7 +31,7 @@ def test_bands_writes_its_files_and_a_table(inside, study, tmp_path):
     assert ran.code == 0, ran.err
     assert "band gaps" in ran.out
     summary = inside("bands", study(), "--json", "--surface").json
-    assert counted(summary["counts_checked"], summary["counts_missed"]) in " ".join(ran.out.split())
+    assert check_text(summary["counts_checked"], summary["counts_missed"]) in " ".join(ran.out.split())
     names = {path.name for path in out.iterdir()}
     pictures = {
         f"{name}.{kind}"
@@ -282,7 +282,7 @@ def test_reproduce_ends_with_a_report(inside, study, tmp_path):
     ],
 )
 def test_counts_in_words(checked, missed, sentence):
-    assert sentence in counted(checked, missed)
+    assert sentence in check_text(checked, missed)
 
 
 def test_tables_as_latex_are_all_that_is_printed(inside, study, tmp_path):

@@ -14,7 +14,7 @@ from haptonic.bloch.resolution import LEAST_ORDER, LEVELS, Resolution
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.later import psutil
-from haptonic.units import duration
+from haptonic.units import counted, duration
 
 # Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it affected the
 # error estimates of a plain plate, and at 1/1000 it changed the lowest band by 0.7 %.
@@ -92,7 +92,7 @@ class Lack:
 
     def text(self, cell: UnitCell) -> str:
         """Text with the need of the mesh and the limit."""
-        name = f"a mesh of order {self.mesh.order} with {self.mesh.foot_rings} rings at the foot"
+        name = f"a mesh of order {self.mesh.order} with {counted(self.mesh.foot_rings, 'ring')} at the foot"
         if self.of == "memory":
             return f"{name} needs about {self.mesh.memory(cell) / 1e9:.2g} GB, and {self.limits.gigabytes}"
         if self.of == "range":

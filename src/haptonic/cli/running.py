@@ -18,6 +18,7 @@ from haptonic.analyses.support import no_cell
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.watching import watched
 from haptonic.errors import HaptonicError, ResourceError
+from haptonic.names import listed
 from haptonic.paths import target
 from haptonic.results.common import refuse_taken
 from haptonic.results.cost import LONG
@@ -40,7 +41,9 @@ SHARED: dict[str, Any] = {
     "tables_as": Annotated[
         str | None,
         _of_output(
-            "--tables-as", metavar="FORM", help=f"Print all tables and nothing else, as {' or '.join(FORMS)}."
+            "--tables-as",
+            metavar="FORM",
+            help=f"Print all tables and nothing else, as {listed(list(FORMS), 'or')}.",
         ),
     ],
     "overwrite": Annotated[bool, _of_output("--overwrite", help="Replace files of an earlier run.")],

@@ -17,7 +17,7 @@ from haptonic.plots import style
 from haptonic.plots.looks import colours
 from haptonic.plots.marks import above, mark
 from haptonic.plots.stage import below, stage
-from haptonic.units import hz_text, uncertain
+from haptonic.units import counted, hz_text, uncertain
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
 DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of 1 rad
@@ -125,7 +125,7 @@ def layers(dataset: xr.Dataset, *, incident: str | None = None, ax: Axes | None 
         level = 10 * np.log10(np.maximum(total, 1e-30))
         lowest = min(max(FLOOR, 10 * np.floor(np.nanmin(level) / 10)), -10)
         for k, (count, shade) in enumerate(zip(rows, shades, strict=False)):
-            axes.plot(frequency, level[:, k], color=shade, lw=1.2, label=_rows(count), gid="rows")
+            axes.plot(frequency, level[:, k], color=shade, lw=1.2, label=counted(count, "row"), gid="rows")
             if beside is not None and frequency[0] <= carrier <= frequency[-1]:
                 at = float(np.interp(carrier, frequency, level[:, k]))
                 beside.plot(count, at, "o", color=shade, ms=5, gid="at carrier")
@@ -171,10 +171,6 @@ def _mark_cut(axes: Axes, frequency: Array, level: Array, shades: list[str], *, 
                 label="the curve goes on below the axis" if first and not drawn else None,
             )  # fmt: skip
     return drawn
-
-
-def _rows(count: int) -> str:
-    return f"{count} row{'s' if count > 1 else ''}"
 
 
 @style.drawn

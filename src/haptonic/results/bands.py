@@ -20,7 +20,7 @@ from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.results.zone_view import ZONE_SHORT, zone_extra, zone_variables
-from haptonic.units import format_quantity, hz_text, in_percent
+from haptonic.units import counted, format_quantity, hz_text, in_percent
 from haptonic.views import InteractiveView, write_page
 
 WRITTEN = [
@@ -179,7 +179,7 @@ class Bands(Result):
             if gap.waves != "all"
         ]
         checked, missed = (int(self.dataset.attrs[f"counts_{name}"]) for name in ("checked", "missed"))
-        return [gaps, *self._about_carrier(complete), *of_some, counted(checked, missed)]
+        return [gaps, *self._about_carrier(complete), *of_some, check_text(checked, missed)]
 
     def _without_gap(self) -> str:
         carrier = self.dataset.attrs.get("carrier_hz")
@@ -330,9 +330,9 @@ class Bands(Result):
         }  # fmt: skip
 
 
-def counted(checked: int, missed: int) -> str:
+def check_text(checked: int, missed: int) -> str:
     """Sentence on the check of the bands by exact eigenvalue counts."""
     if not checked:
         return "The number of bands was not checked: each frequency for the check lies within a band's error."
-    missing = f"{missed or 'no'} band{'s' * (missed != 1)} missing"
-    return f"Checked by exact eigenvalue counts, in {checked} comparison{'s' * (checked != 1)}: {missing}."
+    comparisons, missing = counted(checked, "comparison"), counted(missed, "band")
+    return f"Checked by exact eigenvalue counts, in {comparisons}: {missing} missing."

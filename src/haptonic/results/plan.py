@@ -21,7 +21,7 @@ from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
-from haptonic.units import format_quantity
+from haptonic.units import counted, format_quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -71,7 +71,7 @@ class StudyPlan(Result):
             sentences.append(
                 f"A plate of {width:.4g} x {height:.4g} mm with {layout.parts}"
                 f"{f' in {len(layout.cells)} lattices' if len(layout.cells) > 1 else ''}, "
-                f"{_counted(len(layout.regions), 'region')} of plain plate and {_counted(drives, 'drive')}."
+                f"{counted(len(layout.regions), 'region')} of plain plate and {counted(drives, 'drive')}."
             )
             carriers = self.plate.carriers(self.carrier or 0.0)
             if len(carriers) > 1:
@@ -232,9 +232,5 @@ def border_text(layout: Layout) -> list[str]:
     if not layout.left_out:
         return []
     return [
-        f"Plain plate replaces {_counted(layout.left_out, 'pillar')} that would cross a border of a lattice."
+        f"Plain plate replaces {counted(layout.left_out, 'pillar')} that would cross a border of a lattice."
     ]
-
-
-def _counted(number: int, what: str) -> str:
-    return f"{number or 'no'} {what}{'s' * (number != 1)}"

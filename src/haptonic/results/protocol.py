@@ -21,7 +21,7 @@ from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.sheet import sheet
 from haptonic.results.table import Table
-from haptonic.units import In, in_percent
+from haptonic.units import In, counted, in_percent
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class TrialPlan(Result):
     @property
     def statements(self) -> list[str]:
         """Sentences on the effects that this number of participants can detect."""
-        people = f"{self.participants} participant{'s' * (self.participants != 1)}"
+        people = counted(self.participants, "participant")
         wanted = in_percent(self.dataset.attrs["wanted"])
         sentences = []
         for guide in self.protocol.waveguides:

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from haptonic.friction.recordings.draft import Draft, listed
+from haptonic.friction.recordings.draft import Draft
 from haptonic.friction.recordings.trial_table import TABLE
 from haptonic.later import xarray as xr
-from haptonic.names import cell
+from haptonic.names import cell, listed
 from haptonic.progress import Progress, silent
 from haptonic.results.result import Result
 from haptonic.results.table import Table

@@ -22,6 +22,7 @@ from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.outline import held, outline
 from haptonic.plate.layout.parts import Actuator, Plate
 from haptonic.plate.layout.supports import WORDS, Support
+from haptonic.units import counted
 from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, PillarShape
 
@@ -173,7 +174,7 @@ class Part:
     def parts(self) -> str:
         """Numbers of pillars and stacks of discs, as text."""
         numbers = {"pillar": self.number, "disc stack": self.number_of_stacks}
-        texts = [f"{number} {noun}{'s' * (number != 1)}" for noun, number in numbers.items() if number]
+        texts = [counted(number, noun) for noun, number in numbers.items() if number]
         return " and ".join(texts) or "0 pillars"
 
     @property

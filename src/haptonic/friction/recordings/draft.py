@@ -181,8 +181,3 @@ def _consecutive(blocks: Sequence[tuple[str, ...]], numbers: Sequence[str]) -> l
         counted[blocks[row]] += 1
         trials[row] = str(counted[blocks[row]])
     return trials
-
-
-def listed(names: Sequence[str]) -> str:
-    """Names of columns in a sentence."""
-    return " and ".join((", ".join(names[:-1]), names[-1])) if len(names) > 1 else "".join(names)

@@ -34,14 +34,14 @@ def mounted(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) ->
     along, across = channel_map.plane
     if angle:
         doubts += [
-            f'the strokes of {listed(names)} go {text} from "{along}" towards "{across}": the force along '
-            "them was taken as tangential"
+            f'the strokes of {people_text(names)} go {text} from "{along}" towards "{across}": the force '
+            "along them was taken as tangential"
             for text, names in _alike(lay)
         ]
     else:
         doubts += [
-            f'the strokes of {listed(names)} go {text} from "{along}", which trials.sensor.tangential names, '
-            f'towards "{across}": part of the friction is left out; leave tangential out in '
+            f'the strokes of {people_text(names)} go {text} from "{along}", which trials.sensor.tangential '
+            f'names, towards "{across}": part of the friction is left out; leave tangential out in '
             "[trials.sensor] to have both forces combined"
             for text, names in _alike(lay)
         ]
@@ -93,8 +93,8 @@ def _signs(lay: Mapping[str, Mounting]) -> tuple[list[str], list[str]]:
         return ["the normal force falls where the finger presses: its sign was turned"], []
     few = turned if 2 * len(turned) <= len(lay) else [name for name in lay if name not in turned]
     return [], [
-        f"the normal force of {listed(few)} goes the other way than that of the others: each participant's "
-        "sign was taken so that the finger presses"
+        f"the normal force of {people_text(few)} goes the other way than that of the others: each "
+        "participant's sign was taken so that the finger presses"
     ]
 
 
@@ -108,7 +108,7 @@ def _alike(lay: Mapping[str, Mounting]) -> list[tuple[str, list[str]]]:
     return [(text, names if len(names) < every else []) for text, names in by_direction.items()]
 
 
-def listed(names: Sequence[str]) -> str:
+def people_text(names: Sequence[str]) -> str:
     """Names of participants for a sentence; an empty list means all of them."""
     if not names:
         return "all participants"
@@ -131,7 +131,7 @@ def remarked(remarks: NDArray[Any], people: NDArray[Any]) -> list[str]:
 def _whose(rows: Sequence[int], people: NDArray[Any]) -> str:
     names = list(dict.fromkeys(str(people[row]) for row in rows))
     every = len(set(people.tolist()))
-    return "all participants" if len(names) == every else listed(names)
+    return "all participants" if len(names) == every else people_text(names)
 
 
 def explained(trials: xr.Dataset) -> xr.Dataset:

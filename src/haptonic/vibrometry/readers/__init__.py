@@ -18,6 +18,7 @@ from haptonic.channels import Notebook
 from haptonic.channels.formats import format_of
 from haptonic.channels.signals import Origin
 from haptonic.errors import ChannelError, HaptonicError, HaptonicWarning, ResourceError, ScanError, shown
+from haptonic.names import listed
 from haptonic.paths import source
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.units import to_si
@@ -238,7 +239,7 @@ def _read(path: Path, how: Mapped, origin: Origin, title: str) -> Scan:
             raise ScanError.conflict(
                 argument=option,
                 given=f"{shown(value)}, for {name}",
-                allowed=f"it for {' or '.join(others)}",
+                allowed=f"it for {listed(others, 'or')}",
                 cause="a file of this format gives it itself, or has nothing of the kind",
                 next_step="leave it out",
                 command=f"leave --{option.replace('_', '-')} out",

@@ -17,6 +17,7 @@ import numpy as np
 from haptonic.channels import Channel, Group, Notebook, delimited
 from haptonic.channels.signals import SIMULATED, Origin
 from haptonic.errors import ChannelError, ScanError
+from haptonic.names import listed
 from haptonic.response import FrequencyResponse, Reference
 from haptonic.vibrometry.curves import Curve, Point, assemble
 from haptonic.vibrometry.readers.mapped import NAMES, Mapped, check_meanings, chosen, inventory, unfit
@@ -277,7 +278,7 @@ def _without_columns(table: Path, how: Mapped, given: str, missing: Sequence[str
         argument=f"{table.name} of a scan",
         given=f"columns {given}",
         allowed="the columns file, x, y, with lengths in m or in a unit behind the name",
-        cause=f"no column is called {' or '.join(missing)}",
+        cause=f"no column is called {listed(missing, 'or')}",
         next_step=f"name them: read_scan(path, variables={{{named}}}), or in {table.name}: file,x,y",
         command=f"haptonic scan {how.path} --variables {','.join(f'{name}=NAME' for name in missing)}, or "
         f"name them in {table.name}: file,x,y",
