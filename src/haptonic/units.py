@@ -325,7 +325,9 @@ def _split(text: str, refused: Callable[[str], HaptonicError]) -> tuple[Fraction
         raise refused("it is not a finite number")
     match = _QUANTITY.fullmatch(text.translate(TYPOGRAPHIC))
     if match is None:
-        raise refused(_why_not_a_quantity(text))
+        with_point = text.replace(",", ".")
+        is_quantity = _QUANTITY.fullmatch(with_point.translate(TYPOGRAPHIC)) is not None
+        raise refused(_why_not_a_quantity(text), f'write "{with_point}"' if is_quantity else "")
     if abs(int(match["exponent"] or 0)) > LARGEST_EXPONENT:
         raise refused("the power of ten is outside the range of numbers")
     return Fraction(match["number"]), match["unit"] or ""
