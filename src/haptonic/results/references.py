@@ -61,7 +61,9 @@ class Value(_FileTable):
     to: str = Field("", title="Second path", description="Path of the upper end if the value has two ends.")
     over: str = Field("", title="Divisor", description="Path of a number that ours is divided by.")
     less: str = Field("", title="Subtrahend", description="Path of a number that is subtracted from ours.")
-    less_error: str = Field("", title="Its error", description="Path of the subtrahend's error bound.")
+    less_error: str = Field(
+        "", title="Error of the subtrahend", description="Path of the subtrahend's error bound."
+    )
     factor: float = Field(1.0, title="Factor", description="Factor on our number.")
     error: str = Field("", title="Error", description="Path of the error bound of our value.")
     relation: Literal["equal", "at least", "at most", "within"] = Field(
