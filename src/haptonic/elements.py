@@ -104,36 +104,37 @@ def matrices_by_region(
 
 @lru_cache(maxsize=64)
 def coupled_pairs(sizes: tuple[int, int, int]) -> tuple[Ints, sp.csr_array]:
-    """(2, k) local numbers of the nodes of an element's coupled pairs, and for each the products of
-    derivatives (k, 9 nodes) of `products`.
+    """Pairs of nodes that an element couples: local numbers (2, k), and products of derivatives (k, 9 nodes).
+
+    The products times `ElementMatrices.moduli`, raveled by axes and nodes, are the stiffness.
     """
     every = products([derivative(sizes, axis) for axis in range(3)])
     coupled = np.flatnonzero(np.diff(every.indptr))
     return np.stack(np.divmod(coupled, math.prod(sizes))), every[coupled]
 
 
-Sums = tuple[Ints, Array]  # (n, k) nodes and their shares in a quantity at each of n nodes
+Sums = tuple[Ints, Array]  # (n, k) nodes and their factors in a sum at each of n nodes
 
 
 def derivative(sizes: tuple[int, ...], axis: int) -> Sums:
-    """Derivatives along a local axis at the nodes of a grid: nodes of the line through each, and shares."""
+    """Derivative along a local axis at the nodes of a grid, a sum over the line through each node."""
     lines = np.moveaxis(np.arange(math.prod(sizes)).reshape(sizes), axis, -1)
     nodes = np.empty((lines.size, sizes[axis]), dtype=int)
-    shares = np.empty(nodes.shape)
-    nodes[lines], shares[lines] = lines[..., None, :], lobatto(sizes[axis] - 1)[2]
-    return nodes, shares
+    factors = np.empty(nodes.shape)
+    nodes[lines], factors[lines] = lines[..., None, :], lobatto(sizes[axis] - 1)[2]
+    return nodes, factors
 
 
-def products(quantities: Sequence[Sums]) -> sp.csr_array:
-    """(n^2, s^2 n) products of the shares of two nodes in two of s quantities at a node.
+def products(sums: Sequence[Sums]) -> sp.csr_array:
+    """(n^2, s^2 n) products of the factors of two nodes in two of s sums at a node.
 
-    Rows are pairs of nodes, columns pairs of quantities and then the node.
+    Rows are pairs of nodes; columns are pairs of sums, each with the n nodes at which they are formed.
     """
-    count, rows, columns, values = len(quantities[0][0]), [], [], []
-    for number, ((first, a), (second, b)) in enumerate(product(quantities, repeat=2)):
+    count, rows, columns, values = len(sums[0][0]), [], [], []
+    for number, ((first, a), (second, b)) in enumerate(product(sums, repeat=2)):
         row = first[:, :, None] * count + second[:, None, :]
         rows.append(row.ravel())
         columns.append(np.repeat(number * count + np.arange(count), row[0].size))
         values.append((a[:, :, None] * b[:, None, :]).ravel())
     entries = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
-    return sp.csr_array(entries, shape=(count**2, len(quantities) ** 2 * count))
+    return sp.csr_array(entries, shape=(count**2, len(sums) ** 2 * count))
