@@ -315,7 +315,7 @@ class _OtherKindError(Exception):
     """A unit of another dimension."""
 
 
-def _split(text: str, refused: Callable[[str], HaptonicError]) -> tuple[Fraction, str]:
+def _split(text: str, refused: Callable[..., HaptonicError]) -> tuple[Fraction, str]:
     """Number and unit of ``<number> <unit>``; the unit may be empty."""
     if not text.strip():
         raise refused("the text is empty")
