@@ -37,7 +37,7 @@ NAMES = {
     "protocol": "Order of friction trials: list, printed sheet, metronome, and how many participants are "
     "needed.",
     "friction": "Coefficients of friction from force records, and tests of their reduction.",
-    "verdict": "Another comparison of a scan's response with the model: other unknowns, no records needed.",
+    "verdict": "Comparison of a measured response with the model, for chosen unknowns; needs no records.",
     "simulate friction": "Strokes of simulated participants, as a folder that `haptonic friction` reads.",
     "simulate scan": "A simulated scan of the study's plate. Everything is marked as simulated.",
 }

@@ -287,7 +287,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.verdict.Verdict:
-        """Another comparison of a scan's response with the model: other unknowns, no records needed."""
+        """Comparison of a measured response with the model, for chosen unknowns; needs no records."""
 
     def simulate_friction(
         self,
