@@ -252,6 +252,8 @@ def numbers(count: int, stout: int, tiles: int, seed: int) -> list[int]:
 
     def seconds(number: int) -> float:
         question = drawn(seed, number)
+        if refused_at_once(question):
+            return 0.0
         tried = started(question.cell, question.count, question.accuracy, _limits())
         return float(estimated_seconds(question) + sum(level.seconds(question.cell) for level in tried))
 
