@@ -6,8 +6,9 @@
 
 A record holds the JSON of every command on the studies of the repository and on ten more, which have what
 those lack: other materials, sections, lattices, edges and drives. A refusal is recorded as an answer. A run
-cut short goes on where it stopped. Two records agree if every number agrees to `TOLERANCE` and all
-else is equal; every difference is listed.
+cut short goes on where it stopped. Two records agree if every number agrees to `TOLERANCE` of the largest
+one in its array and all else is equal; every difference is listed. Errors of rest modes and of solvers, and
+the order of rest modes, follow from rounding and differ between any two commits.
 """
 
 from __future__ import annotations
@@ -16,16 +17,25 @@ import argparse
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 STUDIES = Path(__file__).parents[1] / "studies"
 TOLERANCE = 1e-7  # relative: sums in another order move frequencies by some 1e-10, errors by some 1e-8
-OF_A_RUN = {"version", "created", "seconds", "files", "free_memory_gb"}  # other in every run
+OF_A_RUN = {
+    "version",
+    "created",
+    "seconds",
+    "files",
+    "free_memory_gb",
+    "code_fingerprint",
+}  # other in every run
 
 CELL = """
 title = "{title}"
@@ -202,10 +212,15 @@ def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         yield path, tree
 
 
-def alike(value: Any, other: Any) -> bool:
-    """Whether two leaves are the same to rounding."""
+def array_of(path: str) -> str:
+    """Path without the places in lists."""
+    return re.sub(r"\[[0-9]+\]", "", path)
+
+
+def alike(value: Any, other: Any, largest: float) -> bool:
+    """True for leaves that are equal to rounding; ``largest`` is the size of the largest in their array."""
     if isinstance(value, float) and isinstance(other, int | float):
-        return math.isclose(value, other, rel_tol=TOLERANCE, abs_tol=1e-12)
+        return math.isclose(value, other, rel_tol=TOLERANCE, abs_tol=max(TOLERANCE * largest, 1e-12))
     return bool(value == other)
 
 
@@ -222,8 +237,13 @@ def differences(before: dict[str, Any], after: dict[str, Any]) -> Iterator[str]:
             dict(leaves(json.loads(json.dumps(each[name]).replace(folder, "FOLDER"))))
             for each, folder in zip((before, after), folders, strict=True)
         )
+        largest: dict[str, float] = defaultdict(float)
+        for path, value in first.items():
+            if isinstance(value, float):
+                largest[array_of(path)] = max(largest[array_of(path)], abs(value))
         for path in sorted(first.keys() | second.keys()):
-            if path not in first or path not in second or not alike(first[path], second[path]):
+            both = path in first and path in second
+            if not both or not alike(first[path], second[path], largest[array_of(path)]):
                 yield f"{name}: {path}: {first.get(path, 'nothing')} -> {second.get(path, 'nothing')}"
 
 
