@@ -30,6 +30,7 @@ from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
 from haptonic.study import load
 from haptonic.superelement import Tiling
+from haptonic.units import counted
 
 FOLDER = ROOT / "results" / "wavevectors_everywhere"
 WAVEVECTORS, ZONES = 10_000, 3
@@ -114,7 +115,7 @@ def measured(
     return {
         "cell": name,
         "lattice": lattice,
-        "mesh": f"order {used.order}, {used.foot_rings} rings",
+        "mesh": f"order {used.order}, {counted(used.foot_rings, 'ring')}",
         "basis": model.fine.pencil.size,
         "unreduced": int(reference.size),
         "wavevectors": count,
