@@ -28,9 +28,9 @@ from haptonic.bloch.truncation import REST
 from haptonic.cell import Pillar, Site, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.materials import Material, material
+from haptonic.names import counted
 from haptonic.study import load
 from haptonic.superelement import Tiling
-from haptonic.units import counted
 
 FOLDER = ROOT / "results" / "wavevectors_everywhere"
 WAVEVECTORS, ZONES = 10_000, 3

@@ -1,4 +1,4 @@
-"""Names that users choose, and their safe forms on each medium: terminal, file, table, LaTeX, NetCDF.
+"""Names that users choose: in sentences, and safe in terminals, files, tables, LaTeX and NetCDF.
 
 HTML is escaped by templates, JSON by its writer. `haptonic.plots.style` switches off formulas in pictures,
 and `haptonic.cli.console` markup in a terminal.
@@ -63,6 +63,11 @@ def names_in(text: str, known: Collection[str]) -> tuple[str, ...]:
 def listed(names: Sequence[str], last: str = "and") -> str:
     """Names in a sentence: ``"a, b and c"``; ``last`` is the word before the last one."""
     return f" {last} ".join(filter(None, [", ".join(names[:-1]), *names[-1:]]))
+
+
+def counted(number: int, noun: str) -> str:
+    """Text of a count: ``"3 rows"``, ``"1 row"``, ``"no rows"``."""
+    return f"{number or 'no'} {noun}{'' if number == 1 else 's'}"
 
 
 def visible(text: str) -> str:

@@ -183,11 +183,6 @@ def format_quantity(value: float, unit: str, *, prefer: str | None = None, digit
     return f"{_plain(rounded.scaleb(-scales[prefer]))} {prefer}".rstrip()
 
 
-def counted(number: int, noun: str) -> str:
-    """Text of a count: ``"3 rows"``, ``"1 row"``, ``"no rows"``."""
-    return f"{number or 'no'} {noun}{'' if number == 1 else 's'}"
-
-
 def duration(seconds: float) -> str:
     """Text of a duration: ``"45 s"``, ``"10 min"``, ``"2.5 h"``; `to_si` reads it."""
     if seconds < 60:
@@ -326,7 +321,7 @@ def _split(text: str, refused: Callable[..., HaptonicError]) -> tuple[Fraction, 
     match = _QUANTITY.fullmatch(text.translate(TYPOGRAPHIC))
     if match is None:
         with_point = text.replace(",", ".")
-        is_quantity = _QUANTITY.fullmatch(with_point.translate(TYPOGRAPHIC)) is not None
+        is_quantity = _QUANTITY.fullmatch(with_point.translate(TYPOGRAPHIC))
         raise refused(_why_not_a_quantity(text), f'write "{with_point}"' if is_quantity else "")
     if abs(int(match["exponent"] or 0)) > LARGEST_EXPONENT:
         raise refused("the power of ten is outside the range of numbers")

@@ -65,6 +65,7 @@ ALLOWED: dict[str, set[str]] = {
         "errors",
         "fields",
         "gate",
+        "names",
         "parallel",
         "units",
     },

@@ -14,7 +14,8 @@ from haptonic.bloch.resolution import LEAST_ORDER, LEVELS, Resolution
 from haptonic.cell import UnitCell
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.later import psutil
-from haptonic.units import counted, duration
+from haptonic.names import counted
+from haptonic.units import duration
 
 # Rounding of a plate's stiffness grows as the fourth power of pitch over thickness: at 1/400 it affected the
 # error estimates of a plain plate, and at 1/1000 it changed the lowest band by 0.7 %.

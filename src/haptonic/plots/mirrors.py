@@ -13,11 +13,12 @@ from haptonic.arrays import Array
 from haptonic.bloch.mirrors import errors_if_moved
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
+from haptonic.names import counted
 from haptonic.plots import style
 from haptonic.plots.looks import colours
 from haptonic.plots.marks import above, mark
 from haptonic.plots.stage import below, stage
-from haptonic.units import counted, hz_text, uncertain
+from haptonic.units import hz_text, uncertain
 
 FLAT = 1e-6  # rad, imaginary part of a phase below which a wave propagates
 DECIBELS = 20 / np.log(10)  # per row, of an imaginary part of 1 rad

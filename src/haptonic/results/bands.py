@@ -15,12 +15,13 @@ from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
 from haptonic.bloch.bands import further_gaps_of, lattice_of, mode_names
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
+from haptonic.names import counted
 from haptonic.plots.text import WavevectorUnit, gap_text
 from haptonic.results.plain import plain
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.results.zone_view import ZONE_SHORT, zone_extra, zone_variables
-from haptonic.units import counted, format_quantity, hz_text, in_percent
+from haptonic.units import format_quantity, hz_text, in_percent
 from haptonic.views import InteractiveView, write_page
 
 WRITTEN = [

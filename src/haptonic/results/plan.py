@@ -16,12 +16,13 @@ from haptonic.cell.sites import steps_between
 from haptonic.fields.expressions import NAMED, ExpressedNumber
 from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
+from haptonic.names import counted
 from haptonic.plate import Layout, Plate
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
-from haptonic.units import counted, format_quantity
+from haptonic.units import format_quantity
 
 
 @dataclass(frozen=True, eq=False, repr=False)

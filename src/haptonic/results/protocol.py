@@ -17,11 +17,12 @@ from haptonic.friction.protocol import Protocol, imbalance
 from haptonic.friction.signals import Label
 from haptonic.friction.trial_list import NAME, write_list
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.names import counted
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.sheet import sheet
 from haptonic.results.table import Table
-from haptonic.units import In, counted, in_percent
+from haptonic.units import In, in_percent
 
 
 @dataclass(frozen=True)

@@ -18,11 +18,11 @@ from haptonic.cell.stack import Feature, Stack
 from haptonic.cell.tile import enclosed
 from haptonic.errors import GeometryError
 from haptonic.materials import Material
+from haptonic.names import counted
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.outline import held, outline
 from haptonic.plate.layout.parts import Actuator, Plate
 from haptonic.plate.layout.supports import WORDS, Support
-from haptonic.units import counted
 from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, PillarShape
 
