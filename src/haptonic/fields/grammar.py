@@ -111,7 +111,7 @@ class _Evaluation:
     def value(self) -> ExactNumber:
         value = self._sum()
         if (left := self._next()) is not END:
-            raise self._misplaced(left, "an operator, such as + or *,")
+            raise self._misplaced(left, "an operator such as + or *")
         return value
 
     def _next(self, ahead: int = 0) -> Token:
