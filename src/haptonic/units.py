@@ -72,6 +72,7 @@ _NUMBER = r"(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]
 _NAME = r"[A-Za-zµ][A-Za-z0-9_µ]*(?:(?:\^|\*\*)-?[1-9])?"
 _QUANTITY = re.compile(rf"\s*{_NUMBER}\s*(?P<unit>{_NAME}(?:(?:\s*[*/]\s*|\s+){_NAME})*)?\s*")
 _NOT_FINITE = re.compile(r"\s*[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
+_THOUSANDS = re.compile(r",[0-9]{3}(?![0-9])")  # "1,500 mm" may be 1.5 mm or 1.5 m
 _MU = "\u03bc"  # the Greek letter; prefixes are written with the micro sign, and users type either
 TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "\u00d7": "*", "²": "^2", "³": "^3"})
 
@@ -320,9 +321,9 @@ def _split(text: str, refused: Callable[..., HaptonicError]) -> tuple[Fraction, 
         raise refused("it is not a finite number")
     match = _QUANTITY.fullmatch(text.translate(TYPOGRAPHIC))
     if match is None:
-        with_point = text.replace(",", ".")
-        is_quantity = _QUANTITY.fullmatch(with_point.translate(TYPOGRAPHIC))
-        raise refused(_why_not_a_quantity(text), f'write "{with_point}"' if is_quantity else "")
+        with_point = text.translate(TYPOGRAPHIC).replace(",", ".")
+        is_clear = _QUANTITY.fullmatch(with_point) and not _THOUSANDS.search(text)
+        raise refused(_why_not_a_quantity(text), f'write "{with_point}"' if is_clear else "")
     if abs(int(match["exponent"] or 0)) > LARGEST_EXPONENT:
         raise refused("the power of ten is outside the range of numbers")
     return Fraction(match["number"]), match["unit"] or ""

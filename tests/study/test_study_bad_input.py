@@ -83,6 +83,7 @@ NOT_NAMED_THERE = {
     "empty text": ((PITCH, 'pitch = ""'), "cell.pitch", ["empty"]),
     "very long text": ((PITCH, f'pitch = "{"7" * 10_000} mm"'), "cell.pitch", ["characters long"]),
     "full-width digits": ((PITCH, 'pitch = "\uff17 mm"'), "cell.pitch", ["not expected"]),
+    "thousands": ((PITCH, 'pitch = "1,500 mm"'), "cell.pitch", ["decimal comma", "write a number"]),
     "decimal comma": ((PITCH, 'pitch = "7,0 mm"'), "cell.pitch", ["decimal comma", 'write "7.0 mm"']),
     "fraction of a band": (("count = 10", "count = 10.5"), "bands.count", ["not a whole number"]),
     "count in quotes": (("count = 10", 'count = "10"'), "bands.count", ["not a whole number"]),
