@@ -64,8 +64,8 @@ def element_matrices(points: Array, nodes: Ints, material: Material) -> ElementM
     tensor = elasticity_tensor(material.stiffness)
     half = np.einsum("xabcmk,ikjl->xabcmijl", inverse, tensor, optimize=True)
     moduli = np.einsum("xabcmijl,xabcnl,xabc->mnabcxij", half, inverse, volume, optimize=True)
-    pairs, products = coupled_pairs(sizes)
-    stiffness = products @ moduli.reshape(products.shape[1], -1)
+    pairs, derivatives = coupled_pairs(sizes)
+    stiffness = derivatives @ moduli.reshape(derivatives.shape[1], -1)
     return ElementMatrices(
         stiffness=stiffness.reshape(-1, len(nodes), 3, 3),
         pairs=pairs,

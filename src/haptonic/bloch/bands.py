@@ -95,7 +95,7 @@ def bands_dataset(
         curves = xr.merge([_curves_dataset(path, frequency, error), _gaps_dataset(gaps)])
         first(curves.assign_attrs(scales(cell)))
 
-    def merged_parts() -> xr.Dataset:
+    def parts_along_path() -> list[xr.Dataset]:
         along = diagram(model, path, solutions)
         parts = [_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))]
         of_zone: ZoneModes | None = None
@@ -106,15 +106,15 @@ def bands_dataset(
                 of_zone = ZoneModes.of(model, over.kappa)
                 parts.append(of_zone.dataset())
         parts += [path_modes(model, along, of_zone), _velocity_errors(model, solutions)] if moving else []
-        return xr.merge(parts)
+        return parts
 
     # the counts use a separate mesh; with the shapes, they take about as long as the rest
     with ThreadPoolExecutor(1) as aside:
-        showing = aside.submit(merged_parts)
-        levels = [gap.centre for gap in gaps] or [float(showing.result()["frequency"][:, -1].min())]
+        showing = aside.submit(parts_along_path)
+        levels = [gap.centre for gap in gaps] or [float(showing.result()[0]["frequency"][:, -1].min())]
         checked, missed = count_check(model, levels)
         shapes = mode_shapes(model, kappa)
-        dataset = xr.merge([showing.result(), shapes])
+        dataset = xr.merge([*showing.result(), shapes])
     tiling = model.fine.tiling
     dataset.attrs = {
         "mesh": _mesh_attribute(model),

@@ -186,7 +186,7 @@ def condensed(
 ) -> Superelement:
     """Condense a folded mesh; see `condense`."""
     mesh = shared.mesh
-    classes = reduced_by_parts(shared, (), steps, block, highest)
+    classes, rows = reduced_by_parts(shared, (), steps, block, highest), shared.rows
 
     def piece(q: int) -> CondensedClass:
         reduced_class = classes[q]
@@ -195,7 +195,7 @@ def condensed(
             through=shared.through,
             static=reduced_class.static,
             modes=reduced_class.modes,
-            rows=shared.rows,
+            rows=rows,
         )
         return CondensedClass.of(
             part, reduced_class, ClassMeasures.of(shared, q, reduced_class) if measured else None
@@ -239,12 +239,12 @@ def whole(pieces: Sequence[CondensedClass], name: str) -> Array:
     return unfolded_form([piece.part for piece in pieces], [piece.forms[name] for piece in pieces])
 
 
-def unfolded_form(parts: Sequence[Lifting], forms: Sequence[ClassForm], into: Array | None = None) -> Array:
-    """(t + m, t + m) form from those of all classes, written into the array ``into`` if it is given."""
+def unfolded_form(parts: Sequence[Lifting], forms: Sequence[ClassForm], out: Array | None = None) -> Array:
+    """(t + m, t + m) form from those of all classes, in the array ``out`` if it is given."""
     spreads = [part.trace.spread for part in parts]
     ends = np.cumsum([spreads[0].shape[0], *(len(form.modal) for form in forms)])
-    whole = np.empty((ends[-1], ends[-1])) if into is None else into
-    t = ends[0]
+    t, size = ends[0], ends[-1]
+    whole = np.empty((size, size)) if out is None else out
     on_classes = [(spread @ form.corner).T for spread, form in zip(spreads, forms, strict=True)]
     whole[:t, :t] = sp.hstack(spreads, format="csr") @ np.vstack(on_classes)
     whole[t:, t:] = 0.0

@@ -115,7 +115,7 @@ def dynamic_stiffness(shared: FoldedMesh, omega: float, loads: Fields | None = N
                 through=shared.through,
                 static=(static := reduce(np.add, [piece[q].static for piece in pieces if q in piece])),
                 modes=static[:, :0],
-                rows=[],  # errors of its fields are not estimated
+                rows=None,
             )
             for q in range(shared.folding.classes)
         ),

@@ -18,14 +18,14 @@ from haptonic.superelement.trace import FoldedTrace
 class ClassLifting:
     """Fields of one symmetry class: static responses (3 interior, b) and modes (3 interior, m).
 
-    rows : see `haptonic.superelement.surplus`
+    rows : see `haptonic.superelement.surplus`; None if errors of the fields are not estimated
     """
 
     trace: FoldedTrace
     through: Array
     static: Array
     modes: Array
-    rows: list[NodeRows]
+    rows: list[NodeRows] | None
 
     @property
     def count(self) -> int:
@@ -40,6 +40,7 @@ class ClassLifting:
 
     @cached_property
     def surplus(self) -> Array:
+        assert self.rows is not None, "a lifting without estimates of errors"
         fields = whole_fields(self.trace, self.through, self.static, self.modes)
         return surplus_forms(self.trace.folding, self.trace.symmetry_class, self.rows, fields)
 

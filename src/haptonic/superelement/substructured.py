@@ -160,7 +160,7 @@ def _condensed(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: in
     shared = FoldedMesh.of_mesh(tile, mesh, open_top=ends[1] is not None)
     block += FOR_SECTION * sum(end.kinds for end in ends if end is not None)
     on_ends = [_on_ends(shared, q, ends) for q in range(shared.folding.classes)]
-    reduced_classes = reduced_by_parts(shared, on_ends, steps, block)
+    reduced_classes, rows = reduced_by_parts(shared, on_ends, steps, block), shared.rows
 
     def foot_class(q: int) -> FootClass:
         return FootClass(
@@ -170,7 +170,7 @@ def _condensed(tile: TileShape, mesh: HexMesh, ends: Ends, steps: int, block: in
             own=reduced_classes[q],
             measures=ClassMeasures.of(shared, q, reduced_classes[q], on_ends[q]) if measured else None,
             through=shared.through,
-            rows=shared.rows,
+            rows=rows,
         )
 
     return _Foot(
