@@ -28,14 +28,8 @@ from typing import Any
 
 STUDIES = Path(__file__).parents[1] / "studies"
 TOLERANCE = 1e-7  # relative: sums in another order move frequencies by some 1e-10, errors by some 1e-8
-OF_A_RUN = {
-    "version",
-    "created",
-    "seconds",
-    "files",
-    "free_memory_gb",
-    "code_fingerprint",
-}  # other in every run
+# other in every run or at every commit
+OF_A_RUN = {"version", "created", "seconds", "files", "free_memory_gb", "code_fingerprint"}
 
 CELL = """
 title = "{title}"

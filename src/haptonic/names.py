@@ -1,4 +1,4 @@
-"""Names that users choose: in sentences, and safe in terminals, files, tables, LaTeX and NetCDF.
+"""Names that users choose, safe in terminals, files, tables, LaTeX and NetCDF; names and counts in sentences.
 
 HTML is escaped by templates, JSON by its writer. `haptonic.plots.style` switches off formulas in pictures,
 and `haptonic.cli.console` markup in a terminal.

@@ -18,7 +18,7 @@ from haptonic.analyses.support import no_cell
 from haptonic.cli.console import Voice, speaking
 from haptonic.cli.watching import watched
 from haptonic.errors import HaptonicError, ResourceError
-from haptonic.names import listed
+from haptonic.names import counted, listed
 from haptonic.paths import target
 from haptonic.results.common import refuse_taken
 from haptonic.results.cost import LONG
@@ -250,7 +250,7 @@ def show(result: Result, voice: Voice, *, every: bool) -> None:
         else:
             left.append(table)
     beyond = 0 if every else len(sentences) - SENTENCES
-    omitted = [f"{beyond} sentence{'s' * (beyond > 1)}"] if beyond > 0 else []
+    omitted = [counted(beyond, "sentence")] if beyond > 0 else []
     omitted += [f"{table.title} ({len(table.rows)})" for table in left]
     if omitted:
         voice.write(f"more with --tables: {', '.join(omitted)}")

@@ -11,6 +11,7 @@ from haptonic.errors import CLOSE, VAGUE, HaptonicError, StudyError, nearest, pr
 from haptonic.fields.aliases import Alias, aliases
 from haptonic.fields.keys import Key, key_of, slots, table
 from haptonic.fields.quantity import FOLLOWING
+from haptonic.names import counted
 
 TAG = "<"  # beginning of the tags of a union, which pydantic puts into the path
 MISPLACED = "\0"  # prefix of a key that is in a table but belongs to the top; no file contains a NUL
@@ -47,7 +48,7 @@ def refusal(
         lines = [_in_a_line(other) for other in others]
         hidden = len(lines) - MOST_LISTED
         lines = lines[:MOST_LISTED] + ([f"    and {hidden} more"] if hidden > 0 else [])
-        count = f"{len(others)} other problem{'s' if len(others) > 1 else ''}"
+        count = counted(len(others), "other problem")
         next_step = "\n".join([f"{next_step}\n  {count} in the same study:", *lines])
     argument = f"{origin}: {first.argument}" if origin else first.argument
     return first.changed(family, argument=argument, next_step=next_step)

@@ -22,6 +22,7 @@ from haptonic.cell import Disc, Pillar
 from haptonic.cell.outlines import Scaled
 from haptonic.cell.sectioned import LENGTHS
 from haptonic.cell.stack import Stack
+from haptonic.names import counted
 from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.workshop.dimensions import checked_tolerances, degrees, number, text_of
 from haptonic.workshop.dxf import outlines, reproducible
@@ -103,7 +104,7 @@ def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
         half: Mapping[str, float] = {}
         if isinstance(feature, Stack):
             texts = [
-                f"{len(places)} disc stack{'s' * (len(places) > 1)}",
+                counted(len(places), "disc stack"),
                 *(_disc(disc, part) for disc in feature.discs),
             ]
         else:

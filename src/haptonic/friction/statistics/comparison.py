@@ -18,6 +18,7 @@ import scipy
 from haptonic.arrays import Array
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.friction.statistics.sizes import effect_sizes
+from haptonic.names import counted
 
 Name = Literal["trials, as published", "participants", "mixed model"]
 
@@ -172,7 +173,7 @@ def conclusion(tests: list[Test], level: float = 0.05) -> str:
     by_name = {test.name: test for test in tests}
     assert len(by_name) == len(tests), "tests of one waveguide"
     trials, people = by_name["trials, as published"], by_name["participants"]
-    where = f"{people.waveguide}, {people.n} participant{'s' * (people.n != 1)}"
+    where = f"{people.waveguide}, {counted(people.n, 'participant')}"
     if not math.isfinite(people.corrected):
         return f"{where}: {people.note}; the test over trials applies to these participants only."
     if people.corrected < level:
