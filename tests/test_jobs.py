@@ -354,10 +354,38 @@ class TestInterrupted:
                 sys.exit(130)
     """
 
-    def start(self, tmp_path: Path, store: Store, workers: int, until: str) -> subprocess.Popen[str]:
+    # Ctrl-C whenever the main thread has the lock of a future, once four tasks are done.
+    LOCKED = """
+        import signal, threading, types
+        from concurrent.futures import _base
+
+        class Locked(threading.Condition):
+            interrupts = False
+
+            def __init__(self):
+                super().__init__()
+                self.acquire = self.__enter__
+
+            def __enter__(self):
+                entered = super().__enter__()
+                if Locked.interrupts and threading.current_thread() is threading.main_thread():
+                    signal.raise_signal(signal.SIGINT)
+                return entered
+
+        def show(done, *words):
+            Locked.interrupts |= done == 4
+            print(done, *words, flush=True)
+
+        _base.threading = types.SimpleNamespace(**vars(threading) | {"Condition": Locked})
+    """
+
+    def start(
+        self, tmp_path: Path, store: Store, workers: int, until: str, changes: str = ""
+    ) -> subprocess.Popen[str]:
         """The script in a process group of its own, as a terminal runs it, up to a line that it prints."""
         script = tmp_path / "script.py"
-        script.write_text(textwrap.dedent(self.SCRIPT))
+        begin, main = textwrap.dedent(self.SCRIPT).split("if __name__")
+        script.write_text(f"{begin}{textwrap.dedent(changes)}if __name__{main}")
         child = subprocess.Popen(
             [sys.executable, str(script), str(store.root), str(workers)],
             stdout=subprocess.PIPE,
@@ -394,6 +422,14 @@ class TestInterrupted:
         assert noise == ""
         assert child.returncode == 130
         assert time.monotonic() - began < 10, "the tasks that were running take a minute"
+        self.assert_resumed(store)
+
+    @pytest.mark.skipif(sys.platform == "win32", reason="no process groups as a terminal makes them")
+    def test_ctrl_c_while_a_future_has_its_lock(self, tmp_path: Path, store: Store) -> None:
+        child = self.start(tmp_path, store, workers=2, until="4 8", changes=self.LOCKED)
+        _, noise = child.communicate(timeout=30)
+        assert noise == ""
+        assert child.returncode == 130
         self.assert_resumed(store)
 
     @pytest.mark.nightly

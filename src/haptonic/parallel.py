@@ -11,12 +11,13 @@ import signal
 import threading
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
+from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import ExitStack, contextmanager, suppress
 from functools import cache
 from importlib import import_module
 from multiprocessing import resource_tracker
+from queue import SimpleQueue
 from typing import TypeVar
 
 from threadpoolctl import ThreadpoolController
@@ -140,17 +141,29 @@ def finished(
     with ExitStack() as stack:
         idle = _started(workers, workers, stack)
         running: dict[Future[Result], tuple[Key, Item, int, ProcessPoolExecutor]] = {}
+        ended: SimpleQueue[Future[Result]] = SimpleQueue()
         while True:
+            # A future that Ctrl-C interrupts may never release its lock, and then its pool never ends. So
+            # Ctrl-C acts while this thread waits for the queue or the caller works, not in calls of futures.
             while idle and (task := again.popleft() if again else next(coming, None)):
                 pool = idle.pop()
-                running[pool.submit(work, task[1])] = *task, pool
+                with _interrupts_delayed():
+                    future = pool.submit(work, task[1])
+                    future.add_done_callback(ended.put)
+                running[future] = *task, pool
             if not running:
                 return
-            done, _ = wait(running, return_when=FIRST_COMPLETED)
-            for future in sorted(done, key=lambda future: future.exception() is not None):
+            done = [ended.get()]
+            while not ended.empty():
+                done.append(ended.get())
+            with _interrupts_delayed():
+                failed = {future: future.exception() is not None for future in done}
+            for future in sorted(done, key=failed.__getitem__):
                 key, item, deaths, pool = running.pop(future)
                 try:
-                    yield key, future.result()
+                    with _interrupts_delayed():
+                        result = future.result()
+                    yield key, result
                     idle.append(pool)
                 except BrokenProcessPool:
                     idle += _started(1, workers, stack)
@@ -207,8 +220,8 @@ def _interrupts_delayed() -> Iterator[None]:
             signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         if handles:
             signal.signal(signal.SIGINT, handler or signal.SIG_DFL)
-    if seen:
-        signal.raise_signal(signal.SIGINT)
+        if seen:
+            signal.raise_signal(signal.SIGINT)
 
 
 @contextmanager
