@@ -353,7 +353,7 @@ class TestScan:
         ran = inside("scan", recorded / "scan.h5", tiny, "--tables", "--out", out)
         assert ran.code == 0, ran.err
         assert {path.name for path in out.iterdir()} == SCAN
-        for words in ("256 points", "simulated", "Registered", "Gap in the scan", "WG1 over WG2", "decay"):
+        for words in ("256 points", "simulated", "Registered", "Gap in the scan (experimental)", "WG1 over WG2", "decay"):
             assert words in ran.out, words
         assert read(out / "response.nc").dataset.attrs["origin"] == "simulated"
         data = xr.load_dataset(out / "scan.nc", engine="h5netcdf")
@@ -390,8 +390,8 @@ class TestScan:
         assert fitted["registration"]["shift_m"] == pytest.approx([-12e-3, -7e-3], abs=1e-6)
         assert fitted["contrast_range"] == pytest.approx(ran.json["contrast_range"])
         # two rows of cells do not distinguish a wave that decays from one that is reflected
-        assert fitted["gap"]["lower"] is fitted["gap"]["upper"] is None
-        assert "fewer than three rows" in fitted["gap"]["reasons"][0]
+        assert fitted["experimental_gap"]["lower"] is fitted["experimental_gap"]["upper"] is None
+        assert "fewer than three rows" in fitted["experimental_gap"]["reasons"][0]
 
     def test_a_turned_stage_has_maps_on_the_plate(self, study, store):
         """Rows of the stage run askew over the plate; its maps show the points where they were."""

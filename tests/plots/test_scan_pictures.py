@@ -59,7 +59,7 @@ def test_a_decay_map_marks_the_gap_edge():
     assert half.get_paths()[0].get_extents().y1 == pytest.approx(2.5 * 6.9, rel=0.02)  # of 1, 2 and 3
     (error,) = {tuple(line.get_xdata()) for line in artists(figure, "error")}
     assert error == pytest.approx((52.4, 53.6))
-    assert "lower edge in the scan 53.0 ± 0.6 kHz" in texts(figure)
+    assert "lower edge (experimental) 53.0 ± 0.6 kHz" in texts(figure)
     assert "computed gap 52.5 to 60.0 kHz" in texts(figure)
     assert "simulated" in texts(figure)
 

@@ -117,7 +117,7 @@ def decay_map(
     origin: str,
     ax: Axes | None = None,
 ) -> Figure:
-    """Decay of waves from row to row of a lattice, and the edges of the gap that follow from it.
+    """Decay of waves from row to row of a lattice, and the experimental edges of the gap that follow from it.
 
     Means over frequency of the slowest-decaying wave, and the middle half of all phases along the rows.
     Values hidden by noise are left out.
@@ -145,7 +145,7 @@ def decay_map(
         end = edge.frequency / 1e3, edge.error / 1e3
         span_on_top(axes, end, end, style.PURPLE)
         side = "lower" if gap and edge is gap.lower else "upper"
-        above(axes, [(end[0], f"{side} edge in the scan {edge}", DARK_PURPLE)], number)
+        above(axes, [(end[0], f"{side} edge (experimental) {edge}", DARK_PURPLE)], number)
     on.legend(handles, ncols=2)
     return on.figure
 

@@ -146,7 +146,7 @@ class ScanResult(Result, products=PRODUCTS):
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
             if self.gap and self.lattice.beside(*self.gap.edges):
                 computed += ": another range, in which probably only some waves decay"
-            sentences.append(f"Gap in the scan: lower edge {lower}, upper edge {upper}{computed}.")
+            sentences.append(f"Gap in the scan (experimental): lower edge {lower}, upper edge {upper}{computed}.")
             sentences += [f"  {text}" for text in self.lattice.reasons]
         if (seen := self.measured) is not None:
             sentences.append(
@@ -219,7 +219,7 @@ class ScanResult(Result, products=PRODUCTS):
             "reference": self.response.dataset.attrs["reference"],
             "flags": self.flags,
             "registration": self.registration,
-            "gap": self.lattice,
+            "experimental_gap": self.lattice,
             "contrast_range": self.measured,
             "computed_gap_hz": self.gap_edges,
             "shapes": split(self.at_shapes, "frequency"),

@@ -1,4 +1,7 @@
-"""Edges of a lattice's gap, from the decay of waves of every phase in its rows."""
+"""Edges of a lattice's gap, from the decay of waves of every phase in its rows.
+
+Experimental: the thresholds were measured on square lattices, and upper edges are seldom determined.
+"""
 
 from __future__ import annotations
 
@@ -76,7 +79,7 @@ class Edge:
 
 @dataclass(frozen=True)
 class LatticeGap:
-    """Edges of a gap; None for an undetermined edge, with a sentence that gives the reason."""
+    """Experimental edges of a gap; None for an undetermined edge, with a sentence that gives the reason."""
 
     lower: Edge | None
     upper: Edge | None
@@ -150,7 +153,7 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
 
 
 def gap_edges(decays: xr.DataArray, depth: float = 1.0) -> LatticeGap:
-    """Edges of the widest range in which waves decay whose phases exceed a quarter turn.
+    """Edges of the widest range in which waves decay whose phases exceed a quarter turn; experimental.
 
     An edge counts if a band is next to it and waves of smaller phase stop there as well. Otherwise it may be
     the edge of a gap for some directions only, and the complete gap may end elsewhere.
