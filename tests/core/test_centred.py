@@ -16,7 +16,13 @@ from haptonic.superelement import Tiling, condense
 
 phases = st.tuples(st.floats(-4, 4), st.floats(-4, 4)).map(np.array)
 RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
-CELLS = {"square": (reference_cell(), MeshPlan(2, 1, 2)), "rectangular": (RECTANGULAR, MeshPlan(3, 0, 2))}
+# the half-turn maps a pillar of the honeycomb to one of another period
+HONEYCOMB = UnitCell(Lattice("honeycomb", 8e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 3e-3))
+CELLS = {
+    "square": (reference_cell(), MeshPlan(2, 1, 2)),
+    "rectangular": (RECTANGULAR, MeshPlan(3, 0, 2)),
+    "honeycomb": (HONEYCOMB, Resolution(2, 0).plans(HONEYCOMB)[0]),
+}
 both = pytest.mark.parametrize("name", CELLS)
 SQUARE = Lattice.square(7e-3)
 HOLES = {
@@ -30,7 +36,8 @@ HOLES = {
 @cache
 def tiling(name):
     cell, plan = CELLS[name] if name in CELLS else (HOLES[name], Resolution(3, 0).plan(HOLES[name]))
-    return Tiling.single(condense(cell, plan, measured=False))
+    tiles = [condense(tile.tile, plan, measured=False) for tile in cell.tiles]
+    return Tiling.of(cell, cell.tiles, tiles)
 
 
 @cache

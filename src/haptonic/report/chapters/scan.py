@@ -118,7 +118,8 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
         other = plate.gap is not None and scan.lattice.beside(*plate.gap.edges)
         rows.append(
             (
-                "lattice, simulated scan (experimental)" + ": another range, perhaps a gap of some waves" * other,
+                "lattice, simulated scan (experimental)"
+                + ": another range, perhaps a gap of some waves" * other,
                 *(str(edge or "not determined") for edge in edges),
             )
         )

@@ -146,7 +146,9 @@ class ScanResult(Result, products=PRODUCTS):
             lower, upper = (edge or "not determined" for edge in (self.lattice.lower, self.lattice.upper))
             if self.gap and self.lattice.beside(*self.gap.edges):
                 computed += ": another range, in which probably only some waves decay"
-            sentences.append(f"Gap in the scan (experimental): lower edge {lower}, upper edge {upper}{computed}.")
+            sentences.append(
+                f"Gap in the scan (experimental): lower edge {lower}, upper edge {upper}{computed}."
+            )
             sentences += [f"  {text}" for text in self.lattice.reasons]
         if (seen := self.measured) is not None:
             sentences.append(
