@@ -353,7 +353,14 @@ class TestScan:
         ran = inside("scan", recorded / "scan.h5", tiny, "--tables", "--out", out)
         assert ran.code == 0, ran.err
         assert {path.name for path in out.iterdir()} == SCAN
-        for words in ("256 points", "simulated", "Registered", "Gap in the scan (experimental)", "WG1 over WG2", "decay"):
+        for words in (
+            "256 points",
+            "simulated",
+            "Registered",
+            "Gap in the scan (experimental)",
+            "WG1 over WG2",
+            "decay",
+        ):
             assert words in ran.out, words
         assert read(out / "response.nc").dataset.attrs["origin"] == "simulated"
         data = xr.load_dataset(out / "scan.nc", engine="h5netcdf")
