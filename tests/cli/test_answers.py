@@ -181,7 +181,7 @@ def test_a_scan_summary_lists_the_data_then_the_agreement_with_a_model_and_the_g
         scan.verdict = scan.lattice = scan.measured = scan.registration = None
         scan.report.complete = True
     summary = ScanResult.summary(scan)
-    begun = ["3 points (2 low), 2 frequencies", "The model fits.", "Gap in the scan (experimental): lower edge",
+    begun = ["3 points (2 low), 2 frequencies", "The model fits.", "Gap in the scan (experimental): lower",
              "  no upper edge", "High contrast of the driven region", "Compared.", "namespace(",
              "Registered: scale"]  # fmt: skip
     assert len(summary) == (len(begun) if all_of_it else 1)
