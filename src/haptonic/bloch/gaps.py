@@ -9,7 +9,6 @@ import numpy as np
 
 from haptonic.arrays import Array, Ints
 from haptonic.bloch.model import BlochModel
-from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.symmetry import WAVES, Waves
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
@@ -96,10 +95,10 @@ class ZoneSampling:
             self._add(point)
 
     def _add(self, kappa: Array) -> int:
-        values, modes = eigenpairs(self.model.fine.pencil, kappa, self.model.count)
+        sample = self.model.sampled(kappa)
         self.kappa.append(kappa)
-        self.frequency.append(hertz(values))
-        self.slope.append(np.nan_to_num(self.model.gradient(kappa, values, modes)))
+        self.frequency.append(sample.frequency)
+        self.slope.append(sample.slope)
         return len(self.kappa) - 1
 
     def edge(self, band: int, sign: int, relative: float | None = None) -> tuple[float, Array, float]:
@@ -153,15 +152,17 @@ class ZoneSampling:
         self.triangles = np.concatenate([remaining, np.array(new, dtype=np.int64)])
 
 
-def complete_gaps(model: BlochModel) -> tuple[Gap, ...]:
+def complete_gaps(model: BlochModel, count: int | None = None) -> tuple[Gap, ...]:
     """Gaps between neighbouring bands over the whole irreducible zone, lowest first.
+
+    Only the first ``count`` bands are used; by default all.
 
     A gap narrower than its errors may not exist; it is listed as not certain. It is omitted if it is also
     narrower than the resolution of the search, as bands that touch by symmetry would appear as such a gap.
     """
     zone = ZoneSampling(model)
     gaps = []
-    for band in range(model.count - 1):
+    for band in range((count or model.count) - 1):
         frequency = np.array(zone.frequency)
         if frequency[:, band].max() >= frequency[:, band + 1].min():
             continue  # finer sampling can only reduce the distance of the bands
@@ -194,7 +195,7 @@ def parity_gaps(model: BlochModel, complete: tuple[Gap, ...]) -> tuple[Gap, ...]
     return tuple(
         replace(gap, complete=False, waves=WAVES[parity])
         for parity, half in model.halves.items()
-        for gap in complete_gaps(half)
+        for gap in complete_gaps(model.parts[parity], half.count)
         if gap.certain and not any(_within(gap, covering) for covering in complete)
     )
 

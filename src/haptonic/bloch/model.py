@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from haptonic.arrays import Array, Complex, Fields
+from haptonic.arrays import Array, Complex, Fields, Ints
 from haptonic.bloch.mesh_levels import (
     Lack,
     MeshLimits,
@@ -90,6 +90,19 @@ class Solution:
 
 
 @dataclass(frozen=True)
+class Sample:
+    """Bands at one wavevector, lowest first.
+
+    frequency : (k,) Hz; slope : (k, 2) Hz/rad, zero at rest
+    parity : (k,) +1 symmetric, -1 antisymmetric about the plate's middle plane, 0 if that is not a mirror
+    """
+
+    frequency: Array
+    slope: Array
+    parity: Ints
+
+
+@dataclass(frozen=True)
 class BlochModel:
     """Frequencies, modes and group velocities of a cell at any wavevector.
 
@@ -139,22 +152,48 @@ class BlochModel:
         return cls(cell=cell, resolution=resolution, count=count, fine=fine)
 
     @cached_property
-    def halves(self) -> dict[int, BlochModel]:
-        """Models of symmetric (1) and antisymmetric (-1) motions about the middle plane, by parity.
-
-        Each contains the bands that are among those of the whole model at every wavevector. A parity without
-        bands has no model.
-        """
+    def parts(self) -> dict[int, BlochModel]:
+        """Models of symmetric (1) and antisymmetric (-1) motions about the middle plane, by parity."""
         if not isinstance(self.fine.pencil, SplitPencil):
             return {}
-        models = {}
+        return {parity: replace(self, fine=self.fine.of_parity(parity)) for parity in (1, -1)}
+
+    @cached_property
+    def halves(self) -> dict[int, BlochModel]:
+        """Models of `parts` with the bands that are among those of the whole model at every wavevector.
+
+        A parity without bands has no model.
+        """
         wavevectors, _ = self.cell.zone.triangles(HALVES_DIVISIONS)
-        modes = [eigenpairs(self.fine.pencil, kappa, self.count)[1] for kappa in wavevectors]
-        for parity in (1, -1):
-            count = min(int((self.fine.parity(some) == parity).sum()) for some in modes)
-            if count:
-                models[parity] = replace(self, count=count, fine=self.fine.of_parity(parity))
-        return models
+        counts = {
+            parity: min(int((self.sampled(kappa).parity == parity).sum()) for kappa in wavevectors)
+            for parity in self.parts
+        }
+        return {parity: replace(self.parts[parity], count=count) for parity, count in counts.items() if count}
+
+    @cached_property
+    def _samples(self) -> dict[bytes, Sample]:
+        return {}
+
+    def sampled(self, kappa: Array) -> Sample:
+        """Bands at the phases (2,) in the irreducible zone, computed once."""
+        key = kappa.tobytes()
+        if key not in self._samples:
+            self._samples[key] = self._of_parts(kappa) if self.parts else self._sample(kappa)
+        return self._samples[key]
+
+    def _sample(self, kappa: Array) -> Sample:
+        values, modes = eigenpairs(self.fine.pencil, kappa, self.count)
+        slope = np.nan_to_num(self.gradient(kappa, values, modes))
+        return Sample(hertz(values), slope, np.zeros(len(values), dtype=np.int64))
+
+    def _of_parts(self, kappa: Array) -> Sample:
+        samples = [part.sampled(kappa) for part in self.parts.values()]
+        frequency = np.concatenate([sample.frequency for sample in samples])
+        slope = np.concatenate([sample.slope for sample in samples])
+        parity = np.repeat(list(self.parts), [len(sample.frequency) for sample in samples])
+        lowest = np.argsort(frequency, kind="stable")[: self.count]
+        return Sample(frequency[lowest], slope[lowest], parity[lowest])
 
     def representative(self, kappa: Array) -> Representative:
         """Find the wavevector of the irreducible zone that is equivalent to the phases (2,)."""
