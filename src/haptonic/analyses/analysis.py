@@ -14,6 +14,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import Supports
 from haptonic.analyses.tables import example_of, settings_of
 from haptonic.errors import HaptonicError, StudyError, shown
+from haptonic.names import listed
 from haptonic.paths import source
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result
@@ -238,7 +239,7 @@ def _check_kind(name: str, value: Any, kinds: tuple[Any, ...]) -> None:
     """Raise StudyError if a value is not of its type; checks texts, booleans and None only."""
     if not {*kinds} <= WORDS.keys() or isinstance(value, kinds):
         return
-    allowed = " or ".join(WORDS[kind] for kind in kinds)
+    allowed = listed([WORDS[kind] for kind in kinds], "or")
     raise StudyError.malformed(
         argument=name,
         given=repr(value),

@@ -51,6 +51,7 @@ from haptonic.fields import (
 )
 from haptonic.lattice import HALF_TURN, Lattice, Operation, PointGroup
 from haptonic.materials import GIVEN, Material, is_symmetry
+from haptonic.names import listed
 from haptonic.units import format_quantity
 
 # of the pitch: usual ratios of sizes, for cells of any size; a wrong prefix is a factor of 1000
@@ -265,7 +266,7 @@ class UnitCell(TileShape):
     def parts(self) -> str:
         """Kinds of features on the sites, as text: pillars, discs or both; or solids."""
         kinds = dict.fromkeys(feature.noun for feature in self.features if feature is not None)
-        return "solids" if self.solid else " and ".join(f"{kind}s" for kind in kinds)
+        return "solids" if self.solid else listed([f"{kind}s" for kind in kinds])
 
     @property
     def has_features(self) -> bool:

@@ -16,6 +16,7 @@ from haptonic.fields.entries import Entries
 from haptonic.fields.expressions import ExpressedNumber
 from haptonic.fields.placing import Named, Placed, Synonyms
 from haptonic.fields.quantity import AnyUnit, Quantity
+from haptonic.names import listed
 from haptonic.units import format_quantity
 
 T = TypeVar("T")
@@ -366,4 +367,4 @@ def _plain_bounds(field: FieldInfo) -> str:
     longest = [
         f"at most {item.max_length} {counted}" for item in marks if isinstance(item, annotated_types.MaxLen)
     ]
-    return " and ".join([*lowest, *highest, *longest])
+    return listed([*lowest, *highest, *longest])

@@ -11,7 +11,7 @@ from haptonic.errors import CLOSE, VAGUE, HaptonicError, StudyError, nearest, pr
 from haptonic.fields.aliases import Alias, aliases
 from haptonic.fields.keys import Key, key_of, slots, table
 from haptonic.fields.quantity import FOLLOWING
-from haptonic.names import counted
+from haptonic.names import counted, listed
 
 TAG = "<"  # beginning of the tags of a union, which pydantic puts into the path
 MISPLACED = "\0"  # prefix of a key that is in a table but belongs to the top; no file contains a NUL
@@ -99,7 +99,7 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known_aliases: Mapping[str,
     key = key_of(pattern, keys)
     of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
     form = "a text in quotes" if of_an_entry else allowed_at(key)
-    listed = key is not None and key.kind == "quantities"
+    is_list = key is not None and key.kind == "quantities"
     title = key.title.lower() if key else "a value"
     code = "out-of-range" if kind in OUT_OF_RANGE else "malformed"
     if kind == "missing":
@@ -113,7 +113,7 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known_aliases: Mapping[str,
     else:
         given, cause, next_step = (
             shown(details["input"]),
-            _cause(kind, details["msg"], listed),
+            _cause(kind, details["msg"], is_list),
             f"write {form}",
         )
     argument = path or "the study"
@@ -232,7 +232,7 @@ def allowed_at(key: Key | None) -> str:
     if key.quantity:
         return key.quantity.allowed
     if key.choices:
-        return " or ".join(f'"{choice}"' for choice in key.choices)
+        return listed([f'"{choice}"' for choice in key.choices], "or")
     if key.named and key.kind == "text":
         return f"one of {', '.join(key.known_names)}"
     bounds = f" {key.bounds}" if key.bounds else ""
@@ -272,7 +272,7 @@ def _list(key: Key) -> str:
     return key.example or f"[{', '.join([key.quantity.example] * key.count)}]"
 
 
-def _cause(kind: str, message: str, listed: bool) -> str:
+def _cause(kind: str, message: str, is_list: bool) -> str:
     if kind in OUT_OF_RANGE:
         return "the number is out of bounds"
     if kind in {"int_type", "int_from_float", "int_parsing", "int_parsing_size"}:
@@ -281,7 +281,7 @@ def _cause(kind: str, message: str, listed: bool) -> str:
         return "it is too long"
     if kind == "string_type":
         return "it is not a text"
-    if kind == "tuple_type" and listed:
+    if kind == "tuple_type" and is_list:
         return "it is not a list"
     if kind in {"dataclass_type", "model_attributes_type", "tuple_type", "union_tag_not_found", "dict_type"}:
         return "a table is required here"

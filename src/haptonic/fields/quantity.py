@@ -18,7 +18,7 @@ from pydantic_core import PydanticCustomError, core_schema
 
 from haptonic.errors import HaptonicError, shown
 from haptonic.fields.expressions import ExpressedNumber, FollowingError, ScopedText, scope_of
-from haptonic.names import hidden_in
+from haptonic.names import hidden_in, listed
 from haptonic.units import example_of, example_value, format_quantity, to_si
 
 FROM_FILE = {"from a file": True}  # validation context for files: a number with a dimension needs its unit
@@ -98,7 +98,7 @@ class Quantity:
             for word, limit in bounds.items()
             if math.isfinite(limit)
         ]
-        return " and ".join(words) or "finite"
+        return listed(words) or "finite"
 
     @property
     def example(self) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from haptonic.names import listed
 from haptonic.plots.text import minus
 from haptonic.results.references import References, Value, found_at
 from haptonic.units import to_si, uncertain
@@ -72,8 +73,8 @@ def _compared(value: Value, answer: Any) -> ComparedValue:
 
 
 def _words(value: Value, head: dict[str, Any], ours: list[Any]) -> ComparedValue:
-    texts = [" and ".join(map(str, part)) if isinstance(part, list) else str(part) for part in ours]
-    text = " and ".join(dict.fromkeys(texts))
+    texts = [listed(list(map(str, part))) if isinstance(part, list) else str(part) for part in ours]
+    text = listed(list(dict.fromkeys(texts)))
     agrees = all(text == value.value or text in value.means for text in texts)
     difference = "none" if agrees else "differs"
     return ComparedValue(
@@ -128,7 +129,7 @@ def _difference(
     agrees = all(abs(off) <= max(room, SAME * abs(end)) for off, end in zip(offs, ends, strict=False))
     if agrees and not any(abs(off) > SAME * abs(end) for off, end in zip(offs, ends, strict=False)):
         return True, "none"
-    texts = " and ".join(_signed(off * scale) for off in offs)
+    texts = listed([_signed(off * scale) for off in offs])
     if unit == "%":
         return agrees, f"{texts} points"
     shares = "" if len(offs) > 1 or not ends[0] else f"({100 * offs[0] / ends[0]:+.2g} %)"

@@ -16,6 +16,7 @@ from haptonic.errors import HaptonicError
 from haptonic.fields import leaves
 from haptonic.later import elementwise
 from haptonic.materials import IsotropicMaterial
+from haptonic.names import listed
 from haptonic.report.trend import FEWEST, fitted_power
 from haptonic.study.schema import Description
 
@@ -95,7 +96,7 @@ def _edges(bands: Mapping[str, Any]) -> dict[str, str]:
         edge, row = gap[f"{name}_hz"], int(away.argmin())
         room = max(WITHIN * edge, 2 * gap[f"{name}_error_hz"])
         near = np.abs(np.array(table["frequency_hz"][row], dtype=float) - edge) <= room
-        edges[name] = " and ".join(f"M{table['band'][k]}" for k in np.flatnonzero(near))
+        edges[name] = listed([f"M{table['band'][k]}" for k in np.flatnonzero(near)])
     return edges
 
 

@@ -16,7 +16,7 @@ from haptonic.cell.sites import steps_between
 from haptonic.fields.expressions import NAMED, ExpressedNumber
 from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
-from haptonic.names import counted
+from haptonic.names import counted, listed
 from haptonic.plate import Layout, Plate
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
@@ -76,7 +76,7 @@ class StudyPlan(Result):
             )
             carriers = self.plate.carriers(self.carrier or 0.0)
             if len(carriers) > 1:
-                shown = " and ".join(format_quantity(carrier, "Hz") for carrier in carriers)
+                shown = listed([format_quantity(carrier, "Hz") for carrier in carriers])
                 sentences.append(f"The drives have {len(carriers)} carriers, {shown}, and act separately.")
             sentences += border_text(layout)
         return sentences

@@ -18,7 +18,7 @@ from haptonic.cell.stack import Feature, Stack
 from haptonic.cell.tile import enclosed
 from haptonic.errors import GeometryError
 from haptonic.materials import Material
-from haptonic.names import counted
+from haptonic.names import counted, listed
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.outline import held, outline
 from haptonic.plate.layout.parts import Actuator, Plate
@@ -175,7 +175,7 @@ class Part:
         """Numbers of pillars and stacks of discs, as text."""
         numbers = {"pillar": self.number, "disc stack": self.number_of_stacks}
         texts = [counted(number, noun) for noun, number in numbers.items() if number]
-        return " and ".join(texts) or "0 pillars"
+        return listed(texts) or "0 pillars"
 
     @property
     def faces(self) -> int:

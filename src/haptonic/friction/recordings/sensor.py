@@ -20,7 +20,7 @@ from haptonic.friction.recordings.channel_names import Names, plain
 from haptonic.friction.recordings.scaled_channel import KINDS, ScaledChannel
 from haptonic.friction.recordings.titles import scale_of
 from haptonic.later import pandas as pd
-from haptonic.names import names_in
+from haptonic.names import listed, names_in
 from haptonic.paths import source
 from haptonic.units import to_si
 
@@ -121,7 +121,7 @@ class Sensor:
         if self.calibration and not set(axes) <= set(AXES[:3]):
             raise problem(
                 "unknown",
-                " and ".join(axes), "Fx, Fy or Fz if the forces come from a calibration",
+                listed(axes), "Fx, Fy or Fz if the forces come from a calibration",
                 "the name of a raw channel was given", 'write normal = "Fz"', at="normal",
             )  # fmt: skip
 
@@ -222,15 +222,15 @@ class Sensor:
             return ""
         if not names and FIRST_ROW in channels.properties and NAMES_LINE not in channels.properties:
             raise self._nameless(meaning, channels)
-        listed = ", ".join(f'"{name}"' for name in names or channels.signals)
+        candidates = ", ".join(f'"{name}"' for name in names or channels.signals)
         others = {*guesses["time"], *guesses["position"]}
         example = (names or [*(name for name in channels.signals if name not in others), "Fz"])[0]
         raise FrictionError(
             "conflict" if names else "unknown",
             argument=f"channel of {WORDS[meaning]}",
-            given=f"several that may be meant: {listed}"
+            given=f"several that may be meant: {candidates}"
             if names
-            else f"no usual name among {listed or 'none'}",
+            else f"no usual name among {candidates or 'none'}",
             allowed=f"one channel of {WORDS[meaning]}"
             + ("" if names else f", such as {USUAL.get(meaning, meaning)}"),
             cause="several names have this meaning" if names else "the channels have unusual names",

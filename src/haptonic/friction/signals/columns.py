@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.errors import FrictionError
+from haptonic.names import listed
 
 Column = NDArray[Any]
 
@@ -78,10 +79,9 @@ def meanings(names: Iterable[str], table: str) -> dict[str, str]:
         else:
             continue
         if len(some) > 1:
-            listed = " and ".join(f'"{name}"' for name in some)
             raise FrictionError.conflict(
                 argument=f"{table}: column {meaning}",
-                given=f"the columns {listed}",
+                given="the columns " + listed([f'"{name}"' for name in some]),
                 allowed=f"one column of this meaning, best with the name {meaning}",
                 cause="several names have this meaning",
                 next_step=f'rename the right one to "{meaning}"',

@@ -21,6 +21,7 @@ from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.later import xarray as xr
+from haptonic.names import listed
 
 About = Literal["people", "these participants"]
 
@@ -208,7 +209,7 @@ def _check_the_same_people(driven: Pairs, idle: Pairs) -> None:
     if set(driven.people) != set(idle.people):
         raise FrictionError.mismatch(
             argument="pairs",
-            given=" and ".join(f"{', '.join(pairs.people)} on {pairs.waveguide}" for pairs in (driven, idle)),
+            given=listed([f"{', '.join(pairs.people)} on {pairs.waveguide}" for pairs in (driven, idle)]),
             allowed="the same participants on both",
             cause="all trials of a participant on one of them were excluded",
             next_step="leave this participant out of both",

@@ -8,6 +8,7 @@ from itertools import product
 import numpy as np
 
 from haptonic.errors import GeometryError
+from haptonic.names import listed
 from haptonic.plate.layout.grid import Block, Layout, Tile
 from haptonic.plate.layout.parts import Actuator, Force, Plate
 
@@ -39,7 +40,7 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
         if not (pressed or _is_plain(layout, block)):
             raise GeometryError.unsupported(
                 argument="plate",
-                given=" and ".join(f'"{member.name}"' for member in members) + " on one block of tiles",
+                given=listed([f'"{member.name}"' for member in members]) + " on one block of tiles",
                 allowed="a block of plain tiles only below parts that share a tile",
                 cause="the smallest rectangle of tiles below them contains a lattice, or leaves the plate",
                 next_step="move them apart, so that they share no tile",

@@ -18,6 +18,7 @@ from haptonic.cell.brickwork import Brick, Steps, equal_pieces
 from haptonic.cell.stack import Feature
 from haptonic.cell.tile import TileShape
 from haptonic.materials import Material
+from haptonic.names import listed
 
 Side = Literal["left", "right", "bottom", "top"]
 Tile = tuple[int, int]
@@ -354,7 +355,7 @@ class Layout:
         stacks, solids = len(self.features) - self.pillars, len(self.bricks) - len(self.features)
         texts = [f"{self.pillars} pillars"] if self.pillars or not (stacks or solids) else []
         texts += [f"{stacks} stacks of discs"] if stacks else []
-        return " and ".join(texts + ([f"{solids} cells of a file"] if solids else []))
+        return listed(texts + ([f"{solids} cells of a file"] if solids else []))
 
 
 def _lines(

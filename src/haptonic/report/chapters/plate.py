@@ -7,6 +7,7 @@ from functools import partial
 from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.later import xarray as xr
+from haptonic.names import listed
 from haptonic.plate.vibration.datasets import part_name
 from haptonic.plate.vibration.modes import has_one_lobe
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
@@ -110,7 +111,7 @@ def _findings(result: PlateResult) -> list[str]:
 
 def _of_carrier(answer: CarrierAnswer) -> Finding:
     """Sentence on one of several carriers."""
-    drives, frequency = " and ".join(answer.drives), hz_text(answer.carrier, form="g")
+    drives, frequency = listed(answer.drives), hz_text(answer.carrier, form="g")
     missing = [name for name, gap in answer.around.items() if gap is None]
     gaps = (
         f"{' and '.join(missing)} without a gap there" if missing else "in the gap of the lattices around it"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from haptonic import plots
 from haptonic.later import Axes, Figure
-from haptonic.names import file_parts
+from haptonic.names import file_parts, listed
 from haptonic.plate import Plate
 from haptonic.plate.vibration.region_measures import compared
 from haptonic.response import write
@@ -53,7 +53,7 @@ def maps(result: PlateResult, *, frequency: float | None = None, ax: Axes | None
     when=lambda result: result.answers,
 )
 def carriers(result: PlateResult) -> Figure:
-    alone = [(" and ".join(answer.drives), answer.result) for answer in result.answers]
+    alone = [(listed(answer.drives), answer.result) for answer in result.answers]
     driven = {drives: (each.marked, each.drive, each.gap_edges) for drives, each in alone}
     return plots.maps_of_drives(driven, result.plate.layout)
 

@@ -13,6 +13,7 @@ from typing import Literal
 from haptonic.channels import Channel, Notebook
 from haptonic.channels.labels import Ratio
 from haptonic.errors import ScanError
+from haptonic.names import listed
 from haptonic.response import Reference
 from haptonic.vibrometry.curves import Point
 from haptonic.vibrometry.estimation.spectra import Estimator
@@ -192,7 +193,7 @@ def _guess(meaning: str, arrays: Mapping[str, Channel], taken: set[str], how: Ma
         if len(same) > 1:
             raise ScanError.conflict(
                 argument=f"variables.{meaning}",
-                given=" and ".join(f'"{name}"' for name in same),
+                given=listed([f'"{name}"' for name in same]),
                 allowed=f"one array for {meaning}",
                 cause="several arrays have a usual name of the same meaning",
                 next_step=f'name it: read_scan(path, variables={{"{meaning}": "{same[0]}"}})',
@@ -205,14 +206,14 @@ def _guess(meaning: str, arrays: Mapping[str, Channel], taken: set[str], how: Ma
 
 def inventory(arrays: Mapping[str, Channel], notes: Notebook) -> str:
     """List of a file's arrays in a sentence: name, kind and shape of each, and unreadable ones."""
-    listed = [
+    variables = [
         f"{name} ({array.kind}{f' in {array.unit}' * bool(array.unit)}, "
         f"{' x '.join(map(str, array.shape)) or '1'})"
         for name, array in arrays.items()
     ]
-    listed += [f"{name} ({kind}, not read)" for name, kind in notes.unread.items()]
-    more = len(listed) - MOST_LISTED
-    return ", ".join(listed[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "") or "nothing"
+    variables += [f"{name} ({kind}, not read)" for name, kind in notes.unread.items()]
+    more = len(variables) - MOST_LISTED
+    return ", ".join(variables[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "") or "nothing"
 
 
 def unfit(
