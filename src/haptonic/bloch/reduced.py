@@ -200,11 +200,11 @@ def _training(zone: IrreducibleZone) -> Iterator[Array]:
             yield new
 
 
-def _enriched(rest: Array, new: Array, mass: Array, lost: float) -> Array:
-    """(n, r) basis that spans long waves and new fields."""
+def _enriched(basis: Array, new: Array, mass: Array, lost: float) -> Array:
+    """(n, r) orthonormal basis that contains another one and spans new fields of unit mass."""
     for _ in range(2):  # one pass of Gram and Schmidt is not enough
-        new = new - rest @ (rest.T @ (mass @ new))
-    return np.hstack([rest, _orthonormal(new, mass, lost)])
+        new = new - basis @ (basis.T @ (mass @ new))
+    return np.hstack([basis, _orthonormal(new, mass, lost)])
 
 
 def _orthonormal(fields: Array, mass: Array, lost: float = LOST_DIRECTION) -> Array:
