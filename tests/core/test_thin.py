@@ -11,7 +11,8 @@ from strategies import ALUMINIUM
 from haptonic.bloch import mesh_levels
 from haptonic.bloch.mesh_levels import MeshLimits, first_level
 from haptonic.bloch.model import BlochModel, bloch_model
-from haptonic.bloch.resolution import LEVELS
+from haptonic.bloch.pencil import eigenpairs, hertz
+from haptonic.bloch.resolution import LEVELS, Resolution
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import NumericalError, ResourceError
@@ -78,6 +79,16 @@ def test_a_stiffness_that_is_not_definite_ends_in_five_parts(monkeypatch, diamet
     with pytest.raises(NumericalError) as caught:
         condense_by_parts(cell, LEVELS[0].plan(cell))
     assert caught.value.parts().keys() == PARTS
+
+
+@pytest.mark.filterwarnings("ignore:.*is unusual")
+def test_a_small_basis_adds_no_bands_to_a_very_thin_plate():
+    """Directions whose inertia is a rounding error would be bands below the exact ones."""
+    model = BlochModel.of(thin_cell(0.005, 0.5, 13 / 6), Resolution(2, 0), 10)
+    wavevectors, _ = model.cell.zone.triangles(3)
+    for kappa in (*wavevectors[1:], np.array([1.0, 0.4])):  # at Gamma rest modes are rounding errors
+        exact = hertz(eigenpairs(model.fine.whole, kappa, 10)[0])
+        assert model.frequencies(kappa) == pytest.approx(exact, rel=2 * model.fine.projection_error)
 
 
 @pytest.mark.nightly

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import cast
@@ -130,19 +131,20 @@ class ReducedCell:
                 for part, of_part in zip(parts, shares, strict=True)
             ]
             if small is not None:
-                approximate = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
-                error = max(
-                    float((np.sqrt(above / exact[:count]) - 1).max())
-                    for above, exact in zip(approximate, values, strict=True)
-                )
+                deviation = _deviation(small, wavevectors, values, count)
+                error = float(np.abs(deviation).max())
                 if error <= goal:
-                    bases = [
+                    wider = [
                         _enriched(basis, new, mass, ADDED_DIRECTION)
                         for basis, new, mass in zip(bases, added, masses, strict=True)
                     ]
-                    small = projected(bases)
+                    wider_pencil = projected(wider)
+                    with suppress(np.linalg.LinAlgError):  # if its mass is not definite, it is not used
+                        if _deviation(wider_pencil, wavevectors, values, count).min() >= -goal:
+                            bases, small = wider, wider_pencil
                     break
-                lost *= TIGHTER
+                # a band below the exact one belongs to a direction whose inertia is a rounding error
+                lost *= TIGHTER if deviation.min() >= -goal else 1 / TIGHTER
             for of_part, new in zip(snapshots, added, strict=True):
                 of_part.append(new)
             while True:
@@ -229,6 +231,13 @@ def _training(zone: IrreducibleZone) -> Iterator[Array]:
             new = batch[apart > 1e-6]
             seen = np.concatenate([seen, new])
             yield new
+
+
+def _deviation(small: SmallPencil, wavevectors: Array, values: Sequence[Array], count: int) -> Array:
+    """(w * count,) relative differences of frequencies from those of exact eigenvalues, w of (count +,)."""
+    approximate = [eigenpairs(small, kappa, count)[0] for kappa in wavevectors]
+    exact = [of_wavevector[:count] for of_wavevector in values]
+    return np.sqrt(np.maximum(np.concatenate(approximate), 0.0) / np.concatenate(exact)) - 1
 
 
 def _enriched(basis: Array, new: Array, mass: Array, lost: float) -> Array:
