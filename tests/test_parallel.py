@@ -1,6 +1,8 @@
 """Work side by side: in order, bounded in what waits, and stopped by an error or by whoever turns away."""
 
 import math
+import subprocess
+import sys
 import threading
 import time
 
@@ -70,6 +72,33 @@ def test_no_more_items_are_taken_than_may_wait(workers, ahead):
         done.append(result)
         assert len(taken) - len(done) < ahead
     assert done == list(range(30))
+
+
+INTERRUPTED = """
+import signal, threading, time, types
+from concurrent.futures import _base
+from haptonic.parallel import streamed
+
+class Locked(threading.Condition):
+    def __enter__(self):
+        entered = super().__enter__()
+        if threading.current_thread() is threading.main_thread():
+            signal.raise_signal(signal.SIGINT)
+        return entered
+
+_base.threading = types.SimpleNamespace(**vars(threading) | {"Condition": Locked})
+try:
+    list(streamed(lambda item: time.sleep(0.1), range(4), 2, 2))
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+def test_ctrl_c_while_a_future_has_its_lock_ends_the_threads():
+    """Python would leave the future locked, and its thread would wait for it for ever."""
+    script = [sys.executable, "-c", INTERRUPTED]
+    run = subprocess.run(script, capture_output=True, text=True, timeout=20, check=False)
+    assert (run.stdout, run.stderr) == ("interrupted\n", "")
 
 
 def test_whoever_turns_away_leaves_nothing_to_be_begun():

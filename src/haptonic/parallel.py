@@ -11,7 +11,7 @@ import signal
 import threading
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
-from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import ExitStack, contextmanager, suppress
 from functools import cache
@@ -28,6 +28,7 @@ Key = TypeVar("Key")
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
+BLOCKS_SIGNALS = hasattr(signal, "pthread_sigmask")  # not on Windows
 THREAD_LIMITS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 
 
@@ -97,17 +98,19 @@ def streamed(
     if not workers:
         yield from map(work, items)
         return
-    waiting: deque[Future[Result]] = deque()
+    waiting: deque[SimpleQueue[Future[Result]]] = deque()
     with ThreadPoolExecutor(workers) as pool:
         try:
             for item in items:
-                waiting.append(pool.submit(work, item))
+                waiting.append(SimpleQueue())
+                _submit(pool, work, item, waiting[-1])
                 if len(waiting) >= ahead:
-                    yield waiting.popleft().result()
+                    yield _result(waiting.popleft().get())
             while waiting:
-                yield waiting.popleft().result()
+                yield _result(waiting.popleft().get())
         finally:
-            pool.shutdown(wait=False, cancel_futures=True)
+            with _interrupts_delayed():
+                pool.shutdown(wait=False, cancel_futures=True)
 
 
 def finished(
@@ -143,14 +146,9 @@ def finished(
         running: dict[Future[Result], tuple[Key, Item, int, ProcessPoolExecutor]] = {}
         ended: SimpleQueue[Future[Result]] = SimpleQueue()
         while True:
-            # A future that Ctrl-C interrupts may never release its lock, and then its pool never ends. So
-            # Ctrl-C acts while this thread waits for the queue or the caller works, not in calls of futures.
             while idle and (task := again.popleft() if again else next(coming, None)):
                 pool = idle.pop()
-                with _interrupts_delayed():
-                    future = pool.submit(work, task[1])
-                    future.add_done_callback(ended.put)
-                running[future] = *task, pool
+                running[_submit(pool, work, task[1], ended)] = *task, pool
             if not running:
                 return
             done = [ended.get()]
@@ -161,9 +159,7 @@ def finished(
             for future in sorted(done, key=failed.__getitem__):
                 key, item, deaths, pool = running.pop(future)
                 try:
-                    with _interrupts_delayed():
-                        result = future.result()
-                    yield key, result
+                    yield key, _result(future)
                     idle.append(pool)
                 except BrokenProcessPool:
                     idle += _started(1, workers, stack)
@@ -173,12 +169,35 @@ def finished(
                         again.append((key, item, 1))
 
 
+# A future that Ctrl-C interrupts may never release its lock, and then its pool never ends. So Ctrl-C acts
+# while the main thread waits for a queue of ended futures or the caller works, not in calls of futures.
+
+
+def _submit(
+    pool: Executor, work: Callable[[Item], Result], item: Item, ended: SimpleQueue[Future[Result]]
+) -> Future[Result]:
+    """Submit work to a pool; its future is put into the queue when it has ended."""
+    with _interrupts_delayed():
+        future = pool.submit(work, item)
+        future.add_done_callback(ended.put)
+    return future
+
+
+def _result(future: Future[Result]) -> Result:
+    """Result of a future that has ended."""
+    with _interrupts_delayed():
+        return future.result()
+
+
 def _started(count: int, workers: int, stack: ExitStack) -> list[ProcessPoolExecutor]:
     """Pools of one process each, each with its share of the cores among ``workers``; the stack ends them."""
     # spawned, because the fork of a process with threads may hang
     spawned = multiprocessing.get_context("spawn")
     pools = [ProcessPoolExecutor(1, mp_context=spawned) for _ in range(count)]
     share = str(max(1, cores() // workers))
+    if BLOCKS_SIGNALS:
+        # otherwise it is started on demand, by a thread that would then unblock Ctrl-C
+        resource_tracker.ensure_running()
     with _interrupts_delayed(), _environment(dict.fromkeys(THREAD_LIMITS, share)):
         try:
             names = [pool.submit(os.getpid) for pool in pools]
@@ -204,19 +223,16 @@ def _interrupts_delayed() -> Iterator[None]:
     every process of the run, but only this one should react.
     """
     seen: list[int] = []
-    blocks = hasattr(signal, "pthread_sigmask")  # not on Windows
     # Python allows signal handlers in the main thread only; Ctrl-C does not arrive in other threads
     handles = threading.current_thread() is threading.main_thread()
     if handles:
         handler = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
-    if blocks:
-        # otherwise it is started on demand, by a thread that would then unblock the signal
-        resource_tracker.ensure_running()
+    if BLOCKS_SIGNALS:
         mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
     finally:
-        if blocks:
+        if BLOCKS_SIGNALS:
             signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         if handles:
             signal.signal(signal.SIGINT, handler or signal.SIG_DFL)
