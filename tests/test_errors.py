@@ -91,8 +91,10 @@ def test_an_unknown_name_proposes_the_nearest_unless_it_cannot_be_a_slip():
         ("Lime_Glass", 'write "soda-lime-glass"'),
         ("bras", 'write "brass"'),
         ("zzz", "choose one of these"),
+        ("silicone rubber", "choose one of these"),
+        ("silicon 100", 'write "silicon"'),
     ],
 )
 def test_names_that_contain_the_given_words_are_proposed_before_a_similar_spelling(given, meant):
-    known = ["brass", "soda-lime-glass", "borosilicate-glass"]
+    known = ["brass", "silicon", "soda-lime-glass", "borosilicate-glass"]
     assert HaptonicError.unknown("material", given, known, "why").next_step == meant

@@ -224,9 +224,11 @@ def proposed(name: str, known: Iterable[str]) -> str:
 def similar(name: str, known: Iterable[str]) -> list[str]:
     """Known names that an unknown one may mean: all that contain its words, or else the nearest spelling.
 
-    So "glass" means every kind of glass, although "brass" differs from it by fewer letters.
+    So "glass" means every kind of glass, although "brass" differs from it by fewer letters. A name with fewer
+    words has to share one: "silicone rubber" does not mean "silicon".
     """
-    names, words = list(known), _words(name)
+    words = _words(name)
+    names = [each for each in known if words & _words(each) or len(words) <= len(_words(each))]
     containing = [each for each in names if words and words <= _words(each)]
     guess = None if containing else nearest(name, names)
     return containing[:MOST_PROPOSED] if guess is None else [guess]

@@ -60,7 +60,7 @@ class Disc(Sectioned):
             next_step='write "diameter", with twice the value',
         ),
         **meant("diameter", "d", "width", "side", "w"),
-        **meant("section", "shape", "form", "cross_section"),
+        **meant("section", "shape", "outline", "form", "cross_section"),
         **meant("draft", "taper", "taper_angle", "draft_angle"),
         **meant("low", "from", "bottom", "base"),
         **meant("high", "to", "top"),

@@ -71,7 +71,7 @@ class Pillar(Sectioned):
         ),
         **meant("diameter", "d", "width", "side", "w", "diameter_bottom"),
         **meant("height", "h", "pillar_height"),
-        **meant("section", "shape", "form", "cross_section"),
+        **meant("section", "shape", "outline", "form", "cross_section"),
         **meant("draft", "taper", "taper_angle", "draft_angle"),
         **absent(
             "density", "youngs_modulus", "poisson_ratio",
