@@ -1,6 +1,7 @@
 """The page of the studio in a real browser: form and text follow each other, and results appear."""
 
 import re
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -159,6 +160,61 @@ def test_a_study_is_made_from_a_template_saved_and_opened(browser, studio):
         assert path.read_text("utf-8") == str(templates()["mirror"])
         page.get_by_label(re.compile("^Open, in")).select_option("cell.toml")
         wait_for_text(page, CELL[:60])
+
+
+def test_undo_across_the_opening_of_a_file_brings_back_the_file_as_well(browser, studio):
+    with opened(browser, studio) as page:
+        name = page.get_by_label("File name")
+        page.get_by_label(re.compile("^Open, in")).select_option("quick.toml")
+        expect(page.locator(TEXT)).to_have_value(QUICK_CELL)
+        expect(name).to_have_value("quick.toml")
+        page.get_by_role("button", name="Undo").click()
+        expect(page.locator(TEXT)).to_have_value(CELL)
+        expect(name).to_have_value("cell.toml")
+        expect(page.get_by_text("saved", exact=True)).to_be_visible()
+        page.get_by_role("button", name="Redo").click()
+        expect(name).to_have_value("quick.toml")
+
+
+def test_a_change_belongs_to_its_study_and_the_last_choice_is_opened(browser, studio):
+    with opened(browser, studio) as page:
+        for address in ("change", "open"):
+            page.route(f"**/api/{address}", lambda route: (time.sleep(0.4), route.continue_()))
+        page.on("dialog", lambda dialog: dialog.accept())
+        name, files = page.get_by_label("File name"), page.get_by_label(re.compile("^Open, in"))
+        write(page, "Pitch with unit", "8 mm")
+        files.select_option("quick.toml")
+        expect(name).to_have_value("quick.toml")
+        assert text_of(page) == QUICK_CELL
+        page.get_by_role("button", name="Undo").click()
+        wait_for_text(page, 'pitch = "8 mm"')
+        expect(name).to_have_value("cell.toml")
+        files.select_option("quick.toml")
+        files.select_option("cell.toml")
+        page.get_by_label("Analysis").select_option("plan")
+        page.get_by_role("button", name="Compute plan").click()  # of the study that is being opened
+        expect(page.get_by_text("This result belongs")).to_have_count(0)
+        expect(page.locator(TEXT)).to_have_value(CELL)
+        expect(page.get_by_role("region", name="Result of plan")).to_be_visible()
+        expect(page.get_by_text("This result belongs")).to_have_count(0)
+
+
+def test_line_numbers_stay_beside_their_lines(browser, studio):
+    with opened(browser, studio) as page:
+        page.on("dialog", lambda dialog: dialog.accept())
+        numbers, area = page.locator(".editor ol"), page.locator(TEXT)
+        area.evaluate("area => area.scrollTop = area.scrollHeight")
+        area.fill(CELL + "[bands")  # the list of problems leaves the text less height
+        page.locator(".problems li").wait_for()
+        area.evaluate("area => area.scrollTop = area.scrollHeight")
+        area.fill(CELL)
+        expect(page.get_by_text("The study has no problem.")).to_be_visible()
+        for name in ("mirror", "touchpad"):
+            page.get_by_label("New, from a template").select_option(name)
+            wait_for_text(page, str(templates()[name])[:60])
+            page.wait_for_timeout(300)
+            numbered, written = (part.evaluate("part => part.scrollTop") for part in (numbers, area))
+            assert abs(numbered - written) <= 1
 
 
 def test_the_form_of_another_study_shows_only_its_own_tables(browser, studio):

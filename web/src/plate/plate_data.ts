@@ -117,6 +117,11 @@ export class PlateResponse {
     }));
   }
 
+  /** True if the lines reach a frequency, or a part of an interval, Hz. */
+  covers(low: number, high = low): boolean {
+    return (this.frequency[0] ?? Infinity) <= high && low <= (this.frequency[this.frequency.length - 1] ?? -Infinity);
+  }
+
   /** The line nearest to a frequency, Hz. */
   nearest(frequency: number): number {
     let best = 0;

@@ -112,8 +112,8 @@ function Legend({ plate, choice }: Props) {
           {name}
         </span>
       ))}
-      {plate.gap !== null && <span class="of-gap">gap</span>}
-      {plate.carrier !== null && <span class="of-carrier">carrier</span>}
+      {plate.gap !== null && plate.covers(...plate.gap) && <span class="of-gap">gap</span>}
+      {plate.carrier !== null && plate.covers(plate.carrier) && <span class="of-carrier">carrier</span>}
     </p>
   );
 }

@@ -10,7 +10,7 @@ import { host } from "./slider";
 import { TableOf } from "./table";
 import { Saving } from "./saving";
 import { server, type Answer, type Exports, type WholeJob } from "./server";
-import { setText } from "./study";
+import { isSaved, showVersion } from "./study";
 import { arrived, canTurn, designOf } from "./turn";
 
 export function Result({ exports }: { exports: Exports }) {
@@ -27,7 +27,7 @@ export function Result({ exports }: { exports: Exports }) {
       {!canTurn.value && (
         <p class="notice">
           This result belongs to another version of the study.{" "}
-          <button type="button" onClick={() => setText(job.text)}>
+          <button type="button" onClick={() => showVersion(job.text, job.file)}>
             Show that version
           </button>
         </p>
@@ -61,6 +61,9 @@ function Shown({ job, answer, exports }: { job: WholeJob; answer: Answer; export
         <dd>
           <code>{job.python}</code>
         </dd>
+        {!job.alone && !isSaved(job.text, job.file) && (
+          <dd class="quiet">once the study of this result is saved as {job.file}</dd>
+        )}
       </dl>
       {answer.tables.length > 0 && (
         <details class="section" open={!job.view}>
@@ -81,7 +84,7 @@ function Words({ answer }: { answer: Answer }) {
       <h2>{answer.title}</h2>
       <p class="origin">{answer.origin}</p>
       {answer.summary.map((sentence) => (
-        <p>{typeset(sentence)}</p>
+        <p class="sentence">{typeset(sentence)}</p>
       ))}
     </header>
   );

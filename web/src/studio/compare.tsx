@@ -13,9 +13,11 @@ const compared = signal<Compared | null>(null);
 export function followComparison(): void {
   effect(() => {
     const [first, second] = [other.value, shown.value];
-    const has = (number: number | null) => jobs.value.some((job) => job.number === number && job.state === "done");
-    if (!has(first)) other.value = null;
-    if (first === second || !has(first) || !has(second)) {
+    const answered = (number: number | null) => jobs.value.find((job) => job.number === number && job.state === "done");
+    const [own, against] = [answered(second), answered(first)];
+    const isOther = own !== undefined && own.analysis !== against?.analysis;
+    if (against === undefined || isOther) other.value = null;
+    if (first === second || against === undefined || own === undefined || isOther) {
       compared.value = null;
       return;
     }
@@ -39,7 +41,7 @@ export function Comparison() {
               {name} <span class="quiet">{title}</span>
             </h3>
             {summary.map((sentence) => (
-              <p>{typeset(sentence)}</p>
+              <p class="sentence">{typeset(sentence)}</p>
             ))}
           </div>
         ))}

@@ -5,6 +5,7 @@ import { analyses, analysis, choose, isWrong, missing, usesStudy, wanted } from 
 import { cancel, compute, elapsed, running, whole } from "./jobs";
 import { Runs } from "./runs";
 import type { Job } from "./server";
+import { settled } from "./study";
 import { isReading, refused } from "./understood";
 import { Questions } from "./wizard";
 
@@ -14,8 +15,9 @@ export function Compute() {
   if (chosen === undefined) return null;
   const wrong = usesStudy.value && chosen.study !== "settings" && isWrong.value;
   const unread = chosen.examines && (isReading.value || refused.value !== null);
-  const begin = () => {
-    if (wanted.peek() !== null) void compute(wanted.peek()!);
+  const begin = async () => {
+    await settled(); // a change or an opening may not be in the text yet
+    if (wanted.peek() !== null) await compute(wanted.peek()!);
   };
   return (
     <section class="compute" aria-labelledby="compute-title">
@@ -29,7 +31,7 @@ export function Compute() {
             ))}
           </select>
         </label>
-        <button type="button" class="main" disabled={wrong || unread || missing.value.length > 0} onClick={begin}>
+        <button type="button" class="main" disabled={wrong || unread || missing.value.length > 0} onClick={() => void begin()}>
           Compute {chosen.name}
         </button>
         {job !== undefined && (

@@ -1,6 +1,6 @@
 /** The text of the study with its line numbers, and the problems at their lines. */
 
-import { useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Key } from "../parts/keys";
 import { closeCompletions, completionAttributes, completionKey, Completions, moveCompletions } from "./completing";
 import type { Problem } from "./server";
@@ -15,6 +15,10 @@ export const textKeys: Key[] = [
 export function Editor() {
   const area = useRef<HTMLTextAreaElement>(null);
   const numbers = useRef<HTMLOListElement>(null);
+  const follow = () => {
+    if (area.current !== null && numbers.current !== null) numbers.current.scrollTop = area.current.scrollTop;
+  };
+  useLayoutEffect(follow); // the browser scrolls a list of another length by itself
   const wrong = new Set(problems.value.map(({ line }) => line));
   const doubtful = new Set(remarks.value.map(({ line }) => line));
   const count = text.value.split("\n").length;
@@ -45,9 +49,7 @@ export function Editor() {
           }}
           onSelect={(event) => moveCompletions(event.currentTarget)}
           onBlur={closeCompletions}
-          onScroll={(event) => {
-            if (numbers.current !== null) numbers.current.scrollTop = event.currentTarget.scrollTop;
-          }}
+          onScroll={follow}
           onKeyDown={(event) => {
             if (completionKey(event, event.currentTarget)) return;
             if (!(event.ctrlKey || event.metaKey) || event.altKey) return;

@@ -2,16 +2,21 @@
 
 import { useState } from "preact/hooks";
 import type { Start } from "./server";
-import { canRedo, canUndo, file, files, notice, openFile, openTemplate, redo, save, text, undo, unsaved } from "./study";
+import { canRedo, canUndo, file, files, notice, openFile, opening, openTemplate, redo, save, text, undo, unsaved } from "./study";
 import { Parts } from "./editor";
 import { Help } from "./help";
 import { copyLink } from "./share";
 
 const ENDING = ".toml";
+const ANNOUNCED = 6000; // ms
 
 export function Bar({ start }: { start: Start }) {
   const [name, setName] = useState<string | null>(null);
   const [copied, setCopied] = useState("");
+  const announce = (result: string) => {
+    setCopied(result);
+    setTimeout(() => setCopied(""), ANNOUNCED);
+  };
   const target = name ?? file.value ?? "";
   const sure = () => !unsaved.peek() || confirm("The study has changes that are not saved. Leave them? Undo brings them back.");
   return (
@@ -26,7 +31,7 @@ export function Bar({ start }: { start: Start }) {
               const chosen = event.currentTarget.value;
               event.currentTarget.value = "";
               setName(null);
-              if (chosen && sure()) void openTemplate(chosen);
+              if (chosen) void openTemplate(chosen, sure);
             }}
           >
             <option value="">choose</option>
@@ -40,12 +45,12 @@ export function Bar({ start }: { start: Start }) {
         <label>
           Open, in {start.folder}
           <select
-            value={file.value ?? ""}
+            value=""
             onChange={(event) => {
               const chosen = event.currentTarget.value;
-              event.currentTarget.value = file.peek() ?? "";
+              event.currentTarget.value = "";
               setName(null);
-              if (chosen && sure()) void openFile(chosen);
+              if (chosen) void openFile(chosen, sure);
             }}
           >
             <option value="">{files.value.length > 0 ? "choose" : "no study yet"}</option>
@@ -84,7 +89,7 @@ export function Bar({ start }: { start: Start }) {
         <button type="button" disabled={!canRedo.value} onClick={redo}>
           Redo
         </button>
-        <button type="button" disabled={text.value === ""} onClick={() => void copyLink().then(setCopied)}>
+        <button type="button" disabled={text.value === ""} onClick={() => void copyLink().then(announce)}>
           Copy link
         </button>
         <Help />
@@ -95,7 +100,7 @@ export function Bar({ start }: { start: Start }) {
           {copied}
         </span>
         <span class="quiet" role="status">
-          {unsaved.value ? "not saved" : file.value === null ? "" : "saved"}
+          {opening.value ? `opening ${opening.value}` : unsaved.value ? "not saved" : file.value === null ? "" : "saved"}
         </span>
       </div>
       {notice.value !== null && (

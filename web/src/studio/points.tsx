@@ -80,6 +80,7 @@ function Plot() {
 
 function Legend() {
   const { list, titles } = marksOf();
+  const empty = drawn.value.filter((place) => points.value[place]?.results.length === 0).length;
   return (
     <span class="quiet legend">
       {titles.map((title, k) => (
@@ -88,6 +89,7 @@ function Legend() {
         </span>
       ))}
       {list.some(({ error }) => error === null) && <span class="of-hollow">hollow: preview, without an error</span>}
+      {empty > 0 && <span>{empty} of {drawn.value.length} without a result are not in the plot</span>}
     </span>
   );
 }

@@ -3,6 +3,7 @@
 import { effect } from "@preact/signals";
 import uPlot from "uplot";
 import { themeColour } from "../parts/colours";
+import { tickText } from "../parts/numbers";
 import { axisLook, kept, leftAxis, onClick, widthIn, within } from "../parts/plot";
 import { at, drawn, horizontal, ORDER, points, scaleOf, selected, type Scale } from "./points_data";
 
@@ -51,6 +52,9 @@ export function marksOf(): Marks {
   return { list, titles, x, y };
 }
 
+/** Text of a tick of the horizontal axis; designs are counted in whole numbers. */
+const tick = (value: number) => (horizontal.peek() === ORDER && !Number.isInteger(value) ? "" : tickText(value));
+
 /** Ends of an axis with some room beyond its marks. */
 function range(values: number[]): [number, number] {
   const [low, high] = [Math.min(...values), Math.max(...values)];
@@ -74,7 +78,7 @@ export function plotPoints(element: HTMLElement): () => void {
       cursor: { points: { show: false }, x: false, y: false, drag: { x: false, y: false } },
       scales: { x: { time: false, range: () => ranges().x }, y: { range: () => ranges().y } },
       axes: [
-        { ...axisLook(), label: " ", labelSize: 22, size: 34 },
+        { ...axisLook(), label: " ", labelSize: 22, size: 34, values: (_, splits) => splits.map(tick) },
         { ...leftAxis(), label: " " },
       ],
       series: [{}, { show: true, stroke: "transparent", points: { show: false } }],

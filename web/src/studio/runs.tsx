@@ -1,7 +1,7 @@
 /** The list of runs in this folder, newest first: open or remove one. */
 
 import { other } from "./compare";
-import { jobs, remove, showResult, shown } from "./jobs";
+import { jobs, remove, showResult, shown, shownJob } from "./jobs";
 import type { Job } from "./server";
 
 export const STATES = { running: "is computed", done: "", failed: "failed", cancelled: "cancelled" };
@@ -62,7 +62,7 @@ function Run({ job }: { job: Job }) {
       <td class="number">{began(job.started)}</td>
       <td class="number">{job.state === "running" ? "" : `${Math.round(job.seconds)} s`}</td>
       <td>
-        {job.state === "done" && job.number !== shown.value && (
+        {job.state === "done" && job.number !== shown.value && job.analysis === shownJob.value?.analysis && (
           <button type="button" class="minor" aria-pressed={other.value === job.number}
             onClick={() => (other.value = job.number)} aria-label={`Compare the shown run with ${name}`}>
             Compare

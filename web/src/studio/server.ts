@@ -258,7 +258,8 @@ function posted(name: string, asked: object): Promise<Response> {
 
 const post = <T,>(name: string, asked: object) => answered<T>(posted(name, asked));
 
-type Edited = Checked & { text: string };
+/** A text that the server has written. */
+export type Edited = Checked & { text: string };
 
 /** How files were read, or why they cannot be read; the view is in base 64. */
 export interface Examined {

@@ -1,12 +1,19 @@
 /** The study that the page edits: its text is the truth, and the form shows its values. */
 
 import { computed, signal, type Signal } from "@preact/signals";
-import { Refusal, server, type Change, type Checked, type PlateDrawing, type Problem, type Remark, type Step, type Tables, type Value } from "./server";
+import { Refusal, server, type Change, type Checked, type Edited, type PlateDrawing, type Problem, type Remark, type Step, type Tables, type Value } from "./server";
 
-/** A text of the history with its values, if they are known. */
+/** Where a study is saved: its file, and the text of the file as far as this page knows; null without a file. */
+class Source {
+  readonly file = signal<string | null>(null);
+  readonly saved = signal<string | null>(null);
+}
+
+/** A text of the history with its study, and its values if they are known. */
 interface Version {
   text: string;
   values: Tables | null;
+  source: Source;
 }
 
 const PAUSE = 250; // ms after the last letter before the text is checked
@@ -19,17 +26,18 @@ export const broken = signal(false); // the text is not TOML, so the values are 
 export const plate = signal<PlateDrawing | null>(null); // null without a plate, and while it cannot be built
 export const problems = signal<Problem[]>([]);
 export const remarks = signal<Remark[]>([]);
-export const file = signal<string | null>(null);
+const source = signal(new Source());
+export const file = computed(() => source.value.file.value);
 export const files = signal<string[]>([]);
 export const loaded = signal(0); // number of studies that the page has shown, apart from designs of one study
 export const notice = signal<Problem | string | null>(null); // why the last action was refused
 // table that another part of the page has opened in the form, and whether the form has moved to it
 export const opened = signal<{ path: string; isReached: boolean } | null>(null);
-const saved = signal<string | null>(null); // text of the file, as far as this page knows
+export const opening = signal(""); // what is read to replace the text
 const past = signal<Version[]>([]);
 const future = signal<Version[]>([]);
 
-export const unsaved = computed(() => text.value !== (saved.value ?? ""));
+export const unsaved = computed(() => text.value !== (source.value.saved.value ?? ""));
 export const canUndo = computed(() => past.value.length > 0);
 export const canRedo = computed(() => future.value.length > 0);
 
@@ -37,6 +45,7 @@ let number = 0; // of the newest check; answers to older ones are dropped
 let examined = ""; // the text that values and problems belong to
 let timer = 0;
 let typed = -Infinity; // time of the last letter, ms since the page was loaded
+// actions that replace the text, one after the other: a change belongs to the study in which it was made
 let queue: Promise<void> = Promise.resolve();
 let isOther = true; // the next state is that of another study
 
@@ -69,18 +78,26 @@ export async function react(action: () => Promise<void>): Promise<void> {
   }
 }
 
+/** Run an action after those that were begun before it. */
+const inTurn = (action: () => Promise<void>): Promise<void> => (queue = queue.then(() => attempt(action)));
+
+/** Wait until every change is in the text. */
+export const settled = (): Promise<void> => queue;
+
 const current = (): Version => ({
+  source: source.peek(),
   text: text.peek(),
   values: examined === text.peek() && !broken.peek() ? values.peek() : null,
 });
 
-function replace(next: string, isTyped = false): void {
-  if (next === text.peek()) return;
+function replace(next: string, isTyped = false, own = source.peek()): void {
+  if (next === text.peek() && own === source.peek()) return;
   const now = performance.now();
   const begins = past.peek().length === 0 && text.peek() === ""; // an empty page is nothing to go back to
   if (!begins && !(isTyped && now - typed < STEP)) past.value = [...past.peek(), current()].slice(-MOST_STEPS);
   typed = isTyped ? now : -Infinity;
   future.value = [];
+  source.value = own;
   text.value = next;
 }
 
@@ -113,23 +130,22 @@ export const change = (steps: Step[], value: Value | null, isMoving = false) =>
   void changeAll(() => [{ steps, value }], isMoving);
 
 /** Change several keys as one step of the history, determined when all earlier changes have been made. */
-export function changeAll(wanted: () => Change[], isMoving = false): Promise<void> {
-  return (queue = queue.then(() =>
-    attempt(async () => {
-      for (;;) {
-        if (examined !== text.peek()) await checkNow(); // after an undo, `values` are older than the text
-        const [before, changes] = [text.peek(), wanted()];
-        if (changes.length === 0) return;
-        const state = await server.change(before, changes);
-        if (text.peek() !== before) continue; // letters were typed meanwhile
-        replace(state.text, isMoving);
-        clearTimeout(timer);
-        take(state);
-        return;
-      }
-    }),
-  ));
-}
+export const changeAll = (wanted: () => Change[], isMoving = false): Promise<void> =>
+  inTurn(async () => {
+    const own = source.peek();
+    for (;;) {
+      if (examined !== text.peek()) await checkNow(); // after an undo, `values` are older than the text
+      const [before, changes] = [text.peek(), wanted()];
+      if (changes.length === 0) return;
+      const state = await server.change(before, changes);
+      if (source.peek() !== own) return; // undone beyond the opening of the study
+      if (text.peek() !== before) continue; // letters were typed meanwhile
+      replace(state.text, isMoving);
+      clearTimeout(timer);
+      take(state);
+      return;
+    }
+  });
 
 /** Take the newest text of one list, and put the current one into the other. */
 function swap(from: Signal<Version[]>, to: Signal<Version[]>): void {
@@ -139,6 +155,7 @@ function swap(from: Signal<Version[]>, to: Signal<Version[]>): void {
   to.value = [...to.peek(), current()];
   typed = -Infinity;
   text.value = next.text;
+  if (next.source !== source.peek()) [source.value, isOther] = [next.source, true];
   if (next.values !== null) [values.value, examined] = [next.values, next.text]; // so that nothing waits for the check
   checkLater(0);
 }
@@ -146,47 +163,61 @@ function swap(from: Signal<Version[]>, to: Signal<Version[]>): void {
 export const undo = () => swap(past, future);
 export const redo = () => swap(future, past);
 
-export const openFile = (name: string) =>
-  attempt(async () => {
-    const state = await server.open(name);
-    isOther = true;
-    replace(state.text);
-    file.value = state.name;
-    saved.value = state.text;
-    take(state);
+/** Another study in place of the text, as one step of the history. */
+function begin(next: string, name: string | null): void {
+  isOther = true;
+  const saved = name === null ? null : next;
+  if (next === text.peek() && name === file.peek()) {
+    source.peek().saved.value = saved; // another program may have written the same text
+    return;
+  }
+  const own = new Source();
+  [own.file.value, own.saved.value] = [name, saved];
+  replace(next, false, own);
+}
+
+/** Open a study if the user is `sure` to leave the text, once every change is in it. */
+const open = (name: string, sure: () => boolean, read: () => Promise<Edited & { name?: string }>) =>
+  inTurn(async () => {
+    if (!sure()) return;
+    opening.value = name;
+    try {
+      const state = await read();
+      begin(state.text, state.name ?? null);
+      take(state);
+    } finally {
+      opening.value = "";
+    }
   });
 
-export const openTemplate = (name: string) =>
-  attempt(async () => {
-    const state = await server.template(name);
-    isOther = true;
-    replace(state.text);
-    file.value = null;
-    saved.value = null;
-    take(state);
-  });
+export const openFile = (name: string, sure = () => true) => open(name, sure, () => server.open(name));
+export const openTemplate = (name: string, sure: () => boolean) => open(name, sure, () => server.template(name));
 
 /** Another study without a file, as one step of the history. */
 export function openText(next: string): void {
-  isOther = true;
-  setText(next);
-  file.value = saved.value = null;
+  begin(next, null);
+  checkLater(0);
 }
+
+/** Show the text of a result, as another study if that of the page has another file. */
+export const showVersion = (version: string, name: string) => (name === (file.peek() ?? name) ? setText(version) : openText(version));
+
+/** True if a file contains a text, as far as this page knows. */
+export const isSaved = (version: string, name: string) => file.value === name && source.value.saved.value === version;
 
 /** Open a computed design of a job, as one step of the history. */
 export const openDesign = (job: number, point: number) =>
-  attempt(async () => {
+  inTurn(async () => {
     const state = await server.design(job, point);
     replace(state.text);
     take(state);
   });
 
 export const save = (name: string) =>
-  attempt(async () => {
-    const written = text.peek();
-    const answer = await server.save(name, written, name === file.peek() ? saved.peek() : null);
-    file.value = answer.name;
-    saved.value = written;
+  inTurn(async () => {
+    const [own, written] = [source.peek(), text.peek()];
+    const answer = await server.save(name, written, name === own.file.peek() ? own.saved.peek() : null);
+    [own.file.value, own.saved.value] = [answer.name, written];
     files.value = answer.files;
   });
 
