@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from haptonic.results.comparison import differing_inputs
 from haptonic.results.differences import BEYOND, UNKNOWN, WITHIN, differences
 from haptonic.results.table import Column, Ranged, Table, Uncertain
 from haptonic.studio.answers import plain_table, table_of
@@ -30,12 +31,12 @@ SECOND = a_table(
 def test_rows_meet_by_their_words_and_differences_know_their_errors():
     (table,) = differences([FIRST], [SECOND])
     rows = {row[:2]: row[2:] for row in table.rows}
-    assert rows["3-4", "from"] == ("50.0 ± 0.1", "51.0 ± 0.1", "1.0 ± 0.2", BEYOND)
-    assert rows["6-7", "from"][2:] == ("0.1 ± 0.2", WITHIN)
-    assert rows["6-7", "share"][2:] == ("5.0", UNKNOWN)
-    assert rows["9-10", "from"][:2] == ("-", "90.00")
-    assert ("3-4", "share") not in rows
-    assert table.strong == {list(rows).index(("3-4", "from"))}
+    assert rows["3-4", "from / kHz"] == ("50.0 ± 0.1", "51.0 ± 0.1", "1.0 ± 0.2", BEYOND)
+    assert rows["6-7", "from / kHz"][2:] == ("0.1 ± 0.2", WITHIN)
+    assert rows["6-7", "share / %"][2:] == ("5.0", UNKNOWN)
+    assert rows["9-10", "from / kHz"][:2] == ("-", "90.00")
+    assert ("3-4", "share / %") not in rows
+    assert table.strong == {list(rows).index(("3-4", "from / kHz"))}
     assert differences([FIRST], []) == []
 
 
@@ -70,3 +71,11 @@ def test_changed_keys_of_the_studies_are_listed(tmp_path):
     jobs[1].answer = None
     with pytest.raises(Exception, match="two runs with a result"):
         compared(*jobs, tmp_path)
+
+
+def test_changed_uncertainties_have_the_unit_of_their_property():
+    before, after = ({"material": {"uncertainty": {"youngs_modulus": width}}} for width in (4e9, 5e9))
+    units = {"material.youngs_modulus": "Pa"}
+    assert list(differing_inputs(before, after, units)) == [
+        ("material.uncertainty.youngs_modulus", "4 GPa", "5 GPa")
+    ]

@@ -186,6 +186,15 @@ def test_the_text_of_a_design_keeps_its_comments(tmp_path, text):
     assert loads(result).cell.pillar.height == pytest.approx(0.0151)
 
 
+def test_a_design_has_no_rounding_errors_in_its_text(tmp_path):
+    text = QUICK_CELL.replace('"14.7 mm"', '"share*14 mm"') + "[parameters]\nshare = 0.4\n"
+    result = design_text(
+        text, {"parameters.share": 0.4 + 0.1 - 0.06, "cell.pitch": 0.1 * 3 * 2.5e-2}, tmp_path
+    )
+    assert "share = 0.44\n" in result
+    assert 'pitch = "7.5 mm"' in result
+
+
 def test_a_number_that_the_text_gives_in_another_way_gives_a_new_text(tmp_path):
     text = QUICK_CELL.replace('"aluminium-paper"', "{ youngs_modulus = '70 GPa', poisson_ratio = 0.33 }")
     text = text.replace("0.33 }", "0.33, density = '2700 kg/m^3' } # inline")

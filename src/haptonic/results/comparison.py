@@ -340,7 +340,8 @@ def differing_inputs(
     """Keys of two studies whose values differ, with both values as texts; ``units`` are SI, by key."""
 
     def text(key: str, value: object) -> str:
-        unit = units.get(pattern_of(key), "")
+        pattern = pattern_of(key)
+        unit = units.get(pattern) or units.get(pattern.replace(".uncertainty.", "."), "")
         return format_quantity(value, unit) if isinstance(value, float) else str(value)
 
     ours, theirs = dict(_flat(first)), dict(_flat(second))

@@ -41,7 +41,7 @@ def _rows(first: Table, second: Table) -> Iterator[tuple[str, ...]]:
             after = theirs[key][there] if key in theirs else None
             if before == after or isinstance(before or after, str):
                 continue
-            yield key, column.name, *_compared(column, before, after)
+            yield key, column.head, *_compared(column, before, after)
 
 
 def _keyed(first: Table, second: Table) -> tuple[dict[str, tuple[Cell, ...]], dict[str, tuple[Cell, ...]]]:

@@ -13,6 +13,7 @@ from haptonic.study.loading import examined
 from haptonic.units import format_quantity
 
 SAME = 1e-9  # relative difference of a number that is read again from its text
+DIGITS = 10  # of a written number: enough for `SAME`, too few for 0.44000000000000006
 
 
 def design_text(text: str, changes: Mapping[str, float], folder: Path) -> str:
@@ -33,7 +34,10 @@ def design_text(text: str, changes: Mapping[str, float], folder: Path) -> str:
     try:
         for path, value in changes.items():
             if not _same(own.get(path), value):
-                written = format_quantity(value, units[path], digits=None) if units[path] else value
+                unit = units[path]
+                written = (
+                    format_quantity(value, unit, digits=DIGITS) if unit else float(f"{value:.{DIGITS}g}")
+                )
                 result = changed(result, steps_of(path), written)
     except (HaptonicError, KeyError):
         result = ""

@@ -6,7 +6,7 @@ import time
 from dataclasses import dataclass, field
 from typing import Any
 
-from haptonic.studio.offers import as_command, as_python, offered
+from haptonic.studio.offers import as_command, as_python, measured_files, offered
 from haptonic.studio.order import Order
 
 LONGEST_TITLE = 200  # characters in the list, which is sent after every change
@@ -59,6 +59,12 @@ class Job:
         return self.order.number
 
     @property
+    def file(self) -> str:
+        """File of the study; of a job without a study, the files that it reads."""
+        own = self.order
+        return measured_files(offered(own.analysis), own.options) if own.alone else own.file
+
+    @property
     def is_kept(self) -> bool:
         """True if the archive keeps the job: it has ended, with an answer or with points.
 
@@ -73,7 +79,7 @@ class Job:
     def brief(self) -> dict[str, Any]:
         """State for the list of jobs."""
         return {
-            "number": self.number, "analysis": self.order.analysis, "file": self.order.file,
+            "number": self.number, "analysis": self.order.analysis, "file": self.file,
             "title": self.order.title[:LONGEST_TITLE], "started": self.started,
             "state": self.state, "cost": self.cost, "progress": self.progress,
             "points": len(self.points), "turned": bool(self.order.turned), "byCommand": self.by_command,

@@ -159,6 +159,12 @@ def as_command(analysis: Analysis, file: str, options: Mapping[str, Any], *, alo
     return shlex.join(["haptonic", *analysis.name.split(), *before, *study, *behind, *flags])
 
 
+def measured_files(analysis: Analysis, options: Mapping[str, Any]) -> str:
+    """Names of the files that an analysis reads."""
+    given = _given(analysis, options)
+    return ", ".join(str(value) for option, _, value in given if option.place != "option")
+
+
 def as_python(analysis: Analysis, file: str, options: Mapping[str, Any], *, alone: bool = False) -> str:
     """The line of Python that repeats an analysis; ``alone`` without a study."""
     given = {field.name: value for _, field, value in _given(analysis, options)}
