@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -147,6 +148,18 @@ def errors_if_moved(values: Array, at: Array, frequency: Array, curve: Array, sh
     moved = [np.interp(at * (1 + by), frequency, curve) for by in (-share, share)]
     change = np.fmax(*np.abs(np.array(moved) - values))  # at the end of a wave's range only one is known
     return np.asarray(np.where(np.isnan(values), np.nan, np.nan_to_num(change) + share * np.abs(values)))
+
+
+def error_at_carrier(data: xr.Dataset, value: float, curve: Array) -> float:
+    """Error of a value at the carrier, for its curve (f,) over the frequencies; see `errors_if_moved`.
+
+    NaN if the carrier is outside the frequencies, or if the error of those of the lattice is not known.
+    """
+    frequency, carrier = data["frequency"].values, float(data.attrs["carrier_hz"])
+    share = data.attrs.get("relative_frequency_error")
+    if share is None or not frequency.min() <= carrier <= frequency.max():
+        return math.nan
+    return float(errors_if_moved(np.array([value]), np.array([carrier]), frequency, curve, share)[0])
 
 
 def first_reaching(insulation: Sequence[float] | Array, goal: float) -> int | None:

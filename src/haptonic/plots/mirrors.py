@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -10,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.arrays import Array
-from haptonic.bloch.mirrors import errors_if_moved
+from haptonic.bloch.mirrors import error_at_carrier
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.names import counted
@@ -62,7 +64,8 @@ def decay(dataset: xr.Dataset) -> Figure:
     ]  # fmt: skip
     carrier = float(dataset.attrs["carrier_hz"])
     if frequency.min() <= carrier / 1e3 <= frequency.max():
-        there, error = _at_carrier(dataset, reach[:, 0])
+        there = float(np.interp(carrier, dataset["frequency"].values, reach[:, 0]))
+        error = error_at_carrier(dataset, there, reach[:, 0])
         depth.plot(carrier / 1e3, there, "o", color=color, ms=5, zorder=5, gid="number")
     depth.set_ylim(0, top)
     depth.set_ylabel("decay (dB per row)")
@@ -75,23 +78,10 @@ def decay(dataset: xr.Dataset) -> Figure:
     for axes in (phases, depth):
         _mark(axes, dataset, named=axes is depth)
     if frequency.min() <= carrier / 1e3 <= frequency.max():
-        text = f"{there:.1f}" if error is None else uncertain(there, error)
+        text = uncertain(there, error) if math.isfinite(error) else f"{there:.1f}"
         above(depth, [(carrier / 1e3, f"{text} dB per row", color)], first=2)
     below(figure, handles)
     return figure
-
-
-def _at_carrier(dataset: xr.Dataset, decay: Array) -> tuple[float, float | None]:
-    """Decay at the drive frequency and its error, dB per row; None if that of the frequency is not known.
-
-    See `haptonic.bloch.mirrors.errors_if_moved`.
-    """
-    at, frequency = np.array([float(dataset.attrs["carrier_hz"])]), dataset["frequency"].values
-    there = np.interp(at, frequency, decay)
-    share = dataset.attrs.get("relative_frequency_error")
-    if share is None:
-        return float(there[0]), None
-    return float(there[0]), float(errors_if_moved(there, at, frequency, decay, float(share))[0])
 
 
 @style.drawn

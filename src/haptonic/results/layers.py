@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -12,13 +13,13 @@ import numpy as np
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
-from haptonic.bloch.mirrors import GOALS, MOST_ROWS, first_reaching, passed_by_rows
+from haptonic.bloch.mirrors import GOALS, MOST_ROWS, error_at_carrier, first_reaching, passed_by_rows
 from haptonic.later import Axes, Figure, xarray as xr
-from haptonic.results.layers_view import layers_view
+from haptonic.results.layers_view import insertion_loss, layers_view
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
-from haptonic.units import hz_text
+from haptonic.units import hz_text, uncertain
 from haptonic.views import InteractiveView, write_page
 
 
@@ -96,12 +97,25 @@ class Layers(Result):
         return layers_view(self.dataset, self.title, self.summary())
 
     def summary(self) -> list[str]:
-        decay, rows = float(self.dataset.attrs["carrier_attenuation_db"]), self.dataset.sizes["rows"]
-        losses = [f"{family} {self.insulation(family)[rows - 1]:.0f} dB" for family in self.families]
+        data, rows = self.dataset, self.dataset.sizes["rows"]
+        decay = self._at_carrier(
+            float(data.attrs["carrier_attenuation_db"]), data["attenuation"][:, 0], ".2f"
+        )
+        losses = [f"{family} {self._loss(family)} dB" for family in self.families]
         return [
             f"Insertion loss of {rows} rows at {hz_text(self.carrier, form='g')}: {', '.join(losses)}.",
-            f"In the lattice, the slowest-decaying wave decays by {decay:.2f} dB per row at the carrier.",
+            f"In the lattice, the slowest-decaying wave decays by {decay} dB per row at the carrier.",
         ]
+
+    def _loss(self, family: str) -> str:
+        """Insertion loss of all rows at the carrier."""
+        curve = insertion_loss(self.dataset).isel(rows=-1).sel(incident=family)
+        return self._at_carrier(self.insulation(family)[self.dataset.sizes["rows"] - 1], curve, ".0f")
+
+    def _at_carrier(self, value: float, curve: xr.DataArray, form: str) -> str:
+        """A value at the carrier with its error, or in a form if the error is not known."""
+        error = error_at_carrier(self.dataset, value, curve.values)
+        return uncertain(value, error) if math.isfinite(error) else format(value, form)
 
     def tables(self) -> list[Table]:
         passed = Table.of(

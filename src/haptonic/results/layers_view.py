@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
 
@@ -29,8 +30,7 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
     the frequency, but on the mesh.
     """
     frequency, share = data["frequency"].values, float(data.attrs["relative_frequency_error"])
-    passed = data["transmitted"].sum("outgoing", skipna=False).clip(min=LEAST_SHARE)
-    loss = -10 * np.log10(passed.transpose("incident", "rows", "frequency").values)
+    loss = insertion_loss(data).transpose("incident", "rows", "frequency").values
     waves = data.transpose("wave", "frequency", ...)
     decay = DECIBELS * np.maximum(waves["kappa_imag"].values, 0.0)
     phase = np.abs(waves["kappa_real"].values) / np.pi
@@ -64,6 +64,12 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
         ),
         extra=extra,
     )
+
+
+def insertion_loss(data: xr.Dataset) -> xr.DataArray:
+    """(frequency, rows, incident) insertion loss of the spectra, dB."""
+    passed = data["transmitted"].sum("outgoing", skipna=False).clip(min=LEAST_SHARE)
+    return cast("xr.DataArray", -10 * np.log10(passed))
 
 
 def _errors(values: Array, frequency: Array, share: float) -> Array:
