@@ -242,21 +242,20 @@ def share_text(value: float, low: float = math.nan, high: float = math.nan) -> s
     return in_percent(value, form=form) + interval
 
 
-def uncertain(value: float, bound: float, decimals: int | None = None) -> str:
+def uncertain(value: float, bound: float) -> str:
     """Value and bound of its error, ``52.51 ± 0.05``, both in the unit of the text.
 
-    The bound is rounded up to one digit, or to two if the first is a 1, or to ``decimals``; the value has the
-    same decimals. Without a bound it is alone.
+    The bound is rounded up to one digit, or to two if the first is a 1; the value has the same decimals.
+    Without a bound it is alone.
     """
     if not (math.isfinite(bound) and bound > 0):
-        return f"{value:.{3 if decimals is None else decimals}f}"
+        return f"{value:.3f}"
     bound = max(bound, 10.0**-MOST_DECIMALS)  # never printed as zero
-    power = math.floor(math.log10(bound) + 1e-9) if decimals is None else -decimals
-    if decimals is None:
-        power -= bound < 2 * 10.0**power  # for 1.02, one digit would double the bound
-        power += math.ceil(bound / 10.0**power - 1e-9) == 10
+    power = math.floor(math.log10(bound) + 1e-9)
+    power -= bound < 2 * 10.0**power  # for 1.02, one digit would double the bound
+    power += math.ceil(bound / 10.0**power - 1e-9) == 10
     digits, shown = max(math.ceil(bound / 10.0**power - 1e-9), 1), min(max(-power, 0), MOST_DECIMALS)
-    return f"{value:.{shown}f} ± {digits * 10.0**power:.{shown}f}"
+    return f"{value:z.{shown}f} ± {digits * 10.0**power:.{shown}f}"
 
 
 def kind_of(unit: str) -> str:
@@ -345,7 +344,7 @@ def _why_not_a_quantity(text: str) -> str:
         return f"the character {strange[0]!a} is not expected here"
     if re.match(r"\s*[A-Za-z]", text):
         return "the number is missing"
-    return "it is not one number followed by one unit; nothing is calculated here"
+    return "it is not one number followed by one unit"
 
 
 def _factor(unit_text: str, unit: str) -> Fraction:

@@ -35,23 +35,22 @@ def test_the_shown_bound_is_never_smaller_than_the_bound_nor_much_larger(frequen
 @pytest.mark.parametrize(
     ("lower", "upper", "text"),
     [
-        ((55357.0, 29.0), (61958.8, 19.6), "55.36 ± 0.03 to 61.96 ± 0.02 kHz"),
-        ((54710.0, 67.0), (65300.0, 96.0), "54.71 ± 0.07 to 65.30 ± 0.10 kHz"),
+        ((55357.0, 29.0), (61958.8, 19.6), "55.36 ± 0.03 to 61.959 ± 0.020 kHz"),
+        ((54710.0, 67.0), (65300.0, 96.0), "54.71 ± 0.07 to 65.3 ± 0.1 kHz"),
         ((54.36e6, 1e4), (61.2e6, 2e4), "54.36 ± 0.01 to 61.20 ± 0.02 MHz"),
         ((52000.0, 0.0), (60000.0, 0.0), "52.000 to 60.000 kHz"),
         ((6934.96, 1.75), (346735.3, 1253.6), "6.9350 ± 0.0018 to 346.7 ± 1.3 kHz"),
         ((52000.0, 30.0), (60000.0, 1e-9), "52.00 ± 0.03 to 60.000000 ± 0.000001 kHz"),
     ],
 )
-def test_both_edges_of_a_range_have_the_same_decimals_if_their_errors_are_alike(lower, upper, text):
+def test_each_edge_of_a_range_is_rounded_as_in_a_table(lower, upper, text):
     assert band_text(*lower, *upper) == text
 
 
 @given(st.floats(1.0, 1e4), st.floats(1.0, 1e4))
 def test_no_bound_of_a_range_is_smaller_than_the_bound_or_much_larger(low, high):
     shown = band_text(50e3, low, 60e3, high).removesuffix(" kHz").split(" to ")
-    if max(low, high) < 9 * min(low, high):
-        assert len({len(text.split(" ")[0].partition(".")[2]) for text in shown}) == 1
+    assert shown == [uncertain(50, low / 1e3), uncertain(60, high / 1e3)]
     for text, bound in zip(shown, (low, high), strict=True):
         assert bound * (1 - 1e-6) <= 1e3 * float(text.split(" ± ")[1]) <= 1.5 * bound * (1 + 1e-6)
 

@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from haptonic.bloch import Gap
     from haptonic.vibrometry import MeasuredGap
 
-LOOSEST = 1.25  # times a bound, to which it may be enlarged for fewer decimals
-
 WavevectorUnit = Literal["rad/m", "pi/a"]
 
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten by which they divide
@@ -37,24 +35,14 @@ def uncertain_hertz(frequency: float, error: float) -> str:
 
 
 def band_text(lower: float, lower_error: float, upper: float, upper_error: float) -> str:
-    """``52.51 ± 0.05 to 60.21 ± 0.10 kHz``: both ends of a band with the bounds of their errors, Hz.
-
-    Both ends have the same number of decimals, the smaller one of `uncertain` for each unless it would
-    enlarge a bound by more than a quarter. Bounds are rounded up. If bounds differ by more than a digit, as
-    of a low and a high frequency, each end has its own.
-    """
+    """``52.51 ± 0.05 to 60.223 ± 0.012 kHz``: both ends of a band with the bounds of their errors, Hz."""
     unit, scale = frequency_scale(lower, upper)
-    ends = [(lower * scale, lower_error * scale), (upper * scale, upper_error * scale)]
-    fewest, most = sorted(len(uncertain(*end).split(" ")[0].partition(".")[2]) for end in ends)
-    known = (10.0**fewest * bound for _, bound in ends if math.isfinite(bound))
-    coarse = any(math.ceil(digits - 1e-9) > LOOSEST * digits for digits in known if digits > 0)
-    decimals = None if most > fewest + 1 else most if coarse else fewest
-    texts = (uncertain(*end, decimals) for end in ends)
-    return f"{' to '.join(texts)} {unit}"
+    ends = ((lower, lower_error), (upper, upper_error))
+    return f"{' to '.join(uncertain(end * scale, error * scale) for end, error in ends)} {unit}"
 
 
 def gap_text(gap: Gap | MeasuredGap) -> str:
-    """``52.51 ± 0.05 to 60.21 ± 0.10 kHz``: both edges of a gap with the bounds of their errors."""
+    """``52.51 ± 0.05 to 60.223 ± 0.012 kHz``: both edges of a gap with the bounds of their errors."""
     return band_text(gap.lower, gap.lower_error, gap.upper, gap.upper_error)
 
 
@@ -67,7 +55,9 @@ def label(name: str) -> str:
 def readable(expression: str) -> str:
     """A swept expression in words: ``cell.pillar.diameter / cell.pitch`` is ``pillar diameter / pitch``."""
     expression = _OF_SITE.sub(r"\2 of site \1", expression)
-    plain = re.sub(r"\b(?:cell|material)\.", "", _PROPER.sub(lambda name: _PROPERLY[name[0]], expression))
+    plain = re.sub(
+        r"\b(?:cell|material|parameters)\.", "", _PROPER.sub(lambda name: _PROPERLY[name[0]], expression)
+    )
     plain = _OF_DISC.sub(lambda disc: f"disc {disc[1]} " if disc[1] else "disc ", plain)
     return re.sub(r"(?<=[A-Za-z])[._](?=[A-Za-z])", " ", plain)
 
