@@ -9,8 +9,9 @@ from coarse import reference_cell
 from hypothesis import given, settings, strategies as st
 
 from haptonic.bloch import Resolution
-from haptonic.bloch.character import FLEXURAL, IN_PLANE, LONGITUDINAL, characters
+from haptonic.bloch.character import BENDING, DEFORMATION, FLEXURAL, IN_PLANE, LONGITUDINAL, characters
 from haptonic.bloch.model import BlochModel
+from haptonic.cell import Disc
 
 PITCH = 7e-3
 
@@ -45,3 +46,25 @@ def test_pillars_that_rise_with_the_plate_are_not_stretched(height, thickness, l
     model = BlochModel.of(cell, Resolution(2, 0), 6)
     solution = model.solve(np.array([length, 0.0]))
     assert characters(model.fine.tiling, solution.fields).name[0] != LONGITUDINAL
+
+
+def test_a_tube_that_becomes_oval_is_named_after_the_deformation_of_its_sections():
+    """Its rim moves outwards in two places and inwards between them; in bending it moves to one side."""
+    cell = reference_cell()
+    tube = (Disc(6e-3, low=0.0, high=5e-3), Disc(4e-3, low=0.0, high=5e-3, empty=True))
+    model = BlochModel.of(replace(cell, pillar=None, thickness=1e-3, disc=tube), Resolution(3, 0), 6)
+    solution = model.solve(np.array([0.5, 0.2]))
+    points = model.fine.tiling.meshes[0].points
+    at_top = np.isclose(points[:, 2], points[:, 2].max())
+    rim = at_top & np.isclose(np.linalg.norm(points[:, :2], axis=1), 3e-3)
+    angle = np.arctan2(points[rim, 1], points[rim, 0])
+    radial = model.displacement(solution)[rim, :2] * np.array([np.cos(angle), np.sin(angle)]).T[:, :, None]
+    terms = np.stack([np.exp(1j * turns * angle) for turns in (0, 1, -1, 2, -2, 3, -3)], axis=1)
+    amplitudes = np.abs(np.linalg.lstsq(terms, radial.sum(axis=1))[0]) ** 2
+    to_one_side, oval = amplitudes[1:3].sum(axis=0), amplitudes[3:5].sum(axis=0)
+    named = characters(model.fine.tiling, solution.fields).name
+    bends, deforms = named == BENDING, named == DEFORMATION
+    assert bends.any()
+    assert deforms.any()
+    assert (to_one_side > 3 * oval)[bends].all()
+    assert (oval > 3 * to_one_side)[deforms].all()

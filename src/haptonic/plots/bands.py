@@ -43,6 +43,7 @@ CURVE_STYLES = {
     "pillar bending 4+": CurveStyle("#7a4b00", style.DASH_DOT_DOTTED, "P"),
     "torsion": CurveStyle(style.GREEN, style.DASH_DOTTED, "D"),
     "longitudinal": CurveStyle(style.PURPLE, style.DOTTED, "^"),
+    "section deformation": CurveStyle("#3a1fd1", style.DASH_DOT_DOTTED, "*"),
     "plate flexural": CurveStyle(style.INK, style.SOLID, ""),
     "plate in-plane": CurveStyle(style.ORANGE, style.DASHED, "X"),
 }
