@@ -177,6 +177,14 @@ def test_accuracy_beyond_the_budget_is_answered_with_what_was_reached(inside, st
     assert "--budget" in ran.err or "budget" in ran.err
 
 
+def test_a_mesh_of_the_study_that_misses_the_accuracy_is_reported(inside, study):
+    ran = inside("bands", study(("accuracy = 2e-2", "accuracy = 1e-4")), "--json")
+    assert ran.code == 0, ran.err
+    (warning,) = ran.json["warnings"]
+    assert "The required accuracy, 0.0001, is not reached" in warning
+    assert "without it, the accuracy determines the mesh" in warning
+
+
 def test_unreadable_files_and_folders(inside, study, tmp_path):
     assert_five_parts(
         inside("bands", tmp_path / "none.toml"), "none.toml", code="not-found", argument="study"

@@ -359,9 +359,11 @@ class BestModel:
 
     def attributes(self, settings: BandSettings) -> dict[str, Any]:
         """Attributes of a dataset on its accuracy: requested, reached, and the limit that prevented more."""
-        attributes: dict[str, Any] = {"accuracy": settings.accuracy, "budget_s": settings.budget}
-        if settings.resolution is None:  # otherwise the user chose the mesh
-            attributes["largest_error"] = self.model.worst_error
+        attributes: dict[str, Any] = {
+            "accuracy": settings.accuracy,
+            "budget_s": settings.budget,
+            "largest_error": self.model.worst_error,
+        }
         if self.lack is not None:
             attributes |= self.lack.attributes(self.model.cell)
         return attributes

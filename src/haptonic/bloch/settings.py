@@ -38,7 +38,10 @@ class MeshSettings:
     """Mesh settings for experts; by default ``bands.accuracy`` selects the mesh."""
 
     order: Annotated[int, Field(ge=LEAST_ORDER, le=10, strict=True)] | None = setting(
-        None, "Polynomial order of the elements.", title="Element order"
+        None,
+        "Polynomial order of elements that span a quarter turn. Shorter ones have a lower order; long ones, "
+        "and those for many bands, a higher one.",
+        title="Element order",
     )
     foot_rings: Annotated[int, Field(ge=0, le=6, strict=True)] | None = setting(
         None, "Refinements on either side of the pillar's foot.", title="Rings at the foot"

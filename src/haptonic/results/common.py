@@ -40,6 +40,8 @@ def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
     )
     if "stopped_by" in attributes:
         remark += f" The reason is {REASONS[attributes['stopped_by']]}: {attributes['stopped_why']}."
+    else:
+        remark += " The study sets the mesh in [mesh]; without it, the accuracy determines the mesh."
     if "budget_needed_s" in attributes:
         remark += f' Run again with --budget "{duration(attributes["budget_needed_s"])}" for the next mesh.'
     return [f"{remark} To accept these errors, set accuracy = {reached} in [bands]."]
