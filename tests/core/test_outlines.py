@@ -6,12 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
+from strategies import ALUMINIUM
 
 from five_parts import refusing
-from haptonic.cell import Disc, Pillar, Step
+from haptonic.cell import Disc, Pillar, Step, UnitCell
 from haptonic.cell.outlines import CIRCLE, NUMBERS, SECTIONS, Scaled, taken_by
 from haptonic.cell.pillar_parts import Corner
 from haptonic.errors import GeometryError
+from haptonic.lattice import Lattice
 
 MM = 1e-3
 TURNS = st.one_of(st.none(), st.floats(-3.1, 3.1), st.sampled_from([math.pi / 2, math.pi / 4, -math.pi / 6]))
@@ -295,3 +297,17 @@ def test_every_number_of_a_section_is_a_field_of_a_disc():
 def test_arms_like_slivers_and_arms_without_notches_are_refused(width):
     with refusing(GeometryError, "out-of-range", "cell.disc.arm_width"):
         Disc(3 * MM, section="cross", arm_width=width)
+
+
+@pytest.mark.parametrize("section", ["round", "cross"])
+def test_a_disc_leaves_a_hundredth_of_the_pitch_free_whatever_its_section(section):
+    arm = 2 * MM if section == "cross" else None
+
+    def cell(diameter: float) -> UnitCell:
+        disc = Disc(diameter, section=section, arm_width=arm, empty=True)
+        return UnitCell(Lattice.square(8 * MM), 1 * MM, ALUMINIUM, disc=(disc,))
+
+    assert cell(7.83 * MM).discs
+    with refusing(GeometryError, "out-of-range", "cell.disc[1].diameter") as caught:
+        cell(7.85 * MM)
+    assert caught.value.allowed.startswith("less than 7.84 mm")

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from five_parts import refused_study as refused, refusing
+from haptonic.cell import Disc, Pillar
 from haptonic.errors import StudyError
 from haptonic.fields import table
 from haptonic.fields.aliases import aliases
@@ -60,6 +61,11 @@ def test_a_radius_is_answered_once_and_the_missing_diameter_is_not_another_probl
     with refusing(StudyError, "unknown", "cell.pillar.radius", "twice") as caught:
         Study(cell={**CELL, "pillar": {"radius": 1.7e-3, "height": 14.7e-3}}, material="steel")
     assert "other problem" not in str(caught.value)
+
+
+@pytest.mark.parametrize("feature", [Pillar(1e-3, 2e-3, section="circle"), Disc(1e-3, section="circular")])
+def test_a_circle_is_a_round_section(feature):
+    assert feature.section == "round"
 
 
 @pytest.mark.parametrize("word", ["hexagonal", "triangular"])

@@ -215,7 +215,7 @@ def _check_room(cell: UnitCell, brick: Brick) -> None:
     feature = brick.tile.feature
     assert feature is not None
     table = f"{cell.table_of(brick.number)}{feature.table}"
-    room = brick.tile.room - LEAST_CLEARANCE * cell.lattice.pitch
+    room = brick.tile.room_beside(LEAST_CLEARANCE * cell.lattice.pitch)
     if feature.widest > room:
         per_half = feature.diameter / feature.radius
         beyond = per_half * (feature.widest - feature.radius)

@@ -46,8 +46,9 @@ def check_cell(cell: UnitCell) -> None:
         return
     if (feature := cell.feature) is None:
         return
-    if cell.clearance < LEAST_CLEARANCE * cell.lattice.pitch:
-        raise _too_wide(feature, cell.room - LEAST_CLEARANCE * cell.lattice.pitch)
+    room = cell.room_beside(LEAST_CLEARANCE * cell.lattice.pitch)
+    if feature.widest > room:
+        raise _too_wide(feature, room)
     if (parts := unmeshed(cell)) is not None:
         raise problem("unsupported", **parts, at=f"{feature.table}.section")
 

@@ -9,7 +9,6 @@ from typing import Annotated, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.cell.outlines import SectionName
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.pillar_parts import Corner
 from haptonic.cell.sectioned import (
@@ -22,6 +21,7 @@ from haptonic.cell.sectioned import (
     TURN,
     ArmWidth,
     CornerRadius,
+    GivenSection,
     Sectioned,
     SectionLength,
     SectionSides,
@@ -109,7 +109,7 @@ class Disc(Sectioned):
         "Angle between side and normal; positive is narrower at the upper end.",
         title="Draft of the disc",
     )
-    section: SectionName = SECTION
+    section: GivenSection = SECTION
     length: SectionLength = LENGTH
     arm_width: ArmWidth = ARM_WIDTH
     sides: SectionSides = SIDES

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from haptonic.arrays import Array
-from haptonic.cell.outlines import SECTIONS, Scaled, SectionName, taken_by
+from haptonic.cell.outlines import SECTIONS, Scaled, taken_by
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.pillar_parts import Corner, Fillet, Step
 from haptonic.cell.quadrature import lobatto
@@ -23,6 +23,7 @@ from haptonic.cell.sectioned import (
     SIDES,
     TURN,
     CornerRadius,
+    GivenSection,
     Sectioned,
     SectionLength,
     SectionSides,
@@ -104,7 +105,7 @@ class Pillar(Sectioned):
     height: Annotated[float, size(10e-9, 100e-3)] = needed(
         "Height above the face of the plate.", title="Pillar height", examples=["14.7 mm"]
     )
-    section: SectionName = SECTION
+    section: GivenSection = SECTION
     draft: Annotated[float, Quantity("rad", at_least=-STEEPEST, at_most=STEEPEST, typical=USUAL_DRAFT)] = (
         setting(0.0, "Angle between side and normal; positive is narrower at the top.", title="Draft angle")
     )

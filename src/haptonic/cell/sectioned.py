@@ -13,13 +13,14 @@ from pydantic import Field
 
 from haptonic.cell.outlines import NUMBERS, SECTIONS, Outline, Scaled, Section, SectionName, taken_by
 from haptonic.cell.pillar_parts import Corner
-from haptonic.fields import LARGEST, Quantity, problem, setting, size
+from haptonic.fields import LARGEST, Quantity, Synonyms, problem, setting, size
 from haptonic.materials import Material, is_symmetry
 from haptonic.units import format_quantity
 
 MOST_CORNERS = 24  # of a section
 LEAST_LENGTH, MOST_LENGTH = 20e-9, 50e-3  # m
 # declarations of the numbers of a section, shared by the classes with a section
+GivenSection = Annotated[SectionName, Synonyms(circle="round", circular="round")]
 SECTION = setting("round", "Section seen from above. Before the turn, sides of a square lie along x and y.")
 SectionLength = Annotated[float, size(LEAST_LENGTH, MOST_LENGTH)] | None
 LENGTH = setting(
@@ -76,7 +77,8 @@ class Sectioned:
             allowed = f"{name} for a section that is {', '.join(having[:-1])} or {having[-1]}"
             allowed = allowed if len(having) > 1 else f"{name} for the section {having[0]}"
             if takes.get(name) and not given:
-                raise problem("missing", "nothing", allowed, "it was left out", f"add {name}", at=name)
+                cause = "it was left out, or is empty"
+                raise problem("missing", "nothing", allowed, cause, f"give {name}", at=name)
             if given and name not in takes:
                 raise problem(
                     "conflict",

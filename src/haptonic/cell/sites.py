@@ -321,17 +321,17 @@ def check_tiles(tiles: Sequence[PlacedTile], given: int, pitch: float, least: fl
                 at=f"{table}at" if table else "site",
             )
         feature = tile.feature
-        if feature is not None and tile.clearance < least:  # before the checks that need a clearance
+        # before the checks that need a clearance
+        if feature is not None and feature.widest > (room := tile.room_beside(least)):
             per_half = feature.diameter / feature.radius
             beyond = per_half * (feature.widest - feature.radius)
-            room = per_half * (tile.room - least) - beyond
             raise problem(
                 "out-of-range",
                 f"{feature.diameter * 1e3:g} mm wide"
                 + (f", and {beyond * 1e3:.4g} mm more where it is widest" if beyond else ""),
-                f"less than {room * 1e3:.4g} mm wide, so that a hundredth of the pitch stays free up to half-"
-                "way to the next site",
-                f"the {feature.noun} overlaps the next one, or touches the edge half-way to it",
+                f"less than {(per_half * room - beyond) * 1e3:.4g} mm wide, so that a hundredth of the pitch "
+                "stays free up to halfway to the next site",
+                f"the {feature.noun} overlaps the next one, or touches the edge halfway to it",
                 f"choose a thinner {feature.noun}, or move the sites apart",
                 at=f"{table}{feature.table}.diameter",
             )

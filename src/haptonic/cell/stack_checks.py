@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from haptonic.cell.blocks import VOID
+from haptonic.cell.disc import STEEPEST
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.pillar import LEAST_SHARE
 from haptonic.cell.stack import LEAST_APART, Stack
@@ -61,10 +62,11 @@ def _check_ends(stack: Stack, table: str) -> None:
                 math.degrees(math.atan(width * change / (high - low)))
                 for change in (1 - LEAST_SHARE, 1 / LEAST_SHARE - 1)
             )
+            most = math.degrees(STEEPEST)
             raise problem(
                 "out-of-range",
                 f"{math.degrees(disc.draft):g} deg",
-                f"between {-outwards:.3g} and {inwards:.3g} degrees for these sizes",
+                f"between {-min(outwards, most):.3g} and {min(inwards, most):.3g} degrees for these sizes",
                 "one end would almost vanish beside the other, or the sides would meet",
                 "choose a smaller angle, or let the disc end earlier",
                 at=f"{table}disc[{number}].draft",

@@ -51,10 +51,13 @@ def sides_of(loop: Array) -> tuple[Array, Array]:
     return normal, np.einsum("nc,nc->n", normal, loop)
 
 
-def room_in(loop: Array, outline: Outline) -> float:
-    """Largest scale at which an outline fits into a polygon (sides, 2), anticlockwise about the origin."""
+def room_in(loop: Array, outline: Outline, free: float = 0.0) -> float:
+    """Largest scale at which an outline fits into a polygon (sides, 2), anticlockwise about the origin.
+
+    ``free`` : width that remains between the outline and each side
+    """
     normal, away = sides_of(loop)
-    return float((away / outline.support(normal)).min())
+    return float(((away - free) / outline.support(normal)).min())
 
 
 class TileShape:
@@ -151,6 +154,10 @@ class TileShape:
     def room(self) -> float:
         """Largest half-width of a feature with this outline that fits into the polygon, m."""
         return room_in(self.corners, self.feature.outline) if self.feature else self.inradius
+
+    def room_beside(self, free: float) -> float:
+        """Largest half-width of a feature with this outline that leaves a width free at each side, m."""
+        return room_in(self.corners, self.feature.outline, free) if self.feature else self.inradius - free
 
     @property
     def clearance(self) -> float:
