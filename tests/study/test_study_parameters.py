@@ -320,6 +320,13 @@ class TestStudies:
         assert study.to_toml() == STUDY.to_toml()
         assert dict(study.named_parameters) == {"a": 7e-3, "d": 3.5e-3, "share": 0.6}
 
+    def test_a_key_below_the_heading_of_the_parameters_is_explained(self):
+        text = NUMBERS.replace('material = "aluminium-2017a"\n', "")
+        text = text.replace("\n[cell]", '\n[parameters]\na = "7 mm"\nmaterial = "steel"\n\n[cell]', 1)
+        error = refused(lambda: loads(text), code="unknown")
+        assert error.argument.endswith("parameters.material")
+        assert "if material is no parameter, move its line above [parameters]" in error.next_step
+
     def test_a_value_alone_knows_no_parameters(self):
         assert Lattice.square("2*3.5 mm").pitch == 7e-3
         error = refused(lambda: UnitCell(Lattice.square("7 mm"), "a", "steel"), code="unknown")

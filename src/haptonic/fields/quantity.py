@@ -38,6 +38,7 @@ class Quantity:
     above, at_least, at_most, below : hard bounds, in ``unit``; a value outside is refused
     typical : (lowest, highest) of ordinary designs, in ``unit``; a value outside gives a warning
     hint : next step for a value above the bounds, if it needs more than the bounds
+    exception : words on ordinary values outside the typical range
     """
 
     unit: str
@@ -47,6 +48,7 @@ class Quantity:
     below: float = math.inf
     typical: tuple[float, float] | None = None
     hint: str = ""
+    exception: str = ""
 
     def __get_pydantic_core_schema__(
         self, source: type[Any], handler: GetCoreSchemaHandler
@@ -133,6 +135,8 @@ class Quantity:
             return ""
         where = f" {beside}" if beside else ""
         words = f"{format_quantity(value, self.unit)} is unusual{where}: {self.usual} is typical"
+        if self.exception:
+            return f"{words}, {self.exception}"
         near = self.typical[0] / 10 <= value <= self.typical[1] * 10  # too close for a wrong unit
         for power in () if near or not self.unit else (3, -3, 6, -6, 9, -9):
             slipped = value * 10.0**power

@@ -68,11 +68,14 @@ class IsotropicMaterial:
         ),
     }  # fmt: skip
 
-    youngs_modulus: Annotated[float, Quantity("Pa", at_least=1e3, at_most=1e13, typical=(1e9, 5e11))] = (
-        needed("Stiffness in tension.", title="Young's modulus")
-    )
+    youngs_modulus: Annotated[
+        float,
+        Quantity(
+            "Pa", at_least=1e3, at_most=1e13, typical=(1e9, 5e11), exception="0.1 to 100 MPa for rubber"
+        ),
+    ] = needed("Stiffness in tension.", title="Young's modulus")
     poisson_ratio: Annotated[
-        float, Quantity("", above=-1.0, below=0.5, typical=(0.1, 0.45), hint=INCOMPRESSIBLE)
+        float, Quantity("", above=-1.0, below=0.5, typical=(0.1, 0.5), hint=INCOMPRESSIBLE)
     ] = needed("Sideways contraction over stretch.", examples=["0.34"])
     density: Annotated[float, DENSITY] = needed("Mass per volume.")
     loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = setting(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import cycle
 from typing import Any
 
@@ -53,9 +53,7 @@ def plate_plan(plate: Plate, visited: Array | None = None, *, ax: Axes | None = 
     busy += [force.centre for force in plate.forces]
     busy += [plate.finger.centre] if plate.finger else []
     for name in layout.regions:
-        places = list(rows_of(layout, name))
-        free = [min((np.hypot(x - a, y - b) for a, b in busy), default=1.0) for x, y, _ in places]
-        x, y, _ = places[int(np.argmax(free))]
+        x, y = _free_place(list(rows_of(layout, name)), busy)
         axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", gid="region name")
     margin = 0.04 * 1e3 * max(layout.x[-1] - layout.x[0], layout.y[-1] - layout.y[0])
     axes.set(
@@ -80,6 +78,22 @@ def rows_of(layout: Layout, name: str) -> Iterator[tuple[float, float, float]]:
         )
         low, top = layout.y[row], layout.y[row + 1]
         yield 0.5 * (layout.x[first] + layout.x[last + 1]), 0.5 * (low + top), top
+
+
+def _free_place(
+    rows: Sequence[tuple[float, float, float]], busy: Sequence[tuple[float, float]]
+) -> tuple[float, float]:
+    """Place (x, y) in rows as of `rows_of`, far from busy places; in the middle of a row if one is free."""
+
+    def distance(place: tuple[float, float]) -> float:
+        return min((float(np.hypot(place[0] - x, place[1] - y)) for x, y in busy), default=1.0)
+
+    half = min(top - y for _, y, top in rows)
+    middles = [(x, y) for x, y, _ in rows]
+    best = max(middles, key=distance)
+    if distance(best) > 0.5 * half:
+        return best
+    return max(((x, y + side * 0.6 * half) for x, y in middles for side in (-1, 1)), key=distance)
 
 
 def region_borders(layout: Layout, name: str) -> list[Array]:

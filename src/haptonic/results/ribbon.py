@@ -140,7 +140,7 @@ class RibbonWaves(Result):
         sizes = self.dataset.sizes
         count = f"The strip has {sizes['mode']} waves {where}, at {sizes['wavevector']} wavevectors"
         apart = int(self.dataset["in_gap"].values.sum())
-        bulk = f"; {apart} lie between the bulk bands of its crystal" if sizes["crystal"] else ""
+        bulk = f", {apart} of them between the bulk bands of its crystal" if sizes["crystal"] else ""
         gap = self.stop_band
         none = f" It has no wave from {hz_text(*gap, form='.4g')}." if gap else ""
         return f"{count}{bulk}.{none}"

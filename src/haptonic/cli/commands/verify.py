@@ -10,6 +10,7 @@ import typer
 from haptonic.cli.commands import Json
 from haptonic.cli.console import speaking
 from haptonic.cli.listing import pairs
+from haptonic.names import counted
 from haptonic.paths import target
 from haptonic.verification import (
     cases,
@@ -62,7 +63,8 @@ def run(names: Names = None, listing: Listing = False, page: Page = None, json: 
             if case.remark and (case.id in failed or len(chosen) == 1):
                 voice.write(f"{case.id}: {case.remark}")
         verdict = f"outside the errors: {', '.join(failed)}" if failed else "all agree"
-        voice.write(f"{len(chosen)} cases, {len(comparisons)} quantities: {verdict}.")
+        quantities = f"{len(comparisons)} {'quantity' if len(comparisons) == 1 else 'quantities'}"
+        voice.write(f"{counted(len(chosen), 'case')}, {quantities}: {verdict}.")
         if folder is not None:
             write_page(folder, comparisons, omitted_cases())
             voice.write(f"written: {folder}")

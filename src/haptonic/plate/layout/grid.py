@@ -18,7 +18,7 @@ from haptonic.cell.brickwork import Brick, Steps, equal_pieces
 from haptonic.cell.stack import Feature
 from haptonic.cell.tile import TileShape
 from haptonic.materials import Material
-from haptonic.names import listed
+from haptonic.names import counted, listed
 
 Side = Literal["left", "right", "bottom", "top"]
 Tile = tuple[int, int]
@@ -353,9 +353,9 @@ class Layout:
     def parts(self) -> str:
         """Numbers of pillars, stacks of discs and cells of a file, as text."""
         stacks, solids = len(self.features) - self.pillars, len(self.bricks) - len(self.features)
-        texts = [f"{self.pillars} pillars"] if self.pillars or not (stacks or solids) else []
-        texts += [f"{stacks} stacks of discs"] if stacks else []
-        return listed(texts + ([f"{solids} cells of a file"] if solids else []))
+        texts = [counted(self.pillars, "pillar")] if self.pillars or not (stacks or solids) else []
+        texts += [f"{counted(stacks, 'stack')} of discs"] if stacks else []
+        return listed(texts + ([f"{counted(solids, 'cell')} of a file"] if solids else []))
 
 
 def _lines(
