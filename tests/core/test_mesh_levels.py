@@ -262,6 +262,10 @@ def test_bands_that_miss_the_accuracy_are_returned_with_a_remark(monkeypatch):
     assert "0.001, is not reached" in remark
     assert "range of validity" in remark
     assert data.attrs["stopped_by"] == "range"
+    assert "set accuracy = " in remark
+    (hopeless,) = Bands(data.assign_attrs(largest_error=0.27)).remarks()
+    assert "too large to judge gaps" in hopeless
+    assert "set accuracy" not in hopeless  # a study accepts 0.1 at most
     assert Bands(data.assign_attrs(accuracy=1.0)).remarks() == []
 
 

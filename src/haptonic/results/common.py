@@ -44,7 +44,9 @@ def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
         remark += " The study sets the mesh in [mesh]; without it, the accuracy determines the mesh."
     if "budget_needed_s" in attributes:
         remark += f' Run again with --budget "{duration(attributes["budget_needed_s"])}" for the next mesh.'
-    return [f"{remark} To accept these errors, set accuracy = {reached} in [bands]."]
+    if largest <= COARSEST:  # a study accepts no larger number
+        remark += f" To accept these errors, set accuracy = {reached} in [bands]."
+    return [remark]
 
 
 def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool) -> list[Path]:
