@@ -41,6 +41,28 @@ def fine(study):
     return lambda *changes: study(*FINE, *changes)
 
 
+def test_errors_at_the_carrier_are_changes_if_the_carrier_moves(inside, fine, tmp_path):
+    """The number of frequencies of the spectrum does not matter."""
+
+    def computed(name: str, *changes) -> xr.Dataset:
+        ran = inside("layers", fine(("points = 3", "points = 2"), *changes), "--out", tmp_path / name)
+        assert ran.code == 0, ran.err
+        return xr.load_dataset(tmp_path / name / "layers.nc", engine="h5netcdf")
+
+    at = computed("at")
+    share = at.attrs["relative_frequency_error"]
+    moved = [computed(f"{sign}", ('"60 kHz"', f'"{float(60 * (1 + sign * share))!r} kHz"')) for sign in (-1, 1)]
+    decays = np.array([data.attrs["carrier_attenuation_db"] for data in (at, *moved)])
+    expected = abs(decays[1:] - decays[0]).max() + share * decays[0]
+    assert at.attrs["carrier_attenuation_error_db"] == pytest.approx(expected, rel=1e-3)
+    losses = [
+        -10 * np.log10(data["carrier_transmitted"].sum("outgoing").sel(incident="A0").values)
+        for data in (at, *moved)
+    ]
+    expected = np.abs(np.array(losses[1:]) - losses[0]).max(axis=0) + share * losses[0]
+    assert at["carrier_loss_error"].sel(incident="A0").values == pytest.approx(expected, rel=1e-3)
+
+
 def test_layers_writes_its_files_and_tables(inside, fine, tmp_path):
     out = tmp_path / "out"
     ran = inside("layers", fine(), "--tables", "--html", "--out", out)

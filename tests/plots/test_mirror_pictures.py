@@ -142,9 +142,7 @@ class TestDecay:
         assert not artists(drawn["decay, elsewhere"], "number")
 
     def test_the_decay_at_the_carrier_has_its_error(self):
-        """With a slope of 0.5 dB per row and kHz, and frequencies uncertain by 0.5 %, that is 0.29 kHz."""
-        data = simulated_mirror(relative_frequency_error=5e-3)
-        data["attenuation"][:, 0] = 4.0 + 0.5 * (data["frequency"] / 1e3 - 58.0)
+        data = simulated_mirror(carrier_attenuation_error_db=0.165)
         assert "4.00 ± 0.17 dB per row" in [text for text, _ in shown_texts(plots.decay(data))]
 
     def test_a_spectrum_in_which_nothing_decays_is_drawn(self):

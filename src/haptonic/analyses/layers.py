@@ -22,8 +22,11 @@ from haptonic.bloch.mirrors import (
     Incidence,
     at_carrier,
     carrier_dataset,
+    change_of_loss,
     condensed_rows,
+    loss_at_carrier,
     mirror_dataset,
+    scattering_at,
 )
 from haptonic.bloch.model import best_model
 from haptonic.cell import UnitCell
@@ -87,13 +90,20 @@ def compute(study: Description, options: PageOption, runner: Runner) -> Layers:
     rows = condensed_rows(cell, resolution, along)
     transmission = at_carrier(rows, carrier, incidence)
     lossless = at_carrier(rows, carrier, replace(incidence, loss_factor=0.0))
-    dataset = spectrum.merge(carrier_dataset(transmission))
-    omega = 2 * np.pi * carrier
-    waves, _ = bloch_waves(rows.slab(0.0).at(omega), omega)
+    share, slab = best.model.worst_error, rows.slab(0.0)
+    # that the lattice's frequencies move by their error is as if the carrier moved the other way
+    moved, many = [carrier * (1 + by) for by in (-share, share)], replace(incidence, layers=MOST_ROWS)
+    around = [carrier_dataset(s) for s in (transmission, *(scattering_at(rows, at, many) for at in moved))]
+    decay, *decays = (
+        rows.decay(bloch_waves(slab.at(omega), omega)[0]) for omega in 2 * np.pi * np.array([carrier, *moved])
+    )
+    dataset = spectrum.merge(around[0])
+    dataset["carrier_loss_error"] = change_of_loss([loss_at_carrier(each) for each in around], share)
     dataset.attrs = {
         "carrier_hz": carrier,
-        "relative_frequency_error": best.model.worst_error,
-        "carrier_attenuation_db": rows.decay(waves),
+        "relative_frequency_error": share,
+        "carrier_attenuation_db": decay,
+        "carrier_attenuation_error_db": max(abs(other - decay) for other in decays) + share * decay,
         "energy_balance": max(float(np.abs(result.dissipated).max()) for result in lossless.values()),
         "angle": incidence.angle,
         "along": list(along),

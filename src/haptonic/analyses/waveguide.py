@@ -102,6 +102,11 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
             refusal = error
     if not strips:
         assert refusal is not None
+        if refusal.argument == "layers.angle":  # the waves of the mode are too short for the mesh
+            raise refusal.changed(
+                StudyError, argument="--mode" if options.mode else "waveguide.mode",
+                next_step="choose fewer intervals along, or a longer waveguide",
+            )  # fmt: skip
         raise refusal
     dataset = strips_dataset(strips)
     if options.html:

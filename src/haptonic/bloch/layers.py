@@ -289,7 +289,7 @@ def _shares(amplitudes: Complex, waves: PlateWaves) -> Array:
 
 def _too_short(wavenumber: float, highest: float) -> StudyError:
     return StudyError.out_of_range(
-        argument="layers.wavenumber",
+        argument="layers.angle",
         given=f"{wavenumber:.4g} rad/m along the layers",
         allowed=f"at most {highest:.4g} rad/m with this mesh",
         cause="the incident wave is too short for the spacing of nodes on a face",

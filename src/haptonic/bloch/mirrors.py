@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -150,18 +149,6 @@ def errors_if_moved(values: Array, at: Array, frequency: Array, curve: Array, sh
     return np.asarray(np.where(np.isnan(values), np.nan, np.nan_to_num(change) + share * np.abs(values)))
 
 
-def error_at_carrier(data: xr.Dataset, value: float, curve: Array) -> float:
-    """Error of a value at the carrier, for its curve (f,) over the frequencies; see `errors_if_moved`.
-
-    NaN if the carrier is outside the frequencies, or if the error of those of the lattice is not known.
-    """
-    frequency, carrier = data["frequency"].values, float(data.attrs["carrier_hz"])
-    share = data.attrs.get("relative_frequency_error")
-    if share is None or not frequency.min() <= carrier <= frequency.max():
-        return math.nan
-    return float(errors_if_moved(np.array([value]), np.array([carrier]), frequency, curve, share)[0])
-
-
 def first_reaching(insulation: Sequence[float] | Array, goal: float) -> int | None:
     """Smallest number of rows from which on the insulation reaches a goal, dB; None if it does not."""
     below = np.flatnonzero(np.asarray(insulation) < goal)
@@ -194,6 +181,23 @@ def carrier_dataset(scatterings: Mapping[str, Scattering]) -> xr.Dataset:
         arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", **silent}
     coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}
     return xr.Dataset(arrays, coords=coords)
+
+
+def change_of_loss(losses: Sequence[xr.DataArray], share: float) -> xr.DataArray:
+    """Errors of insertion losses: the largest change if the lattice's frequencies move, and a share of them.
+
+    losses : dB, first at the carrier, then with the lattice's frequencies moved; NaN for waves that do not
+        propagate
+    share : bound of the relative error of the frequencies
+    """
+    loss, *moved = losses
+    change = xr.concat([abs(other - loss) for other in moved], "moved").max("moved")
+    return (change + share * abs(loss)).assign_attrs(units="dB")
+
+
+def loss_at_carrier(dataset: xr.Dataset) -> xr.DataArray:
+    """(incident, many) insertion loss at the carrier, dB, from a `carrier_dataset`."""
+    return _decibels(dataset["carrier_transmitted"].sum("outgoing", skipna=False))
 
 
 def passed_by_rows(dataset: xr.Dataset, families: Sequence[str]) -> xr.Dataset:

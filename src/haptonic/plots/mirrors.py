@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -12,7 +10,6 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from haptonic.arrays import Array
-from haptonic.bloch.mirrors import error_at_carrier
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.names import counted
@@ -43,7 +40,7 @@ def decay(dataset: xr.Dataset) -> Figure:
     ----------
     dataset : variables ``kappa_real``, ``kappa_imag`` (frequency, wave) and ``attenuation`` (frequency,
         phase); attributes ``gap`` (edges in Hz, or empty), ``carrier_hz`` and, if it is known, the bound
-        ``relative_frequency_error`` of the lattice
+        ``carrier_attenuation_error_db`` of the decay
     """
     figure = style.blank(12.0)
     depth, phases = figure.subplots(2, 1, sharex=True, height_ratios=(5, 2))
@@ -65,7 +62,7 @@ def decay(dataset: xr.Dataset) -> Figure:
     carrier = float(dataset.attrs["carrier_hz"])
     if frequency.min() <= carrier / 1e3 <= frequency.max():
         there = float(np.interp(carrier, dataset["frequency"].values, reach[:, 0]))
-        error = error_at_carrier(dataset, there, reach[:, 0])
+        error = dataset.attrs.get("carrier_attenuation_error_db")
         depth.plot(carrier / 1e3, there, "o", color=color, ms=5, zorder=5, gid="number")
     depth.set_ylim(0, top)
     depth.set_ylabel("decay (dB per row)")
@@ -78,7 +75,7 @@ def decay(dataset: xr.Dataset) -> Figure:
     for axes in (phases, depth):
         _mark(axes, dataset, named=axes is depth)
     if frequency.min() <= carrier / 1e3 <= frequency.max():
-        text = uncertain(there, error) if math.isfinite(error) else f"{there:.1f}"
+        text = f"{there:.1f}" if error is None else uncertain(there, error)
         above(depth, [(carrier / 1e3, f"{text} dB per row", color)], first=2)
     below(figure, handles)
     return figure

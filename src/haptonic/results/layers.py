@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -13,9 +12,11 @@ import numpy as np
 from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
-from haptonic.bloch.mirrors import GOALS, MOST_ROWS, error_at_carrier, first_reaching, passed_by_rows
+from haptonic.bloch.mirrors import GOALS, MOST_ROWS, first_reaching, passed_by_rows
+from haptonic.errors import HaptonicError
 from haptonic.later import Axes, Figure, xarray as xr
-from haptonic.results.layers_view import insertion_loss, layers_view
+from haptonic.names import counted
+from haptonic.results.layers_view import layers_view
 from haptonic.results.plain import plain, split
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Column, Table
@@ -97,25 +98,19 @@ class Layers(Result):
         return layers_view(self.dataset, self.title, self.summary())
 
     def summary(self) -> list[str]:
-        data, rows = self.dataset, self.dataset.sizes["rows"]
-        decay = self._at_carrier(
-            float(data.attrs["carrier_attenuation_db"]), data["attenuation"][:, 0], ".2f"
-        )
-        losses = [f"{family} {self._loss(family)} dB" for family in self.families]
-        return [
-            f"Insertion loss of {rows} rows at {hz_text(self.carrier, form='g')}: {', '.join(losses)}.",
-            f"In the lattice, the slowest-decaying wave decays by {decay} dB per row at the carrier.",
+        attributes, rows = self.dataset.attrs, self.dataset.sizes["rows"]
+        decay = uncertain(attributes["carrier_attenuation_db"], attributes["carrier_attenuation_error_db"])
+        errors = self.dataset["carrier_loss_error"].isel(many=rows - 1)
+        losses = [
+            f"{family} {uncertain(self.insulation(family)[rows - 1], float(errors.sel(incident=family)))} dB"
+            for family in self.families
         ]
-
-    def _loss(self, family: str) -> str:
-        """Insertion loss of all rows at the carrier."""
-        curve = insertion_loss(self.dataset).isel(rows=-1).sel(incident=family)
-        return self._at_carrier(self.insulation(family)[self.dataset.sizes["rows"] - 1], curve, ".0f")
-
-    def _at_carrier(self, value: float, curve: xr.DataArray, form: str) -> str:
-        """A value at the carrier with its error, or in a form if the error is not known."""
-        error = error_at_carrier(self.dataset, value, curve.values)
-        return uncertain(value, error) if math.isfinite(error) else format(value, form)
+        at = f"{hz_text(self.carrier, form='g')} {self.incidence}"
+        return [
+            f"Insertion loss of {counted(rows, 'row')} at {at}: {', '.join(losses)}.",
+            "In the lattice, the slowest-decaying wave at normal incidence decays by "
+            f"{decay} dB per row at the carrier.",
+        ]
 
     def tables(self) -> list[Table]:
         passed = Table.of(
@@ -138,7 +133,14 @@ class Layers(Result):
         return [passed, needed]
 
     def insulation(self, family: str) -> Array:
-        """(rows,) insertion loss at the carrier, dB: incident over all transmitted energy."""
+        """(rows,) insertion loss at the carrier, dB: incident over all transmitted energy.
+
+        Raises
+        ------
+        HaptonicError : a wave that does not propagate towards the rows
+        """
+        if family not in self.families:
+            raise HaptonicError.unknown("incident", family, self.families, "no such wave meets the rows")
         return np.asarray(self.at_carrier["insulation"].sel(incident=family).values)
 
     def facts(self) -> dict[str, Any]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import cast
 
 import numpy as np
 
@@ -30,7 +29,8 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
     the frequency, but on the mesh.
     """
     frequency, share = data["frequency"].values, float(data.attrs["relative_frequency_error"])
-    loss = insertion_loss(data).transpose("incident", "rows", "frequency").values
+    passed = data["transmitted"].sum("outgoing", skipna=False).clip(min=LEAST_SHARE)
+    loss = -10 * np.log10(passed.transpose("incident", "rows", "frequency").values)
     waves = data.transpose("wave", "frequency", ...)
     decay = DECIBELS * np.maximum(waves["kappa_imag"].values, 0.0)
     phase = np.abs(waves["kappa_real"].values) / np.pi
@@ -64,12 +64,6 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
         ),
         extra=extra,
     )
-
-
-def insertion_loss(data: xr.Dataset) -> xr.DataArray:
-    """(frequency, rows, incident) insertion loss of the spectra, dB."""
-    passed = data["transmitted"].sum("outgoing", skipna=False).clip(min=LEAST_SHARE)
-    return cast("xr.DataArray", -10 * np.log10(passed))
 
 
 def _errors(values: Array, frequency: Array, share: float) -> Array:
