@@ -246,6 +246,11 @@ class TestTolerance:
         assert answer["chance_to_first_order"] == pytest.approx(spread.cdf(sigmas), abs=5e-4)
         assert answer["chance_of_a_plate"] == pytest.approx(spread.cdf(sigmas), abs=3e-3)
         assert answer["chance_of_one_pillar"] == answer["chance_of_a_plate"]
+        # within the error of the edge the carrier may as well be outside, or far inside
+        low, high = answer["chance_of_a_plate_range"]
+        ends = [sigmas + sign * gap["upper_error_hz"] / -row["slope_hz_per_si"]["upper"] / 20e-6
+                for sign in (-1, 1)]  # fmt: skip
+        assert [low, high] == pytest.approx(spread.cdf(ends), abs=3e-3)
         assert answer["loosest_factor"] == pytest.approx(sigmas / spread.ppf(0.99), rel=0.03)
         assert answer["largest_factor_tried"] == 2.0
         data = xr.load_dataset(out / "tolerance.nc", engine="h5netcdf")
@@ -255,7 +260,7 @@ class TestTolerance:
         # from here on the store has everything
         spoken = here("tolerance", path, "--tables", "--out", tmp_path / "again")
         assert spoken.code == 0, spoken.err
-        for words in ("effects on the edges", "Hz per 10 µm", "100.0",
+        for words in ("effects on the edges", "Hz per 10 µm", "100.0", "Within the errors of the edges, ",
                       f"{100 * answer['chance_of_a_plate']:.2f} % for all 180 pillars",
                       f"may be {answer['loosest_factor']:.2f} times as large for a confidence of 99.0 %",
                       ):  # fmt: skip

@@ -153,6 +153,12 @@ class TestChances:
         gap = Chances(Surface(coefficients, np.zeros(2)), (PLATE,), 51.6e3, 100.0, 1)
         assert gap.of_a_plate() == pytest.approx(NORMAL.cdf(1.0), abs=1e-3)
 
+    @pytest.mark.parametrize("moved", [-150.0, 0.0, 150.0])
+    def test_edges_move_inwards_by_their_errors(self, moved):
+        gap = linear([PLATE], [400.0], carrier=50e3 + 400)
+        narrowed = replace(gap, narrowed=(moved, 10.0))
+        assert narrowed.of_a_plate() == pytest.approx(NORMAL.cdf((400 - moved) / 400), abs=1e-3)
+
     @pytest.mark.parametrize(("room", "pillars"), [(1.5, 3), (2.0, 20), (2.6, 100)])
     def test_pillars_of_their_own_are_all_to_be_right(self, room, pillars):
         gap = linear([HEIGHT], [400.0], carrier=50e3 + 400 * room, pillars=pillars)

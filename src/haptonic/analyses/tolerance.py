@@ -107,6 +107,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     chances = Chances(
         surface=surface, spreads=spreads, carrier=carrier, margin=section.margin, pillars=section.pillars
     )
+    errors = gap.lower_error, gap.upper_error
+    ends = [replace(chances, narrowed=(sign * errors[0], sign * errors[1])) for sign in (1, -1)]
     straight = replace(chances, surface=linear(gap, slopes * widths[:, None]))
     variance = first_order(slopes, spreads)
     dataset = xr.Dataset(
@@ -141,6 +143,8 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
         gap=gap,
         plate=chances.of_a_plate(),
         pillar=chances.of_one_pillar(),
+        plate_range=(ends[0].of_a_plate(), ends[1].of_a_plate()),
+        pillar_range=(ends[0].of_one_pillar(), ends[1].of_one_pillar()),
         loosest=chances.loosest(section.confidence),
         dataset=stamped(dataset, study.inputs()),
         margin=section.margin,

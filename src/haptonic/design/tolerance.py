@@ -203,6 +203,7 @@ class Chances:
 
     carrier, margin : Hz
     pillars : number on a plate
+    narrowed : Hz, by which both edges of the gap are moved inwards, as by their errors
     """
 
     surface: Surface
@@ -210,6 +211,7 @@ class Chances:
     carrier: float
     margin: float
     pillars: int
+    narrowed: tuple[float, float] = (0.0, 0.0)
 
     @cached_property
     def _draws(self) -> Array:
@@ -223,7 +225,9 @@ class Chances:
 
     def room(self, deviations: Array) -> Array:
         """(n,) distance of the carrier from the nearer edge, less the margin, Hz."""
-        lower, upper = self.surface.at(deviations).T
+        lower, upper = self.surface.at(deviations).T + np.array([[1.0], [-1.0]]) * np.reshape(
+            self.narrowed, (2, 1)
+        )
         return np.asarray(np.minimum(self.carrier - lower, upper - self.carrier) - self.margin)
 
     def of_one_pillar(self) -> float:

@@ -10,6 +10,8 @@ from haptonic.bloch import Gap
 from haptonic.design.links import units_of
 from haptonic.design.tolerance import REACH
 from haptonic.later import Figure, xarray as xr
+from haptonic.names import listed
+from haptonic.plots.text import gap_text
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
@@ -22,6 +24,7 @@ class Tolerance(Result):
 
     gap : of the nominal design
     plate, pillar : probability that all pillars of a plate keep the margin, and that one pillar does
+    plate_range, pillar_range : least and largest probability within the errors of the edges of `gap`
     loosest : factor on all machined spreads that the required confidence allows, at most `REACH`
     dataset : edges of computed designs and of drawn plates, slopes and indices
     margin, pillars, confidence : requirements: Hz, pillars of a plate, probability
@@ -33,6 +36,8 @@ class Tolerance(Result):
     gap: Gap
     plate: float
     pillar: float
+    plate_range: tuple[float, float]
+    pillar_range: tuple[float, float]
     loosest: float
     dataset: xr.Dataset
     margin: float
@@ -49,10 +54,17 @@ class Tolerance(Result):
             loosest = f"Spreads may be {self.loosest:.2f} times as large for {confidence}."
         else:
             loosest = f"No spread, however small, gives {confidence}."
+        together = f"all {self.pillars} pillars of a plate" if self.pillars > 1 else "the pillar of a plate"
+        within = [
+            f"{percent(low)} to {percent(high)} for {what}"
+            for (low, high), what in ((self.pillar_range, "one pillar"), (self.plate_range, together))
+            if percent(low) != percent(high)
+        ]
         return [
             f"Probability that the gap contains the carrier{margin}: {percent(self.pillar)} for one pillar, "
-            f"{percent(self.plate)} for all {self.pillars} pillars of a plate "
+            f"{percent(self.plate)} for {together} "
             f"(to first order {percent(float(self.dataset.attrs['chance_to_first_order']))}).",
+            *([f"Within the errors of the edges, {gap_text(self.gap)}: {listed(within)}."] if within else []),
             loosest,
             f"Edges vary by {lower:.0f} Hz (lower) and {upper:.0f} Hz (upper), one standard deviation.",
         ]
@@ -81,7 +93,9 @@ class Tolerance(Result):
         return {
             "gap": self.gap,
             "chance_of_a_plate": self.plate,
+            "chance_of_a_plate_range": list(self.plate_range),
             "chance_of_one_pillar": self.pillar,
+            "chance_of_one_pillar_range": list(self.pillar_range),
             "loosest_factor": self.loosest,
             "largest_factor_tried": REACH,
             "edges": xr.Dataset(edges),
