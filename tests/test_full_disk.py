@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import textwrap
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from daily import daily
+from quick import QUICK_CELL
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="there is no limit on file sizes there")
 
@@ -90,6 +92,26 @@ def test_a_full_disk_behind_standard_output_is_reported(words):
     assert "Traceback" not in done.stderr
     assert done.stderr.startswith("standard output: got ")
     assert "code: unwritable" in done.stderr
+
+
+@pytest.mark.parametrize("read", ["nothing", "disk"])
+def test_files_are_written_if_nobody_reads_the_answer(tmp_path, read):
+    """As behind ``| head``, or on a disk that has room for the files only."""
+    (tmp_path / "my.toml").write_text(QUICK_CELL, "utf-8")
+    command = [sys.executable, "-m", "haptonic", "bands", "my.toml", "--out", "out"]
+    if read == "nothing":
+        reader, writer = os.pipe()
+        os.close(reader)
+    else:
+        writer = os.open("/dev/full", os.O_WRONLY)
+    done = subprocess.run(
+        command, stdout=writer, stderr=subprocess.PIPE, text=True, cwd=tmp_path, check=False
+    )
+    os.close(writer)
+    assert (tmp_path / "out").is_dir()
+    assert done.returncode == (0 if read == "nothing" else 2)
+    assert ("code: unwritable" in done.stderr) == (read == "disk")
+    assert "Traceback" not in done.stderr
 
 
 def test_a_terminal_without_a_letter_shows_another(monkeypatch):

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import errno
 import gc
 import io
-import os
 import sys
 from typing import Annotated
 
@@ -26,8 +24,6 @@ app = typer.Typer(
 )
 
 
-# errors of a write to standard output: the disk is full, or the reader is gone
-UNHEARD = errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO
 # new objects between collections; with Python's 700 they take a tenth of the imports, and with 50,000 still
 # 0.15 s of the 2.3 s of `haptonic bands` with a stored answer
 COLLECTED_AFTER = 200_000
@@ -43,10 +39,11 @@ def main() -> None:
     try:
         app()
     except OSError as error:
+        from haptonic.cli.console import UNHEARD, mute  # with rich, which a list of commands does not need
+
         if error.filename is not None or error.errno not in UNHEARD:
             raise
-        # without this, Python would try to write the rest of the answer when the process ends
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        mute(sys.stdout)
         refusal = ResourceError.unwritable(
             argument="standard output",
             given=error.strerror,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any
+from typing import IO, Any
 
 from rich.cells import cell_len
 from rich.console import Console
@@ -31,7 +33,14 @@ from haptonic.results.table import NOTHING, Table
 
 USER_ERROR = 2
 INTERRUPTED = 130
+# standard output that cannot be written, because its disk is full or broken
+UNHEARD = errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO
 ROOMY = 6  # columns that fit, with spaces around them, into a terminal 80 columns wide
+
+
+def mute(stream: IO[str]) -> None:
+    """Send the rest of a stream nowhere; otherwise Python would try to write it when the process ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 class PlainConsole(Console):
@@ -39,6 +48,11 @@ class PlainConsole(Console):
 
     def __init__(self, *, stderr: bool = False) -> None:
         super().__init__(stderr=stderr, markup=False, emoji=False)
+
+    def on_broken_pipe(self) -> None:
+        """Go on if the reader of the answer has ended; rich would end here, before files are written."""
+        self.quiet = True
+        mute(self.file)
 
     def render_str(self, text: str, **how: Any) -> Text:
         """Make control codes visible; rich calls this for every text, cells of tables too."""
@@ -56,17 +70,32 @@ class Voice:
     out: Console = field(default_factory=PlainConsole)
     err: Console = field(default_factory=lambda: PlainConsole(stderr=True))
     warned: list[str] = field(default_factory=list)
+    unheard: OSError | None = None  # why the answer could not be printed
+
+    @contextmanager
+    def _printing(self) -> Iterator[None]:
+        """Note if nothing can be printed, and go on: the files of the command are still to be written."""
+        try:
+            yield
+        except OSError as error:
+            if error.errno not in (*UNHEARD, errno.EPIPE):
+                raise
+            self.unheard = error if error.errno in UNHEARD else None
+            self.out.quiet = True
+            mute(sys.stdout)
 
     def write(self, content: object) -> None:
         """Print a line of text on standard output; silent with ``--json``."""
         if not self.machine:
-            self.out.print(content)
+            with self._printing():
+                self.out.print(content)
 
     def print(self, text: str) -> None:
         """Print text for another program at once and without changing it; silent with ``--json``."""
         if not self.machine:
-            sys.stdout.write(text)
-            sys.stdout.flush()
+            with self._printing():
+                sys.stdout.write(text)
+                sys.stdout.flush()
 
     def remark(self, text: str) -> None:
         """Print a remark on progress on standard error; silent with ``--json``."""
@@ -107,8 +136,9 @@ class Voice:
     def show(self, content: Table) -> None:
         """Print a table; silent with ``--json``."""
         if not self.machine:
-            for part in self._parts(content):
-                self.out.print(self._drawn(part))
+            with self._printing():
+                for part in self._parts(content):
+                    self.out.print(self._drawn(part))
 
     def height(self, content: Table) -> int:
         """Number of terminal lines that a table needs."""
@@ -196,6 +226,8 @@ def speaking(machine: bool, kept: str = "") -> Iterator[Voice]:
         warnings.showwarning = show
         try:
             yield voice
+            if voice.unheard is not None:
+                raise voice.unheard
         except HaptonicError as error:
             voice.refuse(error)
             raise SystemExit(USER_ERROR) from None
