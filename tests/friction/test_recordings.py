@@ -437,7 +437,7 @@ class TestTables:
                 "",
             ),
             (lambda t: t.assign(trial=1), "repeated", "records", "more than once"),
-            (lambda t: t.iloc[:0], "malformed", "trials.csv", "[0] rows"),
+            (lambda t: t.iloc[:0], "missing", "trials.csv", "no rows below the head"),
             (lambda t: t.assign(start="soon", stop=1.0), "malformed", "trials.csv", ""),
             (lambda t: t.assign(file="gone.csv"), "not-found", "gone.csv: gone.csv", ""),
         ],

@@ -362,7 +362,7 @@ class TestFiles:
             (lambda t: t.assign(normal=1000 * t["normal"]), "malformed", "record.normal", ""),
             (lambda t: t.assign(normal="0,8"), "malformed", "a.csv", "text in the column normal"),
             (lambda t: t.assign(block=1.5), "malformed", "block of participant P1, block 1.5, trial 1", ""),
-            (lambda t: t.iloc[:0], "malformed", "a.csv", "[0] rows"),
+            (lambda t: t.iloc[:0], "missing", "a.csv", "no rows below the head"),
         ],
     )
     def test_bad_tables_of_records(self, tmp_path, spoil, code, argument, given):

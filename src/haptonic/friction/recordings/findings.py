@@ -14,13 +14,15 @@ from haptonic.friction.recordings.channel_map import ChannelMap
 from haptonic.friction.recordings.mounting import Mounting, begins_sliding, mounting_of
 from haptonic.friction.signals.limits import RangeEnds
 from haptonic.friction.signals.record import Record
-from haptonic.friction.signals.rules import OTHER_WAY, REMEDIES
+from haptonic.friction.signals.rules import OTHER_WAY, REMEDIES, UNREADABLE
 from haptonic.later import xarray as xr
+from haptonic.names import counted
 
 SLIPPERY = 0.03  # median friction; on a plate that is not driven a fingertip has more
 STICKY = 1.0  # median friction above which normal and tangential force may be exchanged
 FEWEST_EXCHANGED = 2  # records that show that the forces are exchanged
 MOST_NAMED = 10  # participants that a sentence names
+MOST_DETAILS = 3  # reasons why records cannot be read that are listed
 
 
 def mounted(channel_map: ChannelMap, records: Mapping[str, Sequence[Record]]) -> ChannelMap:
@@ -157,6 +159,11 @@ def doubts_of(trials: xr.Dataset, normal: str) -> list[str]:
             f"the normal force of {person} goes the other way than that of {named}, in {share} of "
             f"{int(rows.sum())} trials: they were left out"
         )
+    details = trials["detail"].values[excluded == UNREADABLE].tolist()
+    doubts += [
+        f"{counted(details.count(detail), 'trial')} without a readable record: {detail}"
+        for detail in list(dict.fromkeys(details))[:MOST_DETAILS]
+    ]
     doubts += _unchecked(trials)
     counts = excluded == ""
     off = counts & (trials["actuation"].values == "off")

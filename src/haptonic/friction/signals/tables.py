@@ -151,7 +151,12 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
                 else f'add the column "{name}", or rename one',
             )
     lengths = {len(column) for column in columns.values()}
-    if lengths == {0} or len(lengths) != 1:
+    if lengths == {0}:
+        raise FrictionError.missing(
+            argument=path.name, given="no rows below the head", allowed="one row or more",
+            cause="the table was not filled in, or was cut", next_step="add a row for each trial",
+        )  # fmt: skip
+    if len(lengths) != 1:
         raise _bad_table(path, f"columns of {sorted(lengths)} rows", "one row or more, in all columns")
     return columns
 

@@ -21,7 +21,7 @@ from haptonic.arrays import Array
 from haptonic.errors import FrictionError
 from haptonic.friction.statistics.pairs import Pairs
 from haptonic.later import xarray as xr
-from haptonic.names import listed
+from haptonic.names import counted, listed
 
 About = Literal["people", "these participants"]
 
@@ -181,12 +181,17 @@ def drift(trials: xr.Dataset) -> IntervalEstimate:
         place = order / max(len(rows) - 1, 1)
         rows_used = usable[rows]
         if rows_used.sum() < 3:
+            recorded = int((trials["actuation"].values[rows] == "off").sum())
             raise FrictionError.too_few(
                 argument=f"trials of {name}",
                 given=f"{int(rows_used.sum())} usable with the vibration off",
                 allowed="at least 3",
-                cause="most trials were excluded",
-                next_step="leave this participant out, or look at the reasons for exclusion",
+                cause=f"{recorded - int(rows_used.sum())} trials were excluded"
+                if recorded >= 3
+                else f"the table has {counted(recorded, 'trial')} of this kind",
+                next_step="leave this participant out, or look at the reasons for exclusion"
+                if recorded >= 3
+                else "leave this participant out, or add trials without vibration",
             )
         friction = trials["friction"].values[rows][rows_used]
         centred = _without_guides(friction, trials["waveguide"].values[rows][rows_used])
