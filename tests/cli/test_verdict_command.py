@@ -121,7 +121,7 @@ def test_verdict_finds_the_numbers_and_writes_its_files(inside, plated, scan, tm
     ran = inside("verdict", path, plated(), "--tables", "--out", out)
     assert ran.code == 0, ran.err
     assert {file.name for file in out.iterdir()} == FILES
-    for words in ("numbers fitted", "pairs of", "look independent", "2 points outside the plate",
+    for words in ("numbers fitted", "pairs of", "look independent", "outside the plate: 2 points",
                   "Simulated measurement compared with a simulation"):  # fmt: skip
         assert words in " ".join(ran.out.split())
     data = json.loads((out / "verdict.json").read_text("utf-8"))

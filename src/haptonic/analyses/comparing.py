@@ -125,13 +125,11 @@ def _text_table(path: Path, asked: OfTable) -> TextTable:
     try:
         return read_table(path, skip=asked.skip_lines, option="--skip-lines", largest=LARGEST_FILE)
     except OSError as error:
-        raise ChannelError.unreadable(
-            argument=path.name,
-            given=error.strerror or "nothing",
-            allowed="a text table that can be read",
-            cause="the file does not exist, or you have no permission to read it",
-            next_step="check the path and the permissions of the file",
-        ) from error
+        raise unread(
+            ChannelError, error, argument=path.name, given=error.strerror or "nothing",
+            allowed="a text table that can be read", cause="you have no permission to read it",
+            next_step="check the permissions of the file",
+        ) from error  # fmt: skip
 
 
 def _read(path: Path, ours: OurPath, asked: OfTable) -> tuple[TableOfBands, str]:

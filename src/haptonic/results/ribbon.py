@@ -10,6 +10,7 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.names import counted
 from haptonic.plots.text import uncertain_hertz
 from haptonic.results.result import Result, figure, file
 from haptonic.results.ribbon_view import ribbon_view
@@ -124,7 +125,7 @@ class RibbonWaves(Result):
         return [
             self._of_strip(where)
             or self._of_defect(where)
-            or f"{kind} has {modes.sizes['mode']} modes between the bulk bands {where}, at "
+            or f"{kind} has {counted(modes.sizes['mode'], 'mode')} between the bulk bands {where}, at "
             f"{self.dataset.sizes['wavevector']} wavevectors.",
             f"Nearest to {hz_text(self.target, form='.4g')}: "
             f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "

@@ -14,6 +14,7 @@ from haptonic import plots
 from haptonic.arrays import Array
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.names import counted
 from haptonic.plate import Plate
 from haptonic.plate.layout.sampling import driven_region
 from haptonic.plate.vibration.region_measures import contrasts
@@ -148,10 +149,10 @@ class Verdict(Result):
             sentences.append(
                 f"Residuals {kind}: {uncertainty.data} numbers count as {uncertainty.effective:.0f}. The "
                 f"response of the fit differs by {self.recomputed:.1e} from the plate computed again. "
-                f"{len(fit.left_out)} points with outlying residuals were left out."
+                f"Left out for outlying residuals: {counted(len(fit.left_out), 'point')}."
             )
         if self.left_out:
-            sentences.append(f"{self.left_out} points outside the plate were left out.")
+            sentences.append(f"Left out, because outside the plate: {counted(self.left_out, 'point')}.")
         return [*sentences, f"{self.labels[MEASURED].capitalize()} compared with a simulation."]
 
     def tables(self) -> list[Table]:
@@ -241,8 +242,8 @@ def fit_table(fit: Fit) -> Table:
 def pairs_table(agreement: Agreement, model: str) -> Table:
     """Table of paired shapes."""
     title = (
-        f"{agreement.measured.how}: {len(agreement.pairs)} pairs of {len(agreement.measured.frequency)} "
-        f"measured and {len(agreement.computed.frequency)} of the {model}"
+        f"{agreement.measured.how}: {counted(len(agreement.pairs), 'pair')} of "
+        f"{len(agreement.measured.frequency)} measured and {len(agreement.computed.frequency)} of the {model}"
     )
     return Table.of(title, paired(agreement).isel(pair=slice(MOST_ROWS)), "pair", PAIR_COLUMNS)
 

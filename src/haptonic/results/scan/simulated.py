@@ -12,6 +12,7 @@ from typing import Any, Literal
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
 from haptonic.later import xarray as xr
+from haptonic.names import counted
 from haptonic.plate import Plate
 from haptonic.plate.layout.sampling import driven_region
 from haptonic.plate.vibration.region_measures import contrasts
@@ -89,8 +90,9 @@ class SimulatedScan(Result):
     def summary(self) -> list[str]:
         records, content = self.records, "records" if self.kind == "time" else "responses"
         return [
-            f"{len(records.names)} points, {records.repeats} periods of {records.samples} samples at "
-            f"{hz_text(records.sample_rate, form='g')}, written as {content}. Simulated."
+            f"{counted(len(records.names), 'point')}, {counted(records.repeats, 'period')} of "
+            f"{records.samples} samples at {hz_text(records.sample_rate, form='g')}, written as {content}. "
+            "Simulated."
         ]
 
     def facts(self) -> dict[str, Any]:
