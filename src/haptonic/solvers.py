@@ -167,7 +167,7 @@ class PardisoSolver:
     def __del__(self) -> None:
         if sys.is_finalizing():
             return  # the memory is freed with the process
-        for kind in list(self._handles):
+        for kind in list(getattr(self, "_handles", {})):  # Ctrl-C may come before they are there
             self._type = kind
             self._call(-1)
 
