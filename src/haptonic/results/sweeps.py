@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -14,9 +14,10 @@ from haptonic.bloch.bands import carrier_margins
 from haptonic.bloch.mesh_levels import rounded_up
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.plots.text import band_text
 from haptonic.results.common import Writer, write_netcdf
 from haptonic.results.result import Result, figure, file
-from haptonic.results.table import Cell, Column, Table
+from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity, hz_text
 
 VALUES = ("value", "second_value")  # variables of the first and the second expression
@@ -107,9 +108,8 @@ class Sweep:
         for step, values in enumerate(np.stack([data[name].values for name in self.axes], axis=1)):
             gaps = self.gaps_at(step)
             widest = max(gaps, key=lambda gap: gap["upper_hz"] - gap["lower_hz"], default=None)
-            edges = (widest["lower_hz"], widest["upper_hz"]) if widest else None
             count = "failed" if step in self.failed else str(len(gaps))
-            frequencies = (edges[1] - edges[0], *edges) if edges else (None,) * 3
+            frequencies = _with_errors(widest) if widest else (None,) * 3
             margin = None if np.isnan(margins[step]) else float(margins[step])
             rows.append((*values.tolist(), count, *frequencies, *(margin for _ in of_carrier)))
         return Table(
@@ -171,9 +171,10 @@ class Sweeps(Result):
                 sentences.append(f"No design along {name} {result}.")
                 continue
             best, step = max(gaps, key=lambda pair: pair[0]["upper_hz"] - pair[0]["lower_hz"])
+            edges = (best[f"{edge}_hz"] for edge in ("lower", "lower_error", "upper", "upper_error"))
             sentences.append(
                 f"Along {name}, the widest complete gap of {count} designs is at {row.values_at(step)}: "
-                f"{hz_text(best['lower_hz'], best['upper_hz'], form='.2f')}."
+                f"{band_text(*edges)}."
             )
             sentences += row.around_carrier()
         return sentences
@@ -201,3 +202,9 @@ class Sweeps(Result):
 
     def facts(self) -> dict[str, Any]:
         return {"sweeps": [row.facts() for row in self.rows]}
+
+
+def _with_errors(gap: Mapping[str, float]) -> tuple[Uncertain, ...]:
+    """Width, lower and upper edge of a gap of `Sweep.gaps_at`, Hz."""
+    lower, upper, *errors = (gap[f"{name}_hz"] for name in ("lower", "upper", "lower_error", "upper_error"))
+    return Uncertain(upper - lower, sum(errors)), Uncertain(lower, errors[0]), Uncertain(upper, errors[1])
