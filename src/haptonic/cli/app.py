@@ -11,6 +11,7 @@ import typer
 
 from haptonic import __version__
 from haptonic.cli.helping import Listed
+from haptonic.cli.streams import UNHEARD, mute
 from haptonic.errors import ResourceError
 from haptonic.later import leave_out
 
@@ -39,8 +40,6 @@ def main() -> None:
     try:
         app()
     except OSError as error:
-        from haptonic.cli.console import UNHEARD, mute  # with rich, which a list of commands does not need
-
         if error.filename is not None or error.errno not in UNHEARD:
             raise
         mute(sys.stdout)

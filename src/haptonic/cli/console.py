@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import errno
-import os
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import IO, Any
+from typing import Any
 
 from rich.cells import cell_len
 from rich.console import Console
@@ -25,6 +24,7 @@ from rich.progress import (
 from rich.table import Table as RichTable
 from rich.text import Text
 
+from haptonic.cli.streams import UNHEARD, mute
 from haptonic.errors import HaptonicError, HaptonicWarning
 from haptonic.gate import json_of
 from haptonic.names import visible
@@ -33,14 +33,7 @@ from haptonic.results.table import NOTHING, Table
 
 USER_ERROR = 2
 INTERRUPTED = 130
-# standard output that cannot be written, because its disk is full or broken
-UNHEARD = errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO
 ROOMY = 6  # columns that fit, with spaces around them, into a terminal 80 columns wide
-
-
-def mute(stream: IO[str]) -> None:
-    """Send the rest of a stream nowhere; otherwise Python would try to write it when the process ends."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 class PlainConsole(Console):
