@@ -51,7 +51,8 @@ def test_errors_at_the_carrier_are_changes_if_the_carrier_moves(inside, fine, tm
 
     at = computed("at")
     share = at.attrs["relative_frequency_error"]
-    moved = [computed(f"{sign}", ('"60 kHz"', f'"{float(60 * (1 + sign * share))!r} kHz"')) for sign in (-1, 1)]
+    carriers = {sign: f'"{float(60 * (1 + sign * share))!r} kHz"' for sign in (-1, 1)}
+    moved = [computed(f"{sign}", ('"60 kHz"', carrier)) for sign, carrier in carriers.items()]
     decays = np.array([data.attrs["carrier_attenuation_db"] for data in (at, *moved)])
     expected = abs(decays[1:] - decays[0]).max() + share * decays[0]
     assert at.attrs["carrier_attenuation_error_db"] == pytest.approx(expected, rel=1e-3)
