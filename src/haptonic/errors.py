@@ -225,12 +225,12 @@ def similar(name: str, known: Iterable[str]) -> list[str]:
     """Known names that an unknown one may mean: all that contain its words, or else the nearest spelling.
 
     So "glass" means every kind of glass, although "brass" differs from it by fewer letters. A name with fewer
-    words has to share one: "silicone rubber" does not mean "silicon".
+    words has to share one, or be very similar: "silicone rubber" does not mean "silicon".
     """
-    words = _words(name)
-    names = [each for each in known if words & _words(each) or len(words) <= len(_words(each))]
+    names, words = list(known), _words(name)
+    alike = [each for each in names if words & _words(each) or len(words) <= len(_words(each))]
     containing = [each for each in names if words and words <= _words(each)]
-    guess = None if containing else nearest(name, names)
+    guess = None if containing else nearest(name, alike) or nearest(name, names, CLOSE)
     return containing[:MOST_PROPOSED] if guess is None else [guess]
 
 

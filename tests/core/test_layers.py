@@ -234,7 +234,7 @@ def test_what_cannot_be_scattered_is_refused():
     steep = Interface.met_by(reference, omega, "A0", 1.2)
     with refusing(StudyError, "no-answer", "layers.incident"):
         steep.scattering(omega, 2, ("A0", "S0"))
-    with refusing(StudyError, "out-of-range", "layers.wavenumber", "at most 2244 rad/m"):
+    with refusing(StudyError, "out-of-range", "layers.angle", "at most 2244 rad/m"):
         Interface.of(reference, 2300.0)
     assert Interface.of(reference, 2200.0).tangential[0] == pytest.approx(2200.0)
     with refusing(StudyError, "out-of-range", "layers.count"):

@@ -61,6 +61,16 @@ class TestFormats:
         assert trials["trial"].values.tolist() == [label.trial for label, _ in FEW]
         assert trials.attrs["origin"] == "measured"
 
+    def test_records_that_are_missing_are_named(self, tmp_path):
+        folder = written(tmp_path / "a", FEW)
+        lost = sorted(folder.glob("P*.csv"))[:2]
+        for path in lost:
+            path.unlink()
+        doubts = analysed(folder, PLAIN, Rules()).doubts
+        named = [doubt for doubt in doubts if doubt.startswith("1 trial without a readable record: ")]
+        assert len(named) == len(lost)
+        assert all(path.name in doubt for path, doubt in zip(lost, sorted(named), strict=True))
+
     def test_workers_change_nothing(self, tmp_path):
         folder = written(tmp_path / "a", MADE, per="block", kind="h5")
         seen = []
