@@ -22,8 +22,8 @@ from haptonic.bloch.mirrors import (
     Incidence,
     at_carrier,
     carrier_dataset,
-    change_of_loss,
     condensed_rows,
+    error_if_moved,
     loss_at_carrier,
     mirror_dataset,
     scattering_at,
@@ -98,12 +98,13 @@ def compute(study: Description, options: PageOption, runner: Runner) -> Layers:
         rows.decay(bloch_waves(slab.at(omega), omega)[0]) for omega in 2 * np.pi * np.array([carrier, *moved])
     )
     dataset = spectrum.merge(around[0])
-    dataset["carrier_loss_error"] = change_of_loss([loss_at_carrier(each) for each in around], share)
+    loss, *losses = (loss_at_carrier(each) for each in around)
+    dataset["carrier_loss_error"] = loss.copy(data=error_if_moved(loss.values, losses, share))
     dataset.attrs = {
         "carrier_hz": carrier,
         "relative_frequency_error": share,
         "carrier_attenuation_db": decay,
-        "carrier_attenuation_error_db": max(abs(other - decay) for other in decays) + share * decay,
+        "carrier_attenuation_error_db": float(error_if_moved(np.array(decay), decays, share)),
         "energy_balance": max(float(np.abs(result.dissipated).max()) for result in lossless.values()),
         "angle": incidence.angle,
         "along": list(along),

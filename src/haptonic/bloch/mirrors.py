@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from haptonic.arrays import Array, Complex
 from haptonic.bloch.evanescent import bloch_waves
@@ -145,7 +146,16 @@ def errors_if_moved(values: Array, at: Array, frequency: Array, curve: Array, sh
     values : (n,) at the frequencies ``at`` (n,)
     """
     moved = [np.interp(at * (1 + by), frequency, curve) for by in (-share, share)]
-    change = np.fmax(*np.abs(np.array(moved) - values))  # at the end of a wave's range only one is known
+    return error_if_moved(values, moved, share)
+
+
+def error_if_moved(values: Array, moved: Sequence[ArrayLike], share: float) -> Array:
+    """Errors of values: the largest change to those of moved frequencies, and a share of the values.
+
+    NaN, in values and among the moved ones, is a wave that does not propagate.
+    """
+    # at the end of a wave's range only one is known
+    change = np.fmax.reduce(np.abs(np.array(moved) - values))
     return np.asarray(np.where(np.isnan(values), np.nan, np.nan_to_num(change) + share * np.abs(values)))
 
 
@@ -183,18 +193,6 @@ def carrier_dataset(scatterings: Mapping[str, Scattering]) -> xr.Dataset:
     return xr.Dataset(arrays, coords=coords)
 
 
-def change_of_loss(losses: Sequence[xr.DataArray], share: float) -> xr.DataArray:
-    """Errors of insertion losses: the largest change if the lattice's frequencies move, and a share of them.
-
-    losses : dB, first at the carrier, then with the lattice's frequencies moved; NaN for waves that do not
-        propagate
-    share : bound of the relative error of the frequencies
-    """
-    loss, *moved = losses
-    change = xr.concat([abs(other - loss) for other in moved], "moved").max("moved")
-    return (change + share * abs(loss)).assign_attrs(units="dB")
-
-
 def loss_at_carrier(dataset: xr.Dataset) -> xr.DataArray:
     """(incident, many) insertion loss at the carrier, dB, from a `carrier_dataset`."""
     return _decibels(dataset["carrier_transmitted"].sum("outgoing", skipna=False))
@@ -219,7 +217,7 @@ def passed_by_rows(dataset: xr.Dataset, families: Sequence[str]) -> xr.Dataset:
     alike = xr.DataArray(families, dims="incident")
     return xr.Dataset(
         {
-            "insulation": _decibels(passed.sum("outgoing")),
+            "insulation": loss_at_carrier(dataset).sel(incident=families).rename(many="rows"),
             "same_wave": _decibels(passed.sel(outgoing=alike).drop_vars("outgoing")),
             "dissipated": 1 - (passed + reflected).sum("outgoing"),
         }

@@ -153,7 +153,7 @@ class TileShape:
     @cached_property
     def room(self) -> float:
         """Largest half-width of a feature with this outline that fits into the polygon, m."""
-        return room_in(self.corners, self.feature.outline) if self.feature else self.inradius
+        return self.room_beside(0.0)
 
     def room_beside(self, free: float) -> float:
         """Largest half-width of a feature with this outline that leaves a width free at each side, m."""

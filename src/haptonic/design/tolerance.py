@@ -225,10 +225,10 @@ class Chances:
 
     def room(self, deviations: Array) -> Array:
         """(n,) distance of the carrier from the nearer edge, less the margin, Hz."""
-        lower, upper = self.surface.at(deviations).T + np.array([[1.0], [-1.0]]) * np.reshape(
-            self.narrowed, (2, 1)
-        )
-        return np.asarray(np.minimum(self.carrier - lower, upper - self.carrier) - self.margin)
+        lower, upper = self.surface.at(deviations).T
+        up, down = self.narrowed
+        room = np.minimum(self.carrier - (lower + up), upper - down - self.carrier)
+        return np.asarray(room - self.margin)
 
     def of_one_pillar(self) -> float:
         """Probability that a lattice of any one pillar of any one plate keeps the margin."""

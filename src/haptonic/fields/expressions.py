@@ -102,9 +102,10 @@ class Scope:
             try:
                 value = self.value(self.texts[name])
             except HaptonicError as error:
-                step = f"{error.next_step}; if {name} is no parameter, move its line above [parameters]"
-                is_name = error.code == "unknown"
-                self.problems[name] = error.changed(type(error), next_step=step) if is_name else error
+                if error.code == "unknown":
+                    step = f"{error.next_step}; if {name} is no parameter, move its line above [parameters]"
+                    error = error.changed(type(error), next_step=step)
+                self.problems[name] = error
             else:
                 self.numbers[name] = value.named(name)
         self.numbers = {name: self.numbers[name] for name in self.texts if name in self.numbers}

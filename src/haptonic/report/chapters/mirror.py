@@ -52,14 +52,14 @@ def chapter(results: Results) -> Chapter | Absent:
 
 def _findings(layers: Layers, guides: Guides | None) -> list[str]:
     carrier, rows = layers.carrier, min(ROWS, layers.dataset.sizes["rows"])
-    some = counted(rows, "row")
+    number = counted(rows, "row")
     findings: list[str] = []
     if "A0" in layers.families:
         levels = layers.at_carrier.sel(incident="A0", rows=rows)
         total, same = float(levels["insulation"]), float(levels["same_wave"])
         verdict = "almost total" if total >= ALMOST_TOTAL else "no total"
         text = (
-            f"At the carrier, {hz_text(carrier, form='g')}, {some} transmit{'s' if rows == 1 else ''} "
+            f"At the carrier, {hz_text(carrier, form='g')}, {number} transmit{'s' if rows == 1 else ''} "
             f"{in_percent(10 ** (-total / 10), form='.1f')} of the energy of a flexural wave (A0) "
             f"{layers.incidence}: insertion loss {total:.1f} dB, {verdict} reflection. Without the energy in "
             f"other kinds of waves the insertion loss is {same:.1f} dB."
@@ -68,7 +68,9 @@ def _findings(layers: Layers, guides: Guides | None) -> list[str]:
         frequency, insulation = _best_in_gap(layers, rows)
         if frequency:
             where = hz_text(frequency, form=".1f")
-            text = f"Within the gap the insertion loss of {some} is largest at {where}: {insulation:.0f} dB."
+            text = (
+                f"Within the gap the insertion loss of {number} is largest at {where}: {insulation:.0f} dB."
+            )
             findings.append(Finding(text, "layers"))
     if guides is not None:
         best, together = guides.best, rows * guides.best.decay
@@ -76,7 +78,7 @@ def _findings(layers: Layers, guides: Guides | None) -> list[str]:
         text = (
             f"The waves of the waveguide's mode meet the rows at {along:.0f}° from the normal. In the "
             f"lattice they decay by {uncertain(best.decay, best.decay_error)} dB per row, about "
-            f"{together:.0f} dB in {some}."
+            f"{together:.0f} dB in {number}."
         )
         findings.append(Finding(text, "decay"))
     return findings
@@ -92,7 +94,7 @@ def _free_wavenumber(guides: Guides) -> float:
 def _best_in_gap(layers: Layers, rows: int) -> tuple[float, float]:
     """Frequency (Hz) and size (dB) of the largest insertion loss of A0 in the gap; zeros without one."""
     data, gap = layers.dataset, layers.gap
-    if gap is None:
+    if not gap:
         return 0.0, 0.0
     frequency = data["frequency"].values
     inside = (frequency > gap.lower) & (frequency < gap.upper)
