@@ -695,6 +695,7 @@ def turned_numbers(record: dict[str, Any]) -> str:
             f"`{path}`",
             f"{drag['median_ms']:g} ({drag['high_ms']:g}) ms",
             f"{drag['certified_s']:g} s",
+            f"{drag['gaps_s']:g} s",
             f"{drag['prepared_s']:g} s",
         ]
         for path, drag in record["drags"].items()
@@ -705,10 +706,10 @@ def turned_numbers(record: dict[str, Any]) -> str:
     return f"""## Numbers that are turned
 
 Sliders of the studio in headless Chromium with software rendering: time from a move to the frame that shows its preview, median and 95th
-percentile; time from the last move to the certified curves; time to prepare the preview. The diagram of the reference cell took
+percentile; times from the last move to the certified curves and to the certified gaps; time to prepare the preview. The diagram of the reference cell took
 {record["drags"]["reference_s"]:.1f} s on the machine at that time.
 
-{table(["number", "preview", "certified", "prepared in"], rows)}
+{table(["number", "preview", "certified curves", "gaps", "prepared in"], rows)}
 
 Of {bounds["moves"]} random moves over whole sliders, {bounds["beyond_their_bound"]} have a certified frequency or edge beyond the bound of the
 preview. The largest distance as a share of the bound, by lattice and kind of cell; the median is {bounds["median_share"]:.2f}:

@@ -131,9 +131,21 @@ def test_a_slider_ends_where_no_design_is_possible():
 def test_the_first_curves_are_those_of_the_result():
     study, early = loads(TURNED_CELL), []
     result = bands_dataset(study.cell, study.bands_settings, first=early.append)
-    (first,) = early
+    curves, with_gaps = early
     for name in ("frequency", "frequency_error"):
-        np.testing.assert_array_equal(first[name], result[name])
+        np.testing.assert_array_equal(curves[name], result[name])
+        np.testing.assert_array_equal(with_gaps[name], result[name])
+    assert "gap_lower" not in curves
     complete = [gap for gap in gaps_of(result) if gap.complete]
     assert complete
-    assert list(gaps_of(first)) == complete
+    assert list(gaps_of(with_gaps)) == complete
+
+
+def test_curves_are_not_reported_before_they_are_as_accurate_as_the_study_demands(monkeypatch):
+    study, early = loads(TURNED_CELL.replace("accuracy = 2e-2", "accuracy = 1e-3").partition("[mesh]")[0]), []
+    # a start with the coarsest mesh, which is not accurate enough
+    monkeypatch.setattr("haptonic.bloch.model.first_level", lambda *_: 0)
+    result = bands_dataset(study.cell, study.bands_settings, first=early.append)
+    for first in early:
+        np.testing.assert_array_equal(first["frequency"], result["frequency"])
+    assert [("gap_lower" in first) for first in early] == [False, True]

@@ -9,7 +9,9 @@ from served import served
 from test_page import TEXT, opened, text_of
 
 from browser import WIDTHS, pixels, violations
-from haptonic.study import templates
+from haptonic.bloch import bands_dataset
+from haptonic.studio.answers import packed_part
+from haptonic.study import loads, templates
 from turned import TURNED_CELL
 
 SLOW = str(templates()["touchpad"])
@@ -121,6 +123,54 @@ def test_curves_are_certified_without_a_pause_when_the_pointer_is_released(brows
         page.mouse.up()
         expect(page.locator(".kind")).to_have_text("certified", timeout=PATIENCE)
         expect(page.locator(".turning select")).to_be_enabled(timeout=PATIENCE)
+
+
+def test_certified_curves_are_drawn_before_their_gaps(browser, studio):
+    study, early = loads(TURNED_CELL), []
+    bands_dataset(study.cell, study.bands_settings, first=early.append)
+    without_gaps = packed_part("bands", early[0])
+    with opened(browser, studio) as page:
+        page.get_by_role("button", name="Compute bands").click()
+        expect(page.locator(SLIDER)).to_be_enabled(timeout=PATIENCE)
+        page.locator(".turning select").select_option("cell.pillar.diameter", timeout=PATIENCE)
+        page.wait_for_selector(".turning[data-prepared=true]", timeout=PATIENCE)
+        page.route("**/first", lambda route: route.fulfill(body=without_gaps))
+        views = []
+        page.route("**/view", lambda route: views.append(route))
+        drag(page, [0.44, 0.6])
+        expect(page.locator(".kind")).to_have_text("preview")
+        of_preview = page.locator(".edges").inner_text()
+        page.mouse.up()
+        expect(page.locator(".kind")).to_have_text("preview of gaps", timeout=PATIENCE)
+        # the curves are certified, and only their gaps are those of the preview
+        assert page.locator(".edges").inner_text() == of_preview
+        assert not page.get_by_text("preview with its error").is_visible()
+        assert page.get_by_role("button", name="Hold this design").is_disabled()
+        while not views:
+            page.wait_for_timeout(50)
+        views[0].continue_()
+        expect(page.locator(".kind")).to_have_text("certified", timeout=PATIENCE)
+
+
+def test_keys_in_a_row_are_one_step_of_the_history_though_the_server_is_slow(browser, studio):
+    with opened(browser, studio) as page:
+        page.get_by_role("button", name="Compute bands").click()
+        expect(page.locator(SLIDER)).to_be_enabled(timeout=PATIENCE)
+        before = text_of(page)
+
+        def delay(route):
+            page.wait_for_timeout(1000)
+            route.continue_()
+
+        page.route("**/api/change", delay)
+        for _ in range(3):
+            page.locator(SLIDER).press("ArrowRight")
+        expect(page.locator(".turning select")).to_be_enabled(timeout=PATIENCE)
+        expect(page.locator(TEXT)).not_to_have_value(before)
+        page.wait_for_timeout(3500)
+        page.get_by_role("button", name="Undo").click()
+        expect(page.locator(TEXT)).to_have_value(before)
+        assert page.get_by_role("button", name="Undo").is_disabled()
 
 
 NAMED = TURNED_CELL.replace('pitch = "7 mm"', 'pitch = "a"') + '\n[parameters]\na = "7 mm"\n'

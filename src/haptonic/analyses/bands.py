@@ -14,7 +14,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.analyses.turning import BandsTurning
 from haptonic.bloch import bands_dataset
-from haptonic.bloch.bands import add_further_gaps
+from haptonic.bloch.gap_datasets import add_further_gaps
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.cell import UnitCell

@@ -1,6 +1,7 @@
 """Bands, gaps and modes of the infinite lattice, computed from one small matrix pencil."""
 
-from haptonic.bloch.bands import bands_dataset, gaps_dataset, gaps_of
+from haptonic.bloch.bands import bands_dataset, gaps_dataset
+from haptonic.bloch.gap_datasets import gaps_of
 from haptonic.bloch.gaps import Gap
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.model import BlochModel, bloch_model

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict
-from typing import Any
+from dataclasses import asdict, dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.bloch.character import NAMES
+from haptonic.bloch.gap_datasets import dataset_of_gaps
 from haptonic.bloch.gaps import Gap, complete_gaps, listed_gaps
 from haptonic.bloch.mesh_levels import Lack
 from haptonic.bloch.model import BlochModel, Solution, best_model, candidate_models
@@ -44,7 +43,6 @@ from haptonic.superelement import whole_mesh
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 APART = 3.0  # margin of counts, as a multiple of the estimated distance of a band to the lower orders
 LEAST_COUNTED = 2  # order of a model up to which counts use its own mesh: the next is too coarse for them
-FURTHER = "further_"  # before the names of variables and dimensions of other lattices of a plate
 
 
 @one_thread()
@@ -68,7 +66,8 @@ def bands_dataset(
         path's second segment
     moving : also the surface of the cell in every mode of the diagram, see `haptonic.bloch.path_modes`
     also : positions of further wavevectors on the path, see `Zone.path`
-    first : called with the frequencies, their errors and the complete gaps, before anything else is computed
+    first : called with the frequencies and their errors as soon as a model is accurate along the path, and
+        again with the complete gaps, before anything else is computed
 
     Returns
     -------
@@ -81,23 +80,16 @@ def bands_dataset(
         the accuracy, the best result is returned: see `BestModel.attributes`
     """
     path = cell.zone.path(settings.points, also)  # first, because it refuses too few points
-    best = best_model(cell, settings)
+    early = None if first is None else _FirstCurves(cell, settings, path, first)
+    best = best_model(cell, settings, tried=early.solve if early else None)
     model = best.model
     kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
-
-    solutions = solved(model, path)
-    if first is not None:
-        frequency, error = (
-            np.stack([getattr(each, name)[: model.count] for each in solutions])
-            for name in ("frequency", "error")
-        )
-        curves = xr.merge([_curves_dataset(path, frequency, error), _gaps_dataset(gaps)])
-        first(curves.assign_attrs(scales(cell)))
+    solutions = solved(model, path) if early is None else early.with_gaps(model, gaps)
 
     def parts_along_path() -> list[xr.Dataset]:
         along = diagram(model, path, solutions)
-        parts = [_diagram_dataset(along), _gaps_dataset(listed_gaps(model, along, gaps))]
+        parts = [_diagram_dataset(along), dataset_of_gaps(listed_gaps(model, along, gaps))]
         of_zone: ZoneModes | None = None
         if surface:
             over = zone_surface(model, SURFACE_DIVISIONS)
@@ -140,6 +132,43 @@ def bands_dataset(
     return dataset
 
 
+@dataclass
+class _FirstCurves:
+    """Curves along the path that are reported before the rest of a result; see `bands_dataset`."""
+
+    cell: UnitCell
+    settings: BandSettings
+    path: Path
+    report: Callable[[xr.Dataset], object]
+    _solved: tuple[BlochModel, list[Solution]] | None = None  # the last model
+
+    def solve(self, model: BlochModel) -> list[Solution]:
+        """Solve along the path; report the curves if they are as accurate as the settings demand."""
+        solutions = solved(model, self.path)
+        self._solved = model, solutions
+        curves = self._curves(solutions)
+        if self.settings.resolution or _largest_error(curves) <= self.settings.accuracy:
+            self.report(curves)
+        return solutions
+
+    def with_gaps(self, model: BlochModel, gaps: tuple[Gap, ...]) -> list[Solution]:
+        """Report the curves of the best model with its gaps; returns the solutions along the path."""
+        assert self._solved is not None, "the best model is one of those that were tried"
+        latest, solutions = self._solved
+        if latest is not model:  # a finer one was no better
+            solutions = solved(model, self.path)
+        self.report(xr.merge([self._curves(solutions), dataset_of_gaps(gaps)]))
+        return solutions
+
+    def _curves(self, solutions: Sequence[Solution]) -> xr.Dataset:
+        count = self.settings.count
+        frequency, error = (
+            np.stack([getattr(solution, name)[:count] for solution in solutions])
+            for name in ("frequency", "error")
+        )
+        return _curves_dataset(self.path, frequency, error).assign_attrs(scales(self.cell))
+
+
 def _largest_error(dataset: xr.Dataset) -> float:
     """Largest relative error of the diagram, rigid motions excluded."""
     frequency = dataset["frequency"].values
@@ -165,7 +194,7 @@ def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = 
         if settings.resolution or all(gap.relative_error <= settings.accuracy for gap in matter):
             break
     assert model is not None, "the candidates contain neither a model nor an error"
-    dataset = _gaps_dataset(gaps)
+    dataset = dataset_of_gaps(gaps)
     wavevectors, _ = cell.zone.triangles(2)
     lowest = min(float(model.frequencies(kappa)[-1]) for kappa in wavevectors)
     dataset["searched_up_to"] = (), lowest
@@ -181,74 +210,6 @@ def gaps_dataset(cell: UnitCell, settings: BandSettings, *, above: int | None = 
             **lack.attributes(cell),
         }
     return dataset
-
-
-def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
-    """Read the gaps of a dataset, complete gaps first."""
-    gaps = []
-    for number in range(dataset.sizes["gap"]):
-        row = dataset.isel(gap=number)
-        gaps.append(
-            Gap(
-                between=(int(row["gap_below"]), int(row["gap_below"]) + 1),
-                lower=float(row["gap_lower"]),
-                upper=float(row["gap_upper"]),
-                lower_error=float(row["gap_lower_error"]),
-                upper_error=float(row["gap_upper_error"]),
-                lower_kappa=(float(row["gap_lower_kappa"][0]), float(row["gap_lower_kappa"][1])),
-                upper_kappa=(float(row["gap_upper_kappa"][0]), float(row["gap_upper_kappa"][1])),
-                complete=bool(row["gap_complete"]),
-                direction=str(row["gap_direction"].item()),
-                samples=int(row["gap_samples"]),
-                waves=row["gap_waves"].item(),
-            )
-        )
-    return tuple(gaps)
-
-
-def add_further_gaps(dataset: xr.Dataset, gaps: Mapping[str, tuple[Gap, ...]]) -> xr.Dataset:
-    """A dataset of bands with the gaps of further lattices, by the name of each; see `further_gaps_of`."""
-    if not gaps:
-        return dataset
-    own = _gaps_dataset(tuple(gap for every in gaps.values() for gap in every))
-    further = own.rename({name: f"{FURTHER}{name}" for name in (*own, "gap")})
-    number = np.repeat(np.arange(len(gaps)), [len(every) for every in gaps.values()])
-    further[f"{FURTHER}gap_lattice"] = f"{FURTHER}gap", number
-    further[f"{FURTHER}lattice"] = f"{FURTHER}lattice", np.array(list(gaps))
-    titles = {"gap_lattice": "number of its lattice, from 0", "lattice": "name of a further lattice"}
-    describe(further, {f"{FURTHER}{name}": ("1", title) for name, title in titles.items()})
-    return dataset.merge(further)
-
-
-def further_gaps_of(dataset: xr.Dataset) -> dict[str, tuple[Gap, ...]]:
-    """Read the gaps of further lattices by the name of each, also of those without a gap."""
-    if f"{FURTHER}lattice" not in dataset:
-        return {}
-    stored = {name: name.removeprefix(FURTHER) for name in map(str, dataset) if name.startswith(FURTHER)}
-    own = dataset[list(stored)].rename({**stored, f"{FURTHER}gap": "gap"})
-    return {
-        name: gaps_of(own.isel(gap=own["gap_lattice"].values == number))
-        for number, name in enumerate(dataset[f"{FURTHER}lattice"].values.tolist())
-    }
-
-
-def certain_gaps(dataset: xr.Dataset) -> NDArray[np.bool_]:
-    """True for each gap of a dataset that is wider than the errors of its edges; False without a gap."""
-    width = dataset["gap_upper"].values - dataset["gap_lower"].values
-    return np.asarray(width > dataset["gap_lower_error"].values + dataset["gap_upper_error"].values)
-
-
-def carrier_margins(dataset: xr.Dataset) -> Array:
-    """(step,) margins of the carrier in the gaps of a sweep, Hz; NaN without a carrier, or outside of all.
-
-    The margin is the distance to the nearer edge, with the error of the edge subtracted.
-    """
-    carrier = float(dataset.attrs.get("carrier_hz", np.nan))
-    lower, upper, lower_error, upper_error = (
-        dataset[name].values for name in ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error")
-    )
-    margin = np.minimum(carrier - lower - lower_error, upper - upper_error - carrier)
-    return np.asarray(np.fmax.reduce(np.where(margin > 0, margin, np.nan), axis=1, initial=np.nan))
 
 
 def lattice_of(dataset: xr.Dataset) -> Lattice:
@@ -366,34 +327,3 @@ def _velocity_errors(model: BlochModel, solutions: Sequence[Solution]) -> xr.Dat
     errors = [group_velocity_error(model, solution)[: model.count] for solution in solutions]
     variable = (("wavevector", "band"), np.array(errors), "m/s", VELOCITY_ERROR)
     return declared(titled({"group_velocity_error": variable}), group_velocity_error=STILL)
-
-
-def _gaps_dataset(gaps: tuple[Gap, ...]) -> xr.Dataset:
-    plain: dict[str, tuple[Any, str, str]] = {
-        "gap_lower": ([g.lower for g in gaps], "Hz", "lower edge"),
-        "gap_upper": ([g.upper for g in gaps], "Hz", "upper edge"),
-        "gap_lower_error": ([g.lower_error for g in gaps], "Hz", "bound of the lower edge's error"),
-        "gap_upper_error": ([g.upper_error for g in gaps], "Hz", "bound of the upper edge's error"),
-    }
-    dataset = xr.Dataset(
-        {name: ("gap", np.array(values, dtype=float)) for name, (values, _, _) in plain.items()}
-        | {
-            "gap_below": ("gap", np.array([g.between[0] for g in gaps], dtype=np.int64)),
-            "gap_lower_kappa": (("gap", "axis"), np.array([g.lower_kappa for g in gaps]).reshape(-1, 2)),
-            "gap_upper_kappa": (("gap", "axis"), np.array([g.upper_kappa for g in gaps]).reshape(-1, 2)),
-            "gap_complete": ("gap", np.array([g.complete for g in gaps], dtype=np.int8)),
-            "gap_direction": ("gap", np.array([g.direction for g in gaps], dtype=object).astype("U")),
-            "gap_waves": ("gap", np.array([g.waves for g in gaps], dtype=object).astype("U")),
-            "gap_samples": ("gap", np.array([g.samples for g in gaps], dtype=np.int64)),
-        }
-    )
-    describe(dataset, {name: (unit, title) for name, (_, unit, title) in plain.items()} | {
-        "gap_below": ("1", "number of the band below, from 1"),
-        "gap_lower_kappa": ("rad", "phases at which the lower edge lies"),
-        "gap_upper_kappa": ("rad", "phases at which the upper edge lies"),
-        "gap_complete": ("1", "1 if it covers the whole irreducible zone and all waves"),
-        "gap_direction": ("1", "segment of the path of the gap, or all"),
-        "gap_waves": ("1", "waves of the gap, by their symmetry about the plate's middle plane"),
-        "gap_samples": ("1", "number of sampled wavevectors"),
-    })  # fmt: skip
-    return dataset

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -369,16 +369,25 @@ class BestModel:
         return attributes
 
 
-def best_model(cell: UnitCell, settings: BandSettings, *, limits: MeshLimits | None = None) -> BestModel:
+def best_model(
+    cell: UnitCell,
+    settings: BandSettings,
+    *,
+    limits: MeshLimits | None = None,
+    tried: Callable[[BlochModel], object] | None = None,
+) -> BestModel:
     """Compute the cheapest model of a given accuracy over the whole zone, or the most accurate one.
 
-    Parameters and errors as in `candidate_models`.
+    Parameters and errors as in `candidate_models`; ``tried`` is called with each model before its errors over
+    the zone are estimated.
     """
     best: BlochModel | None = None
     for candidate in candidate_models(cell, settings, limits=limits):
         if isinstance(candidate, Lack):
             assert best is not None, "the candidates contain neither a model nor an error"
             return BestModel(best, candidate)
+        if tried is not None:
+            tried(candidate)
         if best is None or candidate.worst_error < best.worst_error:
             best = candidate
         if settings.resolution or best.worst_error <= settings.accuracy:

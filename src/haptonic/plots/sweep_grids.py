@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from haptonic.bloch.bands import carrier_margins, certain_gaps
+from haptonic.bloch.gap_datasets import carrier_margins, certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.stage import stage

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from haptonic.arrays import Array
-from haptonic.bloch.bands import certain_gaps
+from haptonic.bloch.gap_datasets import certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.looks import colours

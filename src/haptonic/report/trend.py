@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.bloch.bands import certain_gaps
+from haptonic.bloch.gap_datasets import certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.units import uncertain
 

@@ -13,7 +13,8 @@ import numpy as np
 from haptonic import plots, vtu
 from haptonic.arrays import Array
 from haptonic.bloch import Gap, gaps_of
-from haptonic.bloch.bands import further_gaps_of, lattice_of, mode_names
+from haptonic.bloch.bands import lattice_of, mode_names
+from haptonic.bloch.gap_datasets import further_gaps_of
 from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.names import counted
 from haptonic.plots.text import WavevectorUnit, gap_text

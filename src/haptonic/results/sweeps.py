@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from haptonic import plots
-from haptonic.bloch.bands import carrier_margins
+from haptonic.bloch.gap_datasets import carrier_margins
 from haptonic.bloch.mesh_levels import rounded_up
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr

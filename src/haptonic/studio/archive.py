@@ -26,7 +26,7 @@ from haptonic.studio.order import Order
 FORM = 2  # of the files; those of another form are left alone
 BRIEF, WHOLE, VIEW = "brief.json", "whole.json", "view"
 APART = ("view", "order", "first", "knobs", "previews")  # with files of their own, or not kept
-ARCHIVED = {"archived": True, "first": False, "turns": False, "previews": {}}  # facts that are not kept
+ARCHIVED = {"archived": True, "first": 0, "turns": False, "previews": {}}  # facts that are not kept
 FAULTS = (OSError, zipfile.BadZipFile, KeyError, ValueError, TypeError)  # of a damaged file
 
 

@@ -21,7 +21,7 @@ class Job:
     progress : steps done and planned, and the name of the current one; planned is 0 while it is unknown
     command, python : lines that repeat it
     points : computed designs, see `haptonic.analyses.points`
-    first : view with the part of the result that is computed first
+    first : count of the versions of the part that is computed first, and view of the newest
     knobs : numbers that can be turned, see `haptonic.analyses.turning`
     previews : by path of a number, count of the improvements so far and view
     by_command : True for a run of the command line
@@ -39,7 +39,7 @@ class Job:
     points: list[dict[str, Any]] = field(default_factory=list)
     error: dict[str, str] | None = None
     answer: dict[str, Any] | None = None
-    first: bytes | None = None
+    first: tuple[int, bytes] = (0, b"")
     view: bytes | None = None
     knobs: list[dict[str, Any]] | None = None
     previews: dict[str, tuple[int, bytes]] = field(default_factory=dict)
@@ -83,7 +83,7 @@ class Job:
             "title": self.order.title[:LONGEST_TITLE], "started": self.started,
             "state": self.state, "cost": self.cost, "progress": self.progress,
             "points": len(self.points), "turned": bool(self.order.turned), "byCommand": self.by_command,
-            "archived": False, "first": self.first is not None, "turns": self.knobs is not None,
+            "archived": False, "first": self.first[0], "turns": self.knobs is not None,
             "previews": {path: count for path, (count, _) in self.previews.items()},
             "seconds": round(time.time() - self.started if self.state == "running" else self.seconds, 1),
         }  # fmt: skip

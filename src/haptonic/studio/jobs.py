@@ -234,7 +234,7 @@ class Jobs:
                 case "point" if len(job.points) < MOST_POINTS:
                     job.points.append(content)
                 case "first":
-                    job.first = content
+                    job.first = job.first[0] + 1, content
                 case "knobs":
                     job.knobs = content
                 case "preview":

@@ -10,6 +10,7 @@ const LEAST = 0.1; // of the highest frequency; below it, errors are compared wi
 
 export interface Layer {
   isPreview: boolean;
+  areGapsPreview: boolean; // also of certified curves, until their gaps are certified
   distance: ArrayLike<number>; // length of the path up to each wavevector, rad/m
   pitch: number; // m
   frequency: ArrayLike<number>; // of each band at each wavevector, Hz
@@ -18,12 +19,20 @@ export interface Layer {
 }
 
 /** The newer numbers as a layer; null if there are none, or if the errors of the preview are too large. */
-function layerOf({ data, at }: Turned): Layer | null {
-  if (data === null) return null;
-  if (at !== null) return previewAt(data, at);
-  const [frequency, error] = [data.values("frequency"), data.values("frequency_error")];
-  const [distance, pitch] = [data.values("distance"), pitchOf(data)];
-  return { isPreview: false, distance, pitch, frequency, error, gaps: readGaps(data) };
+function layerOf({ certified, preview, at }: Turned): Layer | null {
+  const previewed = preview && previewAt(preview, at);
+  if (certified === null) return previewed;
+  const hasGaps = certified.has("gap_lower");
+  if (!hasGaps && previewed === null) return null;
+  return {
+    isPreview: false,
+    areGapsPreview: !hasGaps,
+    distance: certified.values("distance"),
+    pitch: pitchOf(certified),
+    frequency: certified.values("frequency"),
+    error: certified.values("frequency_error"),
+    gaps: hasGaps ? readGaps(certified) : (previewed?.gaps ?? []),
+  };
 }
 
 /** What replaces the curves of the diagram. */
@@ -39,6 +48,7 @@ export function newerThan(turned: ReadonlySignal<Turned | null> | undefined): Ne
 
 export const layerOfDiagram = ({ distance, pitch, frequency, error, gaps }: BandDiagram): Layer => ({
   isPreview: false,
+  areGapsPreview: false,
   distance,
   pitch,
   frequency,
@@ -95,5 +105,6 @@ function previewAt(data: Dataset, at: number): Layer | null {
   });
   const [narrow, wide] = pair("pitch", 0);
   const pitch = (1 - share) * narrow + share * wide;
-  return { isPreview: true, distance, pitch, frequency, error, gaps: gaps.filter(({ lower, upper }) => upper > lower) };
+  const open = gaps.filter(({ lower, upper }) => upper > lower);
+  return { isPreview: true, areGapsPreview: true, distance, pitch, frequency, error, gaps: open };
 }

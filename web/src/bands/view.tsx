@@ -16,7 +16,7 @@ import { Curves } from "./curves";
 import { BandDiagram } from "./diagram_data";
 import { Comparison, Edges } from "./edges";
 import { bandsKeys } from "./keys";
-import { layerOfDiagram, newerThan } from "./layer";
+import { layerOfDiagram, newerThan, type Layer } from "./layer";
 import { Mode } from "./mode";
 import { UNTURNED, type Motion } from "./moving_mode";
 import { LARGEST_SWING, MOST_COPIES, startingChoice, type Choice } from "./state";
@@ -40,12 +40,12 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
   const hold = () => {
     const drawn = newer.layer.peek() ?? layerOfDiagram(diagram);
     if (choice.held.value !== null) choice.held.value = null;
-    else if (!drawn.isPreview && !newer.isWaiting.peek())
+    else if (!drawn.areGapsPreview && !newer.isWaiting.peek())
       choice.held.value = { layer: drawn, gaps: drawn.gaps, carrier: diagram.carrier, design: host?.design() ?? {} };
   };
   const keys = useMemo(() => bandsKeys(diagram, choice, host && hold), [diagram, choice, host]);
   const layer = newer.layer.value;
-  const kind = newer.isWaiting.value ? "earlier design" : layer?.isPreview ? "preview" : "certified";
+  const kind = newer.isWaiting.value ? "earlier design" : kindOf(layer);
   const isOld = newer.isWaiting.value || layer !== null; // sentences and modes are those of the view's design
   const held = choice.held.value;
   const { carrier } = diagram;
@@ -63,7 +63,7 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
           </button>
         )}
         {kind === "earlier design" ? (
-          <p>{host?.turned.value?.data ? "Too far for a preview." : "No preview yet."} Certified curves follow.</p>
+          <p>{host?.turned.value?.preview ? "Too far for a preview." : "No preview yet."} Certified curves follow.</p>
         ) : (
           <Edges gaps={gaps} carrier={carrier} unit={unit} />
         )}
@@ -79,7 +79,7 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
             <Legend diagram={diagram} isPreview={kind === "preview"} isHeld={held !== null} />
           </p>
           {held !== null && host && kind !== "earlier design" && (
-            <Comparison held={held} now={{ gaps, carrier, design: host.design() }} unit={unit} isPreview={kind === "preview"}
+            <Comparison held={held} now={{ gaps, carrier, design: host.design() }} unit={unit} isPreview={kind !== "certified"}
               drop={hold} />
           )}
         </section>
@@ -96,6 +96,12 @@ function BandsView({ data, host }: { data: Dataset; host: Host | undefined }) {
       </Listing>
     </Frame>
   );
+}
+
+/** How exact the curves and the gaps of a layer are; without one they are those of the result. */
+function kindOf(layer: Layer | null) {
+  if (layer === null || !layer.areGapsPreview) return "certified";
+  return layer.isPreview ? "preview" : "preview of gaps";
 }
 
 /** Motion of the selected mode of the diagram. */

@@ -4,10 +4,11 @@ import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import type { Dataset } from "../dataset";
 
-/** Numbers of a design that is newer than that of the view. */
+/** Numbers of a design that is newer than that of the view; each is null while there are none. */
 export interface Turned {
-  data: Dataset | null; // null while there are none
-  at: number | null; // value of the number along a preview, SI; null if the data are certified
+  certified: Dataset | null; // curves, at first without gaps
+  preview: Dataset | null;
+  at: number; // value of the number along the preview, SI
 }
 
 export interface Host {

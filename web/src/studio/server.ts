@@ -146,7 +146,7 @@ export interface Job {
   progress: [number, number, string];
   seconds: number;
   turned: boolean; // it belongs to a number that a user turns
-  first: boolean; // the part of the view that is computed first is there
+  first: number; // versions so far of the part of the view that is computed first
   archived: boolean; // from an earlier start of the server, or too old to stay in memory
   byCommand?: boolean; // of the command line
   turns: boolean; // the list of numbers that can be turned is there

@@ -90,12 +90,12 @@ const current = (): Version => ({
   values: examined === text.peek() && !broken.peek() ? values.peek() : null,
 });
 
-function replace(next: string, isTyped = false, own = source.peek()): void {
+/** Another text; `at` is the time when the user made the change, ms since the page was loaded. */
+function replace(next: string, isTyped = false, own = source.peek(), at = performance.now()): void {
   if (next === text.peek() && own === source.peek()) return;
-  const now = performance.now();
   const begins = past.peek().length === 0 && text.peek() === ""; // an empty page is nothing to go back to
-  if (!begins && !(isTyped && now - typed < STEP)) past.value = [...past.peek(), current()].slice(-MOST_STEPS);
-  typed = isTyped ? now : -Infinity;
+  if (!begins && !(isTyped && at - typed < STEP)) past.value = [...past.peek(), current()].slice(-MOST_STEPS);
+  typed = isTyped ? at : -Infinity;
   future.value = [];
   source.value = own;
   text.value = next;
@@ -130,8 +130,9 @@ export const change = (steps: Step[], value: Value | null, isMoving = false) =>
   void changeAll(() => [{ steps, value }], isMoving);
 
 /** Change several keys as one step of the history, determined when all earlier changes have been made. */
-export const changeAll = (wanted: () => Change[], isMoving = false): Promise<void> =>
-  inTurn(async () => {
+export function changeAll(wanted: () => Change[], isMoving = false): Promise<void> {
+  const at = performance.now();
+  return inTurn(async () => {
     const own = source.peek();
     for (;;) {
       if (examined !== text.peek()) await checkNow(); // after an undo, `values` are older than the text
@@ -140,12 +141,13 @@ export const changeAll = (wanted: () => Change[], isMoving = false): Promise<voi
       const state = await server.change(before, changes);
       if (source.peek() !== own) return; // undone beyond the opening of the study
       if (text.peek() !== before) continue; // letters were typed meanwhile
-      replace(state.text, isMoving);
+      replace(state.text, isMoving, own, at);
       clearTimeout(timer);
       take(state);
       return;
     }
   });
+}
 
 /** Take the newest text of one list, and put the current one into the other. */
 function swap(from: Signal<Version[]>, to: Signal<Version[]>): void {

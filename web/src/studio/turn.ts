@@ -13,7 +13,8 @@ export const knobs = signal<Knob[]>([]);
 export const selected = signal(""); // path of a number
 export const turnedTo = signal<number | null>(null); // its value; null if it is that of the result
 const previews = signal<Record<string, { job: number; count: number; data: Dataset }>>({});
-const first = signal<{ at: number; data: Dataset } | null>(null); // certified curves of a job that goes on
+/** Certified curves of a job that goes on; `count` is that of their versions. */
+const first = signal<{ job: number; count: number; at: number; data: Dataset } | null>(null);
 
 export const knob = computed(() => knobs.value.find(({ path }) => path === selected.value) ?? knobs.value[0]);
 export const isPrepared = computed(() => previews.value[knob.value?.path ?? ""] !== undefined);
@@ -23,9 +24,11 @@ export const canTurn = computed(() => turnedTo.value !== null || whole.value?.al
 export const turned = computed((): Turned | null => {
   const [value, of] = [turnedTo.value, knob.value];
   if (value === null || of === undefined) return null;
-  if (first.value?.at === value) return { data: first.value.data, at: null };
-  const preview = previews.value[of.path];
-  return { data: preview?.data ?? null, at: value * of.scale };
+  return {
+    certified: first.value?.at === value ? first.value.data : null,
+    preview: previews.value[of.path]?.data ?? null,
+    at: value * of.scale,
+  };
 });
 
 export const written = ({ unit }: Knob, value: number): string => `${Number(value.toPrecision(9))} ${unit}`.trim();
@@ -121,12 +124,16 @@ export function followTurns(): void {
   });
   effect(() => {
     const started = jobs.value.find(({ number }) => number === latest.job);
-    if (started?.first && started.state === "running")
-      once(`first ${started.number}`, async () => {
-        const { job, at } = latest;
-        const data = await server.part(started.number, "first");
-        if (data !== null && job === started.number) first.value = { at, data };
+    if (started?.first && started.state === "running") {
+      const { number: job, first: count } = started;
+      once(`first ${job} ${count}`, async () => {
+        const { at } = latest;
+        const data = await server.part(job, "first");
+        const known = first.peek();
+        const isOlder = known !== null && known.job === job && known.count > count;
+        if (data !== null && latest.job === job && !isOlder) first.value = { job, count, at, data };
       });
+    }
     const job = jobs.value.find(({ number }) => number === whole.value?.number);
     if (!job?.turns) return;
     once(`knobs ${job.number}`, async () => {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from haptonic.bloch.bands import certain_gaps
+from haptonic.bloch.gap_datasets import certain_gaps
 from haptonic.later import xarray as xr
 from haptonic.plots.sweeps import SUBSCRIPTED
 from haptonic.plots.text import minus, readable, scaled_unit
