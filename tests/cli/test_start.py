@@ -28,7 +28,7 @@ from haptonic.fields import remade, table
 from haptonic.fields.json_schema import json_schema
 from haptonic.fields.keys import pattern_of
 from haptonic.materials import library
-from haptonic.study import Study, Template, load, loads, templates
+from haptonic.study import Study, Template, case_templates, load, loads, templates
 from haptonic.study.template import COMMAND
 
 TEMPLATES = templates()
@@ -51,6 +51,10 @@ def coarsen(path: Path) -> None:
 
 
 class TestTemplates:
+    def test_no_case_of_verify_has_the_name_of_a_template(self):
+        """`haptonic new NAME` writes either of them."""
+        assert set(TEMPLATES).isdisjoint(case_templates())
+
     @pytest.mark.parametrize("name", daily(TEMPLATES, "coated-inclusion", "my-scan", "my-trials"))
     @pytest.mark.usefixtures("empty_pictures")
     def test_its_first_command_answers(self, inside, tmp_path, name):

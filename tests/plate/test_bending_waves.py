@@ -102,6 +102,15 @@ def test_a_frequency_beyond_it_is_refused_and_smaller_tiles_reach_it():
     assert PlateModel.of(Plate(layout_of(EDGE / 2), supports=held), 1.01 * limit)
 
 
+def test_a_coarse_mesh_of_the_study_is_used_up_to_two_orders_for_each_wave():
+    coarse, supports = Fineness(along=2), (Support("left", "clamped"),)
+    with refusing(HaptonicError, "out-of-range", "frequency") as caught:
+        PlateModel.of(Plate(layout_of(), supports=supports), 1e6, coarse)
+    assert "represent" in str(caught.value)
+    beyond_a_percent = 1.5 * highest_resolved(layout_of(), coarse.trace)
+    assert PlateModel.of(Plate(layout_of(), supports=supports), beyond_a_percent, coarse)
+
+
 def test_thick_plates_of_small_tiles_are_limited_by_their_thickness():
     tiny = highest_resolved(layout_of(THICKNESS / 50), Fineness().trace)
     assert tiny == highest_resolved(layout_of(THICKNESS / 100), Fineness().trace)

@@ -1,7 +1,10 @@
 """Studies and cells made in Python: of values or texts, checked as in a file, changed by paths."""
 
+import math
+import re
 from dataclasses import fields
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 from test_study_writing import studies
@@ -190,16 +193,51 @@ def test_a_path_that_an_analysis_takes_may_be_a_text_and_nothing_else(name, tmp_
             assert error.argument == path
 
 
-TEXTS_AND_SWITCHES = ("str", "str | None", "bool", "bool | None")
+WRONG = {
+    "str": [3, None], "bool": [3, "yes"], "int": ["3", 3.5, True, [1]], "float": ["3", [1, 2], True],
+    "Literal": ["another", 3],
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_text_or_a_switch_that_an_analysis_takes_is_nothing_else(name, tmp_path):
+def test_a_value_of_another_type_is_refused(name, tmp_path):
     analysis, needed = named(name), dict.fromkeys(NEEDING_PATHS[name], tmp_path)
     for field in fields(analysis.options):
-        if field.type in TEXTS_AND_SWITCHES:
-            error = refused(lambda field=field: analysis.chosen(needed | {field.name: 3}))
-            assert (error.code, error.argument) == ("malformed", field.name)
+        for value in WRONG.get(re.match(r"\w+", str(field.type))[0], []):
+            allows_none = value is None and "None" in str(field.type)
+            is_quantity = isinstance(value, str) and (known := option_of(field)) and known.is_text
+            if not (allows_none or is_quantity):
+                error = refused(lambda: analysis.need_options(needed | {field.name: value}))  # noqa: B023
+                assert (error.code, error.argument) == ("malformed", field.name), (field, value)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_number_beyond_its_bounds_is_refused(name, tmp_path):
+    analysis, needed = named(name), dict.fromkeys(NEEDING_PATHS[name], tmp_path)
+    for field in fields(analysis.options):
+        if (known := option_of(field)) and known.quantity:
+            for value in (-1, *([math.nan] if "float" in str(field.type) else [])):
+                error = refused(lambda: analysis.need_options(needed | {field.name: value}))  # noqa: B023
+                assert (error.code, error.argument) == ("out-of-range", field.name)
+
+
+@pytest.mark.parametrize(
+    ("changes", "code", "argument"),
+    [
+        (["a"], "malformed", "changes"),
+        ({3: 4}, "malformed", "changes"),
+        ({"cell.disc[2].diameter": "3 mm"}, "unknown", "cell.disc[2].diameter"),
+    ],
+)
+def test_changes_of_keys_that_do_not_exist_are_refused(changes, code, argument):
+    disc = '[[cell.disc]]\ndiameter = "4 mm"\nempty = true\n'
+    study = loads(f'material = "steel"\n[cell]\npitch = "7 mm"\nthickness = "1 mm"\n{disc}')
+    error = refused(lambda: study.with_keys(changes))
+    assert (error.code, error.argument) == (code, argument)
+
+
+def test_keys_take_numbers_of_numpy():
+    assert Study(cell=CELL).with_keys({"bands.count": np.int64(9)}).bands_settings.count == 9
 
 
 @pytest.mark.parametrize(("name", "option"), [("scan", "path"), ("friction", "path"), ("compare", "second")])

@@ -6,8 +6,9 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import MISSING, dataclass, fields
+from numbers import Integral, Real
 from pathlib import Path
-from typing import Any, Literal, get_args, get_type_hints
+from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from haptonic.analyses.options import NoOptions, option_of
 from haptonic.analyses.runner import Runner
@@ -25,7 +26,10 @@ COMMAND = "haptonic "
 # names of files written by analyses: studies, and measurements
 STUDIES, MEASURED = ("design", "fitted"), ("response", "scan", "trials")
 KEPT = "finished designs are stored; run the same command to continue"
-WORDS = {bool: "True or False", str: "a text", type(None): "None"}
+WORDS = {
+    bool: "True or False", int: "a whole number", float: "a number", str: "a text", type(None): "None",
+}  # fmt: skip
+NUMBERS: dict[Any, type] = {int: Integral, float: Real}  # those of NumPy are numbers too
 
 
 def nothing(study: Any, options: Any) -> None:
@@ -124,7 +128,9 @@ class Analysis:
             for name in given
         }
         for name, value in values.items():
-            _check_kind(name, value, get_args(kinds[name]) or (kinds[name],))
+            _check_kind(name, value, kinds[name])
+            if choice := option_of(declared[name]):
+                choice.check(value)
         paths = {name: source(value, name, StudyError) for name, value in values.items()
                  if value is not None and Path in (kinds[name], *get_args(kinds[name]))}  # fmt: skip
         return self.options(**values | paths)
@@ -235,15 +241,26 @@ class Analysis:
         return [name.replace("STUDY", stem) if isinstance(name, str) else name for name in names]
 
 
-def _check_kind(name: str, value: Any, kinds: tuple[Any, ...]) -> None:
-    """Raise StudyError if a value is not of its type; checks texts, booleans and None only."""
-    if not {*kinds} <= WORDS.keys() or isinstance(value, kinds):
+def _check_kind(name: str, value: Any, kind: Any) -> None:
+    """Raise StudyError if a value is not of its type; checks `WORDS` and choices of texts only."""
+    kinds = (kind,) if get_origin(kind) is Literal else get_args(kind) or (kind,)
+    choices = [choice for kind in kinds if get_origin(kind) is Literal for choice in get_args(kind)]
+    plain = [kind for kind in kinds if get_origin(kind) is not Literal]
+    if not {*plain} <= WORDS.keys() or any(_is_of_kind(value, kind) for kind in plain):
         return
-    allowed = listed([WORDS[kind] for kind in kinds], "or")
+    if isinstance(value, str) and value in choices:
+        return
+    allowed = listed([*(f'"{choice}"' for choice in choices), *(WORDS[kind] for kind in plain)], "or")
     raise StudyError.malformed(
         argument=name,
         given=repr(value),
         allowed=allowed,
-        cause="a value of another type",
+        cause="there is no such choice" if isinstance(value, str) and choices else "a value of another type",
         next_step=f"give {allowed}, or leave it out",
     )
+
+
+def _is_of_kind(value: Any, kind: Any) -> bool:
+    if kind in NUMBERS:
+        return isinstance(value, NUMBERS[kind]) and not isinstance(value, bool)
+    return isinstance(value, kind)

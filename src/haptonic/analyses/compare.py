@@ -12,7 +12,7 @@ import numpy as np
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.bands import compute_bands
 from haptonic.analyses.comparing import OfTable, check_table, of_dataset, of_file, of_table
-from haptonic.analyses.options import UnitsOfFile, option
+from haptonic.analyses.options import COUNT, UnitsOfFile, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import no_cell
 from haptonic.analyses.table_path import OurPath
@@ -42,7 +42,9 @@ class CompareOptions(UnitsOfFile):
         "Unit of the table's wavevector: rad/m, rad/mm, pi/a, 2pi/a, share (of the path) or segments.",
         metavar="UNIT",
     )
-    skip_lines: int = option(0, "Lines at the top of the table that are left out.", metavar="N", least=0)
+    skip_lines: int = option(
+        0, "Lines at the top of the table that are left out.", metavar="N", quantity=COUNT
+    )
     any_difference: bool = option(
         False, f"Also report a table that is more than {in_percent(MOST_APART)} apart, otherwise an error."
     )

@@ -9,11 +9,12 @@ from typing import Any
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import need_carrier
-from haptonic.analyses.options import option
+from haptonic.analyses.options import FREQUENCY, option
 from haptonic.analyses.plate_needs import checked_fineness, gap_of_plate, has_plate, response_settings
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.errors import StudyError
+from haptonic.fields import Quantity
 from haptonic.friction.lubrication.law import check_reduction
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.lubrication.settings import VOLTAGE
@@ -37,12 +38,15 @@ class FeelOptions:
     """Options of the friction map."""
 
     voltage: float | None = option(
-        None, 'Voltage of the first actuator, such as "200 V".', unit="V", metavar="VOLTAGE"
+        None,
+        'Voltage of the first actuator, such as "200 V".',
+        quantity=Quantity("V", at_least=0.0),
+        metavar="VOLTAGE",
     )
     at: float | None = option(
         None,
         "Frequency of the drive; by default the strongest resonance of the driven region.",
-        unit="Hz",
+        quantity=FREQUENCY,
         metavar="FREQUENCY",
     )
     reduction: float | None = option(

@@ -11,14 +11,16 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Literal
 
-from haptonic.units import to_si
+from haptonic.errors import StudyError
+from haptonic.fields import FASTEST, Quantity
+from haptonic.units import format_quantity, to_si
 
 
 @dataclass(frozen=True)
 class Option:
     """Declaration of an option, besides its name, type and default.
 
-    unit : SI unit of a quantity, which may be given as a text such as "58.8 kHz"
+    quantity : unit and bounds of a number, which may be given as a text such as "58.8 kHz"
     read : function that reads a text or the path of a file
     metavar : name of the value in a help; flag : name on the command line
     place : "option", or an argument of the command line before or behind the study
@@ -27,20 +29,41 @@ class Option:
     """
 
     help: str
-    unit: str = ""
+    quantity: Quantity | None = None
     read: Callable[[str], Any] | None = None
     metavar: str | None = None
     flag: str = ""
     place: Literal["option", "before", "behind"] = "option"
-    least: int | None = None
     is_path: bool = False
     topic: str = ""
+
+    @property
+    def unit(self) -> str:
+        """SI unit; empty for anything but a quantity."""
+        return self.quantity.unit if self.quantity else ""
+
+    @property
+    def is_text(self) -> bool:
+        """True if a command reads the value from a text, with a unit or by `read`."""
+        return bool(self.unit or self.read)
 
     def value(self, given: Any) -> Any:
         """Value for the analysis: a text is converted by the unit or by `read`, a path by `read`."""
         if self.unit and isinstance(given, str):
             return to_si(given, self.unit, self.flag)
         return self.read(fspath(given)) if self.read and isinstance(given, str | PathLike) else given
+
+    def check(self, value: Any) -> None:
+        """Raise StudyError if a number is not within its bounds."""
+        if self.quantity is None or value is None or self.quantity.holds(value):
+            return
+        raise StudyError.out_of_range(
+            argument=self.flag,
+            given=format_quantity(value, self.unit),
+            allowed=self.quantity.allowed,
+            cause="the value is out of bounds",
+            next_step=f"choose a value that is {self.quantity.limits}, or leave it out",
+        )
 
 
 def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
@@ -50,6 +73,9 @@ def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
     return field(default=default, metadata={"option": Option(help, **more)})
 
 
+COUNT = Quantity("", at_least=0)  # of a whole number
+DURATION = Quantity("s", above=0.0)
+FREQUENCY = Quantity("Hz", at_least=1.0, at_most=FASTEST)
 CONTENT = "Facts that the file may lack"  # topic of options that describe the content of a file
 POSITION = "Position of the plate"
 MODEL = "Comparison with a model"
@@ -92,7 +118,7 @@ def path_of(options: Any) -> Path | None:
 class Seeded:
     """Option of analyses that draw random numbers."""
 
-    seed: int = option(0, "Seed of all random numbers.", metavar="N", least=0)
+    seed: int = option(0, "Seed of all random numbers.", metavar="N", quantity=COUNT)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,7 +9,7 @@ from typing import Any
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
-from haptonic.analyses.options import option
+from haptonic.analyses.options import FREQUENCY, option
 from haptonic.analyses.plate_needs import (
     checked_fineness,
     gaps_around,
@@ -45,7 +45,9 @@ class PlateOptions:
     settings : other frequencies and points than in [plate.response], in Python only
     """
 
-    at: float | None = option(None, 'One frequency only, such as "58.8 kHz".', unit="Hz", metavar="FREQUENCY")
+    at: float | None = option(
+        None, 'One frequency only, such as "58.8 kHz".', quantity=FREQUENCY, metavar="FREQUENCY"
+    )
     html: bool = option(False, "Also one interactive HTML page, with the plate moving at every frequency.")
     settings: ResponseSettings | None = field(default=None)
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.analyses.needs import need_carrier
-from haptonic.analyses.options import POSITION, option
+from haptonic.analyses.options import DURATION, POSITION, option
 from haptonic.analyses.plate_needs import gap_of_plate
 from haptonic.analyses.runner import Runner
 from haptonic.arrays import Array
@@ -76,10 +76,13 @@ class Estimation:
         "none", "Window: none for periodic chirps, exponential for bursts, hann for noise."
     )
     decay: float | None = option(
-        None, 'Decay time of the exponential window, such as "5 ms".', unit="s", metavar="TIME"
+        None, 'Decay time of the exponential window, such as "5 ms".', quantity=DURATION, metavar="TIME"
     )
     segment: float | None = option(
-        None, "Length of a transform; by default the study's period, or a record.", unit="s", metavar="TIME"
+        None,
+        "Length of a transform; by default the study's period, or a record.",
+        quantity=DURATION,
+        metavar="TIME",
     )
     overlap: float = option(0.0, "Overlap of segments, from 0 to below 1.")
     align: bool = option(False, "Align records by their reference.")

@@ -11,19 +11,23 @@ from haptonic.analyses.experiments import basis_of, protocol_of, truth_of
 from haptonic.analyses.options import Seeded, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import no_cell
+from haptonic.fields import Quantity
 from haptonic.friction.simulation import Experiment
 from haptonic.results.cost import Cost
 from haptonic.results.simulated_trials import SimulatedFriction
 from haptonic.study.schema import Description
 
 FILM, STROKE = 3.0, 0.006  # s for load sharing; s per stroke that is simulated and written
+PEOPLE = Quantity("", at_least=1, at_most=500)  # as in [protocol]
 
 
 @dataclass(frozen=True, kw_only=True)
 class SimulateFrictionOptions(Seeded):
     """Options of the simulation."""
 
-    participants: int | None = option(None, "Number of participants; by default the study's.", metavar="N")
+    participants: int | None = option(
+        None, "Number of participants; by default the study's.", metavar="N", quantity=PEOPLE
+    )
     form: Literal["csv", "h5", "mat", "tdms"] = option("csv", "Format of the force records.", flag="--format")
     per: Literal["trial", "block"] = option("trial", "Content of a file: a trial or a block.")
     raw: bool = option(False, "Write six gauge voltages of 16 bits and a calibration, not forces.")

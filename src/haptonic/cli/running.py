@@ -127,21 +127,20 @@ def declared(options: type[Any]) -> Iterator[tuple[str, inspect.Parameter]]:
         kind, is_file = kinds[field.name], option.place == "before"
         if is_file:  # a command needs the file that it analyses; in Python a value may replace it
             kind = Path
-        if option.unit or option.read:
+        if option.is_text:
             kind = str if field.default is MISSING else str | None
         metavar = option.metavar or (field.name.upper() if option.place != "option" else None)
-        words: dict[str, Any] = {"help": option.help, "metavar": metavar, "min": option.least}
+        words: dict[str, Any] = {"help": option.help, "metavar": metavar}
         argument = (
             typer.Option(*option.flag.split(), rich_help_panel=option.topic or None, **words)
             if option.place == "option"
             else typer.Argument(**words)
         )
-        text = option.unit or option.read  # None means "not given"; the record has its default
         default = (
             inspect.Parameter.empty
             if field.default is MISSING or is_file
             else None
-            if text
+            if option.is_text  # None means "not given"; the record has its default
             else field.default
         )
         yield (

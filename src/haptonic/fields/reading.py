@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, TypeVar
 
+import numpy as np
 from pydantic import ValidationError
 
-from haptonic.errors import StudyError
+from haptonic.errors import StudyError, shown
 from haptonic.fields.expressions import PARAMETERS, scoped
 from haptonic.fields.keys import is_described, slots
 from haptonic.fields.placing import Placed
@@ -103,13 +104,37 @@ def arranged(
     return result
 
 
-def with_value(given: Any, steps: list[str], value: Any) -> Any:
-    """The tables of a file with another value at the end of some steps; steps into a list count from 1."""
+def with_values(tables: dict[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables of a file with other values of keys such as ``cell.site[2].pillar.height``.
+
+    Raises
+    ------
+    StudyError : changes without the names of keys, or a table of a list that does not exist
+    """
+    if not isinstance(changes, Mapping) or not all(isinstance(key, str) for key in changes):
+        raise StudyError.malformed(
+            argument="changes",
+            given=shown(changes),
+            allowed='values by key, such as {"cell.pitch": "8 mm"}',
+            cause="a value without the name of its key",
+            next_step="write a dictionary with the keys of the study file",
+        )
+    for key, value in changes.items():
+        steps = key.replace("[", ".").replace("]", "").split(".")
+        tables = _changed(tables, key, steps, value.item() if isinstance(value, np.generic) else value)
+    return tables
+
+
+def _changed(given: Any, key: str, steps: list[str], value: Any) -> Any:
+    """Tables with another value at the end of some steps; steps into a list count from 1."""
     if not steps:
         return value
     step, *left = steps
-    if isinstance(given, list) and step in map(str, range(1, len(given) + 1)):
+    if isinstance(given, list):
+        numbers = [str(number) for number in range(1, len(given) + 1)]
+        if step not in numbers:
+            raise StudyError.unknown(key, step, numbers, f"the list has no table {step}", slip=False)
         row = int(step) - 1
-        return [*given[:row], with_value(given[row], left, value), *given[row + 1 :]]
+        return [*given[:row], _changed(given[row], key, left, value), *given[row + 1 :]]
     inside = given if isinstance(given, dict) else {}  # an impossible step is refused when the result is read
-    return inside | {step: with_value(inside.get(step), left, value)}
+    return inside | {step: _changed(inside.get(step), key, left, value)}

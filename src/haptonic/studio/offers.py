@@ -97,7 +97,7 @@ def _form(option: Option, kind: Any) -> str | None:
     plain = [part for part in get_args(kind) or (kind,) if part is not NoneType]
     if option.is_path or plain == [Path]:
         return PATH
-    if option.unit or option.read:
+    if option.is_text:
         return "text"
     if _choices(kind):
         return "choice"

@@ -44,7 +44,7 @@ from haptonic.fields import (
 )
 from haptonic.fields.expressions import NAMED, check_names
 from haptonic.fields.keys import key_of
-from haptonic.fields.reading import read, with_value
+from haptonic.fields.reading import read, with_values
 from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
@@ -283,10 +283,8 @@ class Description:
         ------
         StudyError : an unknown key, a value that is not allowed, or a study that cannot be written as a file
         """
-        data = tomllib.loads(self._with_parameters({}, None).to_toml())
-        for key, value in changes.items():
-            data = with_value(data, key.replace("[", ".").replace("]", "").split("."), value)
-        changed = read(type(self), data, "study")
+        tables = tomllib.loads(self._with_parameters({}, None).to_toml())
+        changed = read(type(self), with_values(tables, changes), "study")
         warn_caller(changed._slips(), caller())
         return changed
 

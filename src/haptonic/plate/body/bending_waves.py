@@ -17,16 +17,20 @@ PER_ORDER_THROUGH = 2.25  # rad of it in the thickness for each order through th
 SHEAR = np.pi**2 / 12  # Mindlin's factor for the shear stiffness of a plate
 
 
-def highest_resolved(layout: Layout, orders: TraceOrders) -> float:
-    """Frequency of the shortest bending wave that the tiles of a plate resolve, Hz."""
-    along = max(PER_ORDER * orders.along - AT_FIRST, 0.0) / _edge(layout)
+def highest_resolved(layout: Layout, orders: TraceOrders, *, roughly: bool = False) -> float:
+    """Frequency of the shortest bending wave that the tiles of a plate resolve, Hz.
+
+    ``roughly`` asks for two orders for each wave only, with which tiles distinguish its crests.
+    """
+    phase = np.pi * orders.along if roughly else max(PER_ORDER * orders.along - AT_FIRST, 0.0)
+    along = phase / _edge(layout)
     wavenumber = min(along, PER_ORDER_THROUGH * orders.through / layout.thickness)
     return min(_bending(layout, wavenumber, axis) for axis in (0, 1)) / (2 * np.pi)
 
 
-def check_resolved(layout: Layout, orders: TraceOrders, highest: float) -> None:
+def check_resolved(layout: Layout, orders: TraceOrders, highest: float, *, roughly: bool) -> None:
     """Raise HaptonicError if bending waves of a frequency, Hz, are too short for the tiles of a plate."""
-    allowed = highest_resolved(layout, orders)
+    allowed = highest_resolved(layout, orders, roughly=roughly)
     if highest > allowed:
         limit = format_quantity(0.9995 * allowed, "Hz")  # rounded, but not up
         edge = format_quantity(_edge(layout), "m")
@@ -35,7 +39,7 @@ def check_resolved(layout: Layout, orders: TraceOrders, highest: float) -> None:
             given=format_quantity(highest, "Hz"),
             allowed=f"at most {limit} on this plate, of which a tile is {edge} long",
             cause=f"bending waves are shorter than polynomials of order {orders.along} along such an edge "
-            "resolve to 1 % in frequency",
+            + ("can represent" if roughly else "resolve to 1 % in frequency"),
             next_step="ask for a lower frequency (`highest` in [plate.response], or --at), or draw plain "
             "plate with more and smaller tiles",
         )

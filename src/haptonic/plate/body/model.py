@@ -82,14 +82,14 @@ class PlateModel:
 
         Raises
         ------
-        HaptonicError : a frequency whose waves are too short for the tiles; coarser ones than usual, chosen
-            by hand, are taken as they are
+        HaptonicError : a frequency whose waves are too short for the tiles; with a coarser mesh than usual,
+            which the study chooses, only waves that it does not represent at all
         GeometryError : things glued so close to a lattice that no block of plain tiles contains them
         """
         layout, usual = plate.layout, Fineness()
         fineness = fineness or usual
-        if fineness.along >= usual.along:  # a coarser one, chosen by the user, is not checked
-            check_resolved(layout, fineness.trace, highest)
+        is_coarse = fineness.along < usual.along  # chosen by the study
+        check_resolved(layout, fineness.trace, highest, roughly=is_coarse)
         blocks = blocks_of(plate)
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, foundations = supported(skeleton, plate.supports)

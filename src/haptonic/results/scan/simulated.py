@@ -12,7 +12,7 @@ from typing import Any, Literal
 from haptonic.bloch import Gap
 from haptonic.errors import HaptonicError, ScanError
 from haptonic.later import xarray as xr
-from haptonic.names import counted
+from haptonic.names import counted, listed
 from haptonic.plate import Plate
 from haptonic.plate.layout.sampling import driven_region
 from haptonic.plate.vibration.region_measures import contrasts
@@ -37,6 +37,7 @@ FRF: dict[str, Callable[[FrequencyResponse, Path], None]] = {
     "nc": write, "uff": write_uff, "mat": write_mat,
 }  # fmt: skip
 RESPONSES = (*FRF, "csv")
+CONTENTS: dict[Kind, str] = {"time": "time records", "frf": "responses"}
 FORMATS = ("h5", "nc", "uff", "mat", "csv", "tdms")
 
 FOLDER = PurePosixPath("scan")  # folder of a scan with one file per point
@@ -147,10 +148,10 @@ def kind_of(form: str, kind: Kind | None) -> Kind:
         other = [name for name in FORMATS if name in (TIME if kind == "time" else RESPONSES)]
         raise ScanError.conflict(
             argument="--format",
-            given=f"{form} with --{kind}",
-            allowed=f"with --{kind} one of {', '.join(other)}",
-            cause="this format cannot contain both time records and responses",
-            next_step=f"leave --{kind} out, or choose another format",
+            given=f"{form}, for {CONTENTS[kind]}",
+            allowed=f"for {CONTENTS[kind]}: {listed(other, 'or')}",
+            cause=f"files of this format contain {CONTENTS[have[0]]}",
+            next_step="choose another format, or leave out the choice between records and responses",
         )
     return kind
 
