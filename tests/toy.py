@@ -9,6 +9,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
+from haptonic.fields import Quantity
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
@@ -21,7 +22,7 @@ class ToyOptions:
     """What may be chosen."""
 
     number: int = option(2, "How far to count.", metavar="N")
-    length: float = option(1e-3, "Length of a step.", unit="m", metavar="LENGTH")
+    length: float = option(1e-3, "Length of a step.", quantity=Quantity("m"), metavar="LENGTH")
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -260,7 +260,7 @@ class TestTolerance:
         # from here on the store has everything
         spoken = here("tolerance", path, "--tables", "--out", tmp_path / "again")
         assert spoken.code == 0, spoken.err
-        for words in ("effects on the edges", "Hz per 10 µm", "100.0", "Within the errors of the edges, ",
+        for words in ("effects on the edges", "10 µm", "100.0", "Within the errors of the edges, ",
                       f"{100 * answer['chance_of_a_plate']:.2f} % for all 180 pillars",
                       f"may be {answer['loosest_factor']:.2f} times as large for a confidence of 99.0 %",
                       ):  # fmt: skip
@@ -428,7 +428,7 @@ class TestExport:
     @pytest.mark.parametrize(
         ("changes", "reason"),
         [
-            ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell contains it"),
+            ((("60 kHz", "40 kHz"),), "see carrier: no complete gap of the cell contains the carrier"),
             ((('carrier = "60 kHz"', ""),), "see carrier: the study does not give the frequency"),
         ],
         ids=["no gap", "no carrier"],

@@ -61,5 +61,5 @@ def test_a_variant_changes_what_its_file_gives_by_keys():
         changed(study, {"cell.thicknes": "1 mm"}, "variant")
     with refusing(StudyError, "malformed", "cell.thickness"):
         changed(study, {"cell.thickness": "1 kHz"}, "variant")
-    with refusing(StudyError, "malformed", "cell.site"):
+    with refusing(StudyError, "unknown", "cell.site[3].pillar.height"):
         changed(study, {"cell.site[3].pillar.height": "7 mm"}, "variant")

@@ -103,6 +103,14 @@ class TestMatlab:
         assert words == [[("length_unit", "mm")], [("frequency_unit", "kHz")]]
         read_scan(tmp_path / "a.mat", length_unit="m", frequency_unit="Hz")  # asked for: no doubt
 
+    def test_axes_in_different_units_cause_a_warning_and_a_row_of_points_none(self, tmp_path, save):
+        save(tmp_path / "a.mat", h=VALUES, f=LINES, x=X, y=1e-3 * Y)
+        with pytest.warns(HaptonicWarning, match="along y; check the units of both"):
+            read_scan(tmp_path / "a.mat", length_unit="m", frequency_unit="Hz")
+        row = np.arange(len(X), dtype=float)
+        save(tmp_path / "b.mat", h=VALUES, f=LINES, x=1e-3 * row, y=1e-6 * np.sin(row))
+        read_scan(tmp_path / "b.mat", length_unit="m", frequency_unit="Hz")
+
     @pytest.mark.parametrize("unit", ["mmm", "kHz", "", "s", 0.0, -1.0, float("nan")])
     def test_units_that_are_none(self, tmp_path, save, unit):
         save(tmp_path / "a.mat", h=VALUES, f=LINES, x=X, y=Y)

@@ -111,6 +111,12 @@ def test_each_place_of_a_map_shows_the_nearest_point():
     np.testing.assert_array_equal(seen, distance.min(axis=-1) <= 0.75e-3)
 
 
+def test_points_nearer_than_the_places_of_a_map_are_shown():
+    columns, rows = np.meshgrid(np.linspace(0, 60e-3, 20), np.linspace(0, 20e-6, 14) ** 1.1)
+    number, _, _ = point_map(np.stack([columns.ravel(), rows.ravel()], axis=1))
+    assert (number >= 0).any()
+
+
 def middle_colours(page: Page, number: int) -> np.ndarray:
     """(row, column, 3) colours at the middles of the squares of a map, from below."""
     page.evaluate(f"document.querySelectorAll('{MAP}')[{number}].id = 'map-{number}'")

@@ -156,8 +156,9 @@ def rescanned(
     settings = _periodic(lines, study)
     driven = (round(settings.lowest * settings.record) + np.arange(len(lines))) / settings.record
     response = FrequencyResponse(computed.response.dataset.assign_coords(frequency=driven))
-    with warnings.catch_warnings():  # a simulated plate is in its steady state, even if the period is short
-        warnings.filterwarnings("ignore", "the period of", HaptonicWarning)
+    # the drive follows from the computed frequencies, and a simulated plate is in its steady state
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", HaptonicWarning)
         signal = drive_for(settings, computed.plate)
     simulated = simulated_scan(computed.plate, settings, signal, response, gap=computed.gap, seed=seed)
     scan = Scan(simulated.records, ReadReport("simulated records", "memory", len(simulated.records.names)))

@@ -75,8 +75,13 @@ def _requirements(results: Results) -> list[Requirement]:
 
 def _gap(results: Results) -> list[Number]:
     """The gap around the carrier with the margin, or else the nearest gap; without a carrier the widest."""
-    complete = [gap for gap in gaps_of(results.bands) if gap.complete and gap.certain]
+    every = [gap for gap in gaps_of(results.bands) if gap.complete]
+    complete = [gap for gap in every if gap.certain]
     carrier = results.study.carrier
+    if every and not complete:
+        widest = max(every, key=lambda gap: gap.width)
+        note = "not wider than the errors of its edges, so it may not exist"
+        return [Number(gap_text(widest), "uncertain band gap", note)]
     if not complete:
         return [Number("none", "complete band gap")]
     if carrier is None:

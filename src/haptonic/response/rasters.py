@@ -52,4 +52,6 @@ def _nearest(points: Array) -> tuple[Ints, Array, Array]:
     count = np.maximum(1, np.minimum(np.rint(FINER * (high - low) / step), MOST_PLACES)).astype(int)
     x, y = (a + (b - a) * (np.arange(n) + 0.5) / n for a, b, n in zip(low, high, count, strict=True))
     distance, number = tree.query(np.stack(np.meshgrid(x, y), axis=-1))
-    return np.where(distance <= NEAR * step, number, -1), x, y
+    # with too few places for the distance of the points, each point is in one
+    within = max(NEAR * step, 0.5 * float(np.hypot(*((high - low) / count))))
+    return np.where(distance <= within, number, -1), x, y

@@ -80,9 +80,10 @@ class Tolerance(Result):
             factor, word = per.get(units[path], (0.01, "0.01"))
             if path == "material.density":
                 factor, word = 10.0, "10 kg/m³"
-            rows.append((path, *(f"{slope * factor:+.0f} Hz per {word}" for slope in slopes), *index))
+            rows.append((path, word, *(slope * factor for slope in slopes), *index))
+        edges = [Column(f"{edge} edge", "Hz", form="+.0f") for edge in ("lower", "upper")]
         index = [Column(f"index, {edge}", "", "%", ".1f") for edge in ("lower", "upper")]
-        return [Table("effects on the edges", ("parameter", "lower edge", "upper edge", *index), rows)]
+        return [Table("effects on the edges", ("parameter", "change", *edges, *index), rows)]
 
     @figure("tolerance", "Distribution of the edges, and the parameters that move them.")
     def _drawn(self) -> Figure:

@@ -100,10 +100,11 @@ def _findings(result: PlateResult) -> list[str]:
         k = max(lobed, key=lambda mode: shares[mode])
         quality, plate_alone = float(result.modes["quality_factor"][k]), 1 / result.plate.loss_factor
         lattice = sum(float(stored.sel(part=part[name])[k]) for name in result.plate.layout.cells)
+        change = "raise" if quality > plate_alone else "reduce"
         findings.append(
-            f"Mode {names[k]} of the driven guide has a quality factor of {quality:.0f}. The loss factor of "
-            f"the plate alone limits it to {plate_alone:.0f}; patch, bond and supports reduce it by "
-            f"{in_percent(1 - quality / plate_alone, form='.1f')}. {in_percent(lattice)} of the strain "
+            f"Mode {names[k]} of the driven guide has a quality factor of {quality:.0f}. With the loss "
+            f"factor of the plate alone it would be {plate_alone:.0f}; patch, bond and supports {change} it by "
+            f"{in_percent(abs(1 - quality / plate_alone), form='.1f')}. {in_percent(lattice)} of the strain "
             "energy is in the mirrors, which have the loss factor of the plate."
         )
     return findings
@@ -123,7 +124,9 @@ def _of_carrier(answer: CarrierAnswer) -> Finding:
 
 def _place(frequency: float, gap: Gap | None) -> str:
     """Place of a frequency (Hz) relative to the gap, in words."""
-    if gap is None or not gap.lower < frequency < gap.upper:
+    if gap is None:
+        return "in no certain gap"
+    if not gap.lower < frequency < gap.upper:
         return "outside of the gap"
     return "in the gap" if gap.holds(frequency) else "in the gap within the error of its edge"
 

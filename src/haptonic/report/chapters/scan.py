@@ -59,7 +59,8 @@ def _what(results: Results, scan: ScanResult) -> str:
     return (
         "The records are simulated. The instrument takes the velocity of the "
         f"computed plate at {scan.response.dataset.sizes['point']} points and {len(lines)} lines "
-        f"{lines[1] - lines[0]:.4g} Hz apart, as a periodic drive has them, records {asked.averages} periods "
+        f"{lines[1] - lines[0]:.4g} Hz apart, those of the response in place of the band of [scan], records "
+        f"{asked.averages} periods "
         f"with noise of {1e6 * instrument.noise:.3g} µm/s and {instrument.bits} bits, and loses the surface "
         f"at {scan.flags['dropout']} points. The records are analysed like measured ones. The comparison "
         "shows the errors of instrument and analysis, not those of the model of the plate."

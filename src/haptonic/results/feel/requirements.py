@@ -79,7 +79,9 @@ def _time(rise: float, constant: float) -> Requirement:
 def drive_in_gap(frequency: float, gap: Gap | None) -> Requirement:
     """Requirement that the drive frequency (Hz) lies in a gap; ``gap`` is the one around it, if any."""
     if gap is None:
-        return Requirement("red", "the drive lies in a band gap", "no gap around the carrier")
+        return Requirement(
+            "red", "the drive lies in a band gap", "no gap contains it by more than its errors"
+        )
     return Requirement(
         "green" if gap.holds(frequency) else "red",
         "the drive lies in a band gap",

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import scipy
 
 from haptonic.arrays import Array
 from haptonic.channels import Notebook
@@ -21,7 +22,7 @@ from haptonic.errors import ChannelError, HaptonicError, HaptonicWarning, Resour
 from haptonic.names import listed
 from haptonic.paths import source
 from haptonic.response import FrequencyResponse, Reference
-from haptonic.units import to_si
+from haptonic.units import format_quantity, to_si
 from haptonic.vibrometry.curves import Point
 from haptonic.vibrometry.estimation.spectra import Estimator
 from haptonic.vibrometry.findings import ReadReport
@@ -33,6 +34,7 @@ from haptonic.vibrometry.records import TimeScan
 
 __all__ = ["Scan", "read_scan"]
 
+SLENDEREST, DENSE = 100.0, 0.1  # length over width of a strip of points; share of their distance in a row
 LOWEST_TOP = 200.0  # Hz; a scan that ends below is probably in kHz: ultrasonic ones reach some 100 kHz
 EXAMPLES = {"m": "mm", "Hz": "kHz", "rad": "deg"}
 OPTIONAL = ("variables", "at", "frequency_unit", "phase_unit", "points_in")  # not taken by every format
@@ -250,8 +252,9 @@ def _read(path: Path, how: Mapped, origin: Origin, title: str) -> Scan:
         raise error.changed(ScanError) from error
     if "frequency_unit" in form.takes and notes.format == name:
         _doubt(content, path, how.length_unit is None, how.frequency_unit is None)
-    points = len(content.x) if isinstance(content, TimeScan) else content.dataset.sizes["point"]
-    return Scan(content, ReadReport.of(notes, points))
+    points = np.stack([content.x, content.y], axis=1) if isinstance(content, TimeScan) else content.points
+    _doubt_axes(points, path)
+    return Scan(content, ReadReport.of(notes, len(points)))
 
 
 def _unit_value(unit: float | str | None, si: str, argument: str) -> float | None:
@@ -287,6 +290,25 @@ def _doubt(content: FrequencyResponse | TimeScan, path: Path, lengths: bool, fre
                 HaptonicWarning,
                 stacklevel=4,
             )
+
+
+def _doubt_axes(points: Array, path: Path) -> None:
+    """Warn of points (n, 2) that fill a strip as narrow as if its axes had different units.
+
+    A row of points is as narrow, but its neighbours are as far apart as its length divided by their number.
+    """
+    extent = np.ptp(points, axis=0)
+    wide, narrow = float(extent.max()), float(extent.min())
+    if len(points) < 3 or not 0 < SLENDEREST * narrow < wide:
+        return
+    near = scipy.spatial.cKDTree(points).query(points, k=2)[0][:, 1]
+    if float(np.median(near)) < DENSE * wide / len(points):
+        x, y = (format_quantity(float(length), "m", digits=3) for length in extent)
+        warnings.warn(
+            f"{path.name or path}: the points extend {x} along x and {y} along y; check the units of both",
+            HaptonicWarning,
+            stacklevel=4,
+        )
 
 
 def _unopened(code: str, path: Path, cause: str, next_step: str) -> ResourceError:
