@@ -245,8 +245,8 @@ def share_text(value: float, low: float = math.nan, high: float = math.nan) -> s
 def uncertain(value: float, bound: float) -> str:
     """Value and bound of its error, ``52.51 ± 0.05``, both in the unit of the text.
 
-    The bound is rounded up to one digit, or to two if the first is a 1; the value has the same decimals.
-    Without a bound it is alone.
+    The bound is rounded up to one digit, or to two if the first is a 1, and the value to the same place:
+    ``106400 ± 400``. Without a bound it is alone.
     """
     if not (math.isfinite(bound) and bound > 0):
         return f"{value:.3f}"
@@ -255,7 +255,7 @@ def uncertain(value: float, bound: float) -> str:
     power -= bound < 2 * 10.0**power  # for 1.02, one digit would double the bound
     power += math.ceil(bound / 10.0**power - 1e-9) == 10
     digits, shown = max(math.ceil(bound / 10.0**power - 1e-9), 1), min(max(-power, 0), MOST_DECIMALS)
-    return f"{value:z.{shown}f} ± {digits * 10.0**power:.{shown}f}"
+    return f"{round(value, -power):z.{shown}f} ± {digits * 10.0**power:.{shown}f}"
 
 
 def kind_of(unit: str) -> str:

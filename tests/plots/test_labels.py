@@ -9,6 +9,7 @@ from matplotlib.text import Text
 from seeing import artists
 
 from haptonic.plots import style
+from haptonic.plots.labels import label_right
 
 
 def test_no_leader_crosses_the_text_of_another_name():
@@ -22,10 +23,25 @@ def test_no_leader_crosses_the_text_of_another_name():
         figure = style.blank(11.5)
         axes = figure.subplots()
         axes.set_ylim(0, 188.8)
-        style.label_right(axes, [(height, text, style.INK) for height, text in names], lines=3)
+        label_right(axes, [(height, text, style.INK) for height, text in names])
         FigureCanvasAgg(figure).draw()
     labels = artists(figure, "label right")
     assert len(labels) == len(names)
     for text, other in permutations(labels, 2):
         leader = text.arrow_patch.get_path().transformed(text.arrow_patch.get_transform())
         assert not leader.intersects_bbox(Text.get_window_extent(other), filled=False), other.get_text()
+
+
+def test_names_stay_apart_when_the_layout_makes_the_axes_lower():
+    with style.styled():
+        figure = style.blank(13)
+        axes = figure.subplots()
+        axes.set_ylim(0, 120)
+        label_right(
+            axes, [(45.9, "complete gap\n42.2\nto 49.5 kHz", style.INK), (46, "carrier\n46 kHz", style.INK)]
+        )
+        figure.suptitle("\n".join(["a long title"] * 10))
+        style.arrange(figure)
+        FigureCanvasAgg(figure).draw()
+        first, second = (Text.get_window_extent(label) for label in artists(figure, "label right"))
+    assert not first.overlaps(second)

@@ -23,6 +23,7 @@ from haptonic.errors import HaptonicError, ResourceError
 from haptonic.plots import style
 from haptonic.plots.bands import CURVE_STYLES, RIGID
 from haptonic.plots.curves import PIECES
+from haptonic.plots.labels import spread
 from haptonic.results.bands import Bands
 from simulated import reference_bands, reference_study, simulated_sweep
 
@@ -400,11 +401,11 @@ class TestSpread:
         "places", [[], [0.5], [0.5, 0.5, 0.5], [0.0, 1.0], [0.9, 0.95, 1.0, 0.2], [1.0, 0.99, 0.0, 0.01, 0.5]]
     )
     def test_neighbours_are_apart_inside_the_limits_and_in_order(self, places):
-        moved = style.spread(places, 0.1, 0.0, 1.0)
+        moved = spread(places, 0.1, 0.0, 1.0)
         assert all(-1e-9 <= place <= 1 + 1e-9 for place in moved)
         assert all(b - a >= 0.1 - 1e-9 for a, b in pairwise(sorted(moved)))
         assert all((a - b) * (c - d) >= 0 for a, c in zip(places, moved, strict=True)
                    for b, d in zip(places, moved, strict=True))  # fmt: skip
 
     def test_places_with_room_stay(self):
-        assert style.spread([0.2, 0.8, 0.5], 0.1, 0.0, 1.0) == pytest.approx([0.2, 0.8, 0.5])
+        assert spread([0.2, 0.8, 0.5], 0.1, 0.0, 1.0) == pytest.approx([0.2, 0.8, 0.5])

@@ -81,10 +81,11 @@ def test_the_page_shows_the_waveguide_that_one_selects(browser, guides, tmp_path
             page.keyboard.press("ArrowRight")
         last = len(guides.strips) - 1
         page.wait_for_selector(f"{FIELD}[data-shown='{last}']")
-        before = pixels(page, FIELD)
+        before, sizes = pixels(page, FIELD), pixels(page, ".curves canvas")
         page.keyboard.press("ArrowLeft")
         page.wait_for_selector(f"{FIELD}[data-shown='{last - 1}']")
         assert (pixels(page, FIELD) != before).any()
+        assert (pixels(page, ".curves canvas") != sizes).any()  # the mark of the selected waveguide
         strip, share = guides.strips[last - 1], float(data.attrs["relative_frequency_error"])
         assert "normal displacement; 1 is the largest" in page.locator(".map .scale").inner_text()
         shown = page.locator(".facts").inner_text()

@@ -12,11 +12,16 @@ from haptonic.views import sent_page
 from simulated import simulated_mirror
 
 SHARE = 0.01  # relative error of frequencies
+AT_THE_CARRIER = np.linspace(0.1, 0.9, 30).reshape(3, 10)  # errors of losses, dB
+DECAY_AT_THE_CARRIER = {"carrier_attenuation_db": 10 / np.log(10), "carrier_attenuation_error_db": 0.7}
 
 
 @pytest.fixture(scope="module")
 def view():
-    data = simulated_mirror(relative_frequency_error=SHARE, families=("A0", "SH0"))
+    data = simulated_mirror(
+        relative_frequency_error=SHARE, families=("A0", "SH0"), **DECAY_AT_THE_CARRIER
+    )  # fmt: skip
+    data["carrier_loss_error"] = ("incident", "many"), AT_THE_CARRIER
     return layers_view(data, "Mirror", ["Simulated."])
 
 
@@ -44,6 +49,14 @@ def test_errors_follow_from_those_of_the_frequencies(view):
         assert error[0, 0, k] == pytest.approx(expected + SHARE * loss[0, 0, k])
     assert error[0, 0, 8] == pytest.approx(SHARE * loss[0, 0, 8])
     assert slope[8] == 0
+
+
+def test_errors_at_the_carrier_are_those_of_the_answer(view):
+    data, line = view.dataset, 9
+    assert data["frequency"].values[line] == 58e3
+    np.testing.assert_array_equal(data["loss_error"].values[..., line], AT_THE_CARRIER[:, :6])
+    assert data["decay_error"].values[0, line] == 0.7  # of the slowest wave
+    assert data["decay_error"].values[1, line] == pytest.approx(SHARE * data["decay"].values[1, line])
 
 
 def test_sentences_have_minus_signs_and_powers_of_ten_and_names_are_left(browser, view, tmp_path):

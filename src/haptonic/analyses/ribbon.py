@@ -74,6 +74,7 @@ def compute(study: Description, options: PageOption, runner: Runner) -> RibbonWa
     )
     low, high = _range(study, crystals, runner)
     kappa = (np.arange(rows) + 0.5) * np.pi / rows if rows else np.linspace(0.0, np.pi, asked.wavevectors)
+    runner.progress(0, len(kappa), "wavevectors")
     bulk = np.empty((0, len(kappa), 0, 2))
     if ribbon.has_bulk:
         bulk = np.array([bulk_bands(crystal, ribbon, [float(k) for k in kappa]) for crystal in models])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -85,8 +85,10 @@ class Runner:
         )  # fmt: skip
 
     def gaps(self, cell: UnitCell, settings: BandSettings) -> tuple[Gap, ...]:
-        """Complete gaps of a cell."""
-        (dataset,) = self.run(design_gaps, [gaps_task(cell, settings)], 0)
+        """Complete gaps of a cell, one step of an analysis that has others."""
+        self.progress(0, 0, "gaps of the lattice")
+        (dataset,) = replace(self, progress=silent).run(design_gaps, [gaps_task(cell, settings)], 0)
+        self.progress(0, 0)
         return gaps_of(dataset)
 
 

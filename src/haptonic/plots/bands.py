@@ -16,6 +16,7 @@ from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
 from haptonic.plots.curves import PIECES, curves
+from haptonic.plots.labels import label_right
 from haptonic.plots.looks import AxisUnit, choice, colours
 from haptonic.plots.stage import stage
 from haptonic.plots.text import WavevectorUnit, band_text
@@ -107,7 +108,7 @@ def dispersion(
     if carrier_hz is not None:
         axes.axhline(carrier_hz / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
         labels.append((carrier_hz / 1e3, f"carrier\n{hz_text(carrier_hz, form='g')}", style.CARRIER))
-    style.label_right(axes, labels, lines=3)
+    label_right(axes, labels)
     return on.figure
 
 

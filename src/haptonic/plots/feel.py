@@ -17,6 +17,7 @@ from matplotlib.patches import Patch
 from haptonic.later import xarray as xr
 from haptonic.plate.layout.grid import Layout
 from haptonic.plots import style
+from haptonic.plots.labels import label_right
 from haptonic.plots.looks import colours
 from haptonic.plots.mapped import LOW, ends, outlined
 from haptonic.plots.marks import LINE, above
@@ -114,6 +115,6 @@ def reduction_curve(
         ylabel=f"reduction of friction (%)\n{title}".strip(),
     )  # fmt: skip
     above(axes, [(drive, f"drive in use {drive:g} {unit}", style.INK)])
-    style.label_right(axes, [(100 * noticed, f"just noticed\n{in_percent(noticed)}", style.INK)], lines=2)
+    label_right(axes, [(100 * noticed, f"just noticed\n{in_percent(noticed)}", style.INK)])
     on.legend(handles, ncols=4)
     return on.figure

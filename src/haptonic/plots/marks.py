@@ -9,6 +9,7 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 
 from haptonic.plots import style
+from haptonic.plots.labels import label_right
 from haptonic.plots.text import label
 from haptonic.units import hz_text
 
@@ -48,7 +49,7 @@ def mark(
     if along == "x":
         above(axes, names)
     else:
-        style.label_right(axes, names, lines=2)
+        label_right(axes, names)
 
 
 def above(axes: Axes, names: Sequence[tuple[float, str, str]], first: int = 0) -> None:

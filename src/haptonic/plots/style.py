@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import re
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import wraps
 from pathlib import Path
@@ -17,7 +17,6 @@ from matplotlib.axes import Axes
 from matplotlib.collections import Collection, PathCollection
 from matplotlib.colors import Colormap
 from matplotlib.figure import Figure
-from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.text import Text
@@ -26,6 +25,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, LogFormatterSciNotati
 from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.names import latex
 from haptonic.paths import inside, target
+from haptonic.plots.labels import move_labels_apart
 from haptonic.plots.looks import PAGE, PICTURE_KINDS, choice
 from haptonic.units import frequency_scale
 
@@ -207,6 +207,8 @@ def arrange(figure: Figure) -> None:
     if engine is not None:
         for _ in range(PASSES):
             engine.execute(figure)
+            for axes in figure.axes:  # their height has changed
+                move_labels_apart(axes)
     figure.stale = False
 
 
@@ -335,65 +337,3 @@ def rendered(figure: Figure, kind: str) -> bytes:
             figure.set_layout_engine(engine)
             figure.stale = False  # another resolution moved nothing
     return stream.getvalue()
-
-
-def spread(places: Sequence[float], apart: float, low: float, high: float) -> list[float]:
-    """Places moved as little as needed so that neighbours are ``apart`` and all lie in [low, high]."""
-    order = sorted(range(len(places)), key=lambda i: places[i])
-    apart = min(apart, (high - low) / max(len(places) - 1, 1))
-    clusters: list[tuple[float, list[int]]] = []  # centre, members from below
-    for i in order:
-        centre, members = places[i], [i]
-        while clusters:
-            centre = min(max(centre, low + _half(members, apart)), high - _half(members, apart))
-            below, others = clusters[-1]
-            if centre - _half(members, apart) - (below + _half(others, apart)) >= apart * (1 - 1e-9):
-                break
-            clusters.pop()
-            members = others + members
-            first = sum(places[m] - apart * k for k, m in enumerate(members)) / len(members)
-            centre = first + _half(members, apart)
-        centre = min(max(centre, low + _half(members, apart)), high - _half(members, apart))
-        clusters.append((centre, members))
-    moved = list(places)
-    for centre, members in clusters:
-        for k, member in enumerate(members):
-            moved[member] = centre - _half(members, apart) + apart * k
-    return moved
-
-
-def _half(members: Sequence[int], apart: float) -> float:
-    return 0.5 * apart * (len(members) - 1)
-
-
-def label_right(axes: Axes, labels: Sequence[tuple[float, str, str]], lines: int = 1) -> None:
-    """Write (height in data units, text, colour) to the right of the axes, moved apart where needed.
-
-    Each leader ends at the left edge of its text, so it crosses no other text. lines : of the longest text
-    """
-    low, high = axes.get_ylim()
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    size = FontProperties(size=mpl.rcParams["legend.fontsize"]).get_size_in_points()
-    apart = 1.35 * lines * size / (72 * axes.bbox.height / figure.dpi) * (high - low)
-    margin = 0.5 * apart
-    heights = [height for height, _, _ in labels]
-    for (height, text, colour), place in zip(
-        labels, spread(heights, apart, low + margin, high - margin), strict=True
-    ):
-        axes.annotate(
-            text,
-            xy=(1.0, height),
-            xytext=(2 * size, place),
-            xycoords=("axes fraction", "data"),
-            textcoords=("offset points", "data"),
-            va="center",
-            ha="left",
-            color=colour,
-            fontsize=size,
-            gid="label right",
-            arrowprops={
-                "arrowstyle": "-", "color": colour, "lw": 0.7, "shrinkA": 2, "shrinkB": 0, "relpos": (0, 0.5),
-            },
-            annotation_clip=False,
-        )  # fmt: skip

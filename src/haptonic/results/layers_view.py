@@ -26,7 +26,8 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
 
     Errors of losses, decays and phases are their largest changes if all frequencies of the lattice move by
     the bound of their relative error. This share of the value is added, because fast decays hardly depend on
-    the frequency, but on the mesh.
+    the frequency, but on the mesh. At the carrier they are those of the answer, which were computed there; at
+    other frequencies curves are interpolated.
     """
     frequency, share = data["frequency"].values, float(data.attrs["relative_frequency_error"])
     passed = data["transmitted"].sum("outgoing", skipna=False).clip(min=LEAST_SHARE)
@@ -46,6 +47,11 @@ def layers_view(data: xr.Dataset, title: str, summary: Sequence[str]) -> Interac
         attrs = {"units": unit, "long_name": words} | meaning
         variables[name] = dims, values, attrs
         variables[f"{name}_error"] = dims, _errors(values, frequency, share), {"units": unit} | meaning
+    few = data["carrier_loss_error"].isel(many=data["rows"].values - 1).transpose("incident", "many").values
+    for line in np.flatnonzero(frequency == data.attrs["carrier_hz"]):
+        variables["loss_error"][1][..., line] = few
+        slowest = np.isclose(decay[:, line], data.attrs["carrier_attenuation_db"], rtol=1e-6)
+        variables["decay_error"][1][slowest, line] = data.attrs["carrier_attenuation_error_db"]
     gap = np.atleast_1d(data.attrs["gap"]).tolist()
     extra = {"summary": list(summary), "gap": gap or None, "carrier": float(data.attrs["carrier_hz"])}
     fields = {}

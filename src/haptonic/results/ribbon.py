@@ -125,14 +125,21 @@ class RibbonWaves(Result):
         return [
             self._of_strip(where)
             or self._of_defect(where)
-            or f"{kind} has {counted(modes.sizes['mode'], 'mode')} between the bulk bands {where}, at "
-            f"{self.dataset.sizes['wavevector']} wavevectors.",
-            f"Nearest to {hz_text(self.target, form='.4g')}: "
+            or f"{kind} has {counted(modes.sizes['mode'], 'mode')} between the bulk bands {where}, counted "
+            f"at each of {self.dataset.sizes['wavevector']} wavevectors.",
+            f"Nearest to {hz_text(self.target, form='.4g')}{self._among(near)}: "
             f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "
             f"{float(best['phase_share']):.3f} π per period): {in_percent(inside)} of its energy "
             f"is in the {there}{decays}; group velocity {speed} m/s.",
             *self._of_copies(near),
         ]
+
+    def _among(self, near: float) -> str:
+        """Which modes `best` was selected from, if one of the others is nearer to the target."""
+        nearest = np.abs(self.guided["frequency"].values - self.target).min()
+        if self.is_strip or nearest >= abs(near - self.target):
+            return ""
+        return f" of the modes with at least half of their energy in the {self.dataset.attrs['kind']}"
 
     def _of_strip(self, where: str) -> str:
         """Sentences on the waves of a strip, and on its widest interval without one."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.plots.style import spread
+from haptonic.plots.labels import spread
 from haptonic.workshop.part import Part
 from haptonic.workshop.section import LANE, pitch_of, span
 from haptonic.workshop.sheet import APART, SHELF, SIZE, Box, Sheet, View, text_width

@@ -15,7 +15,7 @@ from haptonic.cell.disc import Disc
 from haptonic.cell.outlines import Outline
 from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import Material
-from haptonic.plots.style import spread
+from haptonic.plots.labels import spread
 from haptonic.workshop.dimensions import FINEST, number, text_of
 from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Rings

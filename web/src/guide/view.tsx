@@ -109,10 +109,11 @@ function SizeChart({ guides, choice }: Props) {
   );
   const curves = useMemo(() => [{ values: y, colour: "quiet", dash: [2, 4] }], [y]);
   const around = (values: number[], room: number): [number, number] => [Math.min(...values) - room, Math.max(...values) + room];
+  const chosen = choice.guide.value;
   const paint = (plot: uPlot) => {
     for (const guide of every) {
       const place: [number, number] = [plot.valToPos(x[guide] ?? 0, "x", true), plot.valToPos(y[guide] ?? 0, "y", true)];
-      dot(plot.ctx, place, guide === choice.guide.value ? "accent" : "quiet", guide === choice.guide.value ? 6 : 4);
+      dot(plot.ctx, place, guide === chosen ? "accent" : "quiet", guide === chosen ? 6 : 4);
     }
   };
   const room = 0.08 * (Math.max(...y) - Math.min(...y)) || 1;

@@ -26,7 +26,7 @@ export function tickText(value: number): string {
   return signed(digits) + (exponent === undefined ? "" : `×${powerOfTen(Number(exponent))}`);
 }
 
-/** Value and bound, both in the unit of the text: the bound rounded up to one digit, to two after a 1. */
+/** Value and bound, both in the unit of the text: the bound rounded up to one digit, to two after a 1, the value like it. */
 export function uncertain(value: number, bound: number): string {
   if (!(Number.isFinite(bound) && bound > 0)) return signed(value.toFixed(3));
   bound = Math.max(bound, 10 ** -MOST_DECIMALS);
@@ -35,5 +35,7 @@ export function uncertain(value: number, bound: number): string {
   let digit = Math.ceil(bound / 10 ** power - 1e-9);
   if (digit === 10) [digit, power] = [1, power + 1];
   const decimals = Math.min(Math.max(-power, 0), MOST_DECIMALS);
-  return `${signed(value.toFixed(decimals))} ± ${(digit * 10 ** power).toFixed(decimals)}`;
+  const place = 10 ** Math.max(power, 0);
+  const rounded = place > 1 ? Math.round(value / place) * place : value; // 106400 ± 400
+  return `${signed(rounded.toFixed(decimals))} ± ${(digit * 10 ** power).toFixed(decimals)}`;
 }

@@ -103,9 +103,9 @@ def _findings(result: PlateResult) -> list[str]:
         change = "raise" if quality > plate_alone else "reduce"
         findings.append(
             f"Mode {names[k]} of the driven guide has a quality factor of {quality:.0f}. With the loss "
-            f"factor of the plate alone it would be {plate_alone:.0f}; patch, bond and supports {change} it by "
-            f"{in_percent(abs(1 - quality / plate_alone), form='.1f')}. {in_percent(lattice)} of the strain "
-            "energy is in the mirrors, which have the loss factor of the plate."
+            f"factor of the plate alone it would be {plate_alone:.0f}; patch, bond and supports {change} it "
+            f"by {in_percent(abs(1 - quality / plate_alone), form='.1f')}. {in_percent(lattice)} of the "
+            "strain energy is in the mirrors, which have the loss factor of the plate."
         )
     return findings
 
