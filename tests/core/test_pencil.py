@@ -177,4 +177,11 @@ def test_errors_of_modes_at_rest_are_finite():
     energy = np.array([0.0, -4e-2, 4e-2, 1e6, -1e6])
     error = error_in_hertz(energy, np.array([0.0, 0.0, 0.0, 1e4, 1e4]))
     at_rest = np.sqrt(4e-2) / (2 * np.pi)  # root of the energy
-    assert error == pytest.approx([0.0, at_rest, at_rest, *[1e6 / (8 * np.pi**2 * 1e4)] * 2])
+    lost = 1e4 - np.sqrt(1e8 - 1e6 / (2 * np.pi) ** 2)
+    assert error == pytest.approx([0.0, at_rest, at_rest, lost, lost])
+
+
+def test_the_error_of_a_mode_that_may_be_at_rest_reaches_down_to_zero():
+    frequency = np.array([0.041, 0.0418, 0.0451])
+    error = error_in_hertz(np.full(3, (2 * np.pi * 0.0451) ** 2), frequency)
+    assert error == pytest.approx(frequency)

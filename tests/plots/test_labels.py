@@ -40,7 +40,7 @@ def test_names_stay_apart_when_the_layout_makes_the_axes_lower():
         label_right(
             axes, [(45.9, "complete gap\n42.2\nto 49.5 kHz", style.INK), (46, "carrier\n46 kHz", style.INK)]
         )
-        figure.suptitle("\n".join(["a long title"] * 10))
+        figure.suptitle("\n".join(["a long title"] * 15))
         style.arrange(figure)
         FigureCanvasAgg(figure).draw()
         first, second = (Text.get_window_extent(label) for label in artists(figure, "label right"))

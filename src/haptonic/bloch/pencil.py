@@ -236,16 +236,18 @@ def change_in_hertz(change: Array, frequency: Array) -> Array:
 
 
 def error_in_hertz(energy: Array, frequency: Array) -> Array:
-    """Errors of frequencies, Hz, from missing energies, (rad/s)^2; that of a mode at rest is the root.
+    """Errors of frequencies, Hz, from the sizes of missing energies, (rad/s)^2.
 
-    Rounding may make energies slightly negative; their size bounds the error.
+    An exact frequency is at least ``sqrt(f^2 - e)`` for a missing energy ``(2 pi)^2 e``, or 0. Rounding may
+    make energies slightly negative.
     """
-    size = np.abs(energy)
-    error = np.zeros_like(size)
-    beyond = size > 0
-    least = np.sqrt(size[beyond]) / (4 * np.pi)
-    error[beyond] = change_in_hertz(size[beyond], np.maximum(frequency[beyond], least))
-    return error
+    missing = np.abs(energy) / (2 * np.pi) ** 2
+    least = np.sqrt(np.maximum(frequency**2 - missing, 0.0))
+    most = np.sqrt(frequency**2 + missing)
+    # differences of squares over sums, because most errors are far smaller than their frequencies
+    below = np.divide(missing, frequency + least, where=least > 0, out=np.array(frequency, dtype=float))
+    above = np.divide(missing, most + frequency, where=missing > 0, out=np.zeros_like(most))
+    return np.maximum(below, above)
 
 
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:
