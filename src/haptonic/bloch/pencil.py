@@ -247,7 +247,7 @@ def error_in_hertz(energy: Array, frequency: Array) -> Array:
     # differences of squares over sums, because most errors are far smaller than their frequencies
     below = np.divide(missing, frequency + least, where=least > 0, out=np.array(frequency, dtype=float))
     above = np.divide(missing, most + frequency, where=missing > 0, out=np.zeros_like(most))
-    return np.maximum(below, above)
+    return np.asarray(np.maximum(below, above))
 
 
 def eigenpairs(pencil: Evaluated, kappa: Array, count: int) -> tuple[Array, Fields]:

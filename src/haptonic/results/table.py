@@ -293,6 +293,8 @@ class Markup:
 
 
 def _in_csv(value: object) -> str:
+    if isinstance(value, float):
+        value = float(f"{value:.12g}")  # 0.0065 for 0.006500000000000001
     text = "" if value is None else str(names.cell(value))
     return f'"{text.replace(chr(34), 2 * chr(34))}"' if set(text) & set(',"\r\n') else text
 

@@ -107,9 +107,11 @@ async function asWebm(film: Film): Promise<Blob> {
   recorder.ondataavailable = ({ data }) => parts.push(data);
   const ended = new Promise((stop) => (recorder.onstop = stop));
   recorder.start();
+  const start = performance.now();
   for (let k = 0; k < FRAMES; k++) {
     film.show(k / FRAMES);
-    await new Promise((next) => setTimeout(next, PAUSE));
+    const left = start + (k + 1) * PAUSE - performance.now(); // without the time that the frame took
+    await new Promise((next) => setTimeout(next, left));
   }
   recorder.stop();
   await ended;

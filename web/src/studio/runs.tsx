@@ -4,14 +4,14 @@ import { other } from "./compare";
 import { jobs, remove, showResult, shown, shownJob } from "./jobs";
 import type { Job } from "./server";
 
-export const STATES = { running: "is computed", done: "", failed: "failed", cancelled: "cancelled" };
+export const STATES = { running: "running", done: "", failed: "failed", cancelled: "cancelled" };
 
 export function Runs() {
   const list = [...jobs.value].reverse();
   return (
     <>
       <p class="hidden" role="status">
-        {list[0] === undefined ? "" : `${list[0].analysis} ${STATES[list[0].state] || "is finished"}`}
+        {list[0] === undefined ? "" : `${list[0].analysis}: ${STATES[list[0].state] || "finished"}`}
       </p>
       {list.length > 0 && (
         <details class="section">
