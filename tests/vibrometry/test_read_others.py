@@ -182,6 +182,7 @@ class TestMatlab:
         with pytest.raises(ScanError) as caught:
             read_scan(tmp_path / "a.mat")
         assert_explained(caught.value)
+        assert (caught.value.given == "an empty file") == (content == b"")
 
 
 def save_tdms(path, *, rate=200e3, offset=2e-3, lost=(), short=()) -> None:

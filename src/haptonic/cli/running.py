@@ -223,7 +223,8 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
         if form is None and folder.is_dir():  # a plan of a lattice has no picture
             voice.write(f"files: {located.get('report', folder)}")
             if analysis.writes and isinstance(paths := located.get("files"), list):
-                voice.write(f"written: {', '.join(Path(path).name for path in paths)}")
+                names = (Path(path).relative_to(folder).as_posix() for path in paths)
+                voice.write(f"written: {', '.join(names)}")
     if json:
         voice.answer(result.to_json() | located)
     if run is not None:

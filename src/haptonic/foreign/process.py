@@ -124,9 +124,10 @@ def too_large(path: Path, memory: int) -> ResourceError:
 
 def damaged(path: Path, fault: str) -> ChannelError:
     """Error for a file that its parser cannot read."""
+    is_empty = path.is_file() and path.stat().st_size == 0
     return ChannelError.unreadable(
         argument=path.name,
-        given=fault,
+        given="an empty file" if is_empty else fault,
         allowed="a complete file of the format in its name",
         cause="it is damaged, its copy was interrupted, or its format is not that of its name",
         next_step="copy or export it again, or check it in another program",

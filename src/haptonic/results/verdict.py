@@ -135,10 +135,10 @@ class Verdict(Result):
         """Sentences on the explained share of the measurement, and on the certainty of fitted numbers."""
         agreements = [
             f"{name}: the model leaves {in_percent(agreement.unexplained, form='.2g')} of the measured "
-            f"energy unexplained, median FRAC {np.nanmedian(agreement.frac):.4f}"
+            f"energy unexplained, median FRAC {np.nanmedian(agreement.frac):.4f}."
             for name, agreement in self.agreements.items()
         ]
-        sentences = [f"{'; '.join(agreements)}."]
+        sentences = [" ".join(agreements)]
         if (fit := self.fit) is not None:
             uncertainty = fit.uncertainty
             kind = (
