@@ -11,7 +11,7 @@ from PIL import Image, ImageSequence
 from playwright.sync_api import expect
 from served import served
 from test_page import CELL, TEXT, opened, text_of
-from test_studio_runs import SWEEP
+from test_studio_runs import MANY, SWEEP
 
 from browser import WIDTHS, violations
 from quick import QUICK_CELL
@@ -60,6 +60,19 @@ def test_designs_are_selected_by_key_and_open_as_one_step_of_undo(browser, studi
         for width, height in WIDTHS.items():
             page.set_viewport_size({"width": width, "height": height})
             assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_designs_of_a_cancelled_sweep_stay_in_sight(browser, tmp_path):
+    (tmp_path / "many.toml").write_text(MANY, "utf-8")
+    with served(tmp_path, "many.toml") as running, opened(browser, running) as page:
+        page.get_by_label("Analysis").select_option("sweep")
+        page.get_by_role("button", name="Compute sweep").click()
+        designs = page.get_by_role("application", name=re.compile("Computed designs"))
+        designs.wait_for(timeout=60_000)
+        designs.scroll_into_view_if_needed()
+        page.get_by_role("button", name="Cancel").click()
+        page.get_by_text("The computation of sweep was cancelled.").wait_for()
+        expect(designs).to_be_in_viewport()
 
 
 def test_a_run_is_opened_saved_filmed_and_removed(browser, studio, tmp_path):

@@ -19,7 +19,7 @@ export function Result({ exports }: { exports: Exports }) {
   useEffect(() => {
     if (job === null || job.number !== awaited.job) return;
     awaited.job = 0;
-    place.current?.scrollIntoView();
+    if (job.state !== "cancelled") place.current?.scrollIntoView(); // its designs stay in sight
   }, [job?.number]);
   if (job === null) return null;
   return (
