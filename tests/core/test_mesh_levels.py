@@ -314,6 +314,10 @@ def test_cells_with_discs_begin_at_the_level_of_the_accuracy():
         cell = UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=discs)
         assert expected_level(cell, 2e-3) == mesh_levels.starting_level(2e-3)
         assert expected_level(cell, 1e-9) == len(LEVELS) - 1
+        assert expected_level(cell, 5e-3) == 1  # the first level is too coarse for a disc in the plate
+        assert expected_level(cell, 2e-2) == 0
+    on_top = UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=(replace(steel, low=0.0, high=2e-3),))
+    assert expected_level(on_top, 5e-3) == mesh_levels.starting_level(5e-3) == 0
 
 
 def test_an_interior_grows_as_often_as_it_has_to():
