@@ -345,3 +345,13 @@ def test_other_bad_input_is_refused():
     refused(lambda: quality_limits(0.0), code="out-of-range", argument="frequency")
     refused(lambda: quality_limits(58.8e3, -1.0), code="out-of-range", argument="threshold")
     refused(lambda: rise_time(float("inf"), 58.8e3), code="out-of-range", argument="quality_factor")
+
+
+def test_the_interval_contains_both_models_where_one_of_them_has_none():
+    """With a fast and hard stroke some fingers have no film of air at 45 um, and the usual one floats."""
+    amplitude = xr.DataArray(np.array([1e-6, 5e-6, 45e-6]), dims="line")
+    predicted = predict(amplitude, Touch(60e3, 0.98, 0.5), Fingertip())
+    assert np.isnan(predicted["load_sharing_low"].values[-1])
+    for name in ("load_sharing", "intermittent"):
+        assert (predicted["low"] <= predicted[name]).all()
+        assert (predicted[name] <= predicted["high"]).all()

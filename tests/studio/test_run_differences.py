@@ -37,7 +37,22 @@ def test_rows_meet_by_their_words_and_differences_know_their_errors():
     assert rows["9-10", "from / kHz"][:2] == ("-", "90.00")
     assert ("3-4", "share / %") not in rows
     assert table.strong == {list(rows).index(("3-4", "from / kHz"))}
-    assert differences([FIRST], []) == []
+    (alone,) = differences([FIRST], [])
+    assert alone.rows == (("gaps", "first"),)
+
+
+def test_tables_meet_though_numbers_of_their_titles_differ():
+    columns = (Column("amplitude", "m", "µm", ".3f"),)
+    tables = [
+        Table(f"below a finger at {frequency} kHz and {drive} V", columns, [(amplitude,)])
+        for frequency, drive, amplitude in (("59.47", 10, 1e-6), ("60", 200, 2e-6))
+    ]
+    (table,) = differences(tables[:1], tables[1:])
+    assert table.title == f"differences: {tables[0].title} and {tables[1].title}"
+    assert len(table.rows) == 1
+    # the same title is preferred to one with another number
+    (same, other) = differences(tables, tables[::-1])
+    assert same.rows == other.rows == ()
 
 
 def test_rows_without_words_meet_by_their_number_and_ranges_count_as_errors():

@@ -34,7 +34,7 @@ from haptonic.results.plate.value import CarrierAnswer, PlateResult
 from haptonic.store import Store, content_key
 from haptonic.study.schema import Description
 
-PARTS = ("response", "maps", "lines", "modes", "body")
+PARTS = ("response", "maps", "at_maps", "lines", "modes", "body")
 STAMPED = ("lines", "modes", "body")  # parts that get the inputs here; a response contains its inputs
 
 
@@ -142,13 +142,14 @@ def compute_plate(
         parts = [stamped(computed[name], inputs) if name in STAMPED else computed[name] for name in PARTS]
         for key, dataset in zip(keys, parts, strict=True):
             store.put(key, dataset)
-    response, marked, lines, modes, body = parts
+    response, marked, at_maps, lines, modes, body = parts
     return PlateResult(
         plate=plate,
         gap=gap,
         carrier=carrier,
         response=from_plain(response),
         marked=from_plain(marked),
+        at_maps=from_plain(at_maps),
         lines=lines,
         modes=modes,
         body=body,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 
 from haptonic.results.table import NOTHING, Cell, Column, Ranged, Table, Uncertain
@@ -11,19 +12,37 @@ HEAD = ("row", "quantity", "first", "second", "difference", "compared with the e
 WITHIN, BEYOND, UNKNOWN = "within the errors", "beyond the errors", "no errors are given"
 
 
-def differences(first: Sequence[Table], second: Sequence[Table]) -> list[Table]:
-    """A table of differences for each pair of tables of one title; ``strong`` are those beyond the errors.
+NUMBER = re.compile(r"-?\d[\d.,]*(?:e[-+]?\d+)?")
 
-    Rows belong together if all their words agree, or else by their number. Equal numbers are left out.
+
+def differences(first: Sequence[Table], second: Sequence[Table]) -> list[Table]:
+    """A table of differences for each pair of tables; ``strong`` are those beyond the errors.
+
+    Titles of a pair differ at most in numbers, such as the frequency of a drive. Rows belong together if all
+    their words agree, or else by their number. Equal numbers are left out. A last table lists the titles that
+    only one of the two has, if there are any.
     """
-    others = {table.title: table for table in second}
-    pairs = [(table, others[table.title]) for table in first if table.title in others]
-    tables = []
-    for before, after in pairs:
+    tables, left = [], list(second)
+    alone: list[tuple[str, str]] = []
+    for before in first:
+        alike = sorted((t for t in left if _named_alike(before, t)), key=lambda t: t.title != before.title)
+        after = next(iter(alike), None)
+        if after is None:
+            alone.append((before.title, "first"))
+            continue
+        left.remove(after)
         rows = list(_rows(before, after))
         strong = [number for number, row in enumerate(rows) if row[-1] == BEYOND]
-        tables.append(Table(f"differences: {before.title}", HEAD, rows, strong))
+        titles = dict.fromkeys((before.title, after.title))
+        tables.append(Table(f"differences: {' and '.join(titles)}", HEAD, rows, strong))
+    alone += [(table.title, "second") for table in left]
+    if alone:
+        tables.append(Table("tables that only one of the runs has", ("table", "run"), alone))
     return tables
+
+
+def _named_alike(first: Table, second: Table) -> bool:
+    return NUMBER.sub("0", first.title) == NUMBER.sub("0", second.title)
 
 
 def _rows(first: Table, second: Table) -> Iterator[tuple[str, ...]]:

@@ -112,11 +112,16 @@ export class FingerData {
       };
     };
     const [shared, intermittent] = [rows("load_sharing", force), rows("intermittent", speed)];
-    const joined = (end: End, join: (shared: number, intermittent: number) => number) => {
-      const [first, second] = [shared(end), intermittent(end)];
-      return Float64Array.from(first, (value, k) => (Number.isNaN(value) ? (second[k] ?? NaN) : join(value, second[k] ?? NaN)));
+    const own = [shared("value"), intermittent("value")];
+    const outermost = (end: End, most: (...values: number[]) => number) => {
+      const ends = [shared(end), intermittent(end), ...own];
+      return Float64Array.from(ends[0] ?? [], (_, k) => {
+        const known = ends.map((values) => values[k] ?? NaN).filter((value) => !Number.isNaN(value));
+        return known.length > 0 ? most(...known) : NaN;
+      });
     };
-    return { value: joined("value", (value) => value), low: joined("low", Math.min), high: joined("high", Math.max) };
+    const value = Float64Array.from(own[0] ?? [], (first, k) => (Number.isNaN(first) ? (own[1]?.[k] ?? NaN) : first));
+    return { value, low: outermost("low", Math.min), high: outermost("high", Math.max) };
   }
 
   /** μ/μ₀ at an amplitude, m; constant outside the tables. */

@@ -50,8 +50,8 @@ def predict(
     -------
     on the dimensions of ``amplitude``: the value of either model, ``load_sharing`` and ``intermittent``, and
     the ends (``_low``, ``_high``) of the interval that contains 95 % of the draws, NaN if a draw has no
-    solution; ``low`` and ``high``, the ends of the interval over both models. The attribute ``assumptions``
-    (JSON) lists every parameter with its mark.
+    solution; ``low`` and ``high``, the ends of the interval over both models and their values, which a model
+    without an interval may have. The attribute ``assumptions`` (JSON) lists every parameter with its mark.
 
     Raises
     ------
@@ -73,8 +73,9 @@ def predict(
         friction[name], friction[f"{name}_low"], friction[f"{name}_high"] = with_interval(
             model, knots, touch, finger, samples=samples, seed=seed
         )
-    friction["low"] = np.fmin(friction["load_sharing_low"], friction["intermittent_low"])
-    friction["high"] = np.fmax(friction["load_sharing_high"], friction["intermittent_high"])
+    for end, outermost in (("low", np.fmin), ("high", np.fmax)):
+        ends = [friction[f"{name}{part}"] for name in MODELS for part in (f"_{end}", "")]
+        friction[end] = outermost.reduce(ends)
     data = {
         name: (
             amplitude.dims,

@@ -54,8 +54,9 @@ def band_response(
 ) -> dict[str, xr.Dataset]:
     """Compute datasets of a plate over a band.
 
-    They are the ``response`` at the requested lines, the ``maps``, energies and errors at all ``lines``, the
-    ``modes`` near the carrier, and the ``body`` with its motion at the carrier.
+    They are the ``response`` at the requested lines, the ``maps``, the response ``at_maps`` at the lines of
+    the maps but the points of the response, energies and errors at all ``lines``, the ``modes`` near the
+    carrier, and the ``body`` with its motion at the carrier.
 
     Parameters
     ----------
@@ -106,6 +107,7 @@ def band_response(
     return {
         "response": response(points, regions, velocity[:, main], main, "finite plate"),
         "maps": response(at, names, mapped, marked, "finite plate, the frequencies of its maps"),
+        "at_maps": response(points, regions, velocity[:, marked], marked, "finite plate, those frequencies"),
         "lines": lines,
         "modes": modes_dataset(plate, band, modes, shapes, points, regions),
         "body": body_dataset(band, vibration, at_resonance),

@@ -60,7 +60,7 @@ class CarrierAnswer:
     @property
     def contrasts(self) -> dict[str, float]:
         """Level of the driven region over each of the others, and over all the rest, dB."""
-        levels = self.result.contrasts(self.result.marked)
+        levels = self.result.contrasts(self.result.at_maps)
         return {pair: float(level[0]) for pair, level in levels.items()}
 
     @property
@@ -82,7 +82,8 @@ class PlateResult(Result, products=PRODUCTS):
     """Response of a plate per unit of its reference, with energies, impedances and modes.
 
     plate : the computed plate; gap : of its lattice around the carrier, if any; carrier : Hz
-    response : velocity of the flat face; marked : response at the frequencies of the maps
+    response : velocity of the flat face; marked : response at the frequencies of the maps, at finer points
+    at_maps : response at these frequencies, at the points of ``response``
     lines : dataset on the response's frequencies; modes : dataset of the modes near the carrier
     body : displacement of the whole plate at the carrier, on a coarse mesh
     answers : for each carrier, if the drives have several; everything else is for the study's carrier
@@ -97,6 +98,7 @@ class PlateResult(Result, products=PRODUCTS):
     carrier: float
     response: FrequencyResponse
     marked: FrequencyResponse
+    at_maps: FrequencyResponse
     lines: xr.Dataset
     modes: xr.Dataset
     body: xr.Dataset
@@ -175,7 +177,7 @@ class PlateResult(Result, products=PRODUCTS):
     @cached_property
     def maps(self) -> xr.Dataset:
         """All quantities at the frequencies of the maps; see `reported`."""
-        return self.reported(self.marked)
+        return self.reported(self.at_maps)
 
     def reported(self, response: FrequencyResponse) -> xr.Dataset:
         """Quantities at the frequencies of the response or the maps: energies, powers, impedances, and
