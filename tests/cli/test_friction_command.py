@@ -165,7 +165,7 @@ def test_the_result_contains_reference_values_if_they_are_given(tmp_path):
             "none.csv",
         ),
         ('[trials.sensor]\nnormal = "G2"\ncalibration = "c.csv"\n', "unknown", "trials.sensor.normal", ""),
-        ('[trials]\ndriven = "WG9"\n', "unknown", "waveguide", "WG9"),
+        ('[trials]\ndriven = "WG9"\n', "unknown", "trials.driven", "WG9"),
         (
             '[[trials.exclude]]\nparticipant = "P1"\ntrial = 2\nreason = "x"\n',
             "missing",

@@ -213,3 +213,18 @@ def test_a_study_finds_the_file_beside_it(tmp_path):
     with pytest.raises(HaptonicError) as caught:
         study.tolerance()
     assert caught.value.argument == "cell.solid"
+
+
+def test_all_files_of_its_bands_are_written(tmp_path):
+    """Modes of triangles are drawn too, whose lower faces are finer than the sides."""
+    from haptonic.study import load
+
+    drawn(tmp_path, SQUARE, PILLAR)
+    (tmp_path / "study.toml").write_text(
+        'material = "aluminium-2017a"\n[cell]\npitch = "7 mm"\nthickness = "1.5 mm"\n'
+        '[cell.solid]\nfile = "cell.step"\n[bands]\ncount = 6\npoints = 9\n'
+        "[mesh]\norder = 2\nfoot_rings = 0\n"
+    )
+    bands = load(tmp_path / "study.toml").bands(html=True)
+    bands.write(tmp_path / "out")
+    assert {"bands.csv", "modes.png", "bands.html"} <= {path.name for path in (tmp_path / "out").iterdir()}

@@ -290,7 +290,7 @@ class TestRefusals:
     @pytest.mark.parametrize(
         ("mesh", "words"),
         [
-            (moved(PILLAR, node_at(PILLAR, 0, 0, 1.5), (0, 0, -2.0)), "no volume or are turned inside out"),
+            (moved(PILLAR, node_at(PILLAR, 0, 0, 1.5), (0, 0, -2.0)), "without volume or turned inside out"),
             (cracked(), "18 nodes at the place of another"),
             (finer_pillar(), "on an element's face that are not joined"),
             (LOOSE, "pieces that no faces join"),

@@ -242,7 +242,7 @@ def test_a_thick_plate_has_its_exact_frequencies(fineness, allowed):
 def test_frequencies_scale_with_the_inverse_of_all_lengths(scale):
     fineness = replace(COARSE, along=2)
     frequencies = modes(
-        PlateModel.of(thick_plate(2, 2, scale), 60e3 / scale, fineness), 1e3 / scale, 40e3 / scale
+        PlateModel.of(thick_plate(2, 2, scale), 50e3 / scale, fineness), 1e3 / scale, 40e3 / scale
     )
-    once = modes(PlateModel.of(thick_plate(2, 2), 60e3, fineness), 1e3, 40e3)
+    once = modes(PlateModel.of(thick_plate(2, 2), 50e3, fineness), 1e3, 40e3)
     assert scale * frequencies == pytest.approx(once, rel=1e-8)

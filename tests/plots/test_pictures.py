@@ -359,6 +359,19 @@ class TestModes:
         assert length == pytest.approx(8 * 0.007 + 4 * 0.0015 + 2 * np.pi * 0.0035, rel=0.01)
         assert len(np.unique(on_edge)) == len(on_edge)
 
+    def test_the_outline_is_complete_where_one_face_is_divided_more_finely(self):
+        """As the lower face of a solid from a file, whose border has points that the sides lack."""
+        around = np.array([(0, 0), (2, 0), (2, 2), (0, 2)], dtype=float)
+        corners = np.vstack([np.column_stack([around, np.full(4, z)]) for z in (0, 2)])
+        middle = [(1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 1, 0)]
+        position = np.vstack([corners, middle])
+        lower = [[0, 8, 12, 11], [8, 1, 9, 12], [12, 9, 2, 10], [11, 12, 10, 3]]
+        sides = [[k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k] for k in range(4)]
+        faces = np.array([face[::-1] for face in lower] + sides + [[4, 5, 6, 7]])
+        edges = position[outline_edges(position, faces)]
+        length = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).sum()
+        assert length == pytest.approx(12 * 2 + 4 * 2)  # the border of the lower face twice
+
     def test_a_plate_without_a_pillar_is_drawn(self):
         plain = reference_study().cell.without_pillar()
         plate = bands_dataset(plain, BandSettings(10, 8, 2e-2, MeshSettings(2, 0)))

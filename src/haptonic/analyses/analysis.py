@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from dataclasses import MISSING, dataclass, fields
 from numbers import Integral, Real
 from pathlib import Path
+from types import NoneType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from haptonic.analyses.options import NoOptions, option_of
@@ -27,7 +28,7 @@ COMMAND = "haptonic "
 STUDIES, MEASURED = ("design", "fitted"), ("response", "scan", "trials")
 KEPT = "finished designs are stored; run the same command to continue"
 WORDS = {
-    bool: "True or False", int: "a whole number", float: "a number", str: "a text", type(None): "None",
+    bool: "True or False", int: "a whole number", float: "a number", str: "a text", NoneType: "nothing",
 }  # fmt: skip
 NUMBERS: dict[Any, type] = {int: Integral, float: Real}  # those of NumPy are numbers too
 
@@ -250,7 +251,8 @@ def _check_kind(name: str, value: Any, kind: Any) -> None:
         return
     if isinstance(value, str) and value in choices:
         return
-    allowed = listed([*(f'"{choice}"' for choice in choices), *(WORDS[kind] for kind in plain)], "or")
+    words = [*(f'"{choice}"' for choice in choices), *(WORDS[kind] for kind in plain if kind is not NoneType)]
+    allowed = listed(words, "or")
     raise StudyError.malformed(
         argument=name,
         given=repr(value),

@@ -78,7 +78,7 @@ def compute(study: None, options: FrictionOptions, runner: Runner) -> FrictionRe
     section, whole = _settings(options)
     driven = driven_region(whole.mounted_plate()) if whole is not None and whole.plate_settings else None
     result = compute_friction(
-        path, section.sensor, section, section.exclude, driven=section.driven or driven,
+        path, section.sensor, section, section.exclude, driven=section.driven, of_plate=driven,
         workers=runner.workers, progress=runner.progress,
     )  # fmt: skip
     published = options.references.friction if options.references else {}
@@ -92,6 +92,7 @@ def compute_friction(
     excluded: Sequence[Exclusion] = (),
     *,
     driven: str | None = None,
+    of_plate: str | None = None,
     workers: int = 0,
     progress: Progress = silent,
 ) -> FrictionResult:
@@ -100,7 +101,8 @@ def compute_friction(
     Parameters
     ----------
     path : a folder with ``trials.csv``, or a single table; see `haptonic.friction.recordings.analysed`
-    driven : waveguide that carries the vibration; by default that with the largest reduction
+    driven : waveguide that carries the vibration; by default ``of_plate``, the driven region of a plate, or
+        that with the largest reduction
 
     Raises
     ------
@@ -109,13 +111,22 @@ def compute_friction(
     """
     path = source(path, "folder of trials")
     read = analysed(path, sensor, rules, excluded, workers=workers, progress=progress)
+    doubts = read.doubts
+    if driven is None and of_plate is not None:
+        if of_plate in read.trials["waveguide"].values:
+            driven = of_plate
+        else:
+            largest = (
+                "the waveguide with the largest reduction counts as driven; [trials] driven names another"
+            )
+            doubts = (*doubts, f"no trial was on {of_plate}, the driven region of the plate: {largest}")
     return FrictionResult(
         source=path,
         sensor=sensor,
         rules=rules,
         trials=read.trials,
         guessed=read.remarks,
-        doubts=read.doubts,
+        doubts=doubts,
         found=summary(read.trials, driven),
     )
 

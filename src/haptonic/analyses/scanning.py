@@ -48,7 +48,6 @@ from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
 
 FAR = 0.5  # registration misfit relative to the step of the grid; a larger misfit gives a remark
-SAME_SCALE = 0.05  # relative change of scale by a registration; a larger change gives a remark
 
 
 def flags_of(text: str) -> tuple[str, ...]:
@@ -298,8 +297,7 @@ def _doubts_of_places(response: FrequencyResponse, registration: Registration, l
         remarks.append(
             f"the points lie {registration.misfit * 1e3:.2g} mm from the planned ones: check the registration"
         )
-    if abs(registration.scale - 1) > SAME_SCALE:
-        remarks.append(f"lengths were scaled by {registration.scale:.4g} to fit the plate: check their unit")
+    remarks += registration.doubts
     outside = sum(name is None for name in tile_names(layout, response.points))
     if outside:
         remarks.append(f"{outside} points lie outside the plate of the study")

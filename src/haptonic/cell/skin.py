@@ -69,14 +69,17 @@ def outer_faces(cells: Ints) -> Ints:
 
 
 def outline_edges(position: Array, faces: Ints) -> Ints:
-    """(n, 2) ends of the edges at which two of the faces meet at a marked angle."""
+    """(n, 2) ends of the edges at which two of the faces meet at a marked angle, or which only one face has.
+
+    The faces at z = 0 of a solid from a file are finer than the others, so both have own edges there.
+    """
     corners = position[faces]
     normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     edges = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
-    order = np.lexsort(edges.T)
-    edges = edges[order].reshape(-1, 2, 2)
-    owner = np.repeat(np.arange(len(faces)), 4)[order].reshape(-1, 2)
-    assert (edges[:, 0] == edges[:, 1]).all(), "an outer surface has two faces at every edge"
-    meet = (normal[owner[:, 0]] * normal[owner[:, 1]]).sum(axis=1)
-    return np.asarray(edges[meet < SHARP, 0])
+    order = np.lexsort(edges.T[::-1])
+    owner = np.repeat(np.arange(len(faces)), 4)[order]
+    every, first, times = np.unique(edges[order], axis=0, return_index=True, return_counts=True)
+    assert times.max() <= 2, "at an edge of an outer surface meet one or two faces"
+    meet = (normal[owner[first]] * normal[owner[first + times - 1]]).sum(axis=1)
+    return np.asarray(every[(times == 1) | (meet < SHARP)])

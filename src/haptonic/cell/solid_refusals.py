@@ -10,6 +10,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.errors import GeometryError, shown
 from haptonic.fields import problem
+from haptonic.names import counted
 from haptonic.units import format_quantity, in_percent, to_si
 
 IN_COMSOL = "in COMSOL: Mesh, Export, file type Nastran (.bdf), one property for each domain"
@@ -126,7 +127,7 @@ def _of_mesh(answer: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str
             "mesh with quadratic tetrahedra alone, or with linear and smaller elements",
         ),
         "degenerate": (
-            f"{count} elements that have no volume or are turned inside out, the first at {at}",
+            f"{counted(int(count), 'element')} without volume or turned inside out, the first at {at}",
             "elements of positive volume",
             "nodes were moved or joined after meshing, or curved edges cross the element",
             "repair the mesh in the program that made it; quadratic elements may be smaller or straight",
@@ -141,7 +142,8 @@ def _of_mesh(answer: dict[str, Any], unit: str) -> dict[str, tuple[str, str, str
             "parts were meshed one by one, or tetrahedra meet hexahedra without pyramids between them", again,
         ),
         "overlap": (
-            f"{count} faces of more than two elements, the first at {at}", "elements that touch at most",
+            f"{counted(int(count), 'face')} of more than two elements, the first at {at}",
+            "elements that touch at most",
             "elements are there twice, or fill the same space", "remove double elements from the mesh",
         ),
         "pieces": (

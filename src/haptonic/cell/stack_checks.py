@@ -28,8 +28,9 @@ def check_stack(stack: Stack, table: str) -> None:
                 "conflict",
                 "a disc that changes nothing",
                 "discs of a material, empty ones, and those that are above the plate",
-                "it lies within the plate and is of the plate's material, or later discs replace it",
-                "give it a material or empty = true, move it, or leave it out",
+                "it has the material that is there without it, is empty where nothing is, or later discs "
+                "replace it",
+                "give it another material, move it, or leave it out; empty = true makes a hole in the plate",
                 at=f"{table}disc[{number + 1}]",
             )
     _check_joined(stack, table)

@@ -48,7 +48,7 @@ def main() -> None:
             given=error.strerror,
             allowed="a terminal, or a file with room for the answer",
             cause="the disk is full, or the program that read the answer has ended",
-            next_step="send the answer to another place; the files of the command are written",
+            next_step="send the answer to another place; files of the command, if it has any, are written",
         )
         print(refusal, file=sys.stderr)
         raise SystemExit(2) from None

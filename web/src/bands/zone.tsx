@@ -152,6 +152,7 @@ function placed(canvas: HTMLCanvasElement, zone: ZoneSurface) {
 
 function paintZone(canvas: HTMLCanvasElement, zone: ZoneSurface, band: number, image: number, unit: Unit): void {
   const side = Math.min(canvas.parentElement?.clientWidth ?? LARGEST, LARGEST);
+  if (side === 0) return; // a view that is removed
   canvas.style.width = canvas.style.height = `${side}px`;
   canvas.width = canvas.height = Math.round(side * devicePixelRatio);
   const context = canvas.getContext("2d");
@@ -209,7 +210,7 @@ function writeLevels(
     const [x, y] = toPixel(place);
     if (taken.some(([left, top]) => Math.abs(left - x) < 34 && Math.abs(top - y) < 14)) continue; // it would cover another
     taken.push([x, y]);
-    const words = tickText(level / unit.factor);
+    const words = tickText(Number((level / unit.factor).toPrecision(5)));
     context.strokeText(words, x, y);
     context.fillText(words, x, y);
   }

@@ -2,7 +2,7 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { analyses, analysis, choose, isWrong, missing, usesStudy, wanted } from "./chosen";
-import { cancel, compute, elapsed, running, whole } from "./jobs";
+import { cancel, compute, elapsed, lost, running, whole } from "./jobs";
 import { Runs } from "./runs";
 import type { Job } from "./server";
 import { settled } from "./study";
@@ -31,7 +31,7 @@ export function Compute() {
             ))}
           </select>
         </label>
-        <button type="button" class="main" disabled={wrong || unread || missing.value.length > 0} onClick={() => void begin()}>
+        <button type="button" class="main" disabled={lost.value || wrong || unread || missing.value.length > 0} onClick={() => void begin()}>
           Compute {chosen.name}
         </button>
         {job !== undefined && (
@@ -44,7 +44,7 @@ export function Compute() {
       </div>
       <p class="quiet">{chosen.help}</p>
       <Questions chosen={chosen} />
-      {job !== undefined && !job.turned && <Running job={job} />}
+      {job !== undefined && !job.turned && !lost.value && <Running job={job} />}
       <Runs />
     </section>
   );

@@ -8,10 +8,11 @@ export const STATES = { running: "running", done: "", failed: "failed", cancelle
 
 export function Runs() {
   const list = [...jobs.value].reverse();
+  const own = list.find(({ number }) => number === shown.value); // runs of commands come and go beside it
   return (
     <>
       <p class="hidden" role="status">
-        {list[0] === undefined ? "" : `${list[0].analysis}: ${STATES[list[0].state] || "finished"}`}
+        {own === undefined ? "" : `${own.analysis}: ${STATES[own.state] || "finished"}`}
       </p>
       {list.length > 0 && (
         <details class="section">

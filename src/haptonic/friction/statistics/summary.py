@@ -97,7 +97,8 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     """
     guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
     if driven is not None and driven not in guides:
-        paired(trials, driven)  # raises an error that lists the waveguides
+        cause = "no trial was made there, or the name is misspelt"
+        raise FrictionError.unknown("trials.driven", driven, guides, cause)
     omissions = []
     pairs: dict[str, Pairs] = {}
     for guide in guides:

@@ -12,6 +12,7 @@ from haptonic.plate.layout.drawing import drawing_of
 from haptonic.plots.text import driven
 from haptonic.response.measures import along
 from haptonic.results.steps import step_colours, stepped
+from haptonic.units import format_quantity
 from haptonic.views import InteractiveView
 
 if TYPE_CHECKING:
@@ -55,6 +56,12 @@ def plate_view(result: PlateResult) -> InteractiveView:
     return InteractiveView(kind="plate", title=result.title, dataset=data, extra=_extra(result))
 
 
+def _only(result: PlateResult) -> str:
+    """Argument of the analysis for a response at one frequency; empty for a band."""
+    lines = result.response.frequency
+    return f'at="{format_quantity(lines[0], "Hz", digits=None)}"' if len(lines) == 1 else ""
+
+
 def _scales(result: PlateResult) -> dict[str, float]:
     """Pitch and speed of shear waves, unless lattices of the plate have different pitches."""
     cells = list(result.plate.layout.cells.values())
@@ -70,7 +77,7 @@ def _extra(result: PlateResult) -> dict[str, Any]:
         "first": result.resonance,
         "first_is": "resonance in the gap",
         "maps": {"shape": ""},
-        "python": "study.plate()",
+        "python": f"study.plate({_only(result)})",
         "drive": driven(result.response.units, result.drive),
         **drawing_of(result.plate),
     }

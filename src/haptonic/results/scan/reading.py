@@ -90,7 +90,8 @@ class ScanReading(Reading):
             right, top = self.plate.layout.x[-1], self.plate.layout.y[-1]
             beyond = ((self.positions < 0) | (self.positions > [right, top])).any(axis=1).sum()
             outside = [f"{beyond} points lie outside the plate of the study"] if beyond else []
-        return [*outside, *report.remarks, *missing, *dropped]
+        doubts = [] if self.registration is None else self.registration.doubts
+        return [*doubts, *outside, *report.remarks, *missing, *dropped]
 
     def answers(self) -> list[tuple[str, str]]:
         content, positions = self.scan.content, self.positions

@@ -19,6 +19,7 @@ from haptonic.vibrometry.planning import Region
 ROUNDS = 50  # at most in the best fit; it converges in far fewer
 SETTLED = 1e-12  # of the plate's size
 AS_GOOD = 1.05  # ratio of two misfits that count as equal
+SAME_SCALE = 0.05  # relative change of the scale; a larger one gives a remark
 WORST = 0.25  # of the size of a plate: a larger misfit means that the points belong to something else
 
 
@@ -46,6 +47,13 @@ class Registration:
             f"{'seen from behind, ' if self.mirrored else ''}shifted by {x:.3f} and {y:.3f} mm; misfit "
             f"{self.misfit * 1e3:.3f} mm."
         )
+
+    @property
+    def doubts(self) -> list[str]:
+        """Remark on a change of the scale that a wrong unit of lengths would cause."""
+        if abs(self.scale - 1) <= SAME_SCALE:
+            return []
+        return [f"lengths were scaled by {self.scale:.4g} to fit the plate: check their unit"]
 
     def of(self, points: Array) -> Array:
         """(point, 2) positions on the plate of points of the scan, m."""
