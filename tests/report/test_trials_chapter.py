@@ -49,3 +49,13 @@ def test_simulated_results_are_marked(result):
 
 def test_without_trials_the_chapter_is_absent():
     assert isinstance(chapter(Results(SimpleNamespace(), {})), Absent)
+
+
+def test_trials_without_the_driven_region_of_the_plate_are_analysed_with_a_remark(tmp_path, result):
+    folder = written(tmp_path / "trials", simulated(2, 4, 6))
+    other = compute_friction(folder, Sensor(), Rules(), of_plate="A")
+    assert other.found.driven == "WG1"
+    assert any("no trial was on A, the driven region of the plate" in remark for remark in other.remarks())
+    own = compute_friction(folder, Sensor(), Rules(), of_plate="WG2")
+    assert own.found.driven == "WG2"
+    assert not any("driven region" in remark for remark in own.remarks())

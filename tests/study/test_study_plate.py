@@ -193,7 +193,7 @@ PATCHES = {
     "patch of a text": ((PATCH, 'size = "8 mm"'), "plate.actuator[1].size",
                         ["a list of 3 quantities", "not a list"]),
     "patch of four sizes": ((PATCH, 'size = ["9 mm", "8 mm", "1 mm", "1 mm"]'), "plate.actuator[1].size",
-                            ["a list of 3 quantities", "too long"]),
+                            ["a list of 3 quantities", "more than 3 items"]),
     "patch of no height": ((PATCH, 'size = ["9 mm", "8 mm", "0 mm"]'), "plate.actuator[1].size[3]", ["zero"]),
     "patch in Hz": ((PATCH, 'size = ["9 mm", "8 Hz", "1 mm"]'), "plate.actuator[1].size[2]",
                     ["not a unit of length"]),

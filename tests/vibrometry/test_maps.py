@@ -15,6 +15,7 @@ from haptonic.errors import HaptonicWarning, ResponseError, ScanError
 from haptonic.response import FrequencyResponse
 from haptonic.vibrometry import (
     Rectangle,
+    Registration,
     RoundRegion,
     lattice_decay,
     measured_gap,
@@ -365,3 +366,10 @@ def test_without_scatter_the_error_is_that_of_lines_and_transition():
     ):
         assert width > 500
         assert error == pytest.approx(np.sqrt((100.0**2 + width**2) / 12))
+
+
+@pytest.mark.parametrize(("scale", "doubtful"), [(1.0, False), (1.04, False), (0.2485, True), (1000.0, True)])
+def test_a_scale_that_a_wrong_unit_would_cause_gives_a_remark(scale, doubtful):
+    registration = Registration(scale=scale, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=0.0)
+    assert (len(registration.doubts) == 1) == doubtful
+    assert all(f"scaled by {scale:.4g}" in doubt for doubt in registration.doubts)

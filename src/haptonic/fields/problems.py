@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -278,7 +279,8 @@ def _cause(kind: str, message: str, is_list: bool) -> str:
     if kind in {"int_type", "int_from_float", "int_parsing", "int_parsing_size"}:
         return "it is not a whole number"
     if kind in {"too_long", "string_too_long"}:
-        return "it is too long"
+        most, parts = re.search(r"at most (\d+)", message), "items" if kind == "too_long" else "characters"
+        return f"it has more than {most[1]} {parts}" if most else "it is too long"
     if kind == "string_type":
         return "it is not a text"
     if kind == "tuple_type" and is_list:

@@ -10,8 +10,6 @@ from haptonic.results.table import NOTHING, Cell, Column, Ranged, Table, Uncerta
 
 HEAD = ("row", "quantity", "first", "second", "difference", "compared with the errors")
 WITHIN, BEYOND, UNKNOWN = "within the errors", "beyond the errors", "no errors are given"
-
-
 NUMBER = re.compile(r"-?\d[\d.,]*(?:e[-+]?\d+)?")
 
 

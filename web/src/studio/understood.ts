@@ -23,8 +23,9 @@ export const questionOf = computed(() => {
   const problem = refused.value;
   const names = (analysis.value?.options ?? []).map(({ name }) => name);
   if (problem === null) return "";
-  const about = problem.argument.split(/[.[]/)[0] ?? "";
-  return names.find((name) => name === about) ?? names.find((name) => problem.next_step.includes(`${name}=`)) ?? "";
+  const steps = problem.argument.split(/[.[]/); // "response.reference" is about the option "reference"
+  const named = names.find((name) => name === steps[0]) ?? names.find((name) => steps.includes(name));
+  return named ?? names.find((name) => problem.next_step.includes(`${name}=`)) ?? "";
 });
 
 /** Table of the study that the next step of a refusal names, such as "trials.sensor"; empty without one. */

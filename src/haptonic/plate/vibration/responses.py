@@ -107,7 +107,9 @@ def band_response(
     return {
         "response": response(points, regions, velocity[:, main], main, "finite plate"),
         "maps": response(at, names, mapped, marked, "finite plate, the frequencies of its maps"),
-        "at_maps": response(points, regions, velocity[:, marked], marked, "finite plate, those frequencies"),
+        "at_maps": response(
+            points, regions, velocity[:, marked], marked, "finite plate, points of the response"
+        ),
         "lines": lines,
         "modes": modes_dataset(plate, band, modes, shapes, points, regions),
         "body": body_dataset(band, vibration, at_resonance),

@@ -16,6 +16,7 @@ from haptonic.units import format_quantity
 from haptonic.views import InteractiveView
 
 if TYPE_CHECKING:
+    from haptonic.plate import Plate
     from haptonic.results.plate.value import PlateResult
 
 
@@ -43,7 +44,7 @@ def plate_view(result: PlateResult) -> InteractiveView:
         },
         attrs={
             **{name: result.lines.attrs[name] for name in ("haptonic_version", "origin")},
-            **_scales(result),
+            **scales_of(result.plate),
         },
     )
     if result.levels:
@@ -62,9 +63,9 @@ def _only(result: PlateResult) -> str:
     return f'at="{format_quantity(lines[0], "Hz", digits=None)}"' if len(lines) == 1 else ""
 
 
-def _scales(result: PlateResult) -> dict[str, float]:
+def scales_of(plate: Plate) -> dict[str, float]:
     """Pitch and speed of shear waves, unless lattices of the plate have different pitches."""
-    cells = list(result.plate.layout.cells.values())
+    cells = list(plate.layout.cells.values())
     return scales(cells[0]) if len({cell.lattice.pitch for cell in cells}) == 1 else {}
 
 

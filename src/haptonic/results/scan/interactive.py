@@ -16,6 +16,7 @@ from haptonic.plate.vibration.region_measures import contrasts
 from haptonic.response import FrequencyResponse, average_spectrum, frac, rms
 from haptonic.response.measures import along
 from haptonic.response.rasters import point_map
+from haptonic.results.plate.interactive import scales_of
 from haptonic.results.steps import step_colours, stepped
 from haptonic.results.verdict import MEASURED
 from haptonic.views import InteractiveView
@@ -58,7 +59,11 @@ def scan_view(result: ScanResult, most_numbers: int = 40_000_000) -> Interactive
             "x": ("x", x, {"units": "m", "long_name": "x"}),
             "y": ("y", y, {"units": "m", "long_name": "y"}),
         },
-        attrs={"origin": result.origin, "haptonic_version": version("haptonic")},
+        attrs={
+            "origin": result.origin,
+            "haptonic_version": version("haptonic"),
+            **({} if result.plate is None else scales_of(result.plate)),
+        },
     )
     data["level"] = along(_levels(moving), "region").assign_attrs(
         units=first.velocity().units, long_name="RMS velocity"

@@ -1,7 +1,7 @@
 /** What is painted and moved on the plate, before and after it is in the text of the study. */
 
 import { computed, effect, signal } from "@preact/signals";
-import { pathOf, changeAll, plate, values } from "../study";
+import { changeAll, loaded, pathOf, plate, values } from "../study";
 import type { Change, Part, PlateDrawing, Tables, Value } from "../server";
 import { ABSENT, changesTo, gridOf, mirrored, painted, type Grid, type Place } from "./grid";
 import { changesOf, type Placement } from "./place";
@@ -27,6 +27,11 @@ export const moved = signal<Record<string, Placement>>({}); // parts that are no
 export const clamp = signal<number | null>(null); // length that is not yet in the drawing, m
 const draft = signal<Grid | null>(null); // map that is not yet in the text
 const added = signal<{ letter: string; name: string }[]>([]);
+
+effect(() => {
+  void loaded.value; // tiles that were added belong to the study before
+  added.value = [];
+});
 
 export const table = computed<Tables | null>(() => {
   const entry = values.value["plate"];
