@@ -706,8 +706,8 @@ def turned_numbers(record: dict[str, Any]) -> str:
     return f"""## Numbers that are turned
 
 Sliders of the studio in headless Chromium with software rendering: time from a move to the frame that shows its preview, median and 95th
-percentile; times from the last move to the certified curves and to the certified gaps; time to prepare the preview. The diagram of the reference cell took
-{record["drags"]["reference_s"]:.1f} s on the machine at that time.
+percentile; times from the last move to the certified curves and to the certified gaps; time to prepare the preview. The diagram of the
+reference cell took {record["drags"]["reference_s"]:.1f} s on the machine at that time.
 
 {table(["number", "preview", "certified curves", "gaps", "prepared in"], rows)}
 

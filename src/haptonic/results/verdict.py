@@ -134,7 +134,7 @@ class Verdict(Result):
     def summary(self) -> list[str]:
         """Sentences on the explained share of the measurement, and on the certainty of fitted numbers."""
         agreements = [
-            f"{name}: the model leaves {in_percent(agreement.unexplained, form='.2g')} of the measured "
+            f"{name}: the model leaves {_share(agreement.unexplained)} of the measured "
             f"energy unexplained, median FRAC {np.nanmedian(agreement.frac):.4f}."
             for name, agreement in self.agreements.items()
         ]
@@ -223,6 +223,10 @@ class Verdict(Result):
             "recomputed_error": self.recomputed,
             "answers_in_small_model": fit.anchors,
         }
+
+
+def _share(unexplained: float) -> str:
+    return in_percent(unexplained, form=".2g" if unexplained < 0.1 else ".0f")
 
 
 def fit_table(fit: Fit) -> Table:

@@ -58,6 +58,9 @@ def guide_waves(response: FrequencyResponse, layout: Layout) -> tuple[xr.Dataset
     """``waves`` (guide, frequency, step) with their ``wavenumber``; and reasons for guides without waves."""
     waves, reasons = dict[str, xr.DataArray](), list[str]()
     for guide in guides_of(layout):
+        if guide.region not in response.regions:
+            reasons.append(f"no waves along {guide.region}: no point of the scan lies there")
+            continue
         try:
             waves[guide.region] = wavenumber_map(response, guide.region, guide.along)
         except HaptonicError as error:

@@ -158,7 +158,7 @@ class ScanResult(Result, products=PRODUCTS):
             )
         sentences += compared[1:]
         if not self.report.complete or self.report.remarks:
-            sentences.append(str(self.report))
+            sentences += [line.strip() for line in str(self.report).splitlines()]
         if self.registration is not None:
             sentences.append(self.registration.sentence)
         return sentences
