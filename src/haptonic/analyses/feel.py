@@ -9,12 +9,12 @@ from typing import Any
 from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import need_carrier
-from haptonic.analyses.options import FREQUENCY, option
+from haptonic.analyses.options import option
 from haptonic.analyses.plate_needs import checked_fineness, gap_of_plate, has_plate, response_settings
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.errors import StudyError
-from haptonic.fields import Quantity
+from haptonic.fields import FREQUENCY
 from haptonic.friction.lubrication.law import check_reduction
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.lubrication.settings import VOLTAGE
@@ -40,7 +40,7 @@ class FeelOptions:
     voltage: float | None = option(
         None,
         'Voltage of the first actuator, such as "200 V".',
-        quantity=Quantity("V", at_least=0.0),
+        quantity=VOLTAGE,
         metavar="VOLTAGE",
     )
     at: float | None = option(
@@ -128,14 +128,6 @@ def amplitude(plate: Plate, voltage: float | None) -> float:
     _, default = reference_of(plate)
     if voltage is None:
         return default
-    if not VOLTAGE.holds(voltage):
-        raise StudyError.out_of_range(
-            argument="voltage",
-            given=format_quantity(voltage, "V"),
-            allowed=VOLTAGE.allowed,
-            cause="it is zero or negative, or a slip in the unit",
-            next_step='give the amplitude, such as "200 V"',
-        )
     first = next(drive for drive in plate.drives if drive.amplitude)
     if not isinstance(first, Actuator):
         raise StudyError.conflict(

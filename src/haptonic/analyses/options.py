@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from haptonic.errors import StudyError
-from haptonic.fields import FASTEST, Quantity
+from haptonic.fields import Quantity
 from haptonic.units import format_quantity, to_si
 
 
@@ -75,7 +75,6 @@ def option(default: Any = MISSING, help: str = "", **more: Any) -> Any:
 
 COUNT = Quantity("", at_least=0)  # of a whole number
 DURATION = Quantity("s", above=0.0)
-FREQUENCY = Quantity("Hz", at_least=1.0, at_most=FASTEST)
 CONTENT = "Facts that the file may lack"  # topic of options that describe the content of a file
 POSITION = "Position of the plate"
 MODEL = "Comparison with a model"

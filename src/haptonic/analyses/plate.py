@@ -9,7 +9,7 @@ from typing import Any
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
-from haptonic.analyses.options import FREQUENCY, option
+from haptonic.analyses.options import option
 from haptonic.analyses.plate_needs import (
     checked_fineness,
     gaps_around,
@@ -21,6 +21,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.bloch import Gap
 from haptonic.bloch.gaps import common_gap
+from haptonic.fields import FREQUENCY
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.layout.sampling import check_grid, reference_of
 from haptonic.plate.vibration.responses import band_response, need_loss

@@ -15,10 +15,11 @@ from haptonic.fields import Quantity
 from haptonic.friction.simulation import Experiment
 from haptonic.results.cost import Cost
 from haptonic.results.simulated_trials import SimulatedFriction
+from haptonic.study.experiment_tables import MOST_PARTICIPANTS
 from haptonic.study.schema import Description
 
 FILM, STROKE = 3.0, 0.006  # s for load sharing; s per stroke that is simulated and written
-PEOPLE = Quantity("", at_least=1, at_most=500)  # as in [protocol]
+PEOPLE = Quantity("", at_least=1, at_most=MOST_PARTICIPANTS)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -247,25 +247,25 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
     StudyError : no gap contains the carrier
     """
     gap, widest = gap_at(gaps, carrier), widest_gap(gaps)
-    if gap is None:
-        if any(gap.complete and gap.lower < carrier < gap.upper for gap in gaps):
-            raise StudyError.no_answer(
-                argument="carrier",
-                given=format_quantity(carrier, "Hz"),
-                allowed="a frequency in a complete gap of the cell, by more than the errors of its edges",
-                cause="a complete gap contains it, but only within the errors of its edges",
-                next_step="compute the edges more exactly: a smaller [bands] accuracy, or a finer [mesh]",
-            )
+    if gap is not None:
+        return gap
+    if any(gap.complete and gap.lower < carrier < gap.upper for gap in gaps):
+        cause = "a complete gap contains it, but only within the errors of its edges"
+        next_step = "compute the edges more exactly: a smaller [bands] accuracy, or a finer [mesh]"
+    else:
         nearest = f"; the widest is {hz_text(widest.lower, widest.upper, form='.2f')}" if widest else ""
-        raise StudyError.no_answer(
-            argument="carrier",
-            given=format_quantity(carrier, "Hz"),
-            allowed="a frequency in a complete gap of the cell, by more than the errors of its edges",
-            cause=f"no complete gap of the cell contains the carrier{nearest}",
-            next_step="find a cell for this carrier with `haptonic design`, or look higher, with more bands "
-            "([bands] count)",
+        cause = f"no complete gap of the cell contains the carrier{nearest}"
+        next_step = (
+            "find a cell for this carrier with `haptonic design`, or look higher, with more bands "
+            "([bands] count)"
         )
-    return gap
+    raise StudyError.no_answer(
+        argument="carrier",
+        given=format_quantity(carrier, "Hz"),
+        allowed="a frequency in a complete gap of the cell, by more than the errors of its edges",
+        cause=cause,
+        next_step=next_step,
+    )
 
 
 def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:

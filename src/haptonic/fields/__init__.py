@@ -11,6 +11,7 @@ from haptonic.fields.placing import INLINE, TOP, Named, Placed, Synonyms
 from haptonic.fields.quantity import (
     CARRIER,
     FASTEST,
+    FREQUENCY,
     FROM_FILE,
     LARGEST,
     SMALLEST,
@@ -31,6 +32,7 @@ from haptonic.fields.unusual import caller, unusual_beside, unusual_values, warn
 __all__ = [
     "CARRIER",
     "FASTEST",
+    "FREQUENCY",
     "FROM_FILE",
     "INLINE",
     "LARGEST",

@@ -242,7 +242,8 @@ def _printable(name: str) -> str:
 
 
 Length = Annotated[float, Quantity("m", at_least=SMALLEST, at_most=LARGEST)]
-Frequency = Annotated[float, Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(1e3, FASTEST))]
+FREQUENCY = Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(1e3, FASTEST))
+Frequency = Annotated[float, FREQUENCY]
 CARRIER = Quantity("Hz", at_least=1.0, at_most=FASTEST, typical=(10e3, FASTEST))
 Name = Annotated[str, Field(max_length=40, strict=True), AfterValidator(_printable)]
 """Name of a part, a region or a person, chosen by the user."""

@@ -33,12 +33,7 @@ def compared(first: Job, second: Job, folder: Path) -> dict[str, Any]:
     units = {path: key.unit for path, key in table(Study).items()}
     names = [f"{job.number}. {job.order.analysis}" for job in (first, second)]
     keys = Table("changed keys of the study", ("key", *names), list(differing_inputs(before, after, units)))
-    ours, theirs = (job.order.options for job in (first, second))
-    changed = [
-        (name, *(str(options.get(name, "-")) for options in (ours, theirs)))
-        for name in dict.fromkeys([*ours, *theirs])
-        if ours.get(name) != theirs.get(name)
-    ]
+    changed = list(differing_inputs(first.order.options, second.order.options, {}))
     chosen = [Table("changed options", ("option", *names), changed)] if changed else []
     numbers = differences(*([table_of(each) for each in job.answer["tables"]] for job in (first, second)))  # type: ignore[index]
     return {

@@ -7,7 +7,7 @@ from starlette.responses import PlainTextResponse, Response
 
 def binary(content: bytes | None) -> Response:
     """Bytes for the program of the page; the reply for something missing without any."""
-    return missing() if content is None else Response(content, media_type="application/octet-stream")
+    return Response(content, media_type="application/octet-stream") if content else missing()
 
 
 def download(name: str, content: bytes) -> Response:

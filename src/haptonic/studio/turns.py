@@ -17,7 +17,7 @@ def turn_routes(jobs: Jobs) -> list[Route]:
 
     async def first(request: Request) -> Response:
         job = jobs.jobs.get(request.path_params["number"])
-        return binary(None if job is None else job.first[1] or None)
+        return binary(None if job is None else job.first[1])
 
     async def knobs(request: Request) -> Response:
         job = jobs.jobs.get(request.path_params["number"])

@@ -8,6 +8,8 @@ from pydantic import Field
 
 from haptonic.fields import Name, Quantity, described, problem, setting
 
+MOST_PARTICIPANTS = 500
+
 
 @described("protocol", kw_only=True)
 class ProtocolSettings:
@@ -19,7 +21,9 @@ class ProtocolSettings:
     trials: Annotated[int, Field(ge=2, le=98, strict=True)] = setting(
         30, "Strokes in a block; an even number."
     )
-    participants: Annotated[int, Field(ge=1, le=500, strict=True)] = setting(3, "Number of participants.")
+    participants: Annotated[int, Field(ge=1, le=MOST_PARTICIPANTS, strict=True)] = setting(
+        3, "Number of participants."
+    )
     order: Literal["published", "balanced"] = setting(
         "published", "Published order, with on before off, or a balanced one, drawn at random."
     )

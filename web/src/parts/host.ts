@@ -4,7 +4,7 @@ import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import type { Dataset } from "../dataset";
 
-/** Numbers of a design that is newer than that of the view; each is null while there are none. */
+/** Numbers of a design that is newer than that of the view; each part is null until it is computed. */
 export interface Turned {
   certified: Dataset | null; // curves, at first without gaps
   preview: Dataset | null;

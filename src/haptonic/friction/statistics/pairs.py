@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -62,6 +63,13 @@ class Pairs:
         return float(1 - on.mean() / off.mean())
 
 
+def check_waveguide(argument: str, name: str, guides: Sequence[str]) -> None:
+    """Raise FrictionError for a waveguide that is not among those of the trials."""
+    if name not in guides:
+        cause = "no trial was made there, or the name is misspelt"
+        raise FrictionError.unknown(argument, name, guides, cause)
+
+
 def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
     """Make the pairs of a table of trials, such as that of `haptonic.friction.signals.measured`.
 
@@ -81,9 +89,7 @@ def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
                 next_step="make it with signals.measured, or read it with signals.read_trials",
             )
     guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
-    if waveguide not in guides:
-        cause = "no trial was made there, or the name is misspelt"
-        raise FrictionError.unknown("waveguide", waveguide, guides, cause)
+    check_waveguide("waveguide", waveguide, guides)
     columns = {
         name: trials[name].values for name in ("participant", "block", "trial", "actuation", "friction")
     }

@@ -23,7 +23,7 @@ from haptonic.friction.statistics.effects import (
     stopped,
     stopped_here,
 )
-from haptonic.friction.statistics.pairs import Pairs, paired
+from haptonic.friction.statistics.pairs import Pairs, check_waveguide, paired
 from haptonic.later import xarray as xr
 
 SIDES = ("off", "on")
@@ -96,9 +96,8 @@ def summary(trials: xr.Dataset, driven: str | None = None) -> Summary:
     FrictionError : an unknown waveguide
     """
     guides = list(dict.fromkeys(str(name) for name in trials["waveguide"].values))
-    if driven is not None and driven not in guides:
-        cause = "no trial was made there, or the name is misspelt"
-        raise FrictionError.unknown("trials.driven", driven, guides, cause)
+    if driven is not None:
+        check_waveguide("trials.driven", driven, guides)
     omissions = []
     pairs: dict[str, Pairs] = {}
     for guide in guides:
