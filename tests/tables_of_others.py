@@ -17,6 +17,7 @@ import xarray as xr
 
 from haptonic.analyses.comparing import OfTable, of_dataset, of_table
 from haptonic.analyses.table_path import OurPath
+from haptonic.bloch.gap_datasets import dataset_of_gaps
 from haptonic.errors import HaptonicError
 from haptonic.results.comparison import Comparison
 
@@ -48,7 +49,6 @@ def at_position(position: np.ndarray) -> np.ndarray:
 def our_bands() -> xr.Dataset:
     """The bands as `haptonic bands` has them."""
     position = np.union1d(np.linspace(0, 3, 61), [1, 2])
-    gaps = ("gap_lower", "gap_upper", "gap_lower_error", "gap_upper_error", "gap_complete", "gap_below")
     attrs = {
         "path_corners": json.dumps([int(np.flatnonzero(position == k)[0]) for k in range(4)]),
         "path_labels": json.dumps(LABELS),
@@ -61,7 +61,7 @@ def our_bands() -> xr.Dataset:
         "distance": ("wavevector", np.interp(position, range(4), LENGTHS)),
         "frequency": (("wavevector", "band"), bands_at(at_position(position))),
     }
-    return xr.Dataset(data | {name: ("gap", np.zeros(0)) for name in gaps}, attrs=attrs)
+    return dataset_of_gaps(()).assign(data).assign_attrs(attrs)
 
 
 NAMES = {

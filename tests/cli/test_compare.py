@@ -20,6 +20,7 @@ from haptonic.analyses.comparing import PARTS, OfTable, of_dataset, of_file, of_
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.table_path import OurPath
 from haptonic.bloch import bloch_model
+from haptonic.bloch.gap_datasets import dataset_of_gaps
 from haptonic.channels.text_table import read_table
 from haptonic.errors import ChannelError, StudyError
 from haptonic.results.common import write_files
@@ -56,19 +57,8 @@ def ours(count: int = 31) -> xr.Dataset:
         "zone": json.dumps([("Γ", (0.0, 0.0)), ("X", (1.0, 0.0)), ("M", (1.0, 1.0))]),
         "point_group": json.dumps(SQUARE),
     }
-    nothing = {
-        name: ("gap", np.zeros(0))
-        for name in (
-            "gap_lower",
-            "gap_upper",
-            "gap_lower_error",
-            "gap_upper_error",
-            "gap_complete",
-            "gap_below",
-        )
-    }
     data = {"distance": ("wavevector", distance), "frequency": (("wavevector", "band"), dispersion(position))}
-    return xr.Dataset(data | nothing, attrs=attrs)
+    return dataset_of_gaps(()).assign(data).assign_attrs(attrs)
 
 
 def laid(path: Path, wavevector: str | None = None, unit: str | None = None) -> BandSet:

@@ -274,20 +274,13 @@ def _mesh_attribute(model: BlochModel) -> str:
 def _curves_dataset(path: Path, frequency: Array, error: Array) -> xr.Dataset:
     """Frequencies (wavevectors, bands) along a path and bounds of their errors, Hz."""
     of_modes = ("wavevector", "band")
-    dataset = xr.Dataset(
-        {
-            "distance": ("wavevector", path.distance),
-            "frequency": (of_modes, frequency),
-            "frequency_error": (of_modes, error),
-        },
-        coords={"band": np.arange(1, frequency.shape[1] + 1)},
-    )
-    describe(dataset, {
-        "distance": ("rad/m", "arc length of the wavevector along the edge of the irreducible zone"),
-        "frequency": ("Hz", "frequency"),
-        "frequency_error": ("Hz", "bound of the frequency's error"),
+    length = "arc length of the wavevector along the edge of the irreducible zone"
+    dataset = titled({
+        "distance": ("wavevector", path.distance, "rad/m", length),
+        "frequency": (of_modes, frequency, "Hz", "frequency"),
+        "frequency_error": (of_modes, error, "Hz", "bound of the frequency's error"),
     })  # fmt: skip
-    return dataset
+    return dataset.assign_coords(band=np.arange(1, frequency.shape[1] + 1))
 
 
 def _diagram_dataset(along: Diagram) -> xr.Dataset:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,64 +10,48 @@ from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.bloch.gaps import Gap
-from haptonic.gate import describe
+from haptonic.gate import describe, titled
 from haptonic.later import xarray as xr
 
+# type, unit and title of each variable of a gap, by its name without "gap_", an attribute of `Gap`
+VARIABLES: dict[str, tuple[Any, str, str]] = {
+    "lower": (float, "Hz", "lower edge"),
+    "upper": (float, "Hz", "upper edge"),
+    "lower_error": (float, "Hz", "bound of the lower edge's error"),
+    "upper_error": (float, "Hz", "bound of the upper edge's error"),
+    "below": (np.int64, "1", "number of the band below, from 1"),
+    "lower_kappa": (float, "rad", "phases at which the lower edge lies"),
+    "upper_kappa": (float, "rad", "phases at which the upper edge lies"),
+    "complete": (np.int8, "1", "1 if it covers the whole irreducible zone and all waves"),
+    "direction": (str, "1", "segment of the path of the gap, or all"),
+    "waves": (str, "1", "waves of the gap, by their symmetry about the plate's middle plane"),
+    "samples": (np.int64, "1", "number of sampled wavevectors"),
+}
+OF_EDGES = ("lower_kappa", "upper_kappa")  # pairs of numbers
 FURTHER = "further_"  # before the names of variables and dimensions of other lattices of a plate
 
 
 def dataset_of_gaps(gaps: tuple[Gap, ...]) -> xr.Dataset:
     """Gaps with dimension ``gap``; `gaps_of` reads them."""
-    plain: dict[str, tuple[Any, str, str]] = {
-        "gap_lower": ([g.lower for g in gaps], "Hz", "lower edge"),
-        "gap_upper": ([g.upper for g in gaps], "Hz", "upper edge"),
-        "gap_lower_error": ([g.lower_error for g in gaps], "Hz", "bound of the lower edge's error"),
-        "gap_upper_error": ([g.upper_error for g in gaps], "Hz", "bound of the upper edge's error"),
-    }
-    dataset = xr.Dataset(
-        {name: ("gap", np.array(values, dtype=float)) for name, (values, _, _) in plain.items()}
-        | {
-            "gap_below": ("gap", np.array([g.between[0] for g in gaps], dtype=np.int64)),
-            "gap_lower_kappa": (("gap", "axis"), np.array([g.lower_kappa for g in gaps]).reshape(-1, 2)),
-            "gap_upper_kappa": (("gap", "axis"), np.array([g.upper_kappa for g in gaps]).reshape(-1, 2)),
-            "gap_complete": ("gap", np.array([g.complete for g in gaps], dtype=np.int8)),
-            "gap_direction": ("gap", np.array([g.direction for g in gaps], dtype=object).astype("U")),
-            "gap_waves": ("gap", np.array([g.waves for g in gaps], dtype=object).astype("U")),
-            "gap_samples": ("gap", np.array([g.samples for g in gaps], dtype=np.int64)),
-        }
-    )
-    describe(dataset, {name: (unit, title) for name, (_, unit, title) in plain.items()} | {
-        "gap_below": ("1", "number of the band below, from 1"),
-        "gap_lower_kappa": ("rad", "phases at which the lower edge lies"),
-        "gap_upper_kappa": ("rad", "phases at which the upper edge lies"),
-        "gap_complete": ("1", "1 if it covers the whole irreducible zone and all waves"),
-        "gap_direction": ("1", "segment of the path of the gap, or all"),
-        "gap_waves": ("1", "waves of the gap, by their symmetry about the plate's middle plane"),
-        "gap_samples": ("1", "number of sampled wavevectors"),
-    })  # fmt: skip
-    return dataset
+    variables: dict[str, tuple[Sequence[str], Any, str, str]] = {}
+    for name, (kind, unit, title) in VARIABLES.items():
+        values = np.array([getattr(gap, name) for gap in gaps], dtype=kind)
+        if name in OF_EDGES:
+            variables[f"gap_{name}"] = ("gap", "axis"), values.reshape(-1, 2), unit, title
+        else:
+            variables[f"gap_{name}"] = "gap", values, unit, title
+    return titled(variables)
 
 
 def gaps_of(dataset: xr.Dataset) -> tuple[Gap, ...]:
     """Read the gaps of a dataset, complete gaps first."""
+    columns = (dataset[f"gap_{name}"].values.tolist() for name in VARIABLES)
     gaps = []
-    for number in range(dataset.sizes["gap"]):
-        row = dataset.isel(gap=number)
-        gaps.append(
-            Gap(
-                between=(int(row["gap_below"]), int(row["gap_below"]) + 1),
-                lower=float(row["gap_lower"]),
-                upper=float(row["gap_upper"]),
-                lower_error=float(row["gap_lower_error"]),
-                upper_error=float(row["gap_upper_error"]),
-                lower_kappa=(float(row["gap_lower_kappa"][0]), float(row["gap_lower_kappa"][1])),
-                upper_kappa=(float(row["gap_upper_kappa"][0]), float(row["gap_upper_kappa"][1])),
-                complete=bool(row["gap_complete"]),
-                direction=str(row["gap_direction"].item()),
-                samples=int(row["gap_samples"]),
-                waves=row["gap_waves"].item(),
-            )
-        )
+    for values in zip(*columns, strict=True):
+        row = dict(zip(VARIABLES, values, strict=True))
+        row |= {"complete": bool(row["complete"]), **{name: tuple(row[name]) for name in OF_EDGES}}
+        below = row.pop("below")
+        gaps.append(Gap(between=(below, below + 1), **row))
     return tuple(gaps)
 
 

@@ -47,6 +47,11 @@ class Gap:
     waves: Waves = "all"
 
     @property
+    def below(self) -> int:
+        """Number of the band below."""
+        return self.between[0]
+
+    @property
     def edges(self) -> tuple[float, float]:
         """Lower and upper edge, Hz."""
         return self.lower, self.upper

@@ -18,7 +18,7 @@ from haptonic.bloch.row_fields import RowFields, WaveField
 from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import UnitCell
 from haptonic.errors import StudyError
-from haptonic.gate import WORD
+from haptonic.gate import WORD, declared, titled
 from haptonic.later import xarray as xr
 from haptonic.parallel import each, one_thread
 from haptonic.units import format_quantity
@@ -27,6 +27,7 @@ PHASES = np.linspace(0.0, np.pi, 5)  # along the rows, for the decay
 SHOWN_WAVES = 8  # of each frequency in the complex band structure: the least attenuated ones
 MOST_ROWS = 60  # computed for a given insulation
 GOALS = (20.0, 40.0, 60.0)  # dB
+SILENT = "the incident wave does not propagate"
 LEAST_SHARE = 1e-30  # of the energy; smaller shares are rounding errors
 
 
@@ -83,34 +84,22 @@ def mirror_dataset(
     kappa, attenuation, energy = (np.array(column) for column in numbers)
     shares = np.moveaxis(energy, 1, 0)
     by_rows = ("frequency", "rows", "incident", "outgoing")
-    dataset = xr.Dataset(
-        {
-            "kappa_real": (("frequency", "wave"), kappa.real, _title("rad", "phase per row, real part")),
-            "kappa_imag": (("frequency", "wave"), kappa.imag, _title("rad", "phase per row, imaginary part")),
-            "attenuation": (
-                ("frequency", "phase"), attenuation,
-                _title("dB", "decay per row of the least attenuated wave"),
-            ),
-            "reflected": (by_rows, shares[0], _of_incident()),
-            "transmitted": (by_rows, shares[1], _of_incident()),
-        },
-        coords={
-            "frequency": ("frequency", frequency, _title("Hz", "frequency")),
-            "phase": ("phase", PHASES, _title("rad", "phase along the rows")),
-            "rows": np.arange(1, incidence.layers + 1),
-            "incident": list(FAMILIES),
-            "outgoing": list(OUTGOING),
-        },
-    )  # fmt: skip
+    dataset = titled({
+        "kappa_real": (("frequency", "wave"), kappa.real, "rad", "phase per row, real part"),
+        "kappa_imag": (("frequency", "wave"), kappa.imag, "rad", "phase per row, imaginary part"),
+        "attenuation": (
+            ("frequency", "phase"), attenuation, "dB", "decay per row of the least attenuated wave",
+        ),
+        "reflected": (by_rows, shares[0], "1", "share of the incident energy"),
+        "transmitted": (by_rows, shares[1], "1", "share of the incident energy"),
+        "frequency": ("frequency", frequency, "Hz", "frequency"),
+        "phase": ("phase", PHASES, "rad", "phase along the rows"),
+    })  # fmt: skip
+    dataset = dataset.assign_coords(
+        rows=np.arange(1, incidence.layers + 1), incident=list(FAMILIES), outgoing=list(OUTGOING)
+    )
+    declared(dataset, reflected=SILENT, transmitted=SILENT)
     return dataset if row_fields is None else dataset.merge(row_fields.dataset(wave_fields))
-
-
-def _of_incident() -> dict[str, str]:
-    return _title("1", "share of the incident energy") | {WORD: "the incident wave does not propagate"}
-
-
-def _title(unit: str, title: str) -> dict[str, str]:
-    return {"units": unit, "long_name": title}
 
 
 def scattering_at(
@@ -183,12 +172,12 @@ def at_carrier(rows: CondensedRows, carrier: float, incidence: Incidence) -> dic
 def carrier_dataset(scatterings: Mapping[str, Scattering]) -> xr.Dataset:
     """Dataset of energies at the carrier for 1, 2, ... many rows; NaN for families that do not propagate."""
     shape = len(FAMILIES), MOST_ROWS, len(OUTGOING)
-    arrays, silent = {}, {WORD: "the incident wave does not propagate"}
+    arrays = {}
     for name in ("transmitted", "reflected"):
         values = np.full(shape, np.nan)
         for family, scattering in scatterings.items():
             values[FAMILIES.index(family)] = getattr(scattering, name)[:, 0]
-        arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", **silent}
+        arrays[f"carrier_{name}"] = ("incident", "many", "outgoing"), values, {"units": "1", WORD: SILENT}
     coords = {"many": np.arange(1, MOST_ROWS + 1), "incident": list(FAMILIES), "outgoing": list(OUTGOING)}
     return xr.Dataset(arrays, coords=coords)
 

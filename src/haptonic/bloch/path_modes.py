@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.tracking import Diagram
 from haptonic.bloch.zone import ZoneModes
 from haptonic.cell.skin import drawing_cells, outer_faces, outline_edges
+from haptonic.gate import titled
 from haptonic.later import xarray as xr
 
 # Smallest singular values that are kept, relative to the largest: of the unknowns, which only saves time, and
@@ -43,36 +45,23 @@ def path_modes(model: BlochModel, along: Diagram, zone: ZoneModes | None = None)
     of_path, of_zone = np.split(amplitudes.T.astype(np.complex64), [along.fields.shape[1]])
     by_mode = of_path.reshape(*along.frequency.shape, -1)
     of_modes = ("wavevector", "band", "shape")
-    dataset = xr.Dataset(
-        {
-            "skin_position": (("skin_node", "xyz"), position),
-            "skin_face": (("face", "skin_corner"), faces),
-            "skin_edge": (("edge", "skin_end"), outline_edges(position, faces)),
-            "path_shape": (("shape", "skin_node", "xyz"), shapes.astype(np.float32)),
-            "path_mode_real": (of_modes, by_mode.real),
-            "path_mode_imag": (of_modes, by_mode.imag),
-        }
-    )
+    of_shapes, shapes = ("shape", "skin_node", "xyz"), shapes.astype(np.float32)
+    edges, earlier = outline_edges(position, faces), "a quarter period earlier"
+    variables: dict[str, tuple[Sequence[str], Any, str, str]] = {
+        "skin_position": (
+            of_shapes[1:], position, "m", "position of the nodes on the surface of the cell",
+        ),
+        "skin_face": (("face", "skin_corner"), faces, "1", "four corners of each face of the surface"),
+        "skin_edge": (("edge", "skin_end"), edges, "1", "two ends of each edge of the body"),
+        "path_shape": (of_shapes, shapes, "1", "displacement of a shape, largest component 1"),
+        "path_mode_real": (of_modes, by_mode.real, "1", "share of a shape in the displacement in phase"),
+        "path_mode_imag": (of_modes, by_mode.imag, "1", f"share of a shape in the displacement {earlier}"),
+    }  # fmt: skip
     if zone is not None:
-        by_mode = of_zone.reshape(*zone.character.shape, -1)
-        of_modes = ("zone_point", *of_modes[1:])
-        dataset["zone_mode_real"], dataset["zone_mode_imag"] = (
-            (of_modes, by_mode.real),
-            (of_modes, by_mode.imag),
-        )
-    for name, (unit, title) in {
-        "skin_position": ("m", "position of the nodes on the surface of the cell"),
-        "skin_face": ("1", "four corners of each face of the surface"),
-        "skin_edge": ("1", "two ends of each edge of the body"),
-        "path_shape": ("1", "displacement of a shape, largest component 1"),
-        "path_mode_real": ("1", "share of a shape in the displacement in phase"),
-        "path_mode_imag": ("1", "share of a shape in the displacement a quarter period earlier"),
-        "zone_mode_real": ("1", "the same over the zone, in phase"),
-        "zone_mode_imag": ("1", "the same over the zone, a quarter period earlier"),
-    }.items():
-        if name in dataset:
-            dataset[name].attrs = {"units": unit, "long_name": title}
-    return dataset
+        by_mode, of_modes = of_zone.reshape(*zone.character.shape, -1), ("zone_point", *of_modes[1:])
+        variables["zone_mode_real"] = of_modes, by_mode.real, "1", "the same over the zone, in phase"
+        variables["zone_mode_imag"] = of_modes, by_mode.imag, "1", f"the same over the zone, {earlier}"
+    return titled(variables)
 
 
 def _separated(lifted: Callable[[Array], Array], fields: Complex) -> tuple[Array, Complex]:

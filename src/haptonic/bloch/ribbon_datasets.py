@@ -10,7 +10,7 @@ from haptonic.arrays import Array
 from haptonic.bloch.face_grid import FlatFace, strongest
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
 from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
-from haptonic.gate import declared, describe
+from haptonic.gate import declared, describe, titled
 from haptonic.later import xarray as xr
 
 NO_DECAY = "a strip, a mode within a bulk band, or fewer than two rows to compare"
@@ -95,17 +95,11 @@ def ribbon_dataset(
 def bulk_dataset(kappa: Array, bulk: Array, names: Sequence[Sequence[str]]) -> xr.Dataset:
     """Dataset of bulk band edges at phases along a ribbon, and of the names of its cells for each line."""
     edges = ("crystal", "wavevector", "bulk_band")
-    dataset = xr.Dataset(
-        {
-            "wavevector_phase": (
-                "wavevector",
-                kappa,
-                {"units": "rad", "long_name": "phases along the ribbon"},
-            ),
-            "bulk_lower": (edges, bulk[..., 0], {"units": "Hz", "long_name": "lower edge of a bulk band"}),
-            "bulk_upper": (edges, bulk[..., 1], {"units": "Hz", "long_name": "upper edge of a bulk band"}),
-        }
-    )
+    dataset = titled({
+        "wavevector_phase": ("wavevector", kappa, "rad", "phases along the ribbon"),
+        "bulk_lower": (edges, bulk[..., 0], "Hz", "lower edge of a bulk band"),
+        "bulk_upper": (edges, bulk[..., 1], "Hz", "upper edge of a bulk band"),
+    })  # fmt: skip
     return dataset.assign_coords(cell_name=(("line", "column"), np.array(names)))
 
 
@@ -118,19 +112,15 @@ def field_dataset(
     face = FlatFace.of(model.fine.tiling, model.ribbon.turn)
     fields, components = strongest(face.motion(modes.fields[:, [number]]))
     field = fields[:, 0]
-    dataset = xr.Dataset(
-        {
-            "field_position": (("node", "axis"), face.position),
-            "field_triangle": (("triangle", "vertex"), face.triangles),
-            "field_real": ("node", field.real),
-            "field_imag": ("node", field.imag),
-            "field_frequency": ((), float(chosen["frequency"])),
-            "field_phase": ((), float(chosen["phase"])),
-            "field_component": ((), int(components[0])),
-        }
+    variables = {
+        "field_position": (("node", "axis"), face.position, "m"),
+        "field_triangle": (("triangle", "vertex"), face.triangles, "1"),
+        "field_real": ("node", field.real, "1"),
+        "field_imag": ("node", field.imag, "1"),
+        "field_frequency": ((), float(chosen["frequency"]), "Hz"),
+        "field_phase": ((), float(chosen["phase"]), "rad"),
+        "field_component": ((), int(components[0]), "1"),
+    }
+    return xr.Dataset(
+        {name: (dims, values, {"units": unit}) for name, (dims, values, unit) in variables.items()}
     )
-    for name, unit in (("field_position", "m"), ("field_frequency", "Hz"), ("field_phase", "rad")):
-        dataset[name].attrs["units"] = unit
-    for name in ("field_triangle", "field_real", "field_imag", "field_component"):
-        dataset[name].attrs["units"] = "1"
-    return dataset

@@ -8,6 +8,7 @@ import numpy as np
 
 from haptonic.bloch.face_grid import FaceGrid, FlatFace, strongest
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
+from haptonic.gate import titled
 from haptonic.later import xarray as xr
 
 
@@ -28,20 +29,12 @@ def fields_dataset(model: RibbonModel, modes_by_phase: Sequence[RibbonModes]) ->
         components.append(component)
     field = np.concatenate(fields).astype(np.complex64)
     of_grid = ("mode", "across", "along")
-    return xr.Dataset(
-        {
-            "mode_real": (of_grid, field.real, _titled("1", "displacement in phase, largest 1")),
-            "mode_imag": (of_grid, field.imag, _titled("1", "displacement a quarter period earlier")),
-            "mode_component": ("mode", np.concatenate(components).astype(np.int8),
-                               _titled("1", "component: 0 across the ribbon, 1 along it, 2 normal")),
-            "present": (of_grid[1:], grid.present, _titled("1", "1 where the ribbon is")),
-        },
-        coords={
-            "across": ("across", grid.across, _titled("m", "position across the ribbon")),
-            "along": ("along", grid.along, _titled("m", "position along the ribbon")),
-        },
-    )  # fmt: skip
-
-
-def _titled(unit: str, title: str) -> dict[str, str]:
-    return {"units": unit, "long_name": title}
+    return titled({
+        "mode_real": (of_grid, field.real, "1", "displacement in phase, largest 1"),
+        "mode_imag": (of_grid, field.imag, "1", "displacement a quarter period earlier"),
+        "mode_component": ("mode", np.concatenate(components).astype(np.int8), "1",
+                           "component: 0 across the ribbon, 1 along it, 2 normal"),
+        "present": (of_grid[1:], grid.present, "1", "1 where the ribbon is"),
+        "across": ("across", grid.across, "m", "position across the ribbon"),
+        "along": ("along", grid.along, "m", "position along the ribbon"),
+    })  # fmt: skip
