@@ -83,11 +83,9 @@ class Solver(Protocol):
 
         Raises ``numpy.linalg.LinAlgError`` if the matrix is singular, or not definite when it should be.
         """
-        ...
 
     def solve(self, right: Array) -> Array:
         """(n, m) solutions for (n, m) right-hand sides with the latest factorisation."""
-        ...
 
 
 class PardisoSolver:

@@ -40,10 +40,8 @@ def starting_level(accuracy: float) -> int:
 def expected_level(cell: UnitCell, accuracy: float) -> int:
     """Number of the mesh level that is first computed for a cell and an accuracy (relative).
 
-    For pillars that nearly touch on a thin plate, error estimates are 1.3 to 1.8 times those of other cells.
-    Those of plain plates are about 1 % at order 3, and 0.1 % at order 4. Those of 22 drawn cells with discs
-    in the plate, such as blind holes and coated inclusions, were 0.3 to 1.9 % and 0.03 to 0.4 %; those of
-    pillars and caps made of discs are like those of other pillars.
+    Error estimates are larger for pillars that nearly touch on a thin plate, for plain plates at order 3, and
+    for discs in the plate, such as blind holes and coated inclusions.
     """
     is_within = any(disc.ends(cell.thickness)[0] < cell.thickness for disc in cell.discs.values())
     if not cell.has_features or (is_within and accuracy < WITHIN):
@@ -114,8 +112,10 @@ class Lack:
         return attributes | ({"budget_needed_s": self.budget(cell)} if self.of == "time" else {})
 
     def budget(self, cell: UnitCell) -> float:
-        """Rounded budget that is sufficient for the mesh, s."""
-        return _rounded_budget(self.spent + self.mesh.seconds(cell))
+        """Smallest sufficient budget in whole minutes, or hours of two digits, s."""
+        seconds = self.spent + self.mesh.seconds(cell)
+        unit = 3600.0 if seconds > 6000 else 60.0 if seconds > 60 else 1.0
+        return rounded_up(seconds * (1 + 1e-9) / unit) * unit
 
 
 def first_level(cell: UnitCell, count: int, accuracy: float, limits: MeshLimits) -> int:
@@ -297,10 +297,3 @@ def rounded_up(value: float, digits: int = 2) -> float:
     """Smallest number with so many digits that is not below ``value``."""
     unit = 10.0 ** (math.floor(math.log10(value)) - digits + 1)
     return float(f"{math.ceil(value / unit) * unit:.{digits}g}")
-
-
-def _rounded_budget(seconds: float) -> float:
-    """Smallest sufficient budget in whole minutes, or hours of two digits, s."""
-    unit = 60.0 if seconds > 60 else 1.0
-    unit = 3600.0 if seconds > 6000 else unit
-    return rounded_up(seconds * (1 + 1e-9) / unit) * unit

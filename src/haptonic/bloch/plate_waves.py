@@ -134,9 +134,9 @@ class PlainPlate:
     ) -> tuple[PlateWaves, PlateWaves]:
         """Waves to the right and to the left with one tangential wavenumber."""
         k, profiles = self._solutions(omega, np.array([1.0, 0.0]), np.array([0.0, k_t]))
-        force = -length * self._stress(
-            k, k_t, profiles
-        )  # of the part left of a plane on the part right of it
+        # resultants of the stress on planes across the normal, of the part left of it on the part right
+        in_plane = (self.gradient[0, 0] @ profiles) * k + self.gradient[0, 1] @ profiles * k_t
+        force = -length * (1j * in_plane + self.crossed[0] @ profiles)
 
         def named(waves: Waves) -> PlateWaves:
             k_n = waves.exponent / (1j * self.thickness)
@@ -161,11 +161,6 @@ class PlainPlate:
         companion[q:] = -la.solve(quadratic, np.hstack([h**2 * constant, h * linear]), assume_a="pos")
         scaled, fields = la.eig(companion, check_finite=False)
         return scaled / h, fields[:q]
-
-    def _stress(self, k: Complex, k_t: float, profiles: Complex) -> Complex:
-        """(q, w) resultants, N/m, of the stress on planes across the normal."""
-        in_plane = (self.gradient[0, 0] @ profiles) * k + self.gradient[0, 1] @ profiles * k_t
-        return np.asarray(1j * in_plane + self.crossed[0] @ profiles)
 
     def _labels(self, wavevectors: Complex, profiles: Complex, propagates: Bools) -> tuple[str, ...]:
         """Families by symmetry about the mid-plane and polarisation; each is the slowest of its kind."""

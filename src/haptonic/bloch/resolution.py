@@ -49,9 +49,8 @@ class Resolution:
     def for_bands(self, cell: Period, count: int) -> Resolution:
         """Adapt the resolution to a number of bands: finer mesh for their waves, and larger interior.
 
-        More blocks are better than wider ones: for sixty bands of a pillar 2 blocks of 90 had an error of 10
-        %, 3 of 60 1 %, 5 of 40 0.1 %. Each tile needs its share of the bands only: for 24 bands of a Lieb
-        lattice, 6 per tile, blocks for 10 had a truncation error of 1.2e-4, a thirtieth of the mesh error.
+        More blocks are better than wider ones: for sixty bands of a pillar the error was 10 % with 2 blocks
+        of 90, and 0.1 % with 5 of 40. Each tile needs its share of the bands only.
         """
         if count <= self.bands:
             return self
@@ -63,10 +62,8 @@ class Resolution:
     def grown(self, times: int = 1) -> Resolution:
         """Enlarge the interior: each time wider blocks, and one more block if they would be too wide.
 
-        Around wide holes and below caps, where the first interior omits most, wider blocks are better: around
-        a hole the truncation error fell from 1.8e-2 to 4.9e-4 with 2 blocks of 33, and to 6.8e-4 with 4 of 22
-        and a larger pencil. In other cells further blocks are better, but the first wider ones were enough
-        for an accuracy of 2e-3: 4.6e-4 instead of 2.3e-3 for pillars on a triangular lattice.
+        Around wide holes and below caps, where the first interior omits most, wider blocks are better. In
+        other cells further blocks are better, but the first wider ones are enough for an accuracy of 2e-3.
         """
         steps, block = self.steps, self.block
         for _ in range(times):
@@ -141,11 +138,9 @@ class Resolution:
         """Estimate of the processor time of a model, s.
 
         Static responses to the trace and the interior's blocks take most of it: their number times the number
-        of nodes. Six cells with pillars on both faces, and twice as many symmetry classes, took 1.4 to 1.7
-        times as long. Matrices of the elements take a time for each unknown and neighbour. With many bands
-        the condensed pencil dominates, whose modes at two dozen wavevectors form the small basis: a time for
-        the cube of its size. Models of 38 drawn designs, of 1 to 100 s, took 0.75 to 1.25 of the estimate;
-        the matrices of the elements have since become three times as fast.
+        of nodes. Matrices of the elements take a time for each unknown and neighbour. With many bands the
+        condensed pencil dominates, whose modes at two dozen wavevectors form the small basis: a time for the
+        cube of its size. Models of 38 drawn designs, of 1 to 100 s, took 0.75 to 1.25 of the estimate.
         """
         if isinstance(cell, UnitCell) and cell.solid is not None:
             if cell.solid.is_mesh:

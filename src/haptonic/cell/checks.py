@@ -119,10 +119,6 @@ def _check_sites(cell: UnitCell) -> None:
     check_tiles(tiles, len(cell.site), cell.lattice.pitch, LEAST_CLEARANCE * cell.lattice.pitch)
 
 
-def _text(length: float) -> str:
-    return format_quantity(length, "m")
-
-
 def _too_wide(feature: Feature, room: float) -> Exception:
     """Error for a pillar, a fillet or a disc that is wider than the available half-width, m."""
     table = feature.table
@@ -130,7 +126,7 @@ def _too_wide(feature: Feature, room: float) -> Exception:
     if room <= 0:
         return problem(
             "out-of-range",
-            _text(feature.diameter),
+            format_quantity(feature.diameter, "m"),
             f"no {feature.noun}, {free}",
             "the lattice's translations are nearly parallel, so that its rows nearly meet",
             "turn one of the translations away from the other",
@@ -141,8 +137,8 @@ def _too_wide(feature: Feature, room: float) -> Exception:
         most = arc.radius * (room - feature.radius) / (arc.centre[0] - feature.radius)
         return problem(
             "out-of-range",
-            _text(arc.radius),
-            f"less than {_text(most)}, {free}",
+            format_quantity(arc.radius, "m"),
+            f"less than {format_quantity(most, 'm')}, {free}",
             "the fillet reaches beyond the cell",
             "choose a smaller radius, a thinner pillar or a larger pitch",
             at=f"{table}.fillet",
@@ -151,8 +147,9 @@ def _too_wide(feature: Feature, room: float) -> Exception:
     beyond = per_half * (feature.broadest - feature.radius)
     return problem(
         "out-of-range",
-        _text(feature.diameter) + (f", and {_text(beyond)} more where it is widest" if beyond else ""),
-        f"less than {_text(per_half * room - beyond)}, {free}",
+        format_quantity(feature.diameter, "m")
+        + (f", and {format_quantity(beyond, 'm')} more where it is widest" if beyond else ""),
+        f"less than {format_quantity(per_half * room - beyond, 'm')}, {free}",
         f"the {feature.noun} is wider than the cell",
         f"choose a thinner {feature.noun} or a larger pitch",
         at=f"{table}.diameter",

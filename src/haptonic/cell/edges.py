@@ -84,14 +84,10 @@ def bridges(cell: TileShape, rings: int) -> tuple[int, int, int, int]:
     """
     if cell.pillar is None or cell.pillar.fillet or not rings:
         return 0, 0, 0, 0
-    return _needed(cell, cell.pillar, rings)
-
-
-def _needed(cell: TileShape, pillar: Pillar, rings: int) -> tuple[int, int, int, int]:
     near = foot_reach(cell, rings)[0]
-    _, high, radius = pillar.stages[0]
+    _, high, radius = cell.pillar.stages[0]
     above = min(2 * FOOT_LAYER * radius, high)
-    far = ((1 - within_foot(pillar)) * radius, beside_foot(cell), above, cell.depth)
+    far = ((1 - within_foot(cell.pillar)) * radius, beside_foot(cell), above, cell.depth)
     inside, outside, up, down = (_between(reach / near) for reach in far)
     return inside, outside, up, down
 

@@ -145,7 +145,7 @@ class Pillar(Sectioned):
             # aluminium were up to six times the estimate.
             raise problem(
                 "conflict",
-                f"a fillet of {_text(self.fillet)} on a pillar of {self.material.name}",
+                f"a fillet of {format_quantity(self.fillet, 'm')} on a pillar of {self.material.name}",
                 "a fillet on a pillar of the plate's material, or a pillar of another one without",
                 "a fillet is cut from the block that both are milled from",
                 "leave out the fillet, or the pillar's material",
@@ -165,10 +165,11 @@ class Pillar(Sectioned):
         if self.step is not None:
             below = 2 * self.half_width(self.step.height, 0) / self._least
             if not self.step.diameter < (1 - LEAST_SHARE) * below:
+                most, wide = (format_quantity(width, "m") for width in ((1 - LEAST_SHARE) * below, below))
                 raise problem(
                     "out-of-range",
-                    _text(self.step.diameter),
-                    f"less than {_text((1 - LEAST_SHARE) * below)}: the part below it is {_text(below)} wide",
+                    format_quantity(self.step.diameter, "m"),
+                    f"less than {most}: the part below it is {wide} wide",
                     "the pillar would be no narrower above the step, which a tool from above cannot cut",
                     "choose a thinner upper part, or leave the step out",
                     at="step.diameter",
@@ -178,8 +179,8 @@ class Pillar(Sectioned):
             if ends > room:
                 raise problem(
                     "out-of-range",
-                    _text(self.fillet),
-                    f"at most {_text(room * self.fillet / ends)}",
+                    format_quantity(self.fillet, "m"),
+                    f"at most {format_quantity(room * self.fillet / ends, 'm')}",
                     "the arc would reach the end of the pillar's lower part",
                     "choose a smaller radius",
                     at="fillet",
@@ -190,8 +191,8 @@ class Pillar(Sectioned):
         if not step.height < self.height:
             raise problem(
                 "out-of-range",
-                _text(step.height),
-                f"less than the pillar's height, {_text(self.height)}",
+                format_quantity(step.height, "m"),
+                f"less than the pillar's height, {format_quantity(self.height, 'm')}",
                 "the step lies above the pillar's top",
                 "lower the step, or leave it out",
                 at="step.height",
@@ -199,8 +200,8 @@ class Pillar(Sectioned):
         if step.diameter < LEAST_SHARE * self.diameter:
             raise problem(
                 "out-of-range",
-                _text(step.diameter),
-                f"at least {_text(LEAST_SHARE * self.diameter)}",
+                format_quantity(step.diameter, "m"),
+                f"at least {format_quantity(LEAST_SHARE * self.diameter, 'm')}",
                 "almost nothing of the pillar would be left above the step",
                 "choose a thicker upper part",
                 at="step.diameter",
@@ -345,7 +346,3 @@ class Pillar(Sectioned):
         if self.step is not None:
             slopes.append((self.radius - self.stages[1][2] / (1 - LEAST_SHARE)) / self.step.height)
         return min(slopes)
-
-
-def _text(length: float) -> str:
-    return format_quantity(length, "m")

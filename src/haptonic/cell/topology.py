@@ -157,7 +157,7 @@ def topology_of(plan: MeshPlan, *, mirrored: bool = False, free: bool = False) -
     """Topology of a plan, which for a mirrored mesh is that of the upper half; one object for each plan."""
     p, inner, around = plan.order, plan.core_size, plan.around
     tree = scipy.spatial.cKDTree(np.concatenate([_core_points(plan), _rim_points(plan.sides, plan.side)]))
-    core = np.stack([_numbers(tree, patch) for patch in _patches(plan)])
+    core = np.stack([np.asarray(tree.query(patch)[1], dtype=np.int64) for patch in _patches(plan)])
     # quadrilaterals seen from above: (n1, n2) node numbers of each, and its ring
     step, blocks = np.arange(p + 1), range((core.shape[1] - 1) // p)
     pieces = [(patch, a * p + step, b * p + step) for patch in core for a in blocks for b in blocks]
@@ -265,7 +265,3 @@ def _core_points(plan: MeshPlan) -> Array:
     points = points[away > SAME]
     _, first = np.unique(np.round(points / SAME), axis=0, return_index=True)
     return np.asarray(points[np.sort(first)])
-
-
-def _numbers(tree: scipy.spatial.cKDTree, places: Array) -> Ints:
-    return np.asarray(tree.query(places)[1], dtype=np.int64)

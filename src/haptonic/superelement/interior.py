@@ -41,7 +41,6 @@ class Factorised(Protocol):
 
     def solve(self, right: Array) -> Array:
         """(n, m) static responses to forces (n, m)."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -184,7 +183,10 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
     """
     static = body.static(solver)
     mass, stiffness = body.mass_with(static), body.stiffness_with(static)
-    soft, dual = _softest(stiffness, mass, SOFT_TRACES + steps * block)
+    # softest motions W of the boundary, orthonormal in its mass M: a motion b is W (M W)^T b for all of them
+    few = min(SOFT_TRACES + steps * block, len(mass))
+    _, soft = la.eigh(stiffness, mass, subset_by_index=(0, few - 1))
+    dual = mass @ soft
     force = body.inertia(static @ soft)
     if body.mass_coupling is not None:
         force += body.mass_coupling @ soft
@@ -232,15 +234,6 @@ def with_all_modes(stiffness: Array, mass: Array, outer: Ints) -> CraigBampton:
         to_modes=heavy.T @ modes,
         truncation=np.zeros_like(mass),
     )
-
-
-def _softest(stiffness: Array, mass: Array, count: int) -> tuple[Array, Array]:
-    """(b, s) the ``count`` softest motions of a boundary with static response inside, and their dual.
-
-    With M-orthonormal motions W, every motion b is ``W (M W)^T b``; the first columns are returned.
-    """
-    _, soft = la.eigh(stiffness, mass, subset_by_index=(0, min(count, len(mass)) - 1))
-    return soft, mass @ soft
 
 
 def consistent_modes(

@@ -57,7 +57,6 @@ class Lifting(Protocol):
     @property
     def surplus(self) -> Array:
         """(3, b + m, b + m) N/m; see `haptonic.superelement.surplus`."""
-        ...
 
     def lifted(self, trace: Fields, amplitudes: Fields) -> Fields: ...
 

@@ -50,7 +50,6 @@ class Region(Protocol):
 
     def holds(self, points: Array) -> Bools:
         """(point,) True for points, of (point, 2), inside the region."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)

@@ -30,7 +30,6 @@ class Source(Protocol):
         Two arrays (point, repeat, sample) in SI units, or integers as stored; the first has one point if all
         points share the reference.
         """
-        ...
 
 
 @dataclass(frozen=True, eq=False)

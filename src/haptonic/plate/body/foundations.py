@@ -47,8 +47,11 @@ def supported(skeleton: Skeleton, supports: Sequence[Support]) -> tuple[Ints, li
         for edge, span in _spans(skeleton, support):
             if support.hold == "spring" or span != (0.0, 1.0):
                 springs.append((edge, span))
+            elif support.hold == "simple":
+                normal = 0 if edge.side in ("left", "right") else 1
+                at_rest.append(edge.unknowns[skeleton.orders.components != normal])
             else:
-                at_rest.append(_at_rest(skeleton, edge, support))
+                at_rest.append(edge.unknowns)
         if springs:
             stiffness = foundation_stiffness(skeleton.layout, support)
             form = _foundation(skeleton, springs, stiffness)
@@ -66,13 +69,6 @@ def foundation_stiffness(layout: Layout, support: Support) -> float:
     if support.stiffness is not None:
         return support.stiffness
     return CLAMPED * float(layout.material.stiffness[0, 0]) / layout.thickness
-
-
-def _at_rest(skeleton: Skeleton, edge: OuterEdge, support: Support) -> Ints:
-    if support.hold == "simple":
-        normal = 0 if edge.side in ("left", "right") else 1
-        return np.asarray(edge.unknowns[skeleton.orders.components != normal])
-    return edge.unknowns
 
 
 def _spans(skeleton: Skeleton, support: Support) -> list[tuple[OuterEdge, tuple[float, float]]]:

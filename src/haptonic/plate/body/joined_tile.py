@@ -85,23 +85,19 @@ class Joined:
 
     @property
     def points(self) -> Array:
-        """(nodes, 3) points of all tiles' meshes, m."""
         own, corners = self.tile.inside.points, self._corners
         shift = np.column_stack([corners, np.zeros(len(corners))])
         return np.asarray((shift[:, None] + own).reshape(-1, 3))
 
     @property
     def subcells(self) -> Ints:
-        """(cells, 8) corners of the elements, in VTK's order."""
         own, start = self.tile.inside.subcells, len(self.tile.inside.points)
         return np.concatenate([own + k * start for k in range(len(self.basis))])
 
     def lifted(self, unknowns: Fields) -> Fields:
-        """(nodes, 3, k) displacement from unknowns (n, k)."""
         return np.concatenate([self.tile.inside.lifted(own @ unknowns) for own in self.basis])
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
         rows, columns = self.shape
         column = np.clip((where[:, 0] / self.size[0]).astype(np.int64), 0, columns - 1)
         row = np.clip((where[:, 1] / self.size[1]).astype(np.int64), 0, rows - 1)

@@ -136,8 +136,9 @@ class Skeleton:
             further = trace[len(rim) * orders.per_node :].reshape(-1, 2)
             for k, (i, j, side) in enumerate(_around(block)):
                 di, dj = {"bottom": (-1, 0), "right": (0, 1), "top": (1, 0), "left": (0, -1)}[side]
-                if _is_plate(layout, i + di, j + dj):
-                    continue
+                i, j = i + di, j + dj
+                if 0 <= i < layout.rows and 0 <= j < layout.columns and layout.tiles[i][j] is not None:
+                    continue  # plate on either side
                 nodes = rim[(k * along + np.arange(along + 1)) % len(rim)]
                 profile = further[(k * shear + np.arange(shear + 1)) % len(further)] if shear else further
                 if side in ("top", "left"):
@@ -147,10 +148,6 @@ class Skeleton:
                 ends = (float(x0), float(y0)), (float(x1), float(y1))
                 edges.append(OuterEdge(nodes, unknowns, *ends, side))
         return tuple(edges)
-
-
-def _is_plate(layout: Layout, i: int, j: int) -> bool:
-    return 0 <= i < layout.rows and 0 <= j < layout.columns and layout.tiles[i][j] is not None
 
 
 def _around(block: Block) -> list[tuple[int, int, Side]]:

@@ -55,20 +55,16 @@ class Inside(Protocol):
     @property
     def points(self) -> Array:
         """(nodes, 3) of its mesh."""
-        ...
 
     @property
     def subcells(self) -> Ints:
         """(cells, 8) corners of the elements, in VTK's order."""
-        ...
 
     def lifted(self, unknowns: Fields) -> Fields:
         """(nodes, 3, k) displacement from unknowns (n, k)."""
-        ...
 
     def normal_at(self, where: Array) -> Array:
         """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,7 +148,6 @@ class OnMesh:
     lift: Callable[[Fields], Fields]
 
     def lifted(self, unknowns: Fields) -> Fields:
-        """(nodes, 3, k) displacement from unknowns (n, k)."""
         return self.lift(unknowns)
 
     @cached_property
@@ -162,7 +157,6 @@ class OnMesh:
         return nodes, self.lift(np.eye(self.size))[nodes, 2]
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
         nodes, values = self._flat
         # points of a grid have equal positions on many tiles
         places, back = np.unique(np.round(where, SAME_PLACE), axis=0, return_inverse=True)
@@ -179,18 +173,14 @@ class Turned:
 
     @property
     def points(self) -> Array:
-        """(nodes, 3) of its mesh."""
         return np.asarray(self.inside.points)
 
     @property
     def subcells(self) -> Ints:
-        """(cells, 8) corners of the elements, in VTK's order."""
         return np.asarray(self.inside.subcells)
 
     def lifted(self, unknowns: Fields) -> Fields:
-        """(nodes, 3, k) displacement from unknowns (n, k)."""
         return np.asarray(self.inside.lifted(self.whole @ unknowns))
 
     def normal_at(self, where: Array) -> Array:
-        """(k, n) normal displacement of points (k, 2) of the flat face per unknown."""
         return np.asarray(self.inside.normal_at(where) @ self.whole)

@@ -218,16 +218,11 @@ def _attached_tile(
             thicknesses = np.geomspace(*bonds[actuator.name], 3)
             bodies = []
             for thickness in thicknesses:
-                varied = [_thicker(other, thickness) if other is actuator else other for other in actuators]
+                thicker = replace(actuator, bond=replace(actuator.bond, thickness=thickness))
+                varied = [thicker if other is actuator else other for other in actuators]
                 bodies.append(_plain_body(layout, x, y, varied, fineness))
             bonded[actuator.name] = Bonded(thicknesses, tuple(bodies), actuator.bond.thickness)
     return block_tile(piece, x, y, layout.thickness, loads, fineness.trace, highest, bonded)
-
-
-def _thicker(actuator: Actuator, bond: float) -> Actuator:
-    """Copy of an actuator with a bond of another thickness, m."""
-    assert actuator.bond is not None
-    return replace(actuator, bond=replace(actuator.bond, thickness=bond))
 
 
 def _plain_body(

@@ -49,17 +49,11 @@ def blocks_of(plate: Plate) -> dict[Block, tuple[Attached, ...]]:
     return {**dict.fromkeys(_rectangles(layout, taken), ()), **dict(special)}
 
 
-def _extent(attached: Attached) -> tuple[float, float]:
-    """Size of an attached part along x and y, m."""
-    return (0.0, 0.0) if attached.size is None else (attached.size[0], attached.size[1])
-
-
 def _covering(layout: Layout, attached: Attached) -> Block:
     """Smallest block of tiles below an attached part."""
     ranges = []
-    for lines, centre, size in zip(
-        (layout.y, layout.x), attached.centre[::-1], _extent(attached)[::-1], strict=True
-    ):
+    (x, y), (width, height, *_) = attached.centre, attached.size or (0.0, 0.0)
+    for lines, centre, size in ((layout.y, y, height), (layout.x, x, width)):
         slack = ON_LINE * float(np.diff(lines).min())
         start = int(np.searchsorted(lines, centre - size / 2 + slack, side="right")) - 1
         end = int(np.searchsorted(lines, centre + size / 2 - slack, side="left"))
