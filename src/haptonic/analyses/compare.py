@@ -98,7 +98,10 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
     ChannelError : a table that cannot be read, or whose units are not given
     StudyError : a table that differs by more than `MOST_APART`, unless ``any_difference`` is set
     """
-    names, described = _names(options.first, options.second), options.studies.get(options.first)
+    paths, described = (options.first, options.second), options.studies.get(options.first)
+    names = [path.absolute().stem for path in paths]
+    if names[0] == names[1]:
+        names = [str(path) for path in paths]
     if kind_of(options.second) == "table":
         if described is None:
             ours = bands_of(options.first, None, runner)
@@ -139,12 +142,6 @@ def bands_of(
         store=runner.store,
     )
     return bands.dataset
-
-
-def _names(*paths: Path) -> list[str]:
-    """Short names of the files that differ; otherwise their paths."""
-    short = [path.absolute().stem for path in paths]
-    return short if len(set(short)) == len(short) else [str(path) for path in paths]
 
 
 ANALYSIS = Analysis(

@@ -116,9 +116,7 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
     parts: dict[str, Result] = {}
     for analysis, chosen in _reported(study):
         with _timed(timings, analysis.name):
-            result = _try_part(
-                analysis.name, partial(_compute, analysis, study, chosen, _labelled(runner, analysis))
-            )
+            result = _try_part(analysis.name, partial(_compute, analysis, study, chosen, runner))
         if result is not None:
             parts[analysis.name] = result
     plate, feel, alarms = parts.get("plate"), parts.get("feel"), dict[str, Alarms]()
@@ -151,9 +149,16 @@ def compute(study: Description, options: ReproduceOptions, runner: Runner) -> Re
 
 
 def _compute(analysis: Analysis, study: Description, chosen: Any, runner: Runner) -> Result:
-    """Compute an analysis; an unsupported cell is refused, and the chapter of the report gives the reason."""
+    """Compute an analysis, with its name in the progress.
+
+    An unsupported cell is refused, and the chapter of the report gives the reason.
+    """
+
+    def progress(done: int, planned: int, what: str = "", /) -> None:
+        runner.progress(done, planned, f"{analysis.name}, {what}" if what else analysis.name)
+
     analysis.need_supported(study, chosen)
-    return analysis.compute(study, chosen, runner)
+    return analysis.compute(study, chosen, replace(runner, progress=progress))
 
 
 def _reported(study: Description) -> Iterator[tuple[Analysis, Any]]:
@@ -161,15 +166,6 @@ def _reported(study: Description) -> Iterator[tuple[Analysis, Any]]:
     for analysis in map(named, NAMES):
         if analysis.reported is not None and (chosen := analysis.reported(study)) is not None:
             yield analysis, chosen
-
-
-def _labelled(runner: Runner, analysis: Analysis) -> Runner:
-    """The runner with the name of the analysis in its progress."""
-
-    def progress(done: int, planned: int, what: str = "", /) -> None:
-        runner.progress(done, planned, f"{analysis.name}, {what}" if what else analysis.name)
-
-    return replace(runner, progress=progress)
 
 
 def _try_part(name: str, make: Callable[[], T]) -> T | None:

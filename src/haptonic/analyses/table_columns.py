@@ -269,7 +269,9 @@ def _drop_repeated(values: Array, columns: Sequence[TextColumn]) -> tuple[Array,
     Numbered columns are bands; they may be equal in a symmetric lattice.
     """
     numbering: dict[tuple[str, str], int] = {}
-    of = np.array([numbering.setdefault(_numbering(c), len(numbering)) for c in columns])
+    # the columns of all bands have one name, but for numbers, and one unit
+    shared = [(re.sub(r"[\d@].*$|\d+", "", c.heading.name).strip(" _-"), c.unit) for c in columns]
+    of = np.array([numbering.setdefault(name, len(numbering)) for name in shared])
     keep = np.ones(len(columns), dtype=bool)
     differing = int((np.diff(np.sort(values, axis=1), axis=1) > 0).sum(axis=1).argmax()) if len(values) else 0
     for k in range(len(columns)) if len(numbering) > 1 else ():
@@ -282,11 +284,6 @@ def _drop_repeated(values: Array, columns: Sequence[TextColumn]) -> tuple[Array,
                 twins = twins[near.all(axis=0)]
         keep[k] = len(twins) == 0
     return values[:, keep], [column for column, keep in zip(columns, keep, strict=True) if keep]
-
-
-def _numbering(column: TextColumn) -> tuple[str, str]:
-    """Name without numbers, and unit: the part that the columns of all bands share."""
-    return re.sub(r"[\d@].*$|\d+", "", column.heading.name).strip(" _-"), column.unit
 
 
 def _without(columns: Sequence[TextColumn], others: Sequence[TextColumn]) -> list[TextColumn]:

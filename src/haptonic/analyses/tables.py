@@ -23,9 +23,6 @@ def settings_of(name: str) -> list[str]:
 def example_of(name: str, keys: Sequence[str], values: Mapping[str, object] = MappingProxyType({})) -> str:
     """Python code that sets such a table; ``values`` are given values of some of its keys."""
     several = f"{name}[].{keys[0]}" in table(Description)
-    inner = f"{{{', '.join(f'{chr(34)}{key}{chr(34)}: {_write_value(key, values)}' for key in keys)}}}"
+    shown_values = [shown(values[key]).replace("'", '"') if key in values else "..." for key in keys]
+    inner = "{" + ", ".join(f'"{key}": {value}' for key, value in zip(keys, shown_values, strict=True)) + "}"
     return f"haptonic.Study(..., {name}={f'[{inner}]' if several else inner})"
-
-
-def _write_value(key: str, values: Mapping[str, object]) -> str:
-    return shown(values[key]).replace("'", '"') if key in values else "..."

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.bloch import Gap, gaps_of
+from haptonic.bloch import gaps_of
 from haptonic.bloch.gaps import ZoneSampling
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.settings import BandSettings
@@ -102,7 +102,7 @@ class CertifiedBands:
         rows = np.stack([exact[:, :-1].argmax(axis=0), exact[:, 1:].argmin(axis=0)])
         bands = np.arange(exact.shape[1] - 1) + np.array([[0], [1]])
         of_edges, error_of_edges = ratio[rows, bands], share[rows, bands]
-        for gap in self._complete():
+        for gap in (gap for gap in gaps_of(self.dataset) if gap.complete):
             column = gap.between[0] - 1
             ends = np.array(gap.edges)
             of_edges[:, column] = ends / self.coarse.edges[:, column]
@@ -115,9 +115,6 @@ class CertifiedBands:
             replace(samples, frequency=frequency, edges=edges, doubt=none),
             replace(samples, frequency=bound, edges=around, doubt=none),
         )
-
-    def _complete(self) -> list[Gap]:
-        return [gap for gap in gaps_of(self.dataset) if gap.complete]
 
 
 @dataclass(frozen=True)

@@ -19,11 +19,11 @@ from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.names import counted
 from haptonic.plots.text import WavevectorUnit, gap_text
 from haptonic.results.plain import plain
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result, figure, file, page
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.results.zone_view import ZONE_SHORT, zone_extra, zone_variables
 from haptonic.units import format_quantity, hz_text, in_percent
-from haptonic.views import InteractiveView, write_page
+from haptonic.views import InteractiveView
 
 WRITTEN = [
     "band_below", "band_above", "lower_hz", "upper_hz", "lower_error_hz", "upper_error_hz", "complete",
@@ -288,9 +288,7 @@ class Bands(Result):
     def _write_diagram(self, path: Path) -> None:
         self.diagram().to_csv(path, index=False, float_format="%.9g")
 
-    @file("bands.html", when=_moving)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
+    _page = page("bands.html", when=_moving)
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the diagram and its modes; None if the modes were not computed."""

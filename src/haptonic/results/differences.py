@@ -23,8 +23,8 @@ def differences(first: Sequence[Table], second: Sequence[Table]) -> list[Table]:
     tables, left = [], list(second)
     alone: list[tuple[str, str]] = []
     for before in first:
-        alike = sorted((t for t in left if _named_alike(before, t)), key=lambda t: t.title != before.title)
-        after = next(iter(alike), None)
+        alike = [t for t in left if NUMBER.sub("0", t.title) == NUMBER.sub("0", before.title)]
+        after = min(alike, key=lambda t: t.title != before.title, default=None)
         if after is None:
             alone.append((before.title, "first"))
             continue
@@ -37,10 +37,6 @@ def differences(first: Sequence[Table], second: Sequence[Table]) -> list[Table]:
     if alone:
         tables.append(Table("tables that only one of the runs has", ("table", "run"), alone))
     return tables
-
-
-def _named_alike(first: Table, second: Table) -> bool:
-    return NUMBER.sub("0", first.title) == NUMBER.sub("0", second.title)
 
 
 def _rows(first: Table, second: Table) -> Iterator[tuple[str, ...]]:

@@ -19,9 +19,9 @@ from haptonic.results.friction_tables import conditions_table, excluded_table, r
 from haptonic.results.friction_view import friction_view
 from haptonic.results.plain import determined, plain, split
 from haptonic.results.quality import quality
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result, figure, file, page
 from haptonic.results.table import Table
-from haptonic.views import InteractiveView, write_page
+from haptonic.views import InteractiveView
 
 PARTS = ("mean", "sd")
 MOST_SHEETS = 60  # blocks that are drawn trial by trial
@@ -87,9 +87,7 @@ class FrictionResult(Result):
     def _write_quality(self, path: Path) -> None:
         path.write_text(quality(self), encoding="utf-8")
 
-    @file("friction.html", when=lambda result: result.interactive)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
+    _page = page("friction.html")
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the estimates; None if it was not asked for."""

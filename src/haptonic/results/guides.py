@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,10 +14,10 @@ from haptonic.bloch.waveguides import Strip
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.results.guides_view import guides_view
 from haptonic.results.plain import split
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result, figure, page
 from haptonic.results.table import Column, Table
 from haptonic.units import hz_text, in_percent, uncertain
-from haptonic.views import InteractiveView, write_page
+from haptonic.views import InteractiveView
 
 COLUMNS = (
     Column("width", shown="mm", form=".2f"), Column("length", shown="mm", form=".1f"),
@@ -90,9 +89,7 @@ class Guides(Result):
         squared = (field["mode_real"] ** 2 + field["mode_imag"] ** 2).mean("along").values
         return self.dataset["across"].values, np.sqrt(squared / squared.max())
 
-    @file("waveguide.html", when=lambda result: "mode_real" in result.dataset)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
+    _page = page("waveguide.html", when=lambda result: "mode_real" in result.dataset)
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the waveguides; None if the fields of their modes were not computed."""

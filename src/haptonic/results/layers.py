@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,10 +17,10 @@ from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.names import counted
 from haptonic.results.layers_view import layers_view
 from haptonic.results.plain import plain, split
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result, figure, page
 from haptonic.results.table import Column, Table
 from haptonic.units import hz_text, uncertain
-from haptonic.views import InteractiveView, write_page
+from haptonic.views import InteractiveView
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -89,9 +88,7 @@ class Layers(Result):
     def _decay(self) -> Figure:
         return plots.decay(self.dataset)
 
-    @file("layers.html", when=lambda result: result.interactive)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
+    _page = page("layers.html")
 
     def view(self) -> InteractiveView:
         """Interactive view of the spectra."""

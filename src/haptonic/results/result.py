@@ -30,7 +30,7 @@ from haptonic.results.common import Writer, accuracy_remarks, refuse_taken, writ
 from haptonic.results.pictures import write_pictures
 from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
-from haptonic.views import InteractiveView, widget_bundle, widgets_work
+from haptonic.views import InteractiveView, widget_bundle, widgets_work, write_page
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,6 +72,11 @@ def file(*names: str, when: Callable[[Any], object] = _always) -> Callable[[Call
     """Mark what writes files of these names to a path, each in the format of its ending; for ``name-*``, what
     returns writers by name."""
     return lambda make: Marked(tuple(Product(name, make, when) for name in names), "_writers")
+
+
+def page(name: str, *, when: Callable[[Any], object] = lambda result: result.interactive) -> Any:
+    """Mark the page of the interactive view, a file of this name."""
+    return file(name, when=when)(lambda result, path: write_page(result.view(), path))
 
 
 @dataclass(frozen=True)

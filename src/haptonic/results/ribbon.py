@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,11 +11,11 @@ from haptonic import plots
 from haptonic.later import Axes, Figure, xarray as xr
 from haptonic.names import counted
 from haptonic.plots.text import uncertain_hertz
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result, figure, page
 from haptonic.results.ribbon_view import ribbon_view
 from haptonic.results.table import Column, Table
 from haptonic.units import hz_text, in_percent, uncertain
-from haptonic.views import InteractiveView, write_page
+from haptonic.views import InteractiveView
 
 MOST_TOLD = 40  # modes in the table, those nearest to the middle of the gap
 HIDING = 0.1  # of the range; larger errors may hide modes, because these lie between errors of bulk bands
@@ -212,9 +211,7 @@ class RibbonWaves(Result):
     def _field(self, *, ax: Axes | None = None) -> Figure:
         return plots.ribbon_field(self.dataset, ax=ax)
 
-    @file("ribbon.html", when=lambda result: "mode_real" in result.dataset)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
+    _page = page("ribbon.html", when=lambda result: "mode_real" in result.dataset)
 
     def view(self) -> InteractiveView:
         """Interactive view of the projected bands; its modes move if their fields were computed."""

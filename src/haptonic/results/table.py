@@ -38,18 +38,10 @@ class Ranged:
 FIXED = re.compile(r"(\+?)\.(\d+)f")
 
 
-def _frequency_unit(largest: float) -> str:
-    return frequency_scale(largest)[0]
-
-
-def _length_unit(largest: float) -> str:
-    return "mm" if not 0 < largest < 5e-4 else "µm" if largest >= 5e-7 else "nm"
-
-
 # by unit and declared unit of a column: the unit for its largest value
 SUITED: dict[tuple[str, str], Callable[[float], str]] = {
-    ("Hz", "kHz"): _frequency_unit,
-    ("m", "mm"): _length_unit,
+    ("Hz", "kHz"): lambda largest: frequency_scale(largest)[0],
+    ("m", "mm"): lambda largest: "mm" if not 0 < largest < 5e-4 else "µm" if largest >= 5e-7 else "nm",
 }
 Cell = float | int | str | None | Uncertain | Ranged
 

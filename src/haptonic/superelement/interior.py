@@ -248,24 +248,23 @@ def consistent_modes(
     basis = np.empty((len(new), 0))
     for _ in range(steps):
         for _ in range(2):  # one pass of Gram and Schmidt is not enough
-            new = _unit_mass(new - basis @ (basis.T @ (mass @ new)), mass)
+            new = new - basis @ (basis.T @ (mass @ new))
+            new = new @ _unit_mass(new.T @ (mass @ new))
         basis = np.hstack([basis, new])
         new = solver.solve(mass @ new)
     forces = mass @ basis
     fields = solver.solve(forces)
-    weights, turn = la.eigh(fields.T @ (mass @ fields))
-    independent = weights > DEPENDENT * weights[-1]
-    turn = turn[:, independent] / np.sqrt(weights[independent])
+    turn = _unit_mass(fields.T @ (mass @ fields))
     values, mixed = la.eigh(turn.T @ (fields.T @ forces) @ turn)
     modes = fields @ (turn @ mixed)
     return values, modes, dynamic, solver.solve(mass @ modes)
 
 
-def _unit_mass(fields: Array, mass: sp.csr_array) -> Array:
-    """(n, k) combinations of fields that are orthonormal in a mass, without dependent ones."""
-    weights, turn = la.eigh(fields.T @ (mass @ fields))
+def _unit_mass(form: Array) -> Array:
+    """(n, k) combinations of n fields whose mass is a form (n, n): orthonormal, without dependent ones."""
+    weights, turn = la.eigh(form)
     independent = weights > DEPENDENT * weights[-1]
-    return np.asarray(fields @ (turn[:, independent] / np.sqrt(weights[independent])))
+    return np.asarray(turn[:, independent] / np.sqrt(weights[independent]))
 
 
 def orthonormal_beside(blocks: Sequence[Fields], new: Fields) -> Fields:
@@ -320,10 +319,8 @@ def interior_modes(
     form = np.vstack([old.T @ moving for old in blocks])
     blocks.clear()
     # a small interior has fewer unknowns than the blocks have directions
-    weights, turn = la.eigh(moving.T @ moving)
+    basis = _unit_mass(moving.T @ moving)
     del moving
-    independent = weights > DEPENDENT * weights[-1]
-    basis = turn[:, independent] / np.sqrt(weights[independent])
     values, turn = la.eigh(basis.T @ form @ basis)
     of_modes = basis @ turn
     modes = fields @ of_modes

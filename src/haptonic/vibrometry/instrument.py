@@ -73,8 +73,8 @@ class Instrument:
 
 def lines_of(signal: Drive) -> Array:
     """Driven lines within the band of a drive, both edges included, Hz."""
-    first, last = (round(edge * signal.duration) for edge in signal.band)
-    return np.asarray(np.arange(first, last + 1) * signal.line_spacing)
+    members = _members(signal)
+    return np.asarray(np.arange(members.start, members.stop) * signal.line_spacing)
 
 
 def recorded(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,10 +21,10 @@ from haptonic.plate import Plate
 from haptonic.results.feel.interactive import feel_view
 from haptonic.results.feel.requirements import Requirement, requirements
 from haptonic.results.plain import determined, split
-from haptonic.results.result import Result, figure, file
+from haptonic.results.result import Result, figure, page
 from haptonic.results.table import Column, Table
 from haptonic.units import format_quantity, hz_text, in_percent
-from haptonic.views import InteractiveView, write_page
+from haptonic.views import InteractiveView
 
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # readable without colours
 COLUMNS = (
@@ -143,9 +142,7 @@ class Feel(Result):
             self.friction.curve, self.friction.drive, WEBER_FRACTION, title=title, ax=ax
         )
 
-    @file("feel.html", when=lambda result: result.interactive)
-    def _write_page(self, path: Path) -> None:
-        write_page(self.view(), path)
+    _page = page("feel.html")
 
     def view(self) -> InteractiveView | None:
         """Interactive view of the finger; None if it was not asked for."""

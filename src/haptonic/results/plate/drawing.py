@@ -14,8 +14,7 @@ from haptonic.plate import Plate
 from haptonic.plate.vibration.region_measures import compared
 from haptonic.response import write
 from haptonic.results.common import write_netcdf
-from haptonic.results.result import figure, file
-from haptonic.views import write_page
+from haptonic.results.result import figure, file, page
 from haptonic.vtu import write_body
 
 if TYPE_CHECKING:
@@ -114,9 +113,7 @@ def write_solid(result: PlateResult, path: Path) -> None:
     write_body(path, result.body)
 
 
-@file("plate.html", when=lambda result: result.interactive)
-def write_view(result: PlateResult, path: Path) -> None:
-    write_page(result.view(), path)
+write_view = page("plate.html")
 
 
 @file("carrier.webp")

@@ -18,10 +18,9 @@ from haptonic.plate.layout.grid import Layout
 from haptonic.response import write
 from haptonic.results.common import write_netcdf
 from haptonic.results.plain import split
-from haptonic.results.result import figure, file
+from haptonic.results.result import figure, file, page
 from haptonic.vibrometry.guides import Guiding, guides_of
 from haptonic.vibrometry.theory import guided
-from haptonic.views import write_page
 
 if TYPE_CHECKING:
     from haptonic.results.scan.value import ScanResult
@@ -128,9 +127,7 @@ def animate(scan: ScanResult, path: Path) -> None:
     path.write_bytes(plots.animated(scan.response, scan.loudest, scan.layout))
 
 
-@file("scan.html", when=lambda scan: scan.interactive and scan.mapped)
-def write_view(scan: ScanResult, path: Path) -> None:
-    write_page(scan.view(), path)
+write_view = page("scan.html", when=lambda scan: scan.interactive and scan.mapped)
 
 
 @file("points.csv")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
@@ -156,10 +156,4 @@ def repaired(
         (*point_flags, "repaired") if is_bad else point_flags
         for point_flags, is_bad in zip(quality.flags, bad, strict=True)
     ]
-    return mended, Quality(
-        names=quality.names,
-        clipped=quality.clipped,
-        frozen=quality.frozen,
-        coherence=quality.coherence,
-        flags=tuple(marked),
-    )
+    return mended, replace(quality, flags=tuple(marked))

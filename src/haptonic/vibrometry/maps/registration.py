@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
@@ -191,9 +191,7 @@ def register_by_fit(
     best = min(equal, key=lambda fit: abs(float(np.angle(np.exp(1j * fit.angle)))))
     if best.misfit > WORST * target_size.min():
         raise _wrong("fit", f"a misfit of {best.misfit * 1e3:.4g} mm", "points of the same plate")
-    return Registration(
-        scale=best.scale, angle=best.angle, shift=best.shift, mirrored=mirrored, misfit=best.misfit
-    )
+    return replace(best, mirrored=mirrored)
 
 
 def _rectangle(points: Array) -> tuple[Array, float, Array]:
