@@ -201,7 +201,7 @@ def test_an_angle_per_time_is_a_frequency(text, hertz):
 def test_more_names_than_columns_are_not_matched(tmp_path):
     (tmp_path / "a.txt").write_text("% a  b  c  d\n0 1\n1 2\n")
     table = read_table(tmp_path / "a.txt")
-    assert (table.unmatched, table.has_names) == (1, False)
+    assert (table.unmatched, table.names_line) == (1, None)
     assert "line 1 does not have 2 names" in table.remarks[0]
 
 
@@ -229,7 +229,7 @@ def test_names_above_columns_in_blanks_are_theirs_or_none(tmp_path, seed):
             table = read_table(path)
         except ChannelError:
             continue
-        if table.has_names:
+        if table.names_line is not None:
             assert [column.heading.text for column in table.columns] == names, path.read_text()
             known += 1
     assert known > 30

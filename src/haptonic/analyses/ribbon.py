@@ -30,10 +30,8 @@ from haptonic.study.schema import Description
 from haptonic.units import format_quantity
 
 BESIDE = 0.15  # search range on either side of a gap, relative to its width
-COLUMN, BULK = (
-    0.17,
-    0.2,
-)  # s per column of a ribbon with one tile and wavevector; s per wavevector of a crystal
+COLUMN = 0.17  # s per column of a ribbon with one tile and wavevector
+BULK = 0.2  # s per wavevector of a crystal
 
 
 def _need_ribbon(study: Description) -> RibbonSettings:

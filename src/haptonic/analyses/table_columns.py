@@ -159,7 +159,7 @@ def _axes(table: TextTable) -> list[TextColumn]:
         for c in table.columns
         if not (_is_frequency_unit(c.unit) or _INDEX.fullmatch(_stem(c)) or _is_beside(c))
     ]
-    if not table.has_names:
+    if table.names_line is None:
         return [table.columns[0]]
     return others[:1] if others and others[0].number <= 2 else []
 

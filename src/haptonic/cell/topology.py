@@ -100,11 +100,6 @@ class Topology:
         return self.rim[len(self.rim) // 2 :] if self.mirrored else self.rim
 
     @property
-    def first_above(self) -> int:
-        """Number of the first node above the plate's top."""
-        return int(self.pillar_start[0])
-
-    @property
     def pillar_start(self) -> Ints:
         """(levels + 1,) numbers of the first nodes of levels above the plate's top, and of all nodes."""
         return self.level_start[0 if self.free else self.plan.plate_levels :]

@@ -96,10 +96,6 @@ class TextTable:
     def names(self) -> tuple[str, ...]:
         return tuple(column.name for column in self.columns)
 
-    @property
-    def has_names(self) -> bool:
-        return self.names_line is not None
-
     @cached_property
     def columns_by_name(self) -> dict[str, TextColumn]:
         """The columns by their names; the second of two equal names gets ".1" appended."""

@@ -136,7 +136,7 @@ def uff_contents(path: Path, notes: Notebook | None = None) -> UffContents:
                 if block.kind == 58:
                     header, begin = header_of(block, data)
                     functions.append(Function(path, block, header, begin))
-                elif block.kind in READERS and _is_empty(block, data):
+                elif block.kind in READERS and block.closed and not data[block.begin : block.end].strip():
                     continue  # vendors write an empty one if they have nothing for it
                 elif block.kind in READERS:
                     small[block.kind].append(_by_pyuff(block, data))
@@ -195,10 +195,6 @@ def scaled(contents: UffContents, length_unit: float) -> UffContents:
     factor = length_unit * (contents.length or 1.0)
     contents.notes.remark(f"coordinates were read in units of {length_unit:g} m, as requested")
     return replace(contents, nodes={number: factor * place for number, place in contents.nodes.items()})
-
-
-def _is_empty(block: DataSet, data: Buffer) -> bool:
-    return block.closed and not data[block.begin : block.end].strip()
 
 
 def _by_pyuff(block: DataSet, data: Buffer) -> dict[str, Any]:

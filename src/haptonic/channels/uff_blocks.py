@@ -1,10 +1,8 @@
 """Data sets of a universal file: their positions, and the curves (58, 58b) in them.
 
-pyuff reads the small data sets. Curves are read here: of 6,200 curves in 2,000 files that were cut, pyuff 2.5
-returned 459 with fewer values than they announce, without an error, and of 8,800 in damaged files 175; here
-each of these raises an error. pyuff needs 2.4 times as long for a curve (0.6 ms for 1001 complex values) and
-the whole file in memory, and reads neither Fortran's exponents (1.0D+00) nor the code page of older
-instruments.
+pyuff reads the small data sets. Curves are read here, because pyuff 2.5 returns a curve of a cut or damaged
+file with fewer values than it announces, without an error. It also needs more than twice as long and the
+whole file in memory, and reads neither Fortran's exponents (1.0D+00) nor the code page of older instruments.
 """
 
 from __future__ import annotations

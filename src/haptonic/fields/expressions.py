@@ -16,7 +16,7 @@ from typing import Any
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields.arithmetic import FUNCTIONS, CalculationError, ExactNumber
 from haptonic.fields.dimension import Dimension, dimension_of, kind_text, symbols, unit_of
-from haptonic.fields.grammar import ALLOWED, CONSTANTS, evaluate, names_in
+from haptonic.fields.grammar import ALLOWED, CONSTANTS, evaluate, names_in, refused
 from haptonic.units import TYPOGRAPHIC, as_quantity, example_of, format_quantity
 
 PARAMETERS = "parameters"  # name of the table of a study
@@ -174,10 +174,7 @@ class Scope:
         try:
             return ExpressedNumber(number.rounded(), text, number.dimension)
         except CalculationError as error:
-            raise StudyError(
-                error.code, argument="", given=shown(given), allowed=ALLOWED, cause=error.cause,
-                next_step=error.next_step,
-            ) from None  # fmt: skip
+            raise refused(given, error) from None
 
     def contains(self, number: object) -> bool:
         """True for a number whose text still gives its value here."""

@@ -70,10 +70,15 @@ def evaluate(text: str, parameters: Mapping[str, ExactNumber], known: Iterable[s
     try:
         return _Evaluation(text, parameters, known).value()
     except CalculationError as error:
-        raise StudyError(
-            error.code, argument="", given=shown(text), allowed=ALLOWED, cause=error.cause,
-            next_step=error.next_step,
-        ) from None  # fmt: skip
+        raise refused(text, error) from None
+
+
+def refused(given: object, error: CalculationError) -> StudyError:
+    """The error for a given text or number whose calculation failed."""
+    return StudyError(
+        error.code, argument="", given=shown(given), allowed=ALLOWED, cause=error.cause,
+        next_step=error.next_step,
+    )  # fmt: skip
 
 
 class _Evaluation:

@@ -115,11 +115,8 @@ def require_positive_definite(name: str, rows: Rows) -> None:
     array = np.array(rows)
     scale = float(np.abs(array).max())
     if float(np.abs(array - array.T).max()) > SYMMETRY_TOLERANCE * scale:
-        given, cause, next_step = (
-            "a matrix that is not symmetric",
-            "an entry was mistyped",
-            "make it symmetric",
-        )
+        given = "a matrix that is not symmetric"
+        cause, next_step = "an entry was mistyped", "make it symmetric"
     elif (smallest := float(np.linalg.eigvalsh(array).min())) <= SYMMETRY_TOLERANCE * scale:
         given = f"a smallest eigenvalue of {smallest:.3g}"
         cause = "with these constants the solid would deform by itself"

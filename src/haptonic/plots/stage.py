@@ -108,10 +108,8 @@ def checked(ax: object) -> Axes:
         else:
             return ax
     elif isinstance(ax, Figure):
-        cause, step = (
-            "a figure may contain many axes, or none",
-            "ax=figure.add_subplot(), or one of figure.axes",
-        )
+        cause = "a figure may contain many axes, or none"
+        step = "ax=figure.add_subplot(), or one of figure.axes"
     elif hasattr(ax, "get_major_ticks"):
         cause, step = "an axis is one edge of the axes, with its ticks", "ax=axis.axes"
     elif hasattr(ax, "__len__") and not isinstance(ax, str):

@@ -108,11 +108,6 @@ class Column:
         unit = f"({unit})" if self.name and "/" in unit else unit
         return f"{self.name} / {unit}" if self.name and unit else self.name or unit
 
-    @property
-    def raw_head(self) -> str:
-        """Name with the SI unit, for files."""
-        return f"{self.name} ({self.unit})" if self.unit else self.name
-
     def text(self, cell: Cell) -> str:
         """Text of a cell for people."""
         scale = _scale(self.shown, self.unit) if self.shown else 1.0
@@ -219,7 +214,7 @@ class Table:
     def _record(self, row: Sequence[Cell]) -> dict[str, object]:
         record: dict[str, object] = {}
         for column, cell in zip(self.columns, row, strict=True):
-            name = column.raw_head
+            name = f"{column.name} ({column.unit})" if column.unit else column.name
             match cell:
                 case Uncertain(value, error):
                     record |= {name: value, f"error of {name}": error}

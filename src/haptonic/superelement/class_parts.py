@@ -106,8 +106,7 @@ def parts_by_diagonal(
 ) -> tuple[ClassPart, ...]:
     """Parts by the mirror on the diagonal: one part for two classes that the mirror exchanges.
 
-    A class that the mirror maps to itself is not divided into an even and an odd half. Measured: the halves
-    took as long as the class with a pillar on one face, and a fifth longer with pillars on two faces.
+    A class that the mirror maps to itself is not divided: its even and odd halves take as long or longer.
 
     rim : folded places of the trace; sides : images of the tile's first two sides
     """

@@ -50,7 +50,7 @@ class ClassMeasures:
         # No force acts inside a pillar that responds statically to its ends. Only the rows on the plate and
         # on the ends do work then.
         loaded = np.diff(stiff.indptr) > 0
-        loaded[:inner] &= np.repeat(shared.folding.origin < shared.mesh.topology.first_above, 3)[:inner]
+        loaded[:inner] &= np.repeat(shared.folding.origin < shared.mesh.topology.pillar_start[0], 3)[:inner]
         forces, on_plate = stiff[np.flatnonzero(loaded)], fields[loaded, :count].T
         of_static = np.hstack([on_plate @ (forces @ fields[:, few]) for few in portions(count)])
         moved = (stiff @ fields[:, count:]).T @ fields

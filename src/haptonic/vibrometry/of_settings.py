@@ -82,13 +82,12 @@ class Tiles:
 
 def held_corners(plate: Plate) -> list[Region]:
     """Squares that clamps at the corners cover."""
-    layout, corners = plate.layout, []
-    for support in plate.supports:
-        if support.where == "corners" and support.length is not None:
-            size = support.length
-            corners += [
-                Rectangle(x, y, size, size)
-                for x in (0.0, layout.x[-1] - size)
-                for y in (0.0, layout.y[-1] - size)
-            ]
-    return list(corners)
+    layout = plate.layout
+    sizes = [support.length for support in plate.supports if support.where == "corners"]
+    return [
+        Rectangle(x, y, size, size)
+        for size in sizes
+        if size is not None
+        for x in (0.0, layout.x[-1] - size)
+        for y in (0.0, layout.y[-1] - size)
+    ]

@@ -259,8 +259,5 @@ def _strips(loops: Ints) -> Ints:
     """Triangles between one closed loop of indices, a row, and the next above it."""
     after = np.roll(loops, -1, axis=1)
     sides = (loops[:-1], after[:-1], after[1:], loops[1:])
-    return _halved(np.stack([side.ravel() for side in sides], axis=1))
-
-
-def _halved(quads: Ints) -> Ints:
+    quads = np.stack([side.ravel() for side in sides], axis=1)
     return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])

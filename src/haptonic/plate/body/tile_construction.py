@@ -108,11 +108,6 @@ class Recipe:
         """Rows and columns of tiles that one brick covers."""
         return len(self.steps[1]), len(self.steps[0])
 
-    @property
-    def is_single(self) -> bool:
-        """True for a single brick or tile."""
-        return self.shape == (1, 1)
-
 
 def recipe_of(
     plate: Plate, block: Block, attached: tuple[Attached, ...], open_trace: tuple[int, ...]
@@ -145,7 +140,7 @@ def tiles_of(
         rows, columns = recipe.shape
         if recipe.open_trace:
             return opened_tile(tiles[recipe.closed], np.array(recipe.open_trace), highest)
-        if recipe.is_single:
+        if recipe.shape == (1, 1):
             return _single_tile(plate, recipe, highest, fineness)
         (width, height), (high, wide) = recipe.size, recipe.span
         if rows == 1:

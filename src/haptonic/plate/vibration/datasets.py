@@ -125,10 +125,8 @@ def mode_names(
     shapes : (points, modes) normal displacement; regions : of the points
     """
     parts, stored = _by_part(plate, modes.stored, model)
-    inside, column = (
-        np.array(regions),
-        {name: parts.index(part_name(plate, name)) for name in plate.layout.regions},
-    )
+    inside = np.array(regions)
+    column = {name: parts.index(part_name(plate, name)) for name in plate.layout.regions}
     called = []
     for k in range(len(modes.frequency)):
         best = max(column, key=lambda name: stored[k, column[name]], default=None)

@@ -18,6 +18,7 @@ from haptonic.errors import ScanError
 from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
 from haptonic.units import Hertz, hz_text
+from haptonic.vibrometry.maps.gap import widest_range, window_means
 from haptonic.vibrometry.maps.noise import HIDDEN, averages_of, noise_power
 from haptonic.vibrometry.maps.waves import Axis
 from haptonic.vibrometry.planning import Rectangle
@@ -140,7 +141,10 @@ def decay_along(response: FrequencyResponse, strips: Sequence[LatticeRows]) -> x
             total += part
     weight = (energy - noise).sum(axis=1, keepdims=True)  # else resonances outweigh the lines between them
     weight = np.divide(1.0, weight, out=np.zeros_like(weight), where=weight > 0)
-    product, energy, noise = (_averaged(lines, total * weight) for total in (product, energy, noise))
+    ends = lines * (1 - 0.5 * AVERAGED), lines * (1 + 0.5 * AVERAGED)
+    product, energy, noise = (
+        window_means(lines, total * weight, *ends) for total in (product, energy, noise)
+    )
     clean = energy - noise
     cosine = np.divide(product, clean, out=np.full(product.shape, np.nan + 0j), where=clean > LOUD * noise)
     multiplier = cosine + np.sqrt(cosine**2 - 1)
@@ -170,13 +174,10 @@ def gap_edges(decays: xr.DataArray, depth: float = 1.0) -> LatticeGap:
         return LatticeGap(None, None, ("no edges of the gap: noise hides the waves in the lattice",))
     heard = np.isfinite(most) & np.isfinite(others)
     most, others = (np.interp(lines, lines[heard], decay[heard]) for decay in (most, others))
-    stops = np.concatenate([[False], most > FADES, [False]])
-    change = np.flatnonzero(np.diff(stops.astype(int)))
-    starts, ends = change[::2], change[1::2] - 1
-    if not len(starts):
+    widest = widest_range(lines, most > FADES)
+    if widest is None:
         return LatticeGap(None, None, ("no edges of the gap: waves do not decay in the lattice",))
-    widest = int((lines[ends] - lines[starts]).argmax())
-    first, last = int(starts[widest]), int(ends[widest])
+    first, last = widest
     if lines[last] - lines[first] < NARROWEST * lines[first]:
         return LatticeGap(None, None, ("no edges of the gap: waves decay in a narrow range only",))
     lower = _edge(lines, most, others, heard, first)
@@ -311,10 +312,3 @@ def _noise(part: FrequencyResponse, depth: Axis, along: Axis, whole: xr.DataArra
     grid = FrequencyResponse(data.assign(response=(("frequency", "point", "direction"), values))).grid()
     ordered = grid.sel(direction="z").transpose("frequency", depth, along)
     return np.asarray(ordered.sel({along: whole[along]}).values.real, dtype=float)
-
-
-def _averaged(lines: Array, values: NDArray[Any]) -> NDArray[Any]:
-    """Means over nearby lines, with equal weights."""
-    first = np.searchsorted(lines, lines * (1 - 0.5 * AVERAGED), side="left")
-    last = np.searchsorted(lines, lines * (1 + 0.5 * AVERAGED), side="right")
-    return np.stack([values[a:b].mean(axis=0) for a, b in zip(first, last, strict=True)])

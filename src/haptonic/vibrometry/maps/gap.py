@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.errors import ScanError
 from haptonic.later import xarray as xr
 from haptonic.response import FrequencyResponse
-from haptonic.response.measures import power_contrast
+from haptonic.response.measures import power_contrast, squares
 from haptonic.units import Hertz, In
 
 LEAST_STEP = 6.0  # dB, smallest rise of the contrast that counts as a gap
@@ -77,9 +77,10 @@ def measured_gap(
             cause="the response was cut to a few lines",
             next_step="give the response over the whole range, gap and surroundings",
         )
-    energies = []
-    for name in (over, lattice):
-        energies.append(_smooth(lines, _energy(response, response.inside(name)), smoothing))
+    ends = lines - smoothing / 2, lines + smoothing / 2
+    energies = [
+        window_means(lines, _energy(response, response.inside(name)), *ends) for name in (over, lattice)
+    ]
     above, below = energies
     level = _contrast(above.mean(axis=1), below.mean(axis=1))
     outside, inside = (float(np.percentile(level, share)) for share in (25, 90))
@@ -149,13 +150,10 @@ def _contrast(above: Array, below: Array) -> Array:
     return power_contrast(np.maximum(above, tiny), np.maximum(below, tiny))
 
 
-def _energy(response: FrequencyResponse, mask: NDArray[np.bool_]) -> Array:
+def _energy(response: FrequencyResponse, mask: Bools) -> Array:
     """(line, point) squared amplitude at some points, a few lines at a time."""
-    values, energy = response.values, np.empty((len(response.frequency), int(mask.sum())))
-    for start in range(0, len(values), LINES):
-        part = values[start : start + LINES, mask].astype(np.complex128)
-        energy[start : start + LINES] = (part.real**2 + part.imag**2).sum(axis=2)
-    return energy
+    values = response.values
+    return np.concatenate([squares(values[i : i + LINES, mask]) for i in range(0, len(values), LINES)])
 
 
 def _drawn(points: int, resamples: int, chance: np.random.Generator) -> Array:
@@ -164,25 +162,31 @@ def _drawn(points: int, resamples: int, chance: np.random.Generator) -> Array:
     return np.array(counts, dtype=float).T / points
 
 
-def _smooth(lines: Array, energy: Array, width: float) -> Array:
-    """Mean over the lines within half the width on either side."""
-    first = np.searchsorted(lines, lines - width / 2, side="left")
-    last = np.searchsorted(lines, lines + width / 2, side="right")
+def window_means(lines: Array, values: NDArray[Any], low: Array, high: Array) -> NDArray[Any]:
+    """Mean of the values at the lines in each window, from its ``low`` to its ``high`` end."""
+    first, last = np.searchsorted(lines, low, side="left"), np.searchsorted(lines, high, side="right")
     # windows one by one: differences of running sums would lose values far below the largest one
-    return np.stack([energy[a:b].mean(axis=0) for a, b in zip(first, last, strict=True)])
+    return np.stack([values[a:b].mean(axis=0) for a, b in zip(first, last, strict=True)])
+
+
+def widest_range(lines: Array, chosen: Bools) -> tuple[int, int] | None:
+    """Numbers of the first and the last of the chosen lines in their widest range; None without any."""
+    change = np.flatnonzero(np.diff(np.concatenate([[False], chosen, [False]]).astype(int)))
+    starts, stops = change[::2], change[1::2] - 1
+    if not len(starts):
+        return None
+    widest = int((lines[stops] - lines[starts]).argmax())
+    return int(starts[widest]), int(stops[widest])
 
 
 def _edges(lines: Array, level: Array, outside: float, inside: float, share: float) -> tuple[float, float]:
     """Ends of the widest range above a threshold, interpolated between the lines."""
     threshold = outside + share * (inside - outside)
-    high = np.concatenate([[False], level > threshold, [False]])
-    change = np.flatnonzero(np.diff(high.astype(int)))
-    starts, stops = change[::2], change[1::2] - 1
-    if not len(starts):
+    widest = widest_range(lines, level > threshold)
+    if widest is None:
         peak = float(lines[level.argmax()])
         return peak, peak
-    widest = int((lines[stops] - lines[starts]).argmax())
-    start, stop = int(starts[widest]), int(stops[widest])
+    start, stop = widest
     lower, upper = float(lines[start]), float(lines[stop])
     if start > 0:
         lower = float(np.interp(threshold, level[start - 1 : start + 1], lines[start - 1 : start + 1]))

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from haptonic.channels import Channel, Group, Notebook
+from haptonic.channels import Group, Notebook
 from haptonic.channels.hdf5 import set_name
 from haptonic.channels.labels import ORDER, Motion
 from haptonic.channels.notes import ELSEWHERE
@@ -94,11 +94,12 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
         if "name" in sets and (sets["name"].kind, sets["name"].shape) != ("text", shape[:1]):
             raise _foreign(path, f"{shape[0]} points, and names of kind {sets['name'].kind} and shape "
                                  f"{sets['name'].shape}")  # fmt: skip
+        names = np.asarray(sets["name"]).ravel() if "name" in sets else range(shape[0])
         x, y = (np.asarray(sets[name], float) for name in "xy")
         measured = int(sets["response"].properties.get("measured", -1))
         scan = TimeScan(
             source=OfChannels(sets["reference"], sets["response"], shape[1], shape[2]),
-            names=tuple(_names(sets, shape[0])), x=x, y=y, repeats=shape[1], samples=shape[2],
+            names=tuple(str(name) for name in names), x=x, y=y, repeats=shape[1], samples=shape[2],
             sample_rate=float(attributes["sample_rate"]),
             reference=Reference.parse(str(attributes["reference"])),
             motion=_motion(str(attributes["motion"]), path),
@@ -120,13 +121,6 @@ def read_records(group: Group, notes: Notebook) -> TimeScan:
     if measured == 0:
         raise _foreign(path, "no point was measured")
     return replace(scan, names=scan.names[:measured], x=x[:measured], y=y[:measured])
-
-
-def _names(sets: Mapping[str, Channel], count: int) -> list[str]:
-    """Names of the points; numbers from 0 if the file has none."""
-    if "name" not in sets:
-        return [str(number) for number in range(count)]
-    return [str(name) for name in np.asarray(sets["name"]).ravel()]
 
 
 def _motion(word: str, path: Path) -> Motion:
