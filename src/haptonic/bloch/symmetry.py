@@ -20,9 +20,9 @@ def mirrors_at(group: PointGroup, kappa: Array) -> dict[str, Operation]:
     return group.little_group(kappa).distinct_mirrors
 
 
-def clusters(frequency: Array, tolerance: float = SAME) -> list[slice]:
-    """Groups of neighbours that are degenerate within a relative tolerance; all rest modes are one group."""
-    apart = np.diff(frequency) > np.maximum(tolerance * frequency[1:], 3 * tolerance * frequency[-1])
+def clusters(frequency: Array) -> list[slice]:
+    """Groups of degenerate neighbours; all rest modes are one group."""
+    apart = np.diff(frequency) > np.maximum(SAME * frequency[1:], 3 * SAME * frequency[-1])
     ends = [0, *(int(g) + 1 for g in np.flatnonzero(apart)), len(frequency)]
     return [slice(a, b) for a, b in pairwise(ends)]
 

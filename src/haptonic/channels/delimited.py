@@ -68,7 +68,7 @@ def _rows(table: TextTable, column: TextColumn) -> Callable[[int, int], Samples]
     return rows
 
 
-def columns(path: Path, texts: Collection[str], skip: int = 0) -> dict[str, Samples]:
+def columns(path: Path, texts: Collection[str]) -> dict[str, Samples]:
     """Read columns of words and numbers, by the full text of their headings.
 
     Columns in ``texts`` contain words, even if these look like numbers; in others an empty cell is NaN.
@@ -78,11 +78,11 @@ def columns(path: Path, texts: Collection[str], skip: int = 0) -> dict[str, Samp
     ChannelError : no table, or bytes that are not text
     OSError : no such file, or no right to read it
     """
-    table = read_table(path, texts=texts, skip=skip)
+    table = read_table(path, texts=texts)
     # a column of numbers with a word in a cell becomes a column of words
     mixed = [column.heading.text for column in table.columns if column.bad]
     if mixed:
-        table = read_table(path, texts=[*texts, *mixed], skip=skip)
+        table = read_table(path, texts=[*texts, *mixed])
     text_names = {text.casefold() for text in texts}
     return {
         name if column.name == name and not column.unit else column.heading.text or name: _plain_column(

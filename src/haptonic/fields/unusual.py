@@ -76,10 +76,10 @@ def warn_caller(texts: Iterable[str], frame: FrameType | None, kind: type | None
         warnings.warn(text, HaptonicWarning, stacklevel=level)
 
 
-def caller(depth: int = 2) -> FrameType | None:
-    """Frame of the caller, ``depth`` calls above this function."""
+def caller() -> FrameType | None:
+    """Frame of the caller of the function that calls this one."""
     try:
-        return sys._getframe(depth)
+        return sys._getframe(2)
     except ValueError:
         return None
 

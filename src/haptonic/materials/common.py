@@ -58,9 +58,8 @@ def require_between(
     above: float = -math.inf,
     at_least: float = -math.inf,
     below: float = math.inf,
-    hint: str = "",
 ) -> None:
-    """Refuse anything but a finite number in the interval; ``hint`` is the next step of the error."""
+    """Refuse anything but a finite number in the interval."""
     number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
     if number and above < value and at_least <= value < below:  # type: ignore[operator]
         return
@@ -73,7 +72,7 @@ def require_between(
         given=format_quantity(float(value), unit) if number else shown(value),  # type: ignore[arg-type]
         allowed="a finite number" + (f" {' and '.join(bounds)}" if bounds else f" in {unit}" * bool(unit)),
         cause="no stable solid has this value" if number else "it is not a finite number",
-        next_step=hint or f"check the value and its unit{f' ({unit})' if unit else ''}",
+        next_step=f"check the value and its unit{f' ({unit})' if unit else ''}",
     )
 
 

@@ -58,7 +58,7 @@ def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | Non
 
 
 def examined(
-    text: str, kind: type[S], folder: Path, origin: str = "study", omitted: Collection[str] = ()
+    text: str, kind: type[S], folder: Path, omitted: Collection[str] = ()
 ) -> tuple[S | None, dict[str, Any], list[StudyError]]:
     """The study of a text, its tables as plain values, and each problem as an error of its own.
 
@@ -66,7 +66,7 @@ def examined(
     ``folder``, because the text may come from somebody else. Tables that are ``omitted`` are not read.
     """
     try:
-        data = parsed_tables(text, origin)
+        data = parsed_tables(text, "study")
     except StudyError as error:
         return None, {}, [error]
     data = {name: content for name, content in data.items() if name not in omitted}

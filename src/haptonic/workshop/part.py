@@ -84,7 +84,8 @@ class Part:
                     next_step="count the cells along that side, and give their number",
                 )
         _check_number(columns * rows * sum(map(bool, cell.features)) * cell.copies)
-        features, cell = _features(cell), _in_mm(cell)
+        features = tuple(f.scaled(MM) if isinstance(f, Pillar) else f for f in cell.features)
+        cell = _in_mm(cell)
         assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
         i, j = np.meshgrid(
             np.arange(columns + 1) - columns / 2, np.arange(rows + 1) - rows / 2, indexing="ij"
@@ -235,11 +236,6 @@ def _in_mm(cell: UnitCell) -> UnitCell:
     """A cell in mm without its discs, whose heights above the plate have limits in m."""
     sites = tuple(replace(site, disc=()) for site in cell.site)
     return replace(cell, disc=(), site=sites).scaled(MM)
-
-
-def _features(cell: UnitCell) -> tuple[Feature | None, ...]:
-    """Feature on each site, if any; pillars in mm."""
-    return tuple(f.scaled(MM) if isinstance(f, Pillar) else f for f in cell.features)
 
 
 def _check_number(pillars: int) -> None:

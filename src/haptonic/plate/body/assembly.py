@@ -134,15 +134,13 @@ class Assembly:
         entries = (np.ones(len(inside)), (to[inside], inside))
         return sp.csr_array(entries, shape=(self.size, len(to)))
 
-    def mass_times(self, vectors: Array, out: Array | None = None) -> Array:
+    def mass_times(self, vectors: Array) -> Array:
         """M times vectors (size, k)."""
         return self._times(
-            vectors,
-            out,
-            lambda part: self.gathered([g.tile.mass_times(share) for g, share in self.shares(part)]),
+            vectors, lambda part: self.gathered([g.tile.mass_times(share) for g, share in self.shares(part)])
         )
 
-    def stiffness_times(self, vectors: Array, out: Array | None = None) -> Array:
+    def stiffness_times(self, vectors: Array) -> Array:
         """K of all parts, supports included, times vectors (size, k)."""
 
         def product(part: Array) -> Array:
@@ -151,11 +149,11 @@ class Assembly:
             forces[: self.free] += self.foundations @ part[: self.free]
             return forces
 
-        return self._times(vectors, out, product)
+        return self._times(vectors, product)
 
-    def _times(self, vectors: Array, out: Array | None, product: Callable[[Array], Array]) -> Array:
+    def _times(self, vectors: Array, product: Callable[[Array], Array]) -> Array:
         """Apply a product to groups of columns in parallel threads."""
-        out = np.empty_like(vectors) if out is None else out
+        out = np.empty_like(vectors)
 
         def some(start: int) -> None:
             columns = slice(start, start + AT_ONCE)
