@@ -32,11 +32,8 @@ FILES = 3.0  # s, for outlines, solids and the drawing of a cell
 PER_FACE, BYTES_OF_FACE = 1e-3, 6e4  # s and B per face of a solid
 PER_PAIR = 1.5e-7  # s per pair of faces
 DRAWN = 0.04  # s per pillar on the drawing of a plate
-UNANSWERED = {
-    "missing",
-    "no-answer",
-    "too-large",
-}  # no carrier, no gap that contains it, no mesh of the accuracy
+# no carrier, no gap that contains it, no mesh of the accuracy
+UNANSWERED = {"missing", "no-answer", "too-large"}
 
 
 @dataclass(frozen=True)

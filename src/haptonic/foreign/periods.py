@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 UNITS = 10.0  # length of the pitch in units
-SAME = (
-    1e-4  # units; places, heights and extents that differ less are equal; STEP files have six digits or more
-)
+# units; places, heights and extents that differ less are equal; STEP files have six digits or more
+SAME = 1e-4
 SAME_VOLUME = 1e-5  # relative
 # Mesh sizes: of elements away from edges, in thicknesses and pitches; along edges with singular stress, in
 # thicknesses and shares of the edge's extent. For a pillar of 7 mm on 1.5 mm, elements of two thicknesses had

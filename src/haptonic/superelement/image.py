@@ -44,9 +44,7 @@ class FieldImage:
         move = (mapped.move - mapped.shift) @ cell.lattice.vectors  # of each tile
         nodes = np.split(tiling.points, np.cumsum([len(mesh.points) for mesh in tiling.meshes])[:-1])
         starts = np.cumsum([0, *(len(points) for points in nodes)])
-        first = np.cumsum(
-            [0, *(len(condensed_tile.meshes) for condensed_tile in tiling.tiles)]
-        )  # mesh of each tile
+        first = np.cumsum([0, *(len(tile.meshes) for tile in tiling.tiles)])  # mesh of each tile
         source = np.empty(starts[-1], dtype=np.int64)
         shift = np.empty((len(source), 2), dtype=np.int64)
         for tile, image in enumerate(mapped.image):

@@ -152,9 +152,8 @@ class Joint:
         assert mapped is not None, "no symmetry of this cell"
         lattice = self.cell.lattice
         turn = lattice.point_group.turn(operation)
-        before = (self.position - mapped.move @ lattice.vectors) @ turn[
-            :2, :2
-        ]  # position of each place before the operation
+        # position of each place before the operation
+        before = (self.position - mapped.move @ lattice.vectors) @ turn[:2, :2]
         whole, same = steps_between(before, self.position, lattice.vectors)
         rank = np.where(same, np.abs(whole).sum(axis=2), np.inf)
         source = rank.argmin(axis=1)

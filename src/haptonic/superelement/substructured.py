@@ -30,16 +30,12 @@ from haptonic.superelement.sections import section_sizes
 from haptonic.superelement.stacked import FootClass, Storey, joined
 from haptonic.superelement.symmetry import DIAGONAL, Folding, folds_of
 
-LEAST_DEGREE = (
-    2  # over the section: relative error of a frequency up to 1e-3 with 1, about 1e-5 with 2 (round body)
-)
+# over the section: relative error of a frequency up to 1e-3 with 1, about 1e-5 with 2 (round body)
+LEAST_DEGREE = 2
 # Polynomials of all kinds over a triangle are orthonormal to 4e-7 with 8, and to 4e-4 with 10, where the
 # stiffness of a body was not positive.
 MOST_DEGREE = 8
-LEAST_ORDER, PER_LAYER = (
-    8,
-    2,
-)  # order of the polynomials along the body, and its increase per layer of the mesh
+LEAST_ORDER, PER_LAYER = 8, 2  # of the polynomials along the body, and increase per layer of the mesh
 FOR_SECTION = 4  # directions in each block of a foot's Krylov space in addition to those of a whole cell
 # entries of stiffness of all feet stored for further designs, about 80 bytes each, so 0.4 GB: 10 usual feet
 KEPT_FEET = 5e6

@@ -19,9 +19,8 @@ from haptonic.arrays import Ints
 from haptonic.cell import TileShape, Topology
 from haptonic.cell.tile import HALF_TURNED, Sides
 
-Folds = tuple[
-    tuple[Sides, tuple[int, int, int]], ...
-]  # operations, and the signs that each gives to the components
+# operations, and the signs that each gives to the components
+Folds = tuple[tuple[Sides, tuple[int, int, int]], ...]
 
 MIRRORS = np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0])  # across x and across y
 THROUGH = np.array([1, 1, -1], dtype=np.int8)  # signs of components after the mirror in the middle plane

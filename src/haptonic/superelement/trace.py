@@ -87,9 +87,8 @@ class FoldedTrace:
             return level, np.ones((self.levels, 3))
         away = level - level[::-1]
         sign = np.where(away[:, None] < 0, self.sign_of_image, 1.0)
-        sign[away == 0] = (
-            self.sign_of_image > 0
-        )  # a component equal to its opposite is zero in the plane itself
+        # a component equal to its opposite is zero in the plane itself
+        sign[away == 0] = self.sign_of_image > 0
         return np.maximum(level, level[::-1]) - self.levels // 2, sign
 
     @property

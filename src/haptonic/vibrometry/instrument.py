@@ -153,9 +153,8 @@ class _Simulated:
         count, samples = moved.shape
         records = np.empty((count, self.averages, samples), self.reference.dtype)
         for row, point in enumerate(range(start, start + count)):
-            chance = np.random.default_rng(
-                [self.seed, point]
-            )  # one for each point: any order of reading is possible
+            # one for each point: any order of reading is possible
+            chance = np.random.default_rng([self.seed, point])
             noise = chance.standard_normal((self.averages, samples), dtype=np.float32)
             seen = moved[row] + np.float32(self.instrument.noise / self.scale) * noise
             if chance.random() < self.instrument.dropouts:

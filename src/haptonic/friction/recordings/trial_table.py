@@ -177,10 +177,8 @@ def _with_ending(folder: Path, name: str) -> str:
         if whole.suffix or "*" in name or not whole.parent.is_dir() or whole.is_file():
             return name
         matches = [path for path in whole.parent.iterdir() if path.stem == whole.name and path.is_file()]
-    except (
-        OSError
-    ):  # a name too long for any file, or an unreadable folder: opening the file raises the error
-        return name
+    except OSError:
+        return name  # too long for any file, or of an unreadable folder: opening the file raises the error
     return str(matches[0].relative_to(folder)) if len(matches) == 1 else name
 
 

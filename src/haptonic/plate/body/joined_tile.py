@@ -102,9 +102,8 @@ class Joined:
         column = np.clip((where[:, 0] / self.size[0]).astype(np.int64), 0, columns - 1)
         row = np.clip((where[:, 1] / self.size[1]).astype(np.int64), 0, rows - 1)
         number = row * columns + column
-        local = np.clip(
-            where - self._corners[number], 0.0, self.size
-        )  # of points on a border, after rounding
+        # points on a border lie beyond it after rounding
+        local = np.clip(where - self._corners[number], 0.0, self.size)
         own = self.tile.inside.normal_at(local)
         out = np.empty((len(where), self.basis.shape[2]))
         for k in np.unique(number):

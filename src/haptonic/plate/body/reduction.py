@@ -227,9 +227,8 @@ def _main_directions(
     size = np.maximum(np.sqrt(np.diag(gram)), least)
     weights, turn = la.eigh(gram / size / size[:, None])
     significant = weights > missed**2 * weights[-1]
-    fields = fields @ (
-        turn[:, significant] / np.sqrt(weights[significant]) / size[:, None]
-    )  # unit energy each
+    # unit energy each
+    fields = fields @ (turn[:, significant] / np.sqrt(weights[significant]) / size[:, None])
     weights, turn = la.eigh(fields.T @ (mass[:, None] * fields))
     return np.asarray(fields @ (turn[:, ::-1] / np.sqrt(weights[::-1]))), 1 / weights[::-1]
 

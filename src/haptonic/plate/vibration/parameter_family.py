@@ -157,9 +157,8 @@ def anchored(
     HaptonicError : lines that stay above the tolerance
     """
     other = updated(model, plate)
-    band = Band.of(
-        other.model, 0.0, float(frequencies[-1])
-    )  # from 0, because a band that begins higher may need a new basis
+    # from 0, because a band that begins higher may need a new basis
+    band = Band.of(other.model, 0.0, float(frequencies[-1]))
     _, vibration = band.answer(drives, frequencies, tolerance)
     amplitudes = vibration.amplitudes
     seen = real_times(other.model.displaced(points, vibration.vectors), amplitudes).T

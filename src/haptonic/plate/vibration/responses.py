@@ -148,9 +148,8 @@ def responded(
     """
     reference, _ = reference_of(plate)
     model = PlateModel.of(plate, float(frequency[-1]), fineness)
-    band = Band.of(
-        model, 0.0, float(frequency[-1])
-    )  # from 0, because a band that begins higher may need a new basis
+    # from 0, because a band that begins higher may need a new basis
+    band = Band.of(model, 0.0, float(frequency[-1]))
     _, vibration = band.answer(unit_drives(plate), frequency, tolerance)
     seen = real_times(model.displaced(points, vibration.vectors), vibration.amplitudes)
     return FrequencyResponse.of(

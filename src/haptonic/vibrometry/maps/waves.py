@@ -74,9 +74,8 @@ def wavenumber_map(response: FrequencyResponse, region: str, along: Axis) -> xr.
         .transpose("frequency", "direction", {"x": "y", "y": "x"}[along], along)
     )
     values, place = np.asarray(grid.values), np.asarray(grid[along].values)
-    rows = np.moveaxis(values, 2, 1).reshape(
-        len(values), -1, len(place)
-    )  # (frequency, row and direction, place)
+    # (frequency, row and direction, place)
+    rows = np.moveaxis(values, 2, 1).reshape(len(values), -1, len(place))
     whole = np.isfinite(rows).all(axis=(0, 2))
     if len(place) < 8 or not whole.any():
         raise ScanError.too_few(
