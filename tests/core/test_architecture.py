@@ -143,7 +143,10 @@ def part_of(module: str) -> str:
     )
 
 
-TREES = {module_name(file): tree_of(file) for file in FILES}
+@cache
+def trees() -> dict[str, ast.Module]:
+    """Trees of all modules of the package; not parsed by each process that only collects tests."""
+    return {module_name(file): tree_of(file) for file in FILES}
 
 
 def imported(node: ast.AST) -> list[str]:
@@ -153,7 +156,7 @@ def imported(node: ast.AST) -> list[str]:
     assert isinstance(node, ast.ImportFrom)
     assert node.level == 0, "relative import"
     inner = [f"{node.module}.{alias.name}" for alias in node.names]
-    modules = [name for name in inner if name in TREES]
+    modules = [name for name in inner if name in trees()]
     # with only modules taken out of it, the package itself is no more than the road to them
     return modules if len(modules) == len(inner) else [node.module or "", *modules]
 
@@ -161,7 +164,7 @@ def imported(node: ast.AST) -> list[str]:
 @cache
 def imports_of(module: str, *, at_run_time: bool = False) -> set[str]:
     """All imports of a module; ``at_run_time`` leaves out those that only a type checker follows."""
-    tree = TREES[module]
+    tree = trees()[module]
     for_types = {
         inner
         for node in ast.walk(tree)
@@ -178,13 +181,13 @@ def own_imports_of(module: str, *, at_run_time: bool = False) -> set[str]:
 
 
 def test_every_part_is_in_the_table():
-    assert {part_of(module) for module in TREES} <= ALLOWED.keys() | TOP
+    assert {part_of(module) for module in trees()} <= ALLOWED.keys() | TOP
 
 
 def test_imports_follow_the_table():
     forbidden = [
         f"{module} must not import {name}"
-        for module in TREES
+        for module in trees()
         if (part := part_of(module)) not in TOP
         for name in sorted(own_imports_of(module))
         if part_of(name) not in ALLOWED.get(part, set()) | EVERYWHERE | {part}
@@ -202,7 +205,7 @@ def room_of(module: str) -> tuple[str, int] | None:
 
 def test_rooms_import_one_way():
     faults = []
-    for module in TREES:
+    for module in trees():
         room = room_of(module)
         if room is None or module == f"haptonic.{room[0]}":  # the public face of all rooms
             continue
@@ -245,14 +248,16 @@ def test_a_cycle_would_be_found():
 
 
 def test_no_import_cycle_between_modules():
-    graph = {module: own_imports_of(module, at_run_time=True) & TREES.keys() - {module} for module in TREES}
+    graph = {
+        module: own_imports_of(module, at_run_time=True) & trees().keys() - {module} for module in trees()
+    }
     cycle = " -> ".join(cycle_in(graph))
     assert not cycle, cycle
 
 
 def test_no_import_cycle_between_parts():
     graph: dict[str, set[str]] = {}
-    for module in TREES:
+    for module in trees():
         others = {part_of(name) for name in own_imports_of(module)}
         graph.setdefault(part_of(module), set()).update(others - {part_of(module)})
     # `haptonic` itself, for its version, is imported by the parts that it opens to the user
@@ -278,7 +283,7 @@ def hidden_imports(tree: ast.AST) -> set[str]:
 def test_only_optional_dependencies_are_imported_inside_functions():
     hidden = {
         module: hidden_imports(tree) - INSIDE_FUNCTIONS.get(part_of(module), set())
-        for module, tree in TREES.items()
+        for module, tree in trees().items()
     }
     assert {module: names for module, names in hidden.items() if names} == {}
 
@@ -301,7 +306,7 @@ def test_the_core_needs_no_more_than_numpy_scipy_and_what_counts_memory_and_thre
         "sksparse",
         "haptonic",
     }
-    for module in TREES:
+    for module in trees():
         if part_of(module) in CORE - {"units", "fields", "foreign"}:
             roots = {name.split(".")[0] for name in imports_of(module)} - set(sys.stdlib_module_names)
             assert roots <= outside, module
@@ -315,15 +320,13 @@ def aliases_in(tree: ast.Module) -> dict[str, str]:
     return {ast.unparse(node.value): ast.unparse(node.targets[0]) for node in aliases}
 
 
-KNOWN = aliases_in(TREES["haptonic.arrays"])
-
-
 def test_types_of_arrays_are_named_once():
+    known = aliases_in(trees()["haptonic.arrays"])
     again = [
         f"{module}.{name} is {what}, which haptonic.arrays names"
-        for module in TREES.keys() - {"haptonic.arrays"}
-        for what, name in aliases_in(TREES[module]).items()
-        if what in KNOWN and what != "NDArray[Any]"
+        for module in trees().keys() - {"haptonic.arrays"}
+        for what, name in aliases_in(trees()[module]).items()
+        if what in known and what != "NDArray[Any]"
     ]
     assert again == []
 
