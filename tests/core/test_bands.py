@@ -342,7 +342,7 @@ def test_a_band_that_was_lost_is_noticed(monkeypatch):
 
 def test_a_frequency_between_a_band_and_that_of_the_lower_orders_is_not_compared():
     """The count of the lower orders would call such a band missing."""
-    plate, levels = BlochModel.of(reference_cell().without_pillar(), Resolution(4, 0), 12, measured=False), []
+    plate, levels = BlochModel.of(reference_cell().without_pillar(), Resolution(3, 0), 12, measured=False), []
     plans = plate.resolution.lowered(plate.cell)
     coarse = bloch_pencil(Tiling.condensed(plate.cell, plans, 4, 20, measured=False))
     for kappa in plate.cell.zone.triangles(2)[0]:

@@ -192,7 +192,9 @@ def test_more_layers_along_a_stepped_pillar_change_next_to_nothing():
 LONG_WAVES = np.array([[0.02, 0.01], [0.05, 0.0], [0.15, 0.1], [0.4, 0.2]])  # phases, rad
 
 
-@pytest.mark.parametrize("lattice", [Lattice.square(6e-3), Lattice.triangular(6e-3)])
+@pytest.mark.parametrize(
+    "lattice", daily([Lattice.square(6e-3), Lattice.triangular(6e-3)], Lattice.triangular(6e-3))
+)
 def test_errors_of_long_waves_decrease_like_their_frequencies(lattice):
     """Rotations of the cell were counted as errors: 2 % of a flexural wave at 59 Hz, instead of 0.2 %."""
     cell = UnitCell(lattice, 1e-3, material("brass"), pillar=Pillar(3e-3, 12e-3))

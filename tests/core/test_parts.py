@@ -34,6 +34,7 @@ CELLS = {
     "step": replace(HEXAGON, pillar=Pillar(3.5e-3, 9e-3, step=Step(2.5e-3, 5e-3))),
     "square": SQUARE,
     "square, both faces": replace(SQUARE, faces="both"),
+    "hole": replace(HEXAGON, pillar=None, disc=(Disc(4e-3, empty=True),)),
     "snowflake": replace(HEXAGON, pillar=None, disc=(arms("snowflake"),)),
     "cross": replace(SQUARE, pillar=None, disc=(arms("cross"),)),
 }
@@ -41,7 +42,7 @@ CELLS = {
 
 @pytest.mark.parametrize(
     "name",
-    daily(CELLS, "plain", "square", "snowflake"),
+    daily(CELLS, "plain", "square", "hole"),
 )
 def test_parts_and_mirrors_alone_condense_to_the_same(monkeypatch, name):
     cell, plans = CELLS[name], Resolution(1, 0).plans(CELLS[name])

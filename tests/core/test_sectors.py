@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 from strategies import ALUMINIUM
 from test_mesh_family import shares_of_volume
 from test_outlines import MM, SAME, sections, stars
@@ -58,7 +58,6 @@ def check_mesh(tile, plan, volume=None):
 
 
 @given(sections(), st.sampled_from(sorted(LATTICES)), st.integers(3, 4))
-@settings(max_examples=25)
 def test_any_outline_has_a_sound_mesh_or_is_refused(pillar, lattice, order):
     try:
         tile = UnitCell(LATTICES[lattice], 1.5 * MM, ALUMINIUM, pillar)
@@ -68,7 +67,6 @@ def test_any_outline_has_a_sound_mesh_or_is_refused(pillar, lattice, order):
 
 
 @given(stars(), st.sampled_from(sorted(LATTICES)), st.booleans())
-@settings(max_examples=25)
 def test_a_section_that_bends_inwards_has_a_sound_mesh_or_is_refused(disc, lattice, empty):
     disc = replace(disc, empty=empty, material=None if empty else ALUMINIUM)
     try:
