@@ -73,7 +73,7 @@ def test_decays_on_a_finer_mesh_are_within_both_errors(width):
 
 def test_the_page_shows_the_waveguide_that_one_selects(browser, guides, tmp_path):
     data, best = guides.dataset, guides.strips.index(guides.best)
-    guides.write(tmp_path)
+    guides.files["waveguide.html"](tmp_path / "waveguide.html")
     with page_at(browser, (tmp_path / "waveguide.html").as_uri(), **STILL) as page:
         page.wait_for_selector(f"{FIELD}[data-shown='{best}']")
         page.keyboard.press("Tab")

@@ -22,9 +22,9 @@ def result() -> PlateResult:
 
 @pytest.fixture(scope="module")
 def address(result, tmp_path_factory: pytest.TempPathFactory) -> str:
-    folder = tmp_path_factory.mktemp("plate")
-    result.write(folder)
-    return (folder / "plate.html").as_uri()
+    path = tmp_path_factory.mktemp("plate") / "plate.html"
+    result.files["plate.html"](path)
+    return path.as_uri()
 
 
 def shown(page: Page) -> int:
@@ -194,7 +194,7 @@ def test_the_page_fits_its_window_and_breaks_no_rule_of_accessibility(browser, a
 
 def test_a_single_frequency_has_a_page_without_spectra(browser, tmp_path):
     result = loads(QUICK_CELL.replace("60 kHz", "10 kHz") + PLATE).plate(html=True, at=10e3)
-    result.write(tmp_path)
+    result.files["plate.html"](tmp_path / "plate.html")
     with page_at(browser, (tmp_path / "plate.html").as_uri(), **STILL) as page:
         page.wait_for_selector(f"{MAP}[data-shown]")
         assert page.locator(".u-over").count() == 0

@@ -77,7 +77,7 @@ def shown(page: Page) -> int:
 def test_the_page_shows_what_the_keyboard_and_the_mouse_select(browser, ribbon, tmp_path):
     data = ribbon.dataset
     frequency, error, phase = (data[name].values for name in ("frequency", "frequency_error", "phase"))
-    ribbon.write(tmp_path)
+    ribbon.files["ribbon.html"](tmp_path / "ribbon.html")
     with page_at(browser, (tmp_path / "ribbon.html").as_uri(), **STILL) as page:
         page.wait_for_selector(f"{FIELD}[data-shown]")
         assert shown(page) == np.abs(frequency - 50e3).argmin()  # nearest to the middle, as 60 kHz is the end

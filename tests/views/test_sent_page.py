@@ -26,9 +26,9 @@ def bands() -> Bands:
 
 @pytest.fixture(scope="module")
 def address(bands: Bands, tmp_path_factory: pytest.TempPathFactory) -> str:
-    folder = tmp_path_factory.mktemp("sent")
-    bands.write(folder)
-    return (folder / "bands.html").as_uri()
+    path = tmp_path_factory.mktemp("sent") / "bands.html"
+    bands.files["bands.html"](path)
+    return path.as_uri()
 
 
 def shown(page: Page) -> tuple[int, int]:

@@ -55,7 +55,7 @@ def test_a_wave_in_rows_is_the_mode_of_the_lattice_at_its_phases(text, along, ph
 def test_the_page_of_a_mirror_moves_the_wave_that_one_picks(browser, tmp_path):
     layers = loads(QUICK_CELL + LAYERS).layers(html=True)
     data, view = layers.dataset, layers.view()
-    layers.write(tmp_path)
+    layers.files["layers.html"](tmp_path / "layers.html")
     decay, phase = (data[name].transpose("frequency", "wave").values for name in ("slab_decay", "slab_phase"))
     with page_at(browser, (tmp_path / "layers.html").as_uri(), **STILL) as page:
         page.wait_for_selector(f"{FIELD}[data-shown]")

@@ -55,7 +55,14 @@ def bands(study):
     return study.bands(html=True, surface=True)
 
 
-def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, study, bands, tmp_path):
+@pytest.fixture(scope="module")
+def address(bands, tmp_path_factory) -> str:
+    path = tmp_path_factory.mktemp("zone") / "bands.html"
+    bands.files["bands.html"](path)
+    return path.as_uri()
+
+
+def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, study, bands, address):
     model, data = bloch_model(study.cell, study.bands_settings), bands.dataset
     for sample in (3, 77, 200):
         solution = model.solve(data["zone_kappa"].values[sample])
@@ -64,8 +71,7 @@ def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, stud
     view = bands.view().dataset
     wavevector, sample = view["zone_wavevector"].values, view["zone_sample"].values
     largest = np.pi / 7e-3
-    bands.write(tmp_path)
-    with page_at(browser, (tmp_path / "bands.html").as_uri(), **STILL) as page:
+    with page_at(browser, address, **STILL) as page:
         page.wait_for_selector(f"{MAP}[data-shown]")
         walk, words = page.get_by_role("application", name="Brillouin zone"), page.locator("#zone-point")
 
@@ -111,11 +117,10 @@ def test_a_wavevector_of_the_zone_has_the_frequencies_of_the_model(browser, stud
         assert faults_of_layout(page) == []
 
 
-def test_the_zone_has_the_colours_of_frequencies_between_its_wavevectors(browser, bands, tmp_path):
+def test_the_zone_has_the_colours_of_frequencies_between_its_wavevectors(browser, bands, address):
     """Linear in each triangle; contours and their numbers cover a few pixels."""
     colours = np.array(bands.view().extra["colours"])
-    bands.write(tmp_path)
-    with page_at(browser, (tmp_path / "bands.html").as_uri(), **STILL) as page:
+    with page_at(browser, address, **STILL) as page:
         page.wait_for_selector(f"{MAP}[data-shown]")
         page.get_by_role("region", name="Brillouin zone").locator("select").first.select_option("1")
         page.wait_for_selector(f"{MAP}[data-shown$=',0']")
@@ -134,9 +139,8 @@ def test_the_zone_has_the_colours_of_frequencies_between_its_wavevectors(browser
     assert np.mean(np.concatenate(away) <= 3) > 0.8
 
 
-def test_triangles_cover_the_zone_and_their_edges_follow_the_band(browser, bands, tmp_path):
-    bands.write(tmp_path)
-    with page_at(browser, (tmp_path / "bands.html").as_uri(), **STILL) as page:
+def test_triangles_cover_the_zone_and_their_edges_follow_the_band(browser, bands, address):
+    with page_at(browser, address, **STILL) as page:
         page.wait_for_selector(f"{MAP}[data-shown]")
         meshes, levels = np.array(page.evaluate(MESH)), page.evaluate(LEVELS)
     step = 1.5 * np.pi / 7e-3 / 24
@@ -186,12 +190,11 @@ def test_group_velocities_of_the_path_on_a_finer_mesh_are_within_both_errors(lat
     np.testing.assert_array_equal(np.isnan(error), np.isnan(velocity[..., 0]))
 
 
-def test_a_picked_wavevector_moves_in_the_mode_of_the_model(browser, study, bands, tmp_path):
+def test_a_picked_wavevector_moves_in_the_mode_of_the_model(browser, study, address):
     model = bloch_model(study.cell, study.bands_settings)
     points, pitch = model.fine.tiling.points, study.cell.lattice.pitch
     largest = np.pi / pitch
-    bands.write(tmp_path)
-    with page_at(browser, (tmp_path / "bands.html").as_uri(), **STILL) as page:
+    with page_at(browser, address, **STILL) as page:
         page.wait_for_selector(f"{MODE}[data-shown]")
         walk, words = page.get_by_role("application", name="Brillouin zone"), page.locator("#zone-point")
         box = page.locator(MAP).bounding_box()
