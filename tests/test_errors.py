@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import haptonic
+from each import each
 from haptonic.errors import HaptonicError, ScanError, StudyError
 from sources import tree_of
 
@@ -45,7 +46,7 @@ def test_the_docs_list_every_code_and_no_other():
     assert len(rows) == len(CODES)
 
 
-@pytest.mark.parametrize("code", sorted(CODES.keys() - {"unknown"}))
+@each("code", sorted(CODES.keys() - {"unknown"}))
 def test_a_constructor_gives_its_code(code):
     error = getattr(ScanError, code.replace("-", "_"))(**PARTS)
     assert isinstance(error, ScanError)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from each import each
 from five_parts import refusing
 from haptonic.errors import StudyError
 from haptonic.materials import (
@@ -232,7 +233,7 @@ def test_library_has_the_documented_materials():
     assert (prototype.youngs_modulus, prototype.density) == (72.4e9, 2790.0)
 
 
-@pytest.mark.parametrize("name", sorted(NAMES))
+@each("name", sorted(NAMES))
 def test_every_material_is_a_stable_value_with_a_source(name):
     solid = material(name)
     assert solid.name == name
@@ -304,7 +305,7 @@ def test_two_materials_that_differ_in_anything_have_different_dicts():
     assert len(texts) == 5
 
 
-@pytest.mark.parametrize(
+@each(
     ("build", "change", "argument"),
     [
         (isotropic, {"poisson_ratio": 0.5}, "material.poisson_ratio"),

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from matplotlib.figure import Figure
 
+from each import each
 from haptonic import load, plots, read_scan
 from haptonic.analyses import named
 from haptonic.analyses.friction import compute_friction
@@ -107,8 +108,8 @@ def test_a_file_inside_a_folder_is_looked_at_like_any_other(kind, tmp_path, monk
     assert five_parts_of(read_calibration, tmp_path / "point.csv").argument == "trials.sensor.calibration"
 
 
-@pytest.mark.parametrize("kind", NO_PATHS | NO_NAMES)
-@pytest.mark.parametrize("reader", READERS)
+@each("kind", NO_PATHS | NO_NAMES)
+@each("reader", READERS)
 def test_what_is_no_path_is_refused(reader, kind):
     five_parts_of(READERS[reader], (NO_PATHS | NO_NAMES)[kind])
 

@@ -6,6 +6,7 @@ from decimal import Decimal
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from each import each
 from haptonic import units
 from haptonic.errors import HaptonicError, shown
 from haptonic.units import PREFIXES_OF, format_quantity, registry, to_si
@@ -17,7 +18,7 @@ decimals = st.builds(
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "unit", "value"),
     [
         ("7 mm", "m", 0.007),
@@ -102,8 +103,8 @@ HOSTILE = [
 ]
 
 
-@pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text[:16]))
-@pytest.mark.parametrize("unit", ["m", ""])
+@each("text", HOSTILE)
+@each("unit", ["m", ""])
 def test_refuses_other_text_before_pint_sees_it(text, unit, monkeypatch):
     def unreachable():
         raise AssertionError("pint was asked")
@@ -118,7 +119,7 @@ def test_refuses_other_text_before_pint_sees_it(text, unit, monkeypatch):
     assert str(caught.value).isprintable() or "\n  " in str(caught.value)
 
 
-@pytest.mark.parametrize(
+@each(
     ("value", "unit", "cause"),
     [
         ("1e400 m", "m", "too large"),
@@ -171,7 +172,7 @@ def test_any_text_is_read_or_refused(text):
     assert math.isfinite(value)
 
 
-@pytest.mark.parametrize(
+@each(
     ("value", "unit", "text"),
     [
         (0.007, "m", "7 mm"),

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from daily import daily
+from each import each
 from five_parts import refused
 from haptonic.channels import opened
 from haptonic.channels.cells import number_of
@@ -45,7 +46,7 @@ def test_a_heading_is_a_name_and_perhaps_a_unit(heading, name, unit):
     assert (parsed.name, parsed.unit) == (name, unit)
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "number"),
     [
         ("1.5", 1.5),

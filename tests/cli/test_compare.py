@@ -14,6 +14,7 @@ import pytest
 import xarray as xr
 from hypothesis import given, strategies as st
 
+from each import each
 from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
 from haptonic.analyses.comparing import PARTS, OfTable, of_dataset, of_file, of_table
@@ -193,8 +194,8 @@ def test_a_unit_that_is_none(tmp_path, unit, code, argument, given):
     )
 
 
-@pytest.mark.parametrize("unit", [None, "kHz", "Hz", "us"])
-@pytest.mark.parametrize(
+@each("unit", [None, "kHz", "Hz", "us"])
+@each(
     ("head", "why"),
     [
         ("Period (us)", "a period is not a frequency"), ("T [ms]", "a period is not a frequency"),

@@ -11,6 +11,7 @@ from hypothesis import assume, given, strategies as st
 from outlines import EXTREMES, arc_top, outline, pillars, side
 from scipy.integrate import quad
 
+from each import each
 from five_parts import refusing
 from haptonic.cell import Pillar, Step
 from haptonic.errors import GeometryError
@@ -142,7 +143,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("pillar", "change", "key"), REFUSED.values(), ids=REFUSED)
+@each(("pillar", "change", "key"), REFUSED.values())
 def test_refusals_name_the_key_in_five_parts(pillar, change, key):
     with pytest.raises(GeometryError) as refusal:
         replace(pillar, **change)

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, strategies as st
 from scipy.special import roots_jacobi
 
+from each import each
 from haptonic.cell.quadrature import interpolation, lobatto
 
 ORDERS = range(1, 17)
@@ -14,7 +15,7 @@ orders = st.integers(1, 16)
 coefficients = st.lists(st.floats(-1, 1), min_size=17, max_size=17)
 
 
-@pytest.mark.parametrize("order", ORDERS)
+@each("order", ORDERS)
 def test_inner_points_are_those_of_jacobi_polynomials(order):
     points, _, _ = lobatto(order)
     assert points[[0, -1]].tolist() == [-1.0, 1.0]
@@ -23,7 +24,7 @@ def test_inner_points_are_those_of_jacobi_polynomials(order):
     assert (np.diff(points) > 0).all()
 
 
-@pytest.mark.parametrize("order", ORDERS)
+@each("order", ORDERS)
 def test_weights_are_exact_up_to_degree_2_order_less_1(order):
     points, weights, _ = lobatto(order)
     for degree in range(2 * order):

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, strategies as st
 from waves import LINES, X, Y, numbers, response_of_waves
 
+from each import each
 from five_parts import refusing
 from haptonic.errors import ResponseError
 
@@ -208,7 +209,7 @@ WRONG = {
 }
 
 
-@pytest.mark.parametrize("name", WRONG)
+@each("name", WRONG)
 def test_bad_input_is_refused(name):
     changes, code, argument = WRONG[name]
     with refusing(ResponseError, code, argument):

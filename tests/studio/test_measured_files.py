@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from served import Reply, Served, served
 
+from each import each
 from haptonic import read_scan
 from haptonic.errors import HaptonicError
 from haptonic.studio import guard
@@ -59,8 +60,8 @@ def files_in(folder: Path) -> dict[str, bytes]:
     return {str(path): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-@pytest.mark.parametrize("name", HOSTILE, ids=lambda name: ascii(name)[:20])
-@pytest.mark.parametrize("replace", [True, False])
+@each("name", HOSTILE)
+@each("replace", [True, False])
 def test_a_hostile_name_changes_nothing(studio, name, replace):
     above = studio.studio.workspace.folder.parent
     before = files_in(above)

@@ -6,6 +6,7 @@ import tomllib
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from each import each
 from five_parts import refused_study as refused, refusing
 from haptonic.analyses import design
 from haptonic.design.parameters import UNITS
@@ -133,7 +134,7 @@ class TestRefusals:
         "too few samples": ("[tolerance]\nsamples = 15", "tolerance.samples", ["at least 16"]),
     }  # fmt: skip
 
-    @pytest.mark.parametrize("case", CASES.items(), ids=lambda case: case[0])
+    @each("case", CASES.items())
     def test_five_parts_at_the_right_place(self, case):
         text, path, words = case[1]
         error = refused(f"{BASE}\n{text}\n")

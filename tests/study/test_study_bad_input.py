@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from each import each
 from five_parts import refused_study as refused
 from haptonic.cell import Pillar, UnitCell
 from haptonic.errors import StudyError
@@ -142,7 +143,7 @@ NOT_NAMED_THERE = {
 }
 
 
-@pytest.mark.parametrize("case", {**NAMED_IN_THE_ISSUE, **NOT_NAMED_THERE}.items(), ids=lambda case: case[0])
+@each("case", {**NAMED_IN_THE_ISSUE, **NOT_NAMED_THERE}.items())
 def test_bad_value_is_refused(case, edited):
     change, path, words = case[1]
     error = refused(edited(change))
@@ -242,7 +243,7 @@ def test_constants_of_a_built_in_material_cannot_be_varied():
     assert "[material] table" in str(error)
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "words"),
     [
         ('material = "steel"\n[sweep]\nvary = "cell.pitch"', ["[[sweep]]"]),
@@ -260,7 +261,6 @@ def test_constants_of_a_built_in_material_cannot_be_varied():
         ("a = " + "9" * 5000, ["thousands of digits"]),
         ("title = 'x'\x01", ["line 1"]),
     ],
-    ids=lambda value: ascii(value)[:20] if isinstance(value, str) else "",
 )
 def test_text_that_is_no_study(text, words):
     error = refused(text)

@@ -6,6 +6,7 @@ import tomllib
 import pytest
 
 from daily import daily
+from each import each
 from five_parts import refusing
 from haptonic.errors import StudyError
 from haptonic.fields import table
@@ -86,7 +87,7 @@ def test_declared_once_and_read_everywhere():
     assert KEYS["sweep"].kind == "tables"
 
 
-@pytest.mark.parametrize(
+@each(
     "path",
     [
         path

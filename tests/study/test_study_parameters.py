@@ -13,6 +13,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
+from each import each
 from five_parts import assert_explained, refused
 from haptonic import Study
 from haptonic.cell import UnitCell
@@ -72,7 +73,7 @@ SCOPE = Scope({"a": "7 mm", "f": "60 kHz", "n": 3, "turn": "30 deg"})
 class TestValues:
     """Values are those of ordinary arithmetic; roundings are those of one division at the end."""
 
-    @pytest.mark.parametrize(
+    @each(
         ("text", "unit", "value"),
         [
             ("a", "m", 7e-3),
@@ -166,7 +167,7 @@ class TestValues:
 
 
 class TestRefusals:
-    @pytest.mark.parametrize(
+    @each(
         ("text", "code", "words"),
         [
             ("1 mm + 2 kHz", "mismatch", "a length and a frequency"),

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from test_study_writing import studies
 
+from each import each
 from five_parts import refused, refusing
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.options import option_of
@@ -199,7 +200,7 @@ WRONG = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_a_value_of_another_type_is_refused(name, tmp_path):
     analysis, needed = named(name), dict.fromkeys(NEEDING_PATHS[name], tmp_path)
     for field in fields(analysis.options):
@@ -211,7 +212,7 @@ def test_a_value_of_another_type_is_refused(name, tmp_path):
                 assert (error.code, error.argument) == ("malformed", field.name), (field, value)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_a_number_beyond_its_bounds_is_refused(name, tmp_path):
     analysis, needed = named(name), dict.fromkeys(NEEDING_PATHS[name], tmp_path)
     for field in fields(analysis.options):
@@ -246,7 +247,7 @@ def test_what_an_analysis_cannot_do_without_is_asked_for_by_its_name(name, optio
     assert (error.code, error.argument) == ("missing", option)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_an_option_without_its_name_is_refused(name):
     error = refused(lambda: getattr(Study(cell=CELL), name.replace(" ", "_"))("measured.uff"))
     assert (error.code, error.argument) == ("malformed", f"options of {name}")

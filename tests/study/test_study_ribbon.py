@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from each import each
 from five_parts import assert_explained
 from haptonic.analyses import ribbon
 from haptonic.analyses.options import NoOptions
@@ -132,7 +133,7 @@ def changed(*pairs, text=STUDY + RIBBON):
     return text
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "code", "argument", "words"),
     [
         (changed(("ooo1111ooo", "ooo11x1ooo")), "unknown", "ribbon.map", "[ribbon.tiles] does not explain"),

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from each import each
 from five_parts import assert_explained, refused
 from haptonic.analyses import design, export, waveguide
 from haptonic.cell import Pillar, Site, Step, UnitCell
@@ -185,7 +186,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "key", "code"), REFUSED.values(), ids=REFUSED)
+@each(("text", "key", "code"), REFUSED.values())
 def test_sites_that_do_not_fit_are_refused(text, key, code):
     refused(lambda: loads(text), code=code, argument=key)
 

@@ -6,6 +6,7 @@ import re
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
+from each import each
 from five_parts import refusing
 from haptonic.errors import StudyError
 from haptonic.study import Study, loads
@@ -122,7 +123,7 @@ def test_dimensional_sweep_reads_units(edited):
     assert loads(study.to_toml()) == study
 
 
-@pytest.mark.parametrize(
+@each(
     ("text", "code", "named"),
     [
         ("", "missing", ""),

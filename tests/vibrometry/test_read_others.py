@@ -12,6 +12,7 @@ import scipy.io
 from nptdms import ChannelObject, GroupObject, RootObject, TdmsWriter
 from scans import LINES, VALUES, X, Y, response
 
+from each import each
 from five_parts import assert_explained, refusing
 from haptonic.channels import opened
 from haptonic.errors import HaptonicError, HaptonicWarning, ScanError
@@ -111,7 +112,7 @@ class TestMatlab:
         save(tmp_path / "b.mat", h=VALUES, f=LINES, x=1e-3 * row, y=1e-6 * np.sin(row))
         read_scan(tmp_path / "b.mat", length_unit="m", frequency_unit="Hz")
 
-    @pytest.mark.parametrize("unit", ["mmm", "kHz", "", "s", 0.0, -1.0, float("nan")])
+    @each("unit", ["mmm", "kHz", "", "s", 0.0, -1.0, float("nan")])
     def test_units_that_are_none(self, tmp_path, save, unit):
         save(tmp_path / "a.mat", h=VALUES, f=LINES, x=X, y=Y)
         with pytest.raises(HaptonicError) as caught:
