@@ -11,7 +11,6 @@ from small import ALUMINIUM, COARSE, PITCH, THICKNESS, busy_plate, drawn, plain_
 from whole import answered, forms, foundations, lossless
 
 from haptonic.cell.quadrature import lobatto
-from haptonic.plate.body import model as model_module
 from haptonic.plate.body.foundations import CLAMPED, supported
 from haptonic.plate.body.model import PlateModel
 from haptonic.plate.body.skeleton import Skeleton, TraceOrders
@@ -214,13 +213,12 @@ def test_separate_beds_of_one_model_add_to_the_stiffness():
     assert np.linalg.norm(K - bare) > 1e-3 * np.linalg.norm(bare[:50])
 
 
-def test_free_edges_that_are_condensed_into_their_tiles_change_no_mode(monkeypatch):
+def test_free_edges_that_are_condensed_into_their_tiles_change_no_mode():
     """A notch, a force, springs and a clamp: what they touch stays, the rest of the outer edges goes."""
     supports = (Support("left", "spring", stiffness=3e11), Support("corners", "clamped", length=2e-3))
     plate = plain_plate(4, 5, supports=supports, forces=(Force("F", (30e-3, 10e-3), None),))
     closed = PlateModel.of(plate, 40e3, COARSE)
-    monkeypatch.setattr(model_module, "OPEN_FROM", 0)
-    opened = PlateModel.of(plate, 40e3, COARSE)
+    opened = PlateModel.of(plate, 40e3, COARSE, open_from=0)
     assert opened.assembly.free < closed.assembly.free - 100
     for foundation, other in zip(opened.foundations, closed.foundations, strict=True):
         assert np.array_equal(np.sort(foundation.stiffness.data), np.sort(other.stiffness.data))

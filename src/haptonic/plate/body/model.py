@@ -74,11 +74,13 @@ class PlateModel:
         highest: float,
         fineness: Fineness | None = None,
         bonds: Mapping[str, tuple[float, float]] = MappingProxyType({}),
+        open_from: int = OPEN_FROM,
     ) -> PlateModel:
         """Reduce the tiles of a plate for frequencies up to ``highest`` (Hz) and put them together.
 
         ``bonds`` contains, by actuator, the smallest and the largest thickness (m) of its bond that the tile
-        allows; see `haptonic.plate.body.parameter_update`.
+        allows; see `haptonic.plate.body.parameter_update`. From ``open_from`` unknowns
+        between blocks on, those at free edges are condensed into their tiles.
 
         Raises
         ------
@@ -94,7 +96,7 @@ class PlateModel:
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, foundations = supported(skeleton, plate.supports)
         total = total_stiffness(foundations, skeleton.size)
-        pays = skeleton.size >= OPEN_FROM
+        pays = skeleton.size >= open_from
         needed = np.union1d(held, total.indices) if pays else np.arange(skeleton.size)
         opened = skeleton.alone(needed, [block for block, attached in blocks.items() if attached])
         recipes = [

@@ -31,7 +31,7 @@ def flat_faces(mesh: HexMesh) -> list[Ints]:
     return [nodes for nodes in flat if len(nodes)]
 
 
-def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.csr_array:
+def surface_weights(points: Array, faces: Sequence[Ints], where: Array, steps: int = STEPS) -> sp.csr_array:
     """Matrix from nodal values to values at points of the flat face.
 
     The curved quadrilateral of each point is found by Newton's method on the isoparametric maps; on a common
@@ -42,6 +42,7 @@ def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.cs
     points : (n, 3) of all nodes, m
     faces : (k, n1, n2) node numbers of quadrilaterals on Gauss-Lobatto-Legendre points, from `flat_faces`
     where : (m, 2) x and y, m, in the frame of the nodes
+    steps : of Newton's method at most
 
     Returns
     -------
@@ -55,7 +56,7 @@ def surface_weights(points: Array, faces: Sequence[Ints], where: Array) -> sp.cs
     group = np.repeat(np.arange(len(faces)), [len(point) for point, _ in pairs])
     point, element = (np.concatenate(some) for some in zip(*pairs, strict=True))
     local = np.concatenate([
-        _local_coordinates(points[face][..., :2], element, where[point])
+        _local_coordinates(points[face][..., :2], element, where[point], steps)
         for face, (point, element) in zip(faces, pairs, strict=True)
     ])  # fmt: skip
     beyond = np.abs(local).max(axis=1)
@@ -93,7 +94,7 @@ def _candidates(corners: Array, where: Array) -> tuple[Ints, Ints]:
     return point, element
 
 
-def _local_coordinates(corners: Array, element: Ints, target: Array) -> Array:
+def _local_coordinates(corners: Array, element: Ints, target: Array, steps: int) -> Array:
     """(pairs, 2) local coordinates of targets (pairs, 2) in elements; infinite where the search failed."""
     nodes = corners[element]
     orders = nodes.shape[1:3]
@@ -103,7 +104,7 @@ def _local_coordinates(corners: Array, element: Ints, target: Array) -> Array:
     size = np.sqrt(distance.max(axis=1))
     todo = np.arange(len(nodes))
     missed = np.full(len(nodes), np.inf)
-    for _ in range(STEPS):
+    for _ in range(steps):
         if not len(todo):
             break
         (first, slope1), (second, slope2) = _shape_functions(orders, local[todo])

@@ -143,12 +143,17 @@ class Basis:
     below: Mapping[float, int]
 
     @classmethod
-    def spanned(cls, assembly: Assembly, pieces: list[Array], below: Mapping[float, int]) -> Basis:
-        """Compute Ritz vectors on the span of pieces (size, k); the list is emptied to free its memory."""
+    def spanned(
+        cls, assembly: Assembly, pieces: list[Array], below: Mapping[float, int], together: int = TOGETHER
+    ) -> Basis:
+        """Compute Ritz vectors on the span of pieces (size, k); the list is emptied to free its memory.
+
+        ``together`` pieces are made orthogonal to the others at once.
+        """
         span = _Orthonormal(assembly, sum(piece.shape[1] for piece in pieces))
         while pieces:
-            span.add_known(np.hstack(pieces[:TOGETHER]))
-            del pieces[:TOGETHER]
+            span.add_known(np.hstack(pieces[:together]))
+            del pieces[:together]
         raw = span.vectors
         reduced = np.zeros((span.count, span.count))  # its upper triangle, block by block
 
