@@ -310,14 +310,15 @@ def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
 def test_cells_with_discs_begin_at_the_level_of_the_accuracy():
     hole, coating = Disc(6e-3, empty=True), Disc(6e-3, material=material("epoxy"))
     steel = Disc(5e-3, material=material("steel"))
-    for discs in ((hole,), (coating, steel), (replace(hole, low=-1e-3),)):
+    for discs in ((hole,), (coating, replace(steel, empty=True, material=None)), (replace(hole, low=-1e-3),)):
         cell = UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=discs)
         assert expected_level(cell, 2e-3) == mesh_levels.starting_level(2e-3)
         assert expected_level(cell, 1e-9) == len(LEVELS) - 1
-        assert expected_level(cell, 5e-3) == 1  # the first level is too coarse for a disc in the plate
+        assert expected_level(cell, 5e-3) == 1  # the first level is too coarse for a hole
         assert expected_level(cell, 2e-2) == 0
-    on_top = UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=(replace(steel, low=0.0, high=2e-3),))
-    assert expected_level(on_top, 5e-3) == mesh_levels.starting_level(5e-3) == 0
+    for discs in ((coating, steel), (replace(steel, low=0.0, high=2e-3),)):
+        cell = UnitCell(Lattice.square(10e-3), 4e-3, ALUMINIUM, disc=discs)
+        assert expected_level(cell, 5e-3) == mesh_levels.starting_level(5e-3) == 0
 
 
 def test_an_interior_grows_as_often_as_it_has_to():

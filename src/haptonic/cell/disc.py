@@ -152,6 +152,11 @@ class Disc(Sectioned):
         low = -thickness if self.low is None else self.low
         return thickness + low, thickness + (self.high or 0.0)
 
+    @property
+    def is_in_plate(self) -> bool:
+        """True if its lower end is inside the plate, or at its lower face."""
+        return self.low is None or self.low < 0
+
     def side(self, thickness: float) -> Side:
         """Half-width at lower and upper end, and height of each above the plate's lower face, m."""
         low, high = self.ends(thickness)

@@ -16,7 +16,7 @@ import numpy as np
 from haptonic.arrays import Array, Bools
 from haptonic.cell.blocks import Division, StackBlocks
 from haptonic.cell.edges import BRIDGED, CORE_RADIUS, MOST_APART
-from haptonic.cell.orders import ROUNDING
+from haptonic.cell.orders import ROUNDING, rounded
 from haptonic.cell.outlines.outline import EDGE_GRADING, EDGE_WIDTH
 from haptonic.cell.stack import TURNS, Stack
 from haptonic.cell.tile import TileShape, sides_of
@@ -71,7 +71,7 @@ class Interval:
         whole = float(self._elements()[1][-1])
         # a single element extends from the thin elements up to `MOST_APART` times their width
         alone = math.log(MOST_APART) / math.log(BRIDGED) if len(self.near_low) + len(self.near_high) else 1.0
-        between = 1 if whole <= alone * (1 + ROUNDING) else math.ceil(whole * (1 - ROUNDING))
+        between = 1 if whole <= alone * (1 + ROUNDING) else max(rounded(whole), 2)
         return Division(len(self.near_low), between, len(self.near_high))
 
     def borders(self, division: Division) -> list[float]:

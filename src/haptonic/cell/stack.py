@@ -270,6 +270,11 @@ class Stack:
         """True if the widest disc is empty everywhere in the plate: a hole."""
         return all(row[-2] == VOID for row in self.grid[: self.in_plate])
 
+    @property
+    def fills_plate(self) -> bool:
+        """True if a disc of its own material reaches into the plate: an inclusion."""
+        return any(disc.material is not None and disc.is_in_plate for disc in self.discs)
+
     def keeps_material(self, turn: NDArray[np.float64]) -> bool:
         """True if a map leaves the materials of all discs unchanged."""
         return all(disc.keeps_material(turn) for disc in self.discs)
