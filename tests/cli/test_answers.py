@@ -136,9 +136,32 @@ def test_bands_report_where_the_carrier_lies(carrier):
     bands = reference_bands()
     sentence = Bands(bands.assign_attrs(carrier_hz=carrier)).summary()[1]
     lower, upper = (bands[f"gap_{edge}"].values[0] for edge in ("lower", "upper"))  # of the only complete gap
-    room = min(carrier - lower, upper - carrier)
+    room, edge = min((carrier - lower, "lower"), (upper - carrier, "upper"))
+    if abs(room) <= bands[f"gap_{edge}_error"].values[0]:
+        assert "may lie inside the gap" in sentence
+        return
     assert ("lies inside the gap" if room > 0 else "lies in no complete gap") in sentence
     assert f"{abs(room) / 1e3:.2g} kHz" in sentence
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_carrier_within_the_error_of_an_edge_is_undecided(side):
+    """On both sides of the edge; no distance is given, which would contradict the rounded edge."""
+    bands = reference_bands()
+    edge = bands["gap_lower"].values[0]
+    uncertain = bands.assign(gap_lower_error=("gap", [2e3] * bands.sizes["gap"]))
+    sentence = Bands(uncertain.assign_attrs(carrier_hz=edge + 1e3 * side)).summary()[1]
+    assert "may lie inside the gap" in sentence
+    assert "from the lower edge is smaller than the error of that edge" in sentence
+    assert "1 kHz" not in sentence
+
+
+@pytest.mark.parametrize(("carrier", "advice"), [(None, True), (30e3, False)])
+def test_more_bands_are_no_advice_below_the_last_one(carrier, advice):
+    bands = reference_bands().isel(gap=[])
+    sentence = Bands(bands if carrier is None else bands.assign_attrs(carrier_hz=carrier)).summary()[0]
+    assert "run `haptonic design`" in sentence
+    assert ("compute more bands" in sentence) is advice
 
 
 def test_the_carrier_is_in_the_first_sentences_of_a_cell_with_several_gaps():

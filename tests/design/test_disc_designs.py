@@ -145,6 +145,8 @@ class TestOrderOfDiscs:
         assert flush.limits(np.empty(0))["gap between discs"] == pytest.approx(1 - (6.5 + 0.14) / 7)
         hole = Brief(cell(Disc(1.5 * MM, empty=True)), 1e5, 8, {}, DesignLimits(tool=2 * MM))
         assert hole.limits(np.empty(0))["width of a hole"] == pytest.approx(-0.25)
+        blind = Brief(cell(Disc(3 * MM, low=-0.5 * MM, empty=True)), 1e5, 8, {}, DesignLimits(reach=0.4 * MM))
+        assert blind.limits(np.empty(0))["reach of the tool"] == pytest.approx(1 - 0.5 / 0.4)
 
     def test_a_spread_past_another_end_is_refused(self):
         layered = cell(Disc(4 * MM, low=-0.5 * MM, empty=True), Disc(3 * MM, low=-0.6 * MM, material=STEEL))

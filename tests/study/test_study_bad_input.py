@@ -116,6 +116,11 @@ NOT_NAMED_THERE = {
         ["not part of the grammar"],
     ),
     "unknown name in vary": ((RATIO, "cell.piller.height"), "sweep[2].vary", ['write "cell.pillar.height"']),
+    "named parameter without its table in vary": (
+        (RATIO, "glue"),
+        "sweep[2].vary",
+        ['write "parameters.glue"'],
+    ),
     "text named in vary": ((RATIO, "cell.lattice / cell.pitch"), "sweep[2].vary", ["no numeric parameter"]),
     "absent name in vary": ((RATIO, "cell.pitch_y / cell.pitch"), "sweep[2]", ["does not give it"]),
     "missing unit in a sweep": (

@@ -46,7 +46,8 @@ class BandsOptions:
 
 
 def check(study: Description, options: BandsOptions) -> None:
-    """Raise StudyError if ``modes_at`` names no wavevector of the zone."""
+    """Raise HaptonicError if ``modes_at`` names no wavevector of the zone, or the path has too few points."""
+    study.cell.zone.path(study.bands_settings.points)
     if options.modes_at is not None:
         wavevector_at(study.cell.zone, options.modes_at, "--modes-at")
 

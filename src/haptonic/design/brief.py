@@ -163,7 +163,8 @@ class Brief:
         if self.allowed.slenderness is not None and widths:
             room["slenderness"] = 1 - stack.height / (self.allowed.slenderness * min(widths))
         if self.allowed.reach is not None:
-            room["reach of the tool"] = 1 - stack.height / self.allowed.reach
+            cuts = [high - low for low, high in (d.ends(cell.thickness) for d in stack.discs if d.empty)]
+            room["reach of the tool"] = 1 - max(stack.height, *cuts, 0.0) / self.allowed.reach
         holes = [2 * min(pair) for disc, pair in pairs if disc.empty]
         if self.allowed.tool is not None and holes:
             room["width of a hole"] = min(holes) / self.allowed.tool - 1

@@ -35,7 +35,9 @@ class DesignLimits:
         examples=["3 mm"],
     )
     reach: Length | None = setting(
-        None, "Largest depth of the end mill's cut: the largest height of a pillar.", examples=["20 mm"]
+        None,
+        "Largest depth of the end mill's cut: largest height of a pillar, and largest depth of a hole.",
+        examples=["20 mm"],
     )
     finger_force: Annotated[float, Quantity("N", above=0.0, at_most=1e3, typical=(0.1, 20.0))] | None = (
         setting(None, "Force in the middle of a waveguide of the given span.", title="Force of a finger")

@@ -99,6 +99,11 @@ class CarrierPlace:
         room, edge, _ = next((end for end in ends if end[0] <= end[2]), ends[0])
         return cls(gap, carrier, edge, room)
 
+    @property
+    def is_uncertain(self) -> bool:
+        """True if the carrier is nearer to the edge than the error of the edge."""
+        return abs(self.room) <= (self.gap.lower_error if self.edge == "lower" else self.gap.upper_error)
+
     def __str__(self) -> str:
         """``0.21 kHz (0.3 %) from its upper edge``."""
         if self.room <= 0:
@@ -193,10 +198,8 @@ class Bands(Result):
             known += f", and the carrier, {shown}, lies above" if above else f", so none around {shown}"
             if above:
                 return f"{known}: compute more bands (key bands.count)."
-        return (
-            f"{known}: change the sizes of the cell, run `haptonic design`, or compute more bands "
-            "(key bands.count)."
-        )
+        others = ", or compute more bands (key bands.count)" if carrier is None else ""
+        return f"{known}: change the sizes of the cell, or run `haptonic design`{others}."
 
     def _about_carrier(self, complete: Sequence[Gap]) -> list[str]:
         carrier = self.dataset.attrs.get("carrier_hz")
@@ -204,12 +207,15 @@ class Bands(Result):
             return []
         place = CarrierPlace.among(complete, carrier)
         name, gap = f"The carrier, {format_quantity(carrier, 'Hz')},", place.gap
+        if place.is_uncertain:
+            return [
+                f"{name} may lie inside the gap from {gap_text(gap)} or outside: its distance from the "
+                f"{place.edge} edge is smaller than the error of that edge. Increase the accuracy."
+            ]
         if place.room <= 0:
             text = f"{name} lies in no complete gap, {place}"
             return [f"{text}: waves of this frequency propagate in the lattice."]
         text = f"{name} lies inside the gap from {gap_text(gap)}, {place}"
-        if not gap.holds(carrier):
-            return [f"{text}, which is within the error of that edge."]
         if place.room < 0.1 * gap.width:
             text += ": close enough for a tolerance of the sizes or of the material to move the edge past it"
         return [f"{text}."]

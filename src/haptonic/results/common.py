@@ -17,7 +17,7 @@ from haptonic.later import xarray as xr
 from haptonic.names import variable
 from haptonic.paths import inside
 from haptonic.store import fingerprint
-from haptonic.units import duration
+from haptonic.units import duration, in_percent
 
 Writer = Callable[[Path], object]
 
@@ -33,7 +33,7 @@ def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
     asked, largest = attributes.get("accuracy"), attributes.get("largest_error")
     if asked is None or largest is None or largest <= asked:
         return []
-    reached = f"{rounded_up(largest):g}"
+    reached = in_percent(rounded_up(largest), form="g") if largest > COARSEST else f"{rounded_up(largest):g}"
     remark = (
         f"The required accuracy, {asked:g}, is not reached: errors go up to {reached} of a frequency"
         f"{', too large to judge gaps' if largest > COARSEST else ''}."

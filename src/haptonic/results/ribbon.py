@@ -109,7 +109,7 @@ class RibbonWaves(Result):
         if best is None:
             largest = float(self.dataset["frequency_error"].values.max(initial=0.0))
             unsure = f" Errors of up to {hz_text(largest, form='.2g')} may hide one: increase the accuracy."
-            none = f"The ribbon has no wave between the bulk bands {where}."
+            none = f"The ribbon has no wave outside of the bulk bands in the searched range {where}."
             return [none + unsure if largest > HIDING * (high - low) else none]
         kind = f"The {self.dataset.attrs['kind']}"
         intervals = float(best["intervals"])
@@ -124,8 +124,8 @@ class RibbonWaves(Result):
         return [
             self._of_strip(where)
             or self._of_defect(where)
-            or f"{kind} has {counted(modes.sizes['mode'], 'mode')} between the bulk bands {where}, counted "
-            f"at each of {self.dataset.sizes['wavevector']} wavevectors.",
+            or f"{kind} has {counted(modes.sizes['mode'], 'mode')} outside of the bulk bands at "
+            f"{self.dataset.sizes['wavevector']} wavevectors together, in the searched range {where}.",
             f"Nearest to {hz_text(self.target, form='.4g')}{self._among(near)}: "
             f"{uncertain_hertz(near, float(best['frequency_error']))} ({name}phase "
             f"{float(best['phase_share']):.3f} π per period): {in_percent(inside)} of its energy "

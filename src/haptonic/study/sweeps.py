@@ -12,6 +12,7 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
+from haptonic.errors import shown
 from haptonic.fields import (
     CARRIER,
     Aliases,
@@ -90,13 +91,14 @@ class SweepAxis:
     def _names_parameters(cls, text: str) -> str:
         with collected():
             expression = parse(text)
+            for name, _ in expression.powers:
+                if "." not in name:
+                    raise problem(
+                        "unknown", shown(name), f'names of numbers, such as "cell.pitch" or "{NAMED}{name}"',
+                        "a named parameter is written with its table", f'write "{NAMED}{name}"',
+                    )  # fmt: skip
             named = dict.fromkeys(named_in(expression), "")  # the study has their names and units
-            short = {
-                name: f'a named parameter is written with its table, "{NAMED}{name}"'
-                for name, _ in expression.powers
-                if "." not in name
-            }
-            check_names(expression, ByPattern({**numeric_parameters(), **named}), short)
+            check_names(expression, ByPattern({**numeric_parameters(), **named}), {})
         return text
 
     @field_validator("start", "stop", mode="plain")

@@ -175,7 +175,7 @@ def check_sweeps(study: Description) -> None:
                     f"{reached} at step {step} of {sweep.count}",
                     f"a range in which every design is possible; {error.argument}: {error.allowed}",
                     f"{error.argument} would be {error.given}: {error.cause}",
-                    "narrow the range between from and to",
+                    "narrow the range between from and to, or vary a named parameter that others follow",
                     at=f"sweep[{row}]",
                 ) from None
 
