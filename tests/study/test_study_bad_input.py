@@ -70,6 +70,11 @@ NOT_NAMED_THERE = {
         "touchpad.toml, line",
         ["[material]", "overwrite"],
     ),
+    "missing stiffness": (
+        ('youngs_modulus = "70 GPa"', ""),
+        "material.youngs_modulus",
+        ["the Young's modulus was left out"],
+    ),
     "Poisson ratio -1": (("0.33", "-1.0"), "material.poisson_ratio", ["above -1"]),
     "negative stiffness": (('"70 GPa"', '"-70 GPa"'), "material.youngs_modulus", ["at least 1 kPa"]),
     "loss factor 1": (("loss_factor = 1e-3", "loss_factor = 1"), "material.loss_factor", ["below 1"]),

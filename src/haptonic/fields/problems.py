@@ -21,6 +21,7 @@ UNKNOWN = {"extra_forbidden", "unexpected_keyword_argument"}  # pydantic's names
 OUT_OF_RANGE = {"greater_than_equal", "less_than_equal", "greater_than", "less_than"}
 EXTRA = "unexpected_positional_argument"
 MOST_LISTED = 20
+PERSONS = ("Young", "Poisson")  # first words of titles that keep their capital
 WRONG_WORD = "it is not one of the known words"
 
 
@@ -101,7 +102,8 @@ def _in_parts(details: Any, keys: Mapping[str, Key], known_aliases: Mapping[str,
     of_an_entry = key is not None and key.kind == "entries" and pattern != key.path
     form = "a text in quotes" if of_an_entry else allowed_at(key)
     is_list = key is not None and key.kind == "quantities"
-    title = key.title.lower() if key else "a value"
+    title = "value" if key is None else key.title
+    title = title if title.startswith(PERSONS) else title.lower()
     code = "out-of-range" if kind in OUT_OF_RANGE else "malformed"
     if kind == "missing":
         code, given, cause = "missing", "nothing", f"the {title} was left out"
