@@ -51,10 +51,6 @@ BENT_NECK = 0.9
 # estimated error of this direction was 1.3e-3 to 1.9e-3 at order 4 with 0.5, four to ten times that of the
 # others, and that of all was down to 1.3 times the true error. With 0.76 they are similar.
 FILLED_NECK = 0.76
-# Order of thin elements beside them: one below that of a mesh, because stress at an edge of two materials is
-# less singular than at a re-entrant one. It increased errors by 1.05 to 2, with a fifth fewer unknowns; with
-# two instead of three the estimate was 0.3.
-LEAST_THIN = 3
 LEAST_DIVIDED = 3  # order of elements divided at an outline's corners
 # The same around discs. With 4 the two polynomials of a kind that the estimate compares are of degree 4 and
 # 2, and it was 50 times the error around a square hole.
@@ -258,7 +254,7 @@ class MeshPlan:
             outward=smooth + math.ceil(shorter / 2),
             upward=upward,
             along=smooth + 1,
-            thin=max(order - 1, LEAST_THIN) if stack.fills_plate else order,
+            thin=order,
             near_rim=max(
                 levels_near_rim(cell) if stack.singular.any() else 0,
                 0 if cell.is_thin else smooth - upward,
