@@ -156,14 +156,6 @@ def test_a_carrier_within_the_error_of_an_edge_is_undecided(side):
     assert "1 kHz" not in sentence
 
 
-@pytest.mark.parametrize(("carrier", "advice"), [(None, True), (30e3, False)])
-def test_more_bands_are_no_advice_below_the_last_one(carrier, advice):
-    bands = reference_bands().isel(gap=[])
-    sentence = Bands(bands if carrier is None else bands.assign_attrs(carrier_hz=carrier)).summary()[0]
-    assert "run `haptonic design`" in sentence
-    assert ("compute more bands" in sentence) is advice
-
-
 def test_the_carrier_is_in_the_first_sentences_of_a_cell_with_several_gaps():
     bands = reference_bands()
     summary = Bands(bands.isel(gap=[0, 0, 0]).assign_attrs(carrier_hz=1e3)).summary()

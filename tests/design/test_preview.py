@@ -7,6 +7,7 @@ import pytest
 
 from haptonic.analyses.turning import BandsTurning
 from haptonic.bloch import bands_dataset, gaps_of
+from haptonic.bloch.gap_datasets import dataset_of_gaps
 from haptonic.design.preview import CertifiedBands, DesignLine, Samples
 from haptonic.later import xarray as xr
 from haptonic.results.bands import Bands
@@ -50,9 +51,8 @@ def line_of(curves, values: np.ndarray) -> tuple[DesignLine, CertifiedBands]:
         {
             "frequency": (("wavevector", "band"), every[middle]),
             "frequency_error": (("wavevector", "band"), np.zeros_like(every[middle])),
-            **{name: ("gap", np.zeros(0)) for name in ("gap_lower", "gap_upper")},
         }
-    )
+    ).merge(dataset_of_gaps(()))
     return DesignLine(tuple(values), samples), CertifiedBands(dataset, samples[middle])
 
 
