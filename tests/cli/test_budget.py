@@ -105,3 +105,30 @@ def test_a_plan_reports_commands_over_budget(memory):
     memory(1e12)
     plan = study_of(5, 1).plan(budget="1 s")
     assert any("haptonic bands would be refused: lack of time" in remark for remark in plan.remarks())
+
+
+def test_a_dry_run_refuses_too_few_points_for_the_zone_of_a_cell(inside, tmp_path):
+    """A turned ellipse has a half-turn only, so its zone has six segments."""
+    path = tmp_path / "turned.toml"
+    path.write_text(
+        """
+material = "aluminium-2017a"
+[cell]
+pitch = "10 mm"
+thickness = "2 mm"
+[[cell.disc]]
+section = "ellipse"
+diameter = "8 mm"
+length = "4 mm"
+turn = "30 deg"
+empty = true
+[bands]
+count = 6
+points = 10
+""",
+        encoding="utf-8",
+    )
+    for how in ([], ["--dry-run"]):
+        ran = inside("bands", path, "--json", *how)
+        assert ran.code == 2
+        assert ran.json["error"]["argument"] == "bands.points"

@@ -307,6 +307,12 @@ def test_the_highest_level_that_fits_follows_where_the_expected_one_does_not():
     assert mesh_levels.finer_level(cell, LEVELS[-1], len(LEVELS) - 1, 3.0, limits, 0.0).of == "range"
 
 
+@pytest.mark.parametrize(("largest", "text"), [(0.032, "0.032 of"), (1.06, "110 % of")])
+def test_a_missed_accuracy_above_a_tenth_is_in_percent(largest, text):
+    (remark,) = accuracy_remarks({"accuracy": 1e-2, "largest_error": largest})
+    assert f"errors go up to {text} a frequency" in remark
+
+
 def test_cells_with_discs_begin_at_the_level_of_the_accuracy():
     hole, coating = Disc(6e-3, empty=True), Disc(6e-3, material=material("epoxy"))
     steel = Disc(5e-3, material=material("steel"))
