@@ -229,10 +229,9 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
     shown = dimensions_of(study.cell)
     drawn = {s.parameter: result.loosest * s.half_range for s in section.of if s.parameter in shown}
     if not drawn:
-        of_discs = [s.parameter for s in section.of if "disc[" in s.parameter]
-        reason = "the study gives spreads only for material constants or sizes that are not drawn"
-        discs = "a drawing contains no tolerances of discs, and the study gives spreads of them only"
-        return {}, discs if len(of_discs) == len(section.of) else reason
+        if all("disc[" in spread.parameter for spread in section.of):
+            return {}, "a drawing contains no tolerances of discs, and the study gives spreads of them only"
+        return {}, "the study gives spreads only for material constants or sizes that are not drawn"
     if result.loosest > 0:
         return drawn, ""
     return {}, (

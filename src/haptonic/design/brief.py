@@ -163,11 +163,12 @@ class Brief:
         if self.allowed.slenderness is not None and widths:
             room["slenderness"] = 1 - stack.height / (self.allowed.slenderness * min(widths))
         if self.allowed.reach is not None:
-            cuts = [high - low for low, high in (d.ends(cell.thickness) for d in stack.discs if d.empty)]
-            room["reach of the tool"] = 1 - max(stack.height, *cuts, 0.0) / self.allowed.reach
-        holes = [2 * min(pair) for disc, pair in pairs if disc.empty]
-        if self.allowed.tool is not None and holes:
-            room["width of a hole"] = min(holes) / self.allowed.tool - 1
+            holes = (disc.ends(cell.thickness) for disc in stack.discs if disc.empty)
+            deepest = max((high - low for low, high in holes), default=0.0)
+            room["reach of the tool"] = 1 - max(stack.height, deepest) / self.allowed.reach
+        across = [2 * min(pair) for disc, pair in pairs if disc.empty]
+        if self.allowed.tool is not None and across:
+            room["width of a hole"] = min(across) / self.allowed.tool - 1
         return room
 
     def _of_pillar(self, cell: UnitCell, numbers: Sequence[int]) -> dict[str, float]:

@@ -79,8 +79,8 @@ class PlateModel:
         """Reduce the tiles of a plate for frequencies up to ``highest`` (Hz) and put them together.
 
         ``bonds`` contains, by actuator, the smallest and the largest thickness (m) of its bond that the tile
-        allows; see `haptonic.plate.body.parameter_update`. From ``open_from`` unknowns
-        between blocks on, those at free edges are condensed into their tiles.
+        allows; see `haptonic.plate.body.parameter_update`. From ``open_from`` unknowns between blocks on,
+        those at free edges are condensed into their tiles.
 
         Raises
         ------
