@@ -58,7 +58,7 @@ region = "WG1"
 centre = ["7 mm", "7 mm"]
 size = ["8 mm", "5 mm", "0.5 mm"]
 material = "pzt-4"
-bond = { thickness = "50 um", material = "silver epoxy" }
+bond = { thickness = "50 um", material = "silver-epoxy" }
 [[fit.vary]]
 parameter = "material.youngs_modulus"
 from = "63 GPa"

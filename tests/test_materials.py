@@ -1,8 +1,10 @@
 """Elastic constants against closed forms, published values and second routes."""
 
 import json
+import math
 import pickle
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +21,7 @@ from haptonic.materials import (
     library,
     material,
 )
+from plies import PLY
 
 ROOT = Path(__file__).parents[1]
 VACUUM = 8.8541878128e-12  # F/m
@@ -59,7 +62,7 @@ def silicon(**changed):
     constants = dict.fromkeys(("c11", "c22", "c33"), 165.7e9)
     constants |= dict.fromkeys(("c12", "c13", "c23"), 63.9e9)
     constants |= dict.fromkeys(("c44", "c55", "c66"), 79.6e9)
-    return OrthotropicMaterial("crystal", **(constants | {"density": 2330.0} | changed))
+    return OrthotropicMaterial(**(constants | {"name": "crystal", "density": 2330.0} | changed))
 
 
 def fourth_order(stiffness):
@@ -142,9 +145,56 @@ def test_orthotropic_entries_are_at_their_places():
     assert np.count_nonzero(stiffness) == 12
 
 
-def test_cubic_is_the_orthotropic_solid_with_three_constants():
-    cubic = OrthotropicMaterial.cubic("crystal", c11=165.7e9, c12=63.9e9, c44=79.6e9, density=2330.0)
-    assert cubic == silicon()
+def test_constants_that_are_left_out_follow_from_the_symmetry():
+    cubic = OrthotropicMaterial(c11=165.7e9, c12=63.9e9, c44=79.6e9, density=2330.0)
+    assert np.array_equal(cubic.stiffness, silicon().stiffness)
+    around = OrthotropicMaterial(c11=162e9, c12=92e9, c13=69e9, c33=181e9, c44=46.7e9, density=4506.0)
+    expected = np.zeros((6, 6))
+    expected[:3, :3] = [[162e9, 92e9, 69e9], [92e9, 162e9, 69e9], [69e9, 69e9, 181e9]]
+    expected[3:, 3:] = np.diag([46.7e9, 46.7e9, 35e9])
+    assert np.array_equal(around.stiffness, expected)
+    turned = replace(around, turn=0.7).stiffness
+    assert np.allclose(turned, expected, atol=1e-12 * 181e9)  # isotropic in the plane
+    tetragonal = replace(around, c66=40e9)
+    expected[5, 5] = 40e9
+    assert np.array_equal(tetragonal.stiffness, expected)
+
+
+def test_silicon_turned_by_45_degrees_is_stiff_along_the_axes_of_the_plate():
+    turned = silicon(turn=math.radians(45)).stiffness
+    assert youngs_modulus_along(turned, (1, 0, 0)) == pytest.approx(169e9, rel=4e-3)
+    assert youngs_modulus_along(turned, (1, 1, 0)) == pytest.approx(130e9, rel=4e-3)
+
+
+@given(st.floats(-4, 4), st.floats(-4, 4))
+def test_a_turned_solid_is_as_stiff_along_turned_directions(turn, along):
+    def direction(angle):
+        return (math.cos(angle), math.sin(angle), 0.4)
+
+    expected = youngs_modulus_along(PLY.stiffness, direction(along))
+    turned = replace(PLY, turn=turn)
+    assert youngs_modulus_along(turned.stiffness, direction(along + turn)) == pytest.approx(expected)
+
+
+@each(
+    ("constants", "argument", "words"),
+    [
+        ({"c66": 80e9}, "material.c13", "add c13 and c33"),
+        ({"c13": 60e9}, "material.c33", "add c33"),
+        ({"c22": 160e9}, "material.c13", "add c13, c23, c33, c55 and c66"),
+        ({"c16": 1e9}, "material.c16", "their angle to the plate as turn"),
+        ({"c21": 1e9}, "material.c21", 'write "c12"'),
+        ({"e1": 1e9}, "material.e1", "invert its compliance matrix"),
+        ({"nu12": 0.3}, "material.nu12", "invert its compliance matrix"),
+        ({"c12": 170e9}, "material.stiffness", "which of them are compliances"),
+        ({"turn": float("nan")}, "material.turn", "finite"),
+    ],
+)
+def test_refuses_other_sets_of_constants(constants, argument, words):
+    with pytest.raises(StudyError) as caught:
+        OrthotropicMaterial(**({"c11": 166e9, "c12": 64e9, "c44": 80e9, "density": 2330.0} | constants))
+    assert caught.value.argument == argument
+    assert words in caught.value.next_step
 
 
 def across(first, second, third, fourth, fifth, sixth):
@@ -322,7 +372,7 @@ def test_two_materials_that_differ_in_anything_have_different_dicts():
         (isotropic, {"uncertainty": {"densty": 1.0}}, "material.uncertainty.densty"),
         (isotropic, {"uncertainty": {"density": -1.0}}, "material.uncertainty.density"),
         (silicon, {"c12": 170e9}, "material.stiffness"),
-        (silicon, {"c44": 0.0}, "material.stiffness"),
+        (silicon, {"c44": 0.0}, "material.c44"),
         (silicon, {"c55": float("nan")}, "material.c55"),
         (silicon, {"density": 0}, "material.density"),
     ],

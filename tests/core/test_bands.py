@@ -34,9 +34,10 @@ from haptonic.bloch.tracking import group_velocity
 from haptonic.bloch.zone import zone_surface
 from haptonic.cell import MeshPlan, Pillar, UnitCell, mesh_cell
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial, OrthotropicMaterial, material
+from haptonic.materials import IsotropicMaterial, material
 from haptonic.superelement import Tiling, condense, missing_energy, on_each
 from haptonic.superelement.sections import PillarSections
+from plies import PLY
 
 DATA = Path(__file__).parents[1] / "data"
 REFERENCE = json.loads((DATA / "reference_cell.json").read_text("utf-8"))
@@ -197,8 +198,7 @@ def test_whole_models_scale_with_their_estimates():
 
 
 def test_a_material_that_lacks_the_diagonal_of_a_square_has_another_zone():
-    ply = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
-    cell = UnitCell(Lattice.square(7e-3), 1.5e-3, ply, Pillar(3.5e-3, 7e-3))
+    cell = UnitCell(Lattice.square(7e-3), 1.5e-3, PLY, Pillar(3.5e-3, 7e-3))
     assert [label for label, _ in cell.zone.corners] == ["Γ", "X", "M", "Y"]
     rectangle = replace(cell, lattice=Lattice.rectangular(7e-3, 7e-3))
     kappa = np.array([2.5, 0.7])

@@ -10,7 +10,6 @@ import pytest
 import scipy
 from brute import assembled, frequencies, periodic_projection
 from strategies import ALUMINIUM, reference_cell
-from test_superelement import SKEWED
 
 from daily import daily
 from five_parts import assert_explained
@@ -24,6 +23,7 @@ from haptonic.bloch.tracking import diagram
 from haptonic.cell import Pillar, UnitCell, mesh_cell
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
+from plies import SKEWED
 
 EMPTY = json.loads((Path(__file__).parents[1] / "data" / "empty_lattice.json").read_text("utf-8"))["points"]
 PARITY = {"A0": -1, "S0": 1, "SH0": 1}

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 import pytest
 from strategies import ALUMINIUM
-from test_superelement import PLY, exact_modes
+from test_superelement import exact_modes
 
 from daily import daily
 from haptonic.bloch.centred import lattice_pencil
@@ -17,6 +17,7 @@ from haptonic.cell import Disc, Pillar, UnitCell
 from haptonic.cell.pillar_parts import Step
 from haptonic.lattice import Lattice
 from haptonic.superelement import FoldedMesh, Tiling, class_parts, condense, parts
+from plies import PLY
 
 
 def arms(section):

@@ -17,13 +17,13 @@ from haptonic.bloch.pencil import bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan, Pillar, Site, Step, UnitCell, mesh_cell
 from haptonic.errors import GeometryError, StudyError
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial, OrthotropicMaterial, material
+from haptonic.materials import IsotropicMaterial, material
 from haptonic.study import loads
 from haptonic.superelement import Tiling, condense_by_parts, through_levels
+from plies import PLY
 
 EPOXY, STEEL = material("epoxy"), material("steel")
 RUBBER = IsotropicMaterial(1.175e5, 0.469, 1300.0, name="rubber")
-PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 KAPPA = np.array([1.1, 2.3])
 SHORT = Pillar(3.5e-3, 6e-3)
 COARSE = Resolution(3, 1)

@@ -21,12 +21,11 @@ from haptonic.bloch.truncation import TRUSTED_TRUNCATION, largest_truncation
 from haptonic.cell import Pillar, PlacedTile, Site, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import HALF_TURN, Lattice
-from haptonic.materials import OrthotropicMaterial
 from haptonic.superelement import TiledMesh, Tiling
+from plies import PLY
 
 PITCH, MM = 7e-3, 1e-3
 THIN, TALL = Pillar(1.5 * MM, 5 * MM), Pillar(1.5 * MM, 5.5 * MM)
-PLY = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 K = np.array([2 * np.pi / 3, 4 * np.pi / 3])
 INSIDE = np.array([0.9, 0.4])
 COARSE = Resolution(2, 1)

@@ -21,12 +21,12 @@ from haptonic.cell import MeshPlan, Pillar, Site, UnitCell, mesh_cell
 from haptonic.elements import element_matrices
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
-from haptonic.materials import OrthotropicMaterial, material
+from haptonic.materials import material
 from haptonic.study import loads
 from haptonic.superelement import FoldedMesh, Tiling, repeated
+from plies import PLY
 
 PITCH = 7e-3
-PLY = OrthotropicMaterial("ply", 40e9, 10e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 LATTICE = Lattice.triangular(PITCH)
 CELL = UnitCell(LATTICE, 1.5e-3, ALUMINIUM, Pillar(3.5e-3, 14.7e-3))
 PLAIN = CELL.without_pillar()

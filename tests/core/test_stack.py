@@ -16,9 +16,9 @@ from haptonic.bloch.pencil import bloch_pencil, eigenpairs
 from haptonic.cell import Disc, MeshPlan, Pillar, Site, Step, UnitCell, mesh_cell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
-from haptonic.materials import OrthotropicMaterial
 from haptonic.superelement import FoldedMesh, Tiling, condense_by_parts, through_levels
 from haptonic.superelement.symmetry import THROUGH
+from plies import PLY
 from stacks import DRAFTED, EPOXY, RIGHT, STACKS, STEEL, above, drafted_volumes
 
 MM = 1e-3
@@ -316,10 +316,7 @@ class TestSymmetry:
         assert len(CELLS["coated inclusion"].point_group.operations) == 8
 
     def test_it_is_that_of_all_materials(self):
-        ply = OrthotropicMaterial(
-            "ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0
-        )
-        assert len(cell(Disc(4 * MM, material=ply)).point_group.operations) == 4
+        assert len(cell(Disc(4 * MM, material=PLY)).point_group.operations) == 4
 
 
 REFUSED = {

@@ -20,12 +20,12 @@ from haptonic.cell import Pillar, Step, UnitCell, mesh_cell
 from haptonic.cell.outlines import SECTIONS
 from haptonic.cell.pieces import pieces_of
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial, OrthotropicMaterial, material
+from haptonic.materials import IsotropicMaterial, material
 from haptonic.superelement import Tiling, condense, condense_by_parts, on_each, substructured
 from haptonic.superelement.kept import Kept
 from haptonic.superelement.pillar_body import PARITIES, PillarBody
+from plies import PLY
 
-PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 CORK = IsotropicMaterial(70e9, 0.0, 2700.0, name="no lateral contraction")
 BRASS, GLASS = material("brass"), material("soda-lime-glass")
 LENGTH, RADIUS = 9e-3, 1.2e-3

@@ -1,7 +1,7 @@
 """The condensed cell against the unfolded one, against brute force, and against its own full field."""
 
 import sys
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
@@ -24,22 +24,10 @@ from haptonic.materials import OrthotropicMaterial
 from haptonic.superelement import FoldedMesh, Tiling, condense, dynamic_stiffness, folded, repeated
 from haptonic.superelement.symmetry import folds_of
 from haptonic.superelement.trace import trace_levels
+from plies import PLY, SKEWED
 
-PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 RECTANGULAR = UnitCell(Lattice.rectangular(8e-3, 6e-3), 2e-3, ALUMINIUM, Pillar(2.4e-3, 9e-3))
 KAPPA = np.array([1.1, -0.4])
-
-
-class Skewed(OrthotropicMaterial):
-    """Stiffness turned about the normal, so that no mirror is left: tension drives in-plane shear."""
-
-    @property
-    def stiffness(self):
-        skewed = super().stiffness
-        skewed[0, 5] = skewed[5, 0] = 1.5e9
-        skewed[1, 5] = skewed[5, 1] = 0.8e9
-        skewed[3, 4] = skewed[4, 3] = 0.3e9
-        return skewed
 
 
 class Leaning(OrthotropicMaterial):
@@ -52,8 +40,7 @@ class Leaning(OrthotropicMaterial):
         return leaning
 
 
-LEANING = Leaning("leaning ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
-SKEWED = Skewed("skewed ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
+LEANING = Leaning(**{field.name: getattr(PLY, field.name) for field in fields(PLY)})
 
 
 FOLDED, TURNED_ONLY = reference_cell(), replace(RECTANGULAR, material=SKEWED)

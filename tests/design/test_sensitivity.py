@@ -19,12 +19,16 @@ from haptonic.errors import GeometryError, StudyError
 from haptonic.fields.keys import pattern_of
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, OrthotropicMaterial
+from haptonic.materials.orthotropic import SYMMETRIES
 from haptonic.superelement import TiledMesh
 from stacks import DRAFTED, STACKS
 
 MM = 1e-3
 ALUMINIUM = IsotropicMaterial(70e9, 0.33, 2700.0, name="aluminium")
 TUNGSTEN = IsotropicMaterial(411e9, 0.28, 19250.0, name="tungsten")
+TITANIUM = OrthotropicMaterial(
+    c11=162e9, c12=92e9, c13=69e9, c33=181e9, c44=46.7e9, density=4506.0, turn=0.3, name="crystal"
+)
 SQUARE, RECTANGLE = Lattice.square(7 * MM), Lattice.rectangular(8 * MM, 7 * MM)
 ALL = Pillar(4.5 * MM, 14.7 * MM, "round", math.radians(2), 0.6 * MM, Step(3 * MM, 5 * MM))
 GENERIC, ORIGIN = (1.3, 0.4), (0.0, 0.0)
@@ -53,6 +57,7 @@ CELLS = {
     "centred": cell(Pillar(3 * MM, 9 * MM), Lattice.centred(7 * MM, 10 * MM)),
     "oblique": cell(Pillar(3 * MM, 9 * MM), Lattice.oblique(7 * MM, 6 * MM, 1.3)),
     "pillar of another metal": cell(Pillar(3.2 * MM, 5 * MM, material=TUNGSTEN)),
+    "crystal": replace(cell(Pillar(3.5 * MM, 7 * MM)), material=TITANIUM),
     "plain plate": cell(None),
     "ellipse": cell(Pillar(3 * MM, 5 * MM, "ellipse", length=2 * MM, turn=0.3)),
     "blind holes on both faces": cell(None, disc=(Disc(4 * MM, low=-0.4 * MM, empty=True),), faces="both"),
@@ -71,6 +76,7 @@ MATERIALS = {  # number of them, where it is not one
     "drafted coated inclusion": 3,
     "pillar on glue": 3,
 }
+CONSTANTS = {("crystal", "Pa"): 5}  # number of constants, where it is not that of materials
 # (cell, phases, band from 0, degenerate modes)
 CASES = [
     ("reference", GENERIC, 5, 1),
@@ -80,6 +86,7 @@ CASES = [
     ("rectangular", GENERIC, 5, 1),
     ("centred", GENERIC, 5, 1),
     ("pillar of another metal", GENERIC, 4, 1),
+    ("crystal", GENERIC, 4, 1),
     ("plain plate", GENERIC, 3, 1),
     ("ellipse", GENERIC, 4, 1),
     ("rounded", GENERIC, 4, 1),
@@ -92,7 +99,9 @@ CASES = [
     ("discs of all numbers", GENERIC, 4, 1),
     ("cross-shaped hole", GENERIC, 4, 1),
 ]
-DAILY = [case for case in CASES if case[0] in ("all at once", "ellipse", "blind holes on both faces")]
+DAILY = [
+    case for case in CASES if case[0] in ("all at once", "crystal", "ellipse", "blind holes on both faces")
+]
 cases = pytest.mark.parametrize(("name", "kappa", "band", "together"), daily(CASES, *DAILY))
 
 
@@ -200,10 +209,10 @@ def test_sizes_and_constants_scale_as_they_must(name, kappa, band, together):
     values = values_of(CELLS[name])
     lengths = sum(values[path] * slope for path, slope in result.slopes.items() if UNITS[path] == "m")
     assert lengths == pytest.approx(np.full(together, -result.frequency), rel=1e-7)
-    for constant, exponent in (("youngs_modulus", 0.5), ("density", -0.5)):
+    for unit, exponent in (("Pa", 0.5), ("kg/m^3", -0.5)):
         # of all materials together
-        paths = [path for path in values if path.endswith(f"material.{constant}")]
-        assert len(paths) == MATERIALS.get(name, 1)
+        paths = [path for path in values if UNITS[path] == unit]
+        assert len(paths) == CONSTANTS.get((name, unit), MATERIALS.get(name, 1))
         shares = sum(values[path] * result.slopes[path] for path in paths)
         assert shares == pytest.approx(np.full(together, exponent * result.frequency), rel=1e-9)
 
@@ -233,15 +242,15 @@ def test_values_put_back_change_nothing_and_each_changes_what_it_names(name):
 def test_what_a_cell_does_not_have_cannot_be_varied():
     of_others = {"cell.pitch_2", "cell.angle", "cell.pillar.length", "cell.pillar.corner_radius"}
     elsewhere = ("cell.site[]", "cell.disc[]", "cell.pillar.material.")
-    of_others |= {path for path in UNITS if path.startswith(elsewhere)}
+    of_others |= {path for path in UNITS if path.startswith(elsewhere) or path.startswith("material.c")}
     assert set(values_of(CELLS["all at once"])) == set(UNITS) - {"cell.pitch_y"} - of_others
     assert set(values_of(CELLS["rectangular"])) == set(UNITS) - of_others - {
         "cell.pillar.fillet", "cell.pillar.step.diameter", "cell.pillar.step.height",
     }  # fmt: skip
-    ply = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
-    plate = UnitCell(RECTANGLE, 1.5 * MM, ply)
-    assert values_of(plate) == {
-        "cell.pitch": 8 * MM, "cell.pitch_y": 7 * MM, "cell.thickness": 1.5 * MM, "material.density": 1500.0,
+    of_plate = {"cell.pitch": 8 * MM, "cell.pitch_y": 7 * MM, "cell.thickness": 1.5 * MM}
+    of_solid = {f"material.{name}": getattr(TITANIUM, name) for name in SYMMETRIES["transversely isotropic"]}
+    assert values_of(UnitCell(RECTANGLE, 1.5 * MM, TITANIUM)) == {
+        **of_plate, **of_solid, "material.density": 4506.0,
     }  # fmt: skip
     with refusing(StudyError, "unknown", "name of a number", "step"):
         REFERENCE.with_numbers({"cell.pillar.step.height": 0.1 * MM})

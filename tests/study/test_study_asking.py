@@ -23,6 +23,7 @@ OF_OTHERS = {
     "cell.pillar.length",
     "cell.pillar.corner_radius",
     *(path for path in UNITS if path.startswith(("cell.site", "cell.disc", "cell.pillar.material."))),
+    *(path for path in UNITS if path.startswith("material.c")),
 }
 PLAIN = 'material = "steel"\n[cell]\npitch = "10 mm"\nthickness = "1 mm"\n'
 

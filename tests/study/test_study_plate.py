@@ -671,8 +671,8 @@ class TestInAStudy:
 
     def test_inputs_hold_the_constants_of_patch_and_bond(self):
         inputs = json.loads(json.dumps(loads(TEXT).inputs(), allow_nan=False))["plate"]
-        assert inputs["materials"]["pzt-4"]["density"] == 7500.0
-        assert inputs["materials"]["epoxy"]["kind"] == "isotropic"
+        assert inputs["materials"]["actuator[1].material"]["density"] == 7500.0
+        assert inputs["materials"]["actuator[1].bond.material"]["kind"] == "isotropic"
         assert inputs["tiles"] == {"o": "lattice", "f": "fine", "1": "WG1", "2": "WG2"}
         assert inputs["actuator"][0]["centre"] == [0.012, 0.010]
 

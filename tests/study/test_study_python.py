@@ -2,7 +2,7 @@
 
 import math
 import re
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -22,8 +22,8 @@ from haptonic.lattice import Lattice
 from haptonic.materials import OrthotropicMaterial, material
 from haptonic.store import canonical
 from haptonic.study import Study, loads
+from plies import SKEWED
 
-PLY = OrthotropicMaterial("ply", 20e9, 11e9, 9e9, 3e9, 2.5e9, 4e9, 3.1e9, 4.3e9, 5.7e9, density=1500.0)
 CELL = UnitCell(Lattice.square(7e-3), 1.5e-3, material("steel"), Pillar(3.5e-3, 14.7e-3))
 SAME = {
     "values": {"cell": CELL},
@@ -127,8 +127,25 @@ def test_only_what_lies_on_the_way_is_made_anew():
         with_numbers(study, {"cell.pillar.step.height": 1e-3})
 
 
+def test_anisotropic_materials_come_back_from_a_file():
+    cell = {
+        "pitch": 7e-3,
+        "thickness": 1e-3,
+        "pillar": {"diameter": 3e-3, "height": 4e-3, "material": SKEWED},
+    }
+    study = Study(material={"c11": "165.7 GPa", "c12": 63.9e9, "c44": 79.6e9, "density": 2330.0}, cell=cell)
+    assert study.cell.material == OrthotropicMaterial(c11=165.7e9, c12=63.9e9, c44=79.6e9, density=2330.0)
+    again = loads(study.to_toml())
+    assert again == study
+    assert again.inputs() == study.inputs()
+    for path in ("material.c11", "cell.pillar.material.c66", "cell.pillar.material.turn"):
+        assert path in study.parameters()
+    assert "material.c33" not in study.parameters()
+    assert study.with_parameter("material.c44", 80e9).cell.material.c44 == 80e9
+
+
 def test_a_material_without_a_table_cannot_be_written():
-    study = Study(cell=UnitCell(Lattice.rectangular(7e-3, 7e-3), 1e-3, PLY))
+    study = Study(cell=UnitCell(Lattice.square(7e-3), 1e-3, replace(material("pzt-4"), density=7600.0)))
     with refusing(StudyError, "unsupported", "material"):
         study.to_toml()
     silicon = Study(cell=UnitCell(Lattice.square(7e-3), 1e-3, "silicon"))

@@ -30,6 +30,7 @@ from haptonic.cell.stack import Stack
 from haptonic.design.discs import with_shared
 from haptonic.design.parameters import UNITS, values_of
 from haptonic.errors import GeometryError
+from haptonic.fields import unchecked
 from haptonic.materials import IsotropicMaterial, Material, elasticity_tensor
 from haptonic.superelement import FoldedMesh, TiledMesh, through_levels
 
@@ -282,16 +283,12 @@ class _Energies:
         for part, (frame, solid) in enumerate(zip(self.frames, self.solids, strict=True)):
             if self.regions[part] not in regions:
                 continue
-            assert isinstance(solid, IsotropicMaterial)
-            gradient = self.gradient[part]
-            if constant == "youngs_modulus":
-                total += _product(gradient, self.stress[part]) / solid.youngs_modulus
-            elif constant == "density":
+            if constant == "density":
                 moved = self.fields[frame.nodes.ravel()]
                 total -= self.values * _product(moved, self.momentum[part]) / solid.density
             else:
-                assert constant == "poisson_ratio", constant
-                tensor = elasticity_tensor(_poisson_slope(solid))
+                gradient = self.gradient[part]
+                tensor = elasticity_tensor(_stiffness_slope(solid, constant))
                 total += _product(gradient, _stress(tensor, gradient, frame))
         return total
 
@@ -345,6 +342,16 @@ def _stress(tensor: Array, gradient: Fields, frame: _Frame) -> Fields:
 def _product(left: Fields, right: Fields) -> Fields:
     """(k, k) sums of conj(left_i) right_j over all axes but the last."""
     return np.asarray(left.reshape(-1, left.shape[-1]).conj().T @ right.reshape(-1, right.shape[-1]))
+
+
+def _stiffness_slope(solid: Material, constant: str) -> Array:
+    """(6, 6) derivative of the stiffness with respect to a constant, Pa per unit of the constant."""
+    if isinstance(solid, IsotropicMaterial) and constant == "poisson_ratio":
+        return _poisson_slope(solid)
+    stiffness = solid.stiffness  # linear in every other constant, so that any difference is exact
+    step = float(stiffness.max())
+    changed = unchecked(solid, **{constant: getattr(solid, constant) + step})
+    return (changed.stiffness - stiffness) / step
 
 
 def _poisson_slope(material: IsotropicMaterial) -> Array:

@@ -88,9 +88,8 @@ def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
 
 
 def _tabled(slot: Slot, key: Key, keys: dict[str, Key]) -> Schema:
-    (below,) = slot.kinds
-    inner = _table(below, f"{key.path}.", keys)
-    return {"anyOf": [{"enum": list(key.known_names)}, inner]} if key.named else inner
+    tables = [_table(below, f"{key.path}.", keys) for below in slot.kinds]
+    return {"anyOf": [{"enum": list(key.known_names)}, *tables]} if key.named else tables[0]
 
 
 def _plain(slot: Slot, key: Key) -> Schema:

@@ -149,7 +149,7 @@ def _slots(kind: type) -> tuple[Slot, ...]:
     for name, field in fields_of(kind).items():
         placed = next((mark for mark in field.metadata if isinstance(mark, Placed)), Placed())
         named = _named(field)
-        kinds = tuple(_kinds(named.table if named else field.annotation))
+        kinds = named.tables if named else tuple(_kinds(field.annotation))
         slots_of_kind.append(
             Slot(
                 name=name,
@@ -291,7 +291,7 @@ def _kind(field: FieldInfo) -> str:
     if _choices(field.annotation):
         return "choice"
     named = _named(field)
-    if any(_kinds(named.table if named else field.annotation)):
+    if named.tables if named else any(_kinds(field.annotation)):
         return "table"
     plain = {get_args(part)[0] if get_origin(part) is Annotated else part for part in parts}
     if bool in plain:

@@ -49,14 +49,14 @@ class Named:
     find : returns the value of a name; raises an error with five parts
     name_of : returns the name of a value; None without a name
     known : returns all names for lists; `find` may accept others, such as capitals
-    table : class of the table; None if a file gives names only
+    tables : classes of the tables that a file may give, the usual one first; none if it gives names only
     others : further classes, for values from Python and from names
     """
 
     find: Callable[[str], Any]
     name_of: Callable[[Any], str | None]
     known: Callable[[], Iterable[str]]
-    table: type | None
+    tables: tuple[type, ...] = ()
     others: tuple[type, ...] = ()
 
     def __get_pydantic_core_schema__(
@@ -65,8 +65,8 @@ class Named:
         named = core_schema.no_info_after_validator_function(self._found, core_schema.str_schema())
         # a tag in brackets cannot be taken for a key in the path of an error
         choices: dict[Hashable, core_schema.CoreSchema] = {"<name>": named}
-        if self.table:
-            choices["<table>"] = handler.generate_schema(self.table)
+        for kind in self.tables:
+            choices[self._tag_of(kind)] = handler.generate_schema(kind)
         if self.others:
             choices["<made>"] = core_schema.is_instance_schema(self.others)
         return core_schema.tagged_union_schema(choices, self._tag)
@@ -80,4 +80,15 @@ class Named:
             return "<name>"
         if isinstance(value, self.others):
             return "<made>"
-        return "<table>" if self.table and isinstance(value, Mapping | self.table) else None
+        if isinstance(value, Mapping) and self.tables:
+            return self._tag_of(max(self.tables, key=lambda kind: len(names_of(kind) & value.keys())))
+        return next((self._tag_of(kind) for kind in self.tables if isinstance(value, kind)), None)
+
+    @staticmethod
+    def _tag_of(kind: type) -> str:
+        return f"<{kind.__name__}>"
+
+
+def names_of(kind: Any) -> set[str]:
+    """Names of the fields of a described class."""
+    return set(kind.__pydantic_fields__)

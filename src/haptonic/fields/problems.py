@@ -238,6 +238,8 @@ def allowed_at(key: Key | None) -> str:
         return listed([f'"{choice}"' for choice in key.choices], "or")
     if key.named and key.kind == "text":
         return f"one of {', '.join(key.known_names)}"
+    if key.named:
+        return f"the name of a built-in material or a [{key.path.replace('[]', '')}] table"
     bounds = f" {key.bounds}" if key.bounds else ""
     forms = {
         "number": "a number, or a quantity with its unit in quotes",
@@ -247,9 +249,7 @@ def allowed_at(key: Key | None) -> str:
         "table": f"a table, [{key.path}]",
         "tables": f"tables with double brackets, [[{key.path}]],{bounds}",
     }
-    return (
-        forms[key.kind] if key.path != "material" else "the name of a built-in material or a [material] table"
-    )
+    return forms[key.kind]
 
 
 PLAIN, TEXT = {"integer": "10", "boolean": "true"}, '"..."'  # example values by kind of a key

@@ -3,27 +3,59 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field, ValidationInfo
 
 from haptonic.arrays import Array
 from haptonic.errors import StudyError, shown
-from haptonic.fields import Entries, ExpressedNumber, Quantity
+from haptonic.fields import Entries, ExpressedNumber, Quantity, number_of
+from haptonic.fields.quantity import collected
 from haptonic.units import format_quantity
 
 Rows = tuple[tuple[float, ...], ...]
 
 VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12
+PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))  # of the Voigt numbers
 DENSITY = Quantity("kg/m^3", at_least=1.0, at_most=5e4, typical=(500.0, 23e3))
 SYMMETRY_TOLERANCE = 1e-9  # relative to the largest entry of a matrix
+
+LossFactor = Annotated[
+    float,
+    Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2)),
+    Field(description="Imaginary over real part of the stiffness; about 1 / Q."),
+]
+MaterialName = Annotated[str, Field(description="Name in reports.", min_length=1, strict=True)]
+Source = Annotated[
+    str,
+    Field(
+        description="Source of the constants: words, or a key of the bibliography.",
+        strict=True,
+        examples=["data sheet"],
+    ),
+]
+Note = Annotated[str, Field(description="Further facts on the constants.", strict=True, examples=["rolled"])]
 
 
 def elasticity_tensor(stiffness: Array) -> Array:
     """(3, 3, 3, 3) tensor c_ikjl from the (6, 6) Voigt matrix, Pa."""
     voigt = np.array(VOIGT)
     return np.asarray(stiffness[voigt[:, :, None, None], voigt[None, None, :, :]])
+
+
+def turned(stiffness: Array, angle: float) -> Array:
+    """A stiffness (6, 6) whose axes are turned about axis 3 by an angle, in the axes before the turn, Pa."""
+    if angle == 0.0:
+        return stiffness
+    cosine, sine = math.cos(angle), math.sin(angle)
+    turns = [np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])] * 4
+    tensor = np.einsum("ai,bj,ck,dl,ijkl->abcd", *turns, elasticity_tensor(stiffness), optimize=True)
+    first, second = np.array(PAIRS).T
+    matrix = tensor[first[:, None], second[:, None], first, second]
+    return np.asarray((matrix + matrix.T) / 2)
 
 
 def is_symmetry(stiffness: Array, operation: Array) -> bool:
@@ -90,6 +122,22 @@ def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -
         name: width if isinstance(width, ExpressedNumber) else float(width)
         for name, width in uncertainty.items()
     })  # fmt: skip
+
+
+def half_widths(properties: Mapping[str, str]) -> Callable[[object, ValidationInfo], object]:
+    """Reader of the uncertainties of a study file; ``properties`` is that of `spread_of`."""
+
+    def read(value: object, info: ValidationInfo) -> object:
+        if not isinstance(value, Mapping):
+            return value
+        with collected(within="material.uncertainty"):
+            widths = {
+                name: number_of(width, properties.get(name, ""), info.context)
+                for name, width in value.items()
+            }
+            return spread_of(widths, properties)
+
+    return read
 
 
 def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:

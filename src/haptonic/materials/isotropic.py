@@ -3,29 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Annotated, ClassVar
 
 import numpy as np
-from pydantic import ValidationInfo, field_validator
+from pydantic import field_validator
 
 from haptonic.arrays import Array
-from haptonic.errors import shown
-from haptonic.fields import (
-    Aliases,
-    Entries,
-    Quantity,
-    absent,
-    described,
-    meant,
-    needed,
-    number_of,
-    problem,
-    setting,
-)
+from haptonic.fields import Aliases, Entries, Quantity, absent, described, meant, needed, setting
 from haptonic.fields.quantity import collected
-from haptonic.materials.common import DENSITY, spread_of
+from haptonic.materials.common import (
+    DENSITY,
+    LossFactor,
+    MaterialName,
+    Note,
+    Source,
+    half_widths,
+    require_name,
+)
 
 INCOMPRESSIBLE = (
     "a solid with a Poisson ratio of 0.5 is incompressible and has no finite bulk modulus; write 0.49 for "
@@ -78,41 +73,17 @@ class IsotropicMaterial:
         float, Quantity("", above=-1.0, below=0.5, typical=(0.1, 0.5), hint=INCOMPRESSIBLE)
     ] = needed("Sideways contraction over stretch.", examples=["0.34"])
     density: Annotated[float, DENSITY] = needed("Mass per volume.")
-    loss_factor: Annotated[float, Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.2))] = setting(
-        0.0, "Imaginary over real part of the stiffness; about 1 / Q."
-    )
-    name: str = setting("material", "Name in reports.", min_length=1, strict=True)
-    source: str = setting(
-        "",
-        "Source of the constants: words, or a key of the bibliography.",
-        strict=True,
-        examples=["data sheet"],
-    )
+    loss_factor: LossFactor = 0.0
+    name: MaterialName = "material"
+    source: Source = ""
     uncertainty: Entries[float] = setting(Entries(), "Half-widths of the plausible intervals, by property.")
-    note: str = setting("", "Further facts on the constants.", strict=True, examples=["rolled"])
+    note: Note = ""
 
     def __post_init__(self) -> None:
-        if not self.name.strip():
-            raise problem(
-                "missing",
-                shown(self.name),
-                "a text that is not blank",
-                "the name was left out",
-                "give the material a name; reports and plots show it",
-                at="name",
-            )
+        with collected(within="material"):
+            require_name(self.name)
 
-    @field_validator("uncertainty", mode="before")
-    @classmethod
-    def _of_its_properties(cls, value: object, info: ValidationInfo) -> object:
-        if not isinstance(value, Mapping):
-            return value
-        with collected(within="material.uncertainty"):
-            widths = {
-                name: number_of(width, PROPERTIES.get(name, ""), info.context)
-                for name, width in value.items()
-            }
-            return spread_of(widths, PROPERTIES)
+    _half_widths = field_validator("uncertainty", mode="before")(half_widths(PROPERTIES))
 
     @property
     def units(self) -> dict[str, str]:

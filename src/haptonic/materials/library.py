@@ -19,7 +19,7 @@ Material = IsotropicMaterial | OrthotropicMaterial | PiezoelectricMaterial
 
 KINDS: Mapping[str, Callable[..., Material]] = {
     "isotropic": IsotropicMaterial,
-    "cubic": OrthotropicMaterial.cubic,
+    "orthotropic": OrthotropicMaterial,
     "piezoelectric": PiezoelectricMaterial,
 }
 NOTHING = {"void", "air", "vacuum", "empty", "nothing", "none", "hole"}  # usual names of empty space
@@ -39,37 +39,28 @@ def built_in_name(solid: Material) -> str | None:
     return solid.name if library().get(solid.name) == solid else None
 
 
-def material(name: str) -> Material:
-    """Built-in material with a name.
+def material(name: str, *, piezoelectric: bool = False) -> Material:
+    """Built-in material with a name; capitals and blanks of the name do not matter.
 
     Raises
     ------
-    StudyError : unknown name; the error gives the nearest known one
-    """
-    if name in library():
-        return library()[name]
-    cause, next_step = "the library does not have this material", "give its constants in a [material] table"
-    if name.strip().lower() in NOTHING:
-        cause, next_step = "empty space is no material", "for a hole, write empty = true for a disc"
-    raise StudyError.unknown(
-        "material", name, library(), cause, next_step=next_step,
-        allowed=f"one of {', '.join(library())}, or a [material] table",
-    )  # fmt: skip
-
-
-def built_in(name: str, *, piezoelectric: bool = False) -> Material:
-    """Material of the library; case and blanks of the name do not matter.
-
-    Raises
-    ------
-    StudyError : no such material, or one that is not piezoelectric although it has to be
+    StudyError : unknown name, with the nearest known one, or a material that is not piezoelectric although it
+        has to be
     """
     materials = ceramics() if piezoelectric else library()
     key = re.sub(r"[\s_-]+", "-", name.strip().lower())
     if key in materials:
         return materials[key]
-    cause = "it is not piezoelectric" if key in library() else "the library does not have this material"
-    raise StudyError.unknown("material", name, materials, cause)
+    form = "" if piezoelectric else ", or a [material] table"
+    cause, next_step = "the library does not have this material", "choose one of these"
+    if key in NOTHING:
+        cause, next_step = "empty space is no material", "for a hole, write empty = true for a disc"
+    elif key in library():
+        cause = "it is not piezoelectric"
+    elif not piezoelectric:
+        next_step = "give its constants in a [material] table"
+    allowed = f"one of {', '.join(materials)}{form}"
+    raise StudyError.unknown("material", name, materials, cause, next_step=next_step, allowed=allowed)
 
 
 def ceramics() -> Mapping[str, Material]:
@@ -81,23 +72,14 @@ GIVEN = Named(
     find=material,
     name_of=built_in_name,
     known=library,
-    table=IsotropicMaterial,
-    others=(OrthotropicMaterial, PiezoelectricMaterial),
+    tables=(IsotropicMaterial, OrthotropicMaterial),
+    others=(PiezoelectricMaterial,),
 )
 """Forms of a material in a study: name of a built-in one, or a table of constants."""
-SOLID = Named(
-    find=built_in,
-    name_of=built_in_name,
-    known=library,
-    table=None,
-    others=(IsotropicMaterial, OrthotropicMaterial, PiezoelectricMaterial),
-)
-"""A material given by the name of a built-in one only."""
 CERAMIC = Named(
-    find=partial(built_in, piezoelectric=True),
+    find=partial(material, piezoelectric=True),
     name_of=built_in_name,
     known=ceramics,
-    table=None,
     others=(PiezoelectricMaterial,),
 )
 """A material given by the name of a built-in piezoelectric one."""

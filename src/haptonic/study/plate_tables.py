@@ -203,9 +203,10 @@ class PlateSettings:
 
     @property
     def materials(self) -> dict[str, Material]:
-        """Materials of patches and bonds, by name."""
-        bonds = [patch.bond.material for patch in self.actuator if patch.bond]
-        return {solid.name: solid for solid in (*(patch.material for patch in self.actuator), *bonds)}
+        """Materials of patches and bonds, by path below the table."""
+        patches = {f"actuator[{i}]": patch for i, patch in enumerate(self.actuator, start=1)}
+        bonds = {f"{at}.bond.material": patch.bond.material for at, patch in patches.items() if patch.bond}
+        return {f"{at}.material": patch.material for at, patch in patches.items()} | bonds
 
     def doubtful(self) -> dict[str, str]:
         """Remarks, by path below the table, on regions whose name resembles that of a lattice."""

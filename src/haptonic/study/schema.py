@@ -48,7 +48,7 @@ from haptonic.fields.reading import read, with_values
 from haptonic.fields.writing import document, toml_of
 from haptonic.friction.lubrication.settings import TouchSettings
 from haptonic.friction.participants import Participants
-from haptonic.materials import IsotropicMaterial, built_in_name
+from haptonic.materials import PiezoelectricMaterial, built_in_name
 from haptonic.plate.layout.parts import Plate
 from haptonic.study.doubts import doubts_of
 from haptonic.study.experiment_tables import ProtocolSettings
@@ -225,9 +225,11 @@ class Description:
 
     def absent_parameters(self) -> dict[str, str]:
         """Reason why a numeric parameter has no value in this study, by path."""
-        built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
+        absent, built_in = "this study does not give it", ""
+        if built_in_name(self.cell.material):
+            built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
         return {
-            path: built_in if path.startswith("material.") else "this study does not give it"
+            path: built_in if built_in and path.startswith("material.") else absent
             for path in numeric_parameters().keys() - self._parameters.keys()
         }
 
@@ -360,18 +362,15 @@ class Description:
         StudyError : a material, given in Python, that cannot be written to a file
         """
         glued = self.plate_settings.materials.values() if self.plate_settings else ()
-        of_cell = [
-            solid for solid in self.cell.materials.values() if not isinstance(solid, IsotropicMaterial)
-        ]
-        unwritten = [solid for solid in (*of_cell, *glued) if built_in_name(solid) is None]
-        if unwritten:
-            raise StudyError.unsupported(
-                argument="material",
-                given=shown(unwritten[0].name),
-                allowed="built-in materials; the material of the cell may also be isotropic",
-                cause="a study file has no table for other materials",
-                next_step="keep the study in Python",
-            )
+        for solid in (*self.cell.materials.values(), *glued):
+            if isinstance(solid, PiezoelectricMaterial) and built_in_name(solid) is None:
+                raise StudyError.unsupported(
+                    argument="material",
+                    given=shown(solid.name),
+                    allowed="a built-in material, or one of the elastic constants of a [material] table",
+                    cause="a study file has no table for piezoelectric materials",
+                    next_step="keep the study in Python",
+                )
         return toml_of(self)
 
     def inputs(self) -> dict[str, Any]:

@@ -25,8 +25,8 @@ from haptonic.fields import (
     setting,
     size,
 )
-from haptonic.materials import Material, PiezoelectricMaterial
-from haptonic.materials.library import CERAMIC, SOLID
+from haptonic.materials import GIVEN, Material, PiezoelectricMaterial
+from haptonic.materials.library import CERAMIC
 from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.supports import Support
 from haptonic.units import format_quantity
@@ -50,7 +50,9 @@ class Bond:
     thickness: BondThickness = needed(
         "Thickness of the layer of glue.", title="Thickness of the bond", examples=["50 um"]
     )
-    material: Annotated[Material, SOLID] = needed("A built-in one.", title="Material of the bond")
+    material: Annotated[Material, GIVEN] = needed(
+        "A built-in name or its constants.", title="Material of the bond"
+    )
 
 
 @described("plate.actuator")
