@@ -29,6 +29,7 @@ from haptonic.bloch import Resolution, gaps_of
 from haptonic.cli.app import app
 from haptonic.design import edges, quick
 from haptonic.store import Store
+from haptonic.study import loads
 from haptonic.workshop import Part, part_drawing
 
 SWEEP = """
@@ -467,6 +468,31 @@ class TestExport:
         result = SimpleNamespace(loosest=0.5, plate=0.42)
         monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: result)
         drawn = {"cell.pillar.height": pytest.approx(0.5 * 3 * 20e-6)}
+        assert export.drawn_tolerances(study, Runner()) == (drawn, "")
+
+    def test_discs_that_share_a_level_share_its_tolerance(self, monkeypatch):
+        glued = """
+            carrier = "60 kHz"
+            material = "steel"
+            [cell]
+            pitch = "7 mm"
+            thickness = "1.5 mm"
+            [[cell.disc]]
+            diameter = "3 mm"
+            low = "0 mm"
+            high = "0.2 mm"
+            material = "epoxy"
+            [[cell.disc]]
+            diameter = "4 mm"
+            low = "0.2 mm"
+            high = "9 mm"
+        """
+        result = SimpleNamespace(loosest=0.5, plate=0.42)
+        monkeypatch.setattr("haptonic.analyses.tolerance.compute", lambda *_: result)
+        names = ("cell.disc[1].high", "cell.disc[2].diameter")
+        study = loads(glued + "[tolerance]\n" + "".join(SPREAD.format(name, "20 um") for name in names))
+        half = pytest.approx(30e-6)
+        drawn = dict.fromkeys((*names, "cell.disc[2].low"), half)
         assert export.drawn_tolerances(study, Runner()) == (drawn, "")
 
     @pytest.mark.parametrize(

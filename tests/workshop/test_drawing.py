@@ -27,9 +27,9 @@ from haptonic.lattice import Lattice
 from haptonic.materials import material
 from haptonic.names import visible
 from haptonic.workshop import Part, part_drawing, write_drawing
-from haptonic.workshop.dimensions import dimensions_of
 from haptonic.workshop.dxf import outlines
 from haptonic.workshop.section import Row, nearest
+from haptonic.workshop.shape import dimensions_of
 from haptonic.workshop.sheet import POINT, Sheet
 from stacks import DRAFTED, STACKS
 
@@ -40,7 +40,7 @@ STEPPED = cell(Pillar(3.5 * MM, 9 * MM, "round", math.radians(2), 0.5 * MM, Step
 def toleranced(the_cell):
     """A tolerance on everything: the longest texts."""
     return {
-        name: math.radians(0.25) if name.endswith("draft") else min(2e-5, 0.4 * value)
+        name: math.radians(0.25) if name.endswith("draft") else min(2e-5, 0.4 * abs(value))
         for name, value in dimensions_of(the_cell).items()
     }
 
@@ -316,6 +316,32 @@ class TestWholePlate:
             Part.whole(PLATES["long"], LATTICES["slim"]), "Long", tolerances={"cell.pillar.height": 5e-5}
         )
         assert not any("±" in word for word in words(strange))
+
+
+def test_tolerances_of_discs_are_on_the_section_and_in_the_list():
+    """A height has one where its length counts from the plate, and is for reference between two others."""
+    glued = UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=STACKS["pillar on glue"])
+    glue, pillar = glued.disc
+    tolerances = {"cell.disc[1].diameter": 1e-5, "cell.disc[1].high": 2e-5, "cell.disc[2].low": 2e-5,
+                  "cell.disc[2].high": 5e-5}  # fmt: skip
+    sheet = part_drawing(Part.piece(glued), "Plate", tolerances=tolerances)
+    shown = words(sheet)
+    joint, top = f"{glue.high / MM:.3f} ±0.020", f"{pillar.high / MM:.3f} ±0.050"
+    assert {joint, top} <= set(shown)
+    assert f"({(pillar.high - glue.high) / MM:g})" in shown
+    assert f"⌀{glue.diameter / MM:.3f} ±0.010 {glue.material.name}" in shown
+    assert f"⌀{pillar.diameter / MM:g} {pillar.material.name}" in shown
+    listed = " ".join(shown)
+    assert f"⌀{glue.diameter / MM:.3f} ±0.010 from 0 to {joint} {glue.material.name}" in listed
+    assert f"⌀{pillar.diameter / MM:g} from {joint} to {top} {pillar.material.name}" in listed
+    assert "No dimension has a tolerance" not in listed
+
+
+def test_a_leader_that_is_too_long_ends_inside_the_frame():
+    name = "a material whose name is much longer than the room beside the section"
+    coated = tuple(replace(disc, material=replace(METAL, name=name)) for disc in STACKS["pillar on glue"])
+    shown = words(part_drawing(Part.piece(UnitCell(RECTANGLE, 1.5 * MM, METAL, disc=coated)), "Plate"))
+    assert sum(word.startswith("⌀") and word.endswith("…") for word in shown) == 2
 
 
 def test_a_fine_tolerance_is_not_shown_as_zero():

@@ -16,6 +16,7 @@ from haptonic.analyses.options import NoOptions, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import made_of_parts
 from haptonic.cell import UnitCell
+from haptonic.design.discs import with_shared
 from haptonic.errors import HaptonicError, ResourceError
 from haptonic.later import xarray as xr
 from haptonic.materials import Material
@@ -229,11 +230,9 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
     shown = dimensions_of(study.cell)
     drawn = {s.parameter: result.loosest * s.half_range for s in section.of if s.parameter in shown}
     if not drawn:
-        if all("disc[" in spread.parameter for spread in section.of):
-            return {}, "a drawing contains no tolerances of discs, and the study gives spreads of them only"
         return {}, "the study gives spreads only for material constants or sizes that are not drawn"
     if result.loosest > 0:
-        return drawn, ""
+        return with_shared(study.cell, drawn), ""
     return {}, (
         f"no tolerance keeps the carrier in the gap with the confidence of [tolerance], "
         f"{in_percent(section.confidence, form='.1f')}; with the study's own spreads the probability is "

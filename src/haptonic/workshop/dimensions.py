@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from haptonic.cell import UnitCell
+from haptonic.cell import Disc, UnitCell
 from haptonic.errors import StudyError
-from haptonic.workshop.shape import MM, Dimension, dimensions_of
+from haptonic.workshop.shape import MM, Dimension, dimensions
 
 MINUS = "\N{MINUS SIGN}"
 DECIMALS = 3  # of toleranced lengths in mm
@@ -23,20 +23,34 @@ def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mappi
     ------
     StudyError : a tolerance of a dimension that the cell lacks, or one that is not positive
     """
-    values = dimensions_of(cell)
+    known = {dimension.name: dimension for dimension in dimensions(cell) if dimension.name}
     for name, half_width in tolerances.items():
-        if name not in values:
+        if name not in known:
             cause = "this cell has no such dimension"
-            raise StudyError.unknown(f"tolerances.{name}", name, values, cause, next_step="leave it out")
-        if not (math.isfinite(half_width) and 0 < half_width < abs(values[name])):
+            raise StudyError.unknown(f"tolerances.{name}", name, known, cause, next_step="leave it out")
+        # a height above the plate may be smaller than its tolerance
+        largest = cell.thickness if known[name].kind == "level" else abs(known[name].value)
+        if not (math.isfinite(half_width) and 0 < half_width < largest):
             raise StudyError.out_of_range(
                 argument=f"tolerances.{name}",
                 given=half_width,
-                allowed=f"a positive half-width below the dimension itself, {abs(values[name]):.4g} m or rad",
+                allowed=f"a positive half-width below {largest:.4g} m or rad",
                 cause="it is in mm or degrees, or has the wrong sign",
                 next_step="give the half-width in m, that of the draft in rad",
             )
     return tolerances
+
+
+def disc_text(name: str, value: float, at: str, tolerances: Mapping[str, float]) -> str:
+    """Text of a number (m or rad) of a disc, whose table has the path ``at``, with its tolerance."""
+    path, is_angle = f"{at}.{name}", name in ("draft", "turn")
+    dimension = Dimension(path, value if is_angle else value * MM, "angle" if is_angle else "seen")
+    return text_of(dimension, tolerances.get(path))
+
+
+def disc_width(disc: Disc, thickness: float, at: str, tolerances: Mapping[str, float]) -> str:
+    """Text of the diameter of a disc, of a cone those at its lower and its upper end, with tolerance."""
+    return " to ".join(disc_text("diameter", w, at, tolerances) for w in disc.diameters(thickness))
 
 
 def style_of(dimension: Dimension, half_width: float | None, sign: str = "") -> dict[str, Any]:

@@ -24,7 +24,7 @@ from haptonic.cell.sectioned import LENGTHS
 from haptonic.cell.stack import Stack
 from haptonic.names import counted
 from haptonic.plots.style import DOTS_PER_INCH, styled
-from haptonic.workshop.dimensions import checked_tolerances, degrees, number, text_of
+from haptonic.workshop.dimensions import checked_tolerances, disc_text, disc_width, number, text_of
 from haptonic.workshop.dxf import outlines, reproducible
 from haptonic.workshop.part import Part
 from haptonic.workshop.plan import draw_plan, letter
@@ -64,7 +64,7 @@ def part_drawing(
     ------
     StudyError : a tolerance of a dimension that the cell lacks, or one that is not positive
     """
-    tolerances = checked_tolerances(part.cell.scaled(1 / MM), tolerances or {})
+    tolerances = checked_tolerances(part.source, tolerances or {})
     with reproducible():
         sheet = Sheet.of(outlines(part), title, date)
         left, bottom, right, top = FRAME, FRAME, sheet.size[0] - FRAME, sheet.size[1] - FRAME
@@ -74,7 +74,7 @@ def part_drawing(
         for box, text in ((PLAN, f"Plan   {plan}"), (SECTION, f"Section along x   {section}")):
             sheet.text((0.5 * (box[0] + box[2]), box[3] - 4), text, 3.0, "CENTER")
         _title_block(sheet, title, {
-            "MATERIAL": ", ".join(material.name for material in part.materials),
+            "MATERIAL" if len(part.materials) == 1 else "PLATE MATERIAL": part.cell.material.name,
             "MASS": f"{1e3 * part.mass:.3g} g",
             "PLATE": TIMES.join(number(side / MM) for side in (*part.size, part.cell.thickness)),
             "PILLARS AND DISCS": part.parts,
@@ -101,16 +101,17 @@ def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:
     """Number, sizes and distances of each kind of feature by its letter, and each patch by its name."""
     lines = {}
     for kind, (feature, places) in enumerate(part.standing):
-        half: Mapping[str, float] = {}
+        table = part.table(feature)
+        half = tolerances if table else {}
         if isinstance(feature, Stack):
+            discs = enumerate(feature.discs, start=1)
             texts = [
                 counted(len(places), "disc stack"),
-                *(_disc(disc, part) for disc in feature.discs),
+                *(_disc(disc, part, f"{table}disc[{number}]", half) for number, disc in discs),
             ]
         else:
-            table = part.table(feature) or ""
-            half = tolerances if table else {}
-            texts = [f"{len(places)} {_named(feature)}", *_sizes(part, feature, table, half)]
+            sizes = _sizes(part, feature, f"{table}pillar", half)
+            texts = [f"{len(places)} {_named(feature)}", *sizes]
         for along, axis in enumerate("xy"):
             if step := nearest(places, along)[1]:
                 dimension = pitch_of(part, step, along)
@@ -140,20 +141,18 @@ def _sizes(part: Part, pillar: Pillar, table: str, half: Mapping[str, float]) ->
     return [*texts, pillar.material.name] if pillar.material else texts
 
 
-def _disc(disc: Disc, part: Part) -> str:
+def _disc(disc: Disc, part: Part, at: str, half: Mapping[str, float]) -> str:
     """A disc with its numbers, its ends above the plate's top, and its material."""
-    low, high = (number(end - part.cell.thickness / MM) for end in disc.ends(part.cell.thickness / MM))
-    solid = "empty" if disc.empty else (disc.material or part.cell.material).name
-    widths = " to ".join(map(number, disc.diameters(part.cell.thickness / MM)))
-    texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{widths}"]
-    texts += [f"{name.replace('_', ' ')} {number(value)}" for name in LENGTHS
-              if (value := getattr(disc, name))]  # fmt: skip
-    if disc.draft:
-        texts.append(f"draft {degrees(disc.draft)}")
-    if disc.turn:
-        texts.append(f"turn {degrees(disc.turn)}")
+    thickness = part.source.thickness
+    width = disc_width(disc, thickness, at, half)
+    texts = [f"{_named(disc)} disc {disc.form.sign or f'{disc.form.width} '}{width}"]
+    texts += [f"{name.replace('_', ' ')} {disc_text(name, value, at, half)}"
+              for name in (*LENGTHS, "draft", "turn") if (value := getattr(disc, name))]  # fmt: skip
     if disc.point:
         texts.append(_corners(disc.radius, disc))
+    ends = zip(("low", "high"), disc.ends(thickness), strict=True)
+    low, high = (disc_text(name, end - thickness, at, half) for name, end in ends)
+    solid = "empty" if disc.empty else (disc.material or part.cell.material).name
     return f"{' '.join(texts)} from {low} to {high} {solid}"
 
 

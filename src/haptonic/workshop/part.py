@@ -53,13 +53,13 @@ class Part:
         then its holes
     standing : each kind of pillar, or of stack of discs, with the (n, 2) positions of its axes; both faces of
         a mirrored cell have it
-    cell : the study's cell, which defines the names of dimensions and their tolerances
+    source : the study's cell, in m, which defines the names of dimensions and their tolerances
     count : numbers of columns and rows of cells of a piece of lattice; None for a whole plate
     """
 
     outline: tuple[Array, ...]
     standing: tuple[tuple[Feature, Array], ...]
-    cell: UnitCell
+    source: UnitCell
     marks: tuple[Mark, ...]
     count: tuple[int, int] | None = None
 
@@ -85,7 +85,7 @@ class Part:
                 )
         _check_number(columns * rows * sum(map(bool, cell.features)) * cell.copies)
         features = tuple(f.scaled(MM) if isinstance(f, Pillar) else f for f in cell.features)
-        cell = _in_mm(cell)
+        source, cell = cell, _in_mm(cell)
         assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
         i, j = np.meshgrid(
             np.arange(columns + 1) - columns / 2, np.arange(rows + 1) - rows / 2, indexing="ij"
@@ -100,7 +100,7 @@ class Part:
         standing = tuple((pillar, np.concatenate(places)) for pillar, places in kinds.items())
         outline = np.array([corners[0, 0], corners[-1, 0], corners[-1, -1], corners[0, -1]])
         marks = tuple(Mark("CELL", border) for border in borders)
-        return cls(outline=(outline,), standing=standing, cell=cell, marks=marks, count=(columns, rows))
+        return cls(outline=(outline,), standing=standing, source=source, marks=marks, count=(columns, rows))
 
     @classmethod
     def whole(cls, plate: Plate, cell: UnitCell) -> Part:
@@ -131,7 +131,12 @@ class Part:
         marks += [mark for support in plate.supports for mark in _support_marks(layout, support)]
         edges = tuple(MM * loop for loop in outline(layout, set(layout.there.values())))
         _check_whole(edges)
-        return cls(edges, standing, _in_mm(cell), tuple(marks))
+        return cls(edges, standing, cell, tuple(marks))
+
+    @cached_property
+    def cell(self) -> UnitCell:
+        """The study's cell in mm, without discs."""
+        return _in_mm(self.source)
 
     @cached_property
     def corners(self) -> tuple[Array, Array]:
@@ -140,9 +145,9 @@ class Part:
         return every.min(axis=0), every.max(axis=0)
 
     def table(self, feature: Feature) -> str | None:
-        """Table of the study that gives a kind of pillar, such as ``cell.site[2].pillar``, or None."""
-        features = self.cell.features
-        return self.cell.pillar_path(features.index(feature)) if feature in features else None
+        """Table of the study that gives a kind of feature, such as ``cell.site[2].``, or None."""
+        features = (self.cell if isinstance(feature, Pillar) else self.source).features
+        return self.source.table_of(features.index(feature)) if feature in features else None
 
     @property
     def size(self) -> tuple[float, float]:

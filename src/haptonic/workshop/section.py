@@ -16,11 +16,11 @@ from haptonic.cell.outlines import Outline
 from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import Material
 from haptonic.plots.labels import spread
-from haptonic.workshop.dimensions import FINEST, number, text_of
+from haptonic.workshop.dimensions import FINEST, disc_width, text_of
 from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Rings
-from haptonic.workshop.shape import MM, Dimension, PillarShape, heights, sides
-from haptonic.workshop.sheet import APART, ARROW, SHELF, Box, Sheet, View, text_width
+from haptonic.workshop.shape import MM, Dimension, Kind, PillarShape, heights, sides
+from haptonic.workshop.sheet import APART, ARROW, SHELF, SIZE, Box, Sheet, View, shortened, text_width
 
 Label = tuple[float, Callable[[float], None]]  # preferred height, and function that draws it at a height
 
@@ -29,6 +29,7 @@ ROUND = 720  # corners of the polygon for a whole turn
 ROOM: Box = (36.0, 32.0, 46.0, 33.0)  # mm around the section, for its dimensions
 LANE = 8.0  # mm between a view and its first dimension line
 NEXT = 7.0  # mm between two dimension lines
+SAME_LEVEL = 1e-6  # mm
 HATCH = 0.6  # size of its pattern on the paper
 ANGLES = (0.0, 90.0, 45.0, 135.0)  # of the hatches of different materials, degrees
 
@@ -115,8 +116,8 @@ def draw_section(sheet: Sheet, box: Box, part: Part, tolerances: Mapping[str, fl
     view = View(view.place(-0.5 * across - row.low, below), view.scale)
     end, rim = corner + np.array([across, up]), 1 / view.scale
     sheet.window(View(view.place(*-origin), view.scale), tuple(corner - rim), tuple(end + rim))
-    labels = _Labels(sheet=sheet, view=view, part=part, row=row, below=below, tolerances=tolerances)
-    labels.draw(box[3])
+    labels = _Labels(sheet=sheet, view=view, part=part, row=row, below=below, tolerances=tolerances, box=box)
+    labels.draw()
     return view
 
 
@@ -200,18 +201,19 @@ class _Labels:
     row: Row
     below: float
     tolerances: Mapping[str, float]
+    box: Box
 
-    def draw(self, ceiling: float) -> None:
+    def draw(self) -> None:
         feature = self.part.standing[0][0] if self.part.standing else None
         pillar = None if isinstance(feature, Stack) else feature
-        at = (pillar and self.part.table(pillar)) or ""
-        shown = heights(self.part.cell.thickness, pillar, at)
+        table = feature and self.part.table(feature)
+        shown = heights(self.part.cell.thickness, pillar, f"{table}pillar")
         if isinstance(feature, Stack):
             shown += self.storeys(feature)
         left, face = self.view.place(self.row.low, -self.part.cell.thickness)
         column = self.view.place(self.row.high, 0)[0] + LANE
         at_left = [self.height(dimension, left - LANE, -1) for dimension in shown if dimension.kind == "left"]
-        self.beside(at_left, self.view.place(0, -self.below)[1] + 0.5, ceiling)
+        self.beside(at_left, self.view.place(0, -self.below)[1] + 0.5, self.box[3])
         if not self.part.cell.is_mirrored:
             right = self.view.place(self.row.high, 0)[0]
             self.sheet.line([(left, face - 1), (right, face - 1)], "TOUCH")
@@ -228,7 +230,8 @@ class _Labels:
         labels = [self.height(dimension, column, 1) for dimension in shown if dimension.kind == "right"]
         lowest = face - 3
         if isinstance(feature, Stack):
-            labels += [self.disc(disc, column + SHELF) for disc in feature.discs]
+            discs = enumerate(feature.discs, start=1)
+            labels += [self.disc(disc, f"{table}disc[{number}]", column + SHELF) for number, disc in discs]
         if pillar is not None:
             body = PillarShape.of(pillar)
             labels += [self.pointed(body, dimension, column + SHELF, sign) for dimension in shown
@@ -241,23 +244,40 @@ class _Labels:
 
     def storeys(self, stack: Stack) -> list[Dimension]:
         """Heights of a stack: overall, and storey by storey."""
-        ends = MM * (stack.heights - stack.thickness)
-        top = float(ends[-1])
-        whole = [Dimension("distance", top, "left", high=top)] if stack.height else []
-        within = [
-            Dimension("distance", high - low, "right", low=low, high=high)
-            for low, high in pairwise(ends.tolist())
-        ]
+        ends = (MM * (stack.heights - stack.thickness)).tolist()
+        whole = [self.storey(stack, 0.0, ends[-1], "left")] if stack.height else []
+        within = [self.storey(stack, low, high, "right") for low, high in pairwise(ends)]
         return whole + (within if len(within) > 1 else [])
 
-    def disc(self, disc: Disc, column: float) -> Label:
-        """A leader with the width and the material of a disc."""
-        width, height = MM * np.mean(disc.side(self.part.cell.thickness / MM), axis=0)
+    def storey(self, stack: Stack, low: float, high: float, kind: Kind) -> Dimension:
+        """Distance of two levels, mm above the plate's top.
+
+        It is for reference if a level has a tolerance that does not count from the other one.
+        """
+        toleranced = [path for level in (low, high) if (path := self.level(stack, level))]
+        name: str | None = "distance"
+        if toleranced:
+            name = toleranced[0] if np.isclose([low, high], 0.0, atol=SAME_LEVEL).any() else None
+        return Dimension(name, high - low, kind, low=low, high=high)
+
+    def level(self, stack: Stack, height: float) -> str:
+        """Path of the end of a disc that has a tolerance, at a height, mm above the plate's top, or ""."""
+        for number, disc in enumerate(stack.discs, start=1):
+            for name, end in zip(("low", "high"), disc.ends(stack.thickness), strict=True):
+                path = f"{self.part.table(stack)}disc[{number}].{name}"
+                if abs(MM * (end - stack.thickness) - height) < SAME_LEVEL and path in self.tolerances:
+                    return path
+        return ""
+
+    def disc(self, disc: Disc, at: str, column: float) -> Label:
+        """A leader with the width and the material of a disc, whose table in the study is ``at``."""
+        thickness = self.part.source.thickness
+        width, height = MM * np.mean(disc.side(thickness), axis=0)
         right = self.row.axes[-1] + width * chord(disc.outline)[0]
-        tip = self.view.place(float(right), height - self.part.cell.thickness)
+        tip = self.view.place(float(right), height - MM * thickness)
         solid = "empty" if disc.empty else (disc.material or self.part.cell.material).name
-        widths = " to ".join(map(number, disc.diameters(self.part.cell.thickness / MM)))
-        text = f"{disc.form.sign}{widths} {solid}"
+        text = f"{disc.form.sign}{disc_width(disc, thickness, at, self.tolerances)} {solid}"
+        text = shortened(text, self.box[2] - column, SIZE)
         return tip[1] + 4, lambda y: self.sheet.leader(tip, (column, y), text, 1)
 
     def sign(self, body: PillarShape, dimension: Dimension) -> str | None:

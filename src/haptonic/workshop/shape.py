@@ -14,11 +14,13 @@ from typing import Literal
 import numpy as np
 
 from haptonic.arrays import Array
-from haptonic.cell import Pillar, UnitCell
+from haptonic.cell import Disc, Pillar, UnitCell
 from haptonic.cell.outlines import Outline, Section
 from haptonic.cell.pillar_parts import Fillet
+from haptonic.cell.sectioned import LENGTHS
 
 Place = tuple[float, float]
+Kind = Literal["across", "deep", "left", "right", "width", "radius", "angle", "turn", "seen", "level"]
 
 MM = 1e3  # mm in a metre
 
@@ -92,15 +94,15 @@ class Dimension:
     name : its path in a study; None for a number that follows from others and is shown for reference
     value : m or rad (mm for a cell in mm)
     kind : "across" and "deep" along the plan's sides; in the section a height ("left" or "right" of it), the
-        "width" at a place, the "radius" of the fillet or the "angle" of a side; the "turn" and other numbers
-        "seen" from above are only in the list
+        "width" at a place, the "radius" of the fillet or the "angle" of a side; the "turn", other numbers
+        "seen" from above, and the "level" of an end of a disc are only in the list
     low, high : ends of a height
     place : position of the other numbers in the section
     """
 
     name: str | None
     value: float
-    kind: Literal["across", "deep", "left", "right", "width", "radius", "angle", "turn", "seen"]
+    kind: Kind
     low: float = 0.0
     high: float = 0.0
     place: Place = (0.0, 0.0)
@@ -113,6 +115,8 @@ def dimensions(cell: UnitCell) -> list[Dimension]:
         numbers.append(Dimension("cell.angle", cell.lattice.angle, "angle"))
     for at, (number, *_) in cell.pillar_tables.items():
         numbers += heights(cell.thickness, cell.pillars[number], at)[1:]
+    for below, disc in cell.discs.items():
+        numbers += of_disc(disc, f"cell.{below}")
     return numbers
 
 
@@ -152,6 +156,14 @@ def heights(thickness: float, pillar: Pillar | None, at: str = "cell.pillar") ->
         numbers.append(Dimension(f"{at}.draft", pillar.draft, "angle", place=place))
         numbers.append(Dimension(None, 2 * top[0], "width", place=(top[0], top[1])))
     return numbers
+
+
+def of_disc(disc: Disc, at: str) -> list[Dimension]:
+    """Numbers of a disc, which a table of the study gives."""
+    kinds: dict[str, Kind] = {"diameter": "seen", **dict.fromkeys(LENGTHS, "seen"), "draft": "angle"}
+    kinds |= {"turn": "turn", "low": "level", "high": "level"}
+    given = {name: getattr(disc, name) for name in kinds}
+    return [Dimension(f"{at}.{name}", value, kinds[name]) for name, value in given.items() if value]
 
 
 def dimensions_of(cell: UnitCell) -> dict[str, float]:
