@@ -346,7 +346,19 @@ def test_a_leader_that_is_too_long_ends_inside_the_frame():
 
 def test_a_fine_tolerance_is_not_shown_as_zero():
     texts = words(part_drawing(Part.piece(STEPPED), "Plate", tolerances={"cell.thickness": 2e-7}))
-    assert "1.5000 ±0.0002" in texts
+    assert "1.50000 ±0.00020" in texts
+
+
+def test_lengths_of_micrometres_are_not_rounded_away():
+    small = UnitCell(Lattice.square(10e-6), 2.25e-6, METAL, Pillar(5.125e-6, 12.55e-6))
+    shown = words(part_drawing(Part.piece(small), "Plate", tolerances={"cell.pillar.diameter": 1e-8}))
+    assert {"0.00225", "0.01255", "⌀0.005125 ±0.000010", "none"} <= set(shown)
+    listed = " ".join(shown)
+    assert "side to side, 0.004875: tool radius at most 0.002437." in listed
+    assert "ISO 2768 begins at 0.5 mm" in listed
+    assert "ISO 2768" not in " ".join(words(part_drawing(Part.piece(STEPPED), "Plate"))).replace(
+        "ISO 2768-m", ""
+    )
 
 
 @pytest.mark.parametrize(

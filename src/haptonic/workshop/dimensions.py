@@ -13,7 +13,8 @@ from haptonic.workshop.shape import MM, Dimension, dimensions
 MINUS = "\N{MINUS SIGN}"
 DECIMALS = 3  # of toleranced lengths in mm
 DECIMALS_OF_ANGLES = 2  # of toleranced angles in degrees
-FINEST = 4  # decimals of a length without a tolerance, trailing zeros left out
+ROUNDING = 1e-9  # mm or degrees
+FINEST = 4  # decimals of a length without a tolerance, trailing zeros left out; more for short ones
 
 
 def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mapping[str, float]:
@@ -60,7 +61,8 @@ def style_of(dimension: Dimension, half_width: float | None, sign: str = "") -> 
     """
     if half_width is None:
         form = f"{sign}<>" if dimension.name else f"({sign}<>)"
-        return {"dimpost": form, "dimdec": FINEST if dimension.name else DECIMALS, "dimzin": 8}
+        places = decimals(dimension.value, FINEST if dimension.name else DECIMALS)
+        return {"dimpost": form, "dimdec": places, "dimzin": 8}
     places, deviation = _decimals(half_width * MM, DECIMALS), half_width * MM
     return {
         "dimpost": f"{sign}<> ", "dimtol": 1, "dimtp": deviation, "dimtm": deviation, "dimtfac": 1.0,
@@ -80,14 +82,20 @@ def text_of(dimension: Dimension, half_width: float | None, sign: str = "") -> s
     return form.replace("<>", value) + f"±{style['dimtp']:.{style['dimtdec']}f}"
 
 
+def decimals(value: float, least: int) -> int:
+    """Number of decimals that shows four digits of a number; ``least`` for a larger one, or for zero."""
+    return max(least, 3 - math.floor(math.log10(abs(value)))) if abs(value) > ROUNDING else least
+
+
 def _decimals(half_width: float, least: int) -> int:
-    """Number of decimals that shows a tolerance; a fine one is not shown as 0."""
-    return max(least, -math.floor(math.log10(half_width) + 1e-9))
+    """Number of decimals that shows a tolerance, and with which a value is rounded by 5 % of it at most."""
+    return max(least, 1 - math.floor(math.log10(half_width) + 1e-9))
 
 
 def number(length: float, places: int = FINEST) -> str:
     """A length (m) in mm without a tolerance and without trailing zeros."""
-    return f"{length * MM:.{places}f}".rstrip("0").rstrip(".")
+    text = f"{length * MM:.{decimals(length * MM, places)}f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def degrees(angle: float, half_width: float | None = None) -> str:

@@ -29,11 +29,12 @@ from haptonic.workshop.dxf import outlines, reproducible
 from haptonic.workshop.part import Part
 from haptonic.workshop.plan import draw_plan, letter
 from haptonic.workshop.section import draw_section, nearest, pitch_of
-from haptonic.workshop.shape import MM, PillarShape, heights
+from haptonic.workshop.shape import MM, PillarShape, dimensions, heights
 from haptonic.workshop.sheet import SIZE, SMALL, Box, Sheet, shortened
 
 TIMES = " \N{MULTIPLICATION SIGN} "
 GENERAL = "ISO 2768-m"  # for dimensions without a tolerance: medium, which any mill keeps
+SHORTEST = 0.5e-3  # m, below which ISO 2768 gives no tolerances
 FRAME = 10.0  # mm
 AROUND = 9  # nearest pillars that are searched for the narrowest gap, the pillar itself included
 BLOCK = (180.0, 36.0)  # size of the title block, mm
@@ -65,6 +66,8 @@ def part_drawing(
     StudyError : a tolerance of a dimension that the cell lacks, or one that is not positive
     """
     tolerances = checked_tolerances(part.source, tolerances or {})
+    lengths = [each for each in dimensions(part.source) if each.kind not in ("angle", "turn")]
+    short = [abs(length.value) < SHORTEST for length in lengths]
     with reproducible():
         sheet = Sheet.of(outlines(part), title, date)
         left, bottom, right, top = FRAME, FRAME, sheet.size[0] - FRAME, sheet.size[1] - FRAME
@@ -78,7 +81,7 @@ def part_drawing(
             "MASS": f"{1e3 * part.mass:.3g} g",
             "PLATE": TIMES.join(number(side / MM) for side in (*part.size, part.cell.thickness)),
             "PILLARS AND DISCS": part.parts,
-            "GENERAL TOLERANCES": GENERAL,
+            "GENERAL TOLERANCES": "none" if all(short) else GENERAL,
             "UNITS": "dimensions in mm",
             "SCALE": str(plan),
             "DATE": date.isoformat() if date else "",
@@ -86,6 +89,8 @@ def part_drawing(
         notes = _advice(part)
         if not tolerances:
             notes.insert(0, f"No dimension has a tolerance of its own{why_none and ': '}{why_none}.")
+        if any(short):
+            notes.append("ISO 2768 begins at 0.5 mm: a shorter dimension has its own tolerance or none.")
         sheet.notes(
             (FRAME + 3, FRAME + BLOCK[1] + 1),
             "NOTES",

@@ -34,7 +34,7 @@ from matplotlib.figure import Figure
 from haptonic.arrays import Array
 from haptonic.names import visible
 from haptonic.plots.style import CENTIMETRE, drawn
-from haptonic.workshop.dimensions import DECIMALS, style_of, text_of
+from haptonic.workshop.dimensions import DECIMALS, decimals, style_of, text_of
 from haptonic.workshop.shape import Dimension
 
 A3 = (420.0, 297.0)  # mm, landscape
@@ -203,7 +203,9 @@ class Sheet:
         """Draw the distance of a point from the origin of a view along x (``upright``: y)."""
         x, y = (a - b for a, b in zip(end, at, strict=True))
         add = self.space.add_ordinate_y_dim if upright else self.space.add_ordinate_x_dim
-        override = {"dimlfac": 1 / view.scale, "dimdec": DECIMALS, "dimzin": 8, "dimtad": 0, "dimasz": LEG}
+        distance = (at[1] - view.origin[1] if upright else at[0] - view.origin[0]) / view.scale
+        places = decimals(distance, DECIMALS)
+        override = {"dimlfac": 1 / view.scale, "dimdec": places, "dimzin": 8, "dimtad": 0, "dimasz": LEG}
         add(
             at, (x, y), origin=view.origin, dimstyle="SHEET", override=override,
             dxfattribs={"layer": "DIMENSION"},
