@@ -28,17 +28,11 @@ MOST_DECIMALS = 6  # of a number with the bound of its error
 NARROW = 0.04  # interval of a share that is printed with a decimal
 LARGEST_EXPONENT = 400  # beyond the range of floats, while powers of ten of this size are still cheap
 
-PREFIXES = {"n": -9, "µ": -6, "m": -3, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
+PREFIXES = {"p": -12, "n": -9, "µ": -6, "m": -3, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
 PREFIXES_OF = {
-    "m": "nµmk",
-    "s": "nµm",
-    "m/s": "nµm",
-    "Hz": "kMGT",
-    "Pa": "kMGT",
-    "N": "µmk",
-    "V": "µmk",
-    "F": "nµ",
-}
+    "m": "nµmk", "s": "nµm", "m/s": "nµm", "Hz": "kMGT", "Pa": "kMGT", "N": "µmk", "V": "µmk", "F": "nµ",
+    "m/V": "p",
+}  # fmt: skip
 EXAMPLES = {
     "m": "7 mm",
     "Hz": "60 kHz",
@@ -49,6 +43,9 @@ EXAMPLES = {
     "N/m^3": "1e12 N/m^3",
     "kg": "0.01 kg",
     "m/s": "78 mm/s",
+    "m^2/N": "1.2e-11 m^2/N",
+    "m/V": "120 pm/V",
+    "C/m^2": "15 C/m^2",
 }
 TIMES = {"min": Fraction(60), "h": Fraction(3600)}  # s
 KINDS = {
@@ -65,6 +62,9 @@ KINDS = {
     "N/m": "stiffness",
     "N/m^3": "stiffness per area",
     "N s/m": "damping",
+    "m^2/N": "compliance",
+    "m/V": "charge constant",
+    "C/m^2": "charge per area",
 }
 OTHER = "another quantity"
 

@@ -7,6 +7,7 @@ import warnings
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
@@ -14,6 +15,7 @@ from five_parts import refused_study as refused, refusing
 from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.fields import remade
 from haptonic.fields.entries import Entries
+from haptonic.materials import material
 from haptonic.plate.layout.grid import Layout, pieces
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.supports import Support
@@ -76,6 +78,24 @@ def drawn(lines: str, more: str = "", tiles: str = 'o = "lattice"\n1 = "WG1"') -
     return f'{CELL}{PILLAR}[plate]\nmap = """\n{lines}\n"""\n{more}\n[plate.tiles]\n{tiles}\n'
 
 
+OWN_PATCH = """
+[plate.actuator.material]
+s11 = "12.3 um^2/N"
+s12 = "-4.05 um^2/N"
+s13 = "-5.31 um^2/N"
+s33 = "15.5 um^2/N"
+s44 = "39 um^2/N"
+d31 = "-123 pm/V"
+d33 = "289 pm/V"
+d15 = "496 pm/V"
+permittivity_11 = 1475
+permittivity_33 = 1300
+density = "7500 kg/m^3"
+name = "our ceramic"
+[plate.actuator.bond]
+thickness = "50 um"
+material = {youngs_modulus = "3 GPa", poisson_ratio = 0.35, density = "1200 kg/m^3", name = "glue"}
+"""
 MAP = "ooo1112f\nooo1112f\nooo1112f\n"
 CENTRE = 'centre = ["12 mm", "10 mm"]'
 PATCH = 'size = ["11.5 mm", "8 mm", "0.7 mm"]'
@@ -675,6 +695,19 @@ class TestInAStudy:
         assert inputs["materials"]["actuator[1].bond.material"]["kind"] == "isotropic"
         assert inputs["tiles"] == {"o": "lattice", "f": "fine", "1": "WG1", "2": "WG2"}
         assert inputs["actuator"][0]["centre"] == [0.012, 0.010]
+
+    def test_own_constants_of_patch_and_glue_come_back(self):
+        named = 'material = "PZT 4"\nbond = { thickness = "50 um", material = "Epoxy" }\n'
+        text = edited((named, ""), ("[[plate.force]]", OWN_PATCH + "[[plate.force]]"))
+        study = loads(text)
+        (patch,) = study.mounted_plate().actuators
+        assert np.array_equal(patch.material.stiffness, material("pzt-4").stiffness)
+        assert np.array_equal(patch.material.coupling, material("pzt-4").coupling)
+        assert patch.bond.material.youngs_modulus == 3e9
+        again = loads(study.to_toml())
+        assert again == study
+        assert again.inputs() == study.inputs()
+        assert loads(text.replace('"-123 pm/V"', '"-140 pm/V"')).inputs() != study.inputs()
 
     def test_every_key_comes_back(self, every_key_text):
         study = loads(every_key_text)

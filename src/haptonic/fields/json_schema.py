@@ -89,15 +89,28 @@ def _slot(slot: Slot, path: str, keys: dict[str, Key]) -> Schema:
 
 def _tabled(slot: Slot, key: Key, keys: dict[str, Key]) -> Schema:
     tables = [_table(below, f"{key.path}.", keys) for below in slot.kinds]
-    return {"anyOf": [{"enum": list(key.known_names)}, *tables]} if key.named else tables[0]
+    return {"anyOf": [*_names(key), *tables]} if key.named else tables[0]
+
+
+def _names(key: Key) -> list[Schema]:
+    """Schemas of a name, of which the case of letters and blanks do not matter."""
+    spelt = [
+        "".join(
+            f"[{letter}{letter.upper()}]" if letter.isalpha() else letter.replace("-", r"[\s_-]+")
+            for letter in name
+        )
+        for name in key.known_names
+    ]
+    return [
+        {"enum": list(key.known_names)},
+        {"type": "string", "pattern": rf"^\s*({'|'.join(spelt)})\s*$"},
+    ]
 
 
 def _plain(slot: Slot, key: Key) -> Schema:
     """Schema of a value that is neither a table nor a list."""
     if key.choices:
         return {"enum": [*key.choices, *key.synonyms]}
-    if key.named:  # the case of letters and blanks are ignored in these names, which an editor cannot express
-        return {"anyOf": [{"enum": list(key.known_names)}, {"type": "string"}]}
     if key.quantity:
         return _quantity(key.quantity)
     kinds: dict[str, Schema] = {

@@ -49,14 +49,14 @@ class Named:
     find : returns the value of a name; raises an error with five parts
     name_of : returns the name of a value; None without a name
     known : returns all names for lists; `find` may accept others, such as capitals
-    tables : classes of the tables that a file may give, the usual one first; none if it gives names only
+    tables : classes of the tables that a file may give, the usual one first
     others : further classes, for values from Python and from names
     """
 
     find: Callable[[str], Any]
     name_of: Callable[[Any], str | None]
     known: Callable[[], Iterable[str]]
-    tables: tuple[type, ...] = ()
+    tables: tuple[type, ...]
     others: tuple[type, ...] = ()
 
     def __get_pydantic_core_schema__(
@@ -80,7 +80,7 @@ class Named:
             return "<name>"
         if isinstance(value, self.others):
             return "<made>"
-        if isinstance(value, Mapping) and self.tables:
+        if isinstance(value, Mapping):
             return self._tag_of(max(self.tables, key=lambda kind: len(names_of(kind) & value.keys())))
         return next((self._tag_of(kind) for kind in self.tables if isinstance(value, kind)), None)
 

@@ -236,8 +236,6 @@ def allowed_at(key: Key | None) -> str:
         return key.quantity.allowed
     if key.choices:
         return listed([f'"{choice}"' for choice in key.choices], "or")
-    if key.named and key.kind == "text":
-        return f"one of {', '.join(key.known_names)}"
     if key.named:
         return f"the name of a built-in material or a [{key.path.replace('[]', '')}] table"
     bounds = f" {key.bounds}" if key.bounds else ""

@@ -1,4 +1,4 @@
-"""Common parts of all materials: checks at construction, an immutable mapping, matrices as nested tuples."""
+"""Common parts of all materials: declarations of fields, checks at construction, Voigt's notation."""
 
 from __future__ import annotations
 
@@ -15,8 +15,6 @@ from haptonic.errors import StudyError, shown
 from haptonic.fields import Entries, ExpressedNumber, Quantity, number_of
 from haptonic.fields.quantity import collected
 from haptonic.units import format_quantity
-
-Rows = tuple[tuple[float, ...], ...]
 
 VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))  # of the Voigt numbers
@@ -140,40 +138,19 @@ def half_widths(properties: Mapping[str, str]) -> Callable[[object, ValidationIn
     return read
 
 
-def rows_of(name: str, matrix: object, shape: tuple[int, int]) -> Rows:
-    """Nested tuples of a matrix, with its shape and numbers checked."""
-    try:
-        array = np.asarray(matrix, dtype=float)
-    except (TypeError, ValueError):
-        array = np.full((1, 1), np.nan)
-    if array.shape != shape or not np.isfinite(array).all():
+def require_positive_definite(
+    name: str,
+    matrix: Array,
+    cause: str = "with these constants the solid would deform by itself",
+    next_step: str = "check the signs, the order of the entries and which of them are compliances",
+) -> None:
+    """Refuse a symmetric matrix whose energy is zero or negative for some deformation or field."""
+    smallest = float(np.linalg.eigvalsh(matrix).min())
+    if smallest <= SYMMETRY_TOLERANCE * float(np.abs(matrix).max()):
         raise StudyError.malformed(
             argument=f"material.{name}",
-            given=shown(matrix),
-            allowed=f"{shape[0]} rows of {shape[1]} finite numbers",
-            cause="a row or a number is missing, or one of them is not finite",
-            next_step="write the matrix in Voigt order 11, 22, 33, 23, 13, 12",
+            given=f"a smallest eigenvalue of {smallest:.3g}",
+            allowed="a positive definite matrix",
+            cause=cause,
+            next_step=next_step,
         )
-    return tuple(tuple(float(entry) for entry in row) for row in array)
-
-
-def require_positive_definite(name: str, rows: Rows) -> None:
-    """Refuse a matrix that is not symmetric, or whose energy is zero or negative for some deformation."""
-    array = np.array(rows)
-    scale = float(np.abs(array).max())
-    if float(np.abs(array - array.T).max()) > SYMMETRY_TOLERANCE * scale:
-        given = "a matrix that is not symmetric"
-        cause, next_step = "an entry was mistyped", "make it symmetric"
-    elif (smallest := float(np.linalg.eigvalsh(array).min())) <= SYMMETRY_TOLERANCE * scale:
-        given = f"a smallest eigenvalue of {smallest:.3g}"
-        cause = "with these constants the solid would deform by itself"
-        next_step = "check the signs, the order of the entries and which of them are compliances"
-    else:
-        return
-    raise StudyError.malformed(
-        argument=f"material.{name}",
-        given=given,
-        allowed="a symmetric positive definite matrix",
-        cause=cause,
-        next_step=next_step,
-    )

@@ -51,15 +51,13 @@ def material(name: str, *, piezoelectric: bool = False) -> Material:
     key = re.sub(r"[\s_-]+", "-", name.strip().lower())
     if key in materials:
         return materials[key]
-    form = "" if piezoelectric else ", or a [material] table"
-    cause, next_step = "the library does not have this material", "choose one of these"
+    form = "a table of piezoelectric constants" if piezoelectric else "a [material] table"
+    cause, next_step = "the library does not have this material", f"give its constants in {form}"
     if key in NOTHING:
         cause, next_step = "empty space is no material", "for a hole, write empty = true for a disc"
     elif key in library():
         cause = "it is not piezoelectric"
-    elif not piezoelectric:
-        next_step = "give its constants in a [material] table"
-    allowed = f"one of {', '.join(materials)}{form}"
+    allowed = f"one of {', '.join(materials)}, or {form}"
     raise StudyError.unknown("material", name, materials, cause, next_step=next_step, allowed=allowed)
 
 
@@ -80,6 +78,6 @@ CERAMIC = Named(
     find=partial(material, piezoelectric=True),
     name_of=built_in_name,
     known=ceramics,
-    others=(PiezoelectricMaterial,),
+    tables=(PiezoelectricMaterial,),
 )
-"""A material given by the name of a built-in piezoelectric one."""
+"""Forms of a piezoelectric material in a study."""

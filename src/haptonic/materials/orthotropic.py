@@ -21,7 +21,6 @@ from haptonic.materials.common import (
     half_widths,
     require_name,
     require_positive_definite,
-    rows_of,
     turned,
 )
 from haptonic.names import listed
@@ -110,7 +109,7 @@ class OrthotropicMaterial:
             )
         with collected(within="material"):
             require_name(self.name)
-            require_positive_definite("stiffness", rows_of("stiffness", self.stiffness, (6, 6)))
+            require_positive_definite("stiffness", self.stiffness)
 
     _half_widths = field_validator("uncertainty", mode="before")(half_widths(PROPERTIES))
 

@@ -361,14 +361,15 @@ class Description:
         ------
         StudyError : a material, given in Python, that cannot be written to a file
         """
-        glued = self.plate_settings.materials.values() if self.plate_settings else ()
-        for solid in (*self.cell.materials.values(), *glued):
+        plate = self.plate_settings.materials if self.plate_settings else {}
+        bonds = [solid for at, solid in plate.items() if at.endswith("bond.material")]
+        for solid in (*self.cell.materials.values(), *bonds):
             if isinstance(solid, PiezoelectricMaterial) and built_in_name(solid) is None:
                 raise StudyError.unsupported(
                     argument="material",
                     given=shown(solid.name),
-                    allowed="a built-in material, or one of the elastic constants of a [material] table",
-                    cause="a study file has no table for piezoelectric materials",
+                    allowed="a built-in material, or a table of elastic constants",
+                    cause="only the material of a patch may be a table of piezoelectric constants",
                     next_step="keep the study in Python",
                 )
         return toml_of(self)

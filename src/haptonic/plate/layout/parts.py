@@ -81,7 +81,7 @@ class Actuator:
         "Size along x, size along y, and thickness.", examples=['["11.5 mm", "8 mm", "0.7 mm"]']
     )
     material: Annotated[PiezoelectricMaterial, CERAMIC] = needed(
-        "A built-in piezoelectric one, poled along z."
+        "A built-in piezoelectric one, or its constants; poled along z."
     )
     bond: Bond | None = setting(None, "Layer of glue; without it the patch is joined to the plate directly.")
     voltage: Annotated[float, Quantity("V", at_least=0.0, at_most=1e5, typical=(0.0, 1e3))] = setting(
