@@ -21,6 +21,7 @@ from haptonic.materials import (
     library,
     material,
 )
+from haptonic.study import loads
 from plies import PLY
 
 ROOT = Path(__file__).parents[1]
@@ -396,6 +397,42 @@ def test_refuses_what_no_stable_solid_has(build, change, argument):
         build(**change)
     assert caught.value.argument == argument
     assert all(caught.value.parts().values())
+
+
+SOLIDS = """
+[cell]
+pitch = "7 mm"
+thickness = "1 mm"
+[material]
+density = "2330 kg/m^3"
+"""
+CUBIC = 'c11 = "166 GPa"\nc12 = "64 GPa"\nc44 = "80 GPa"\n'
+ISOTROPIC = 'youngs_modulus = "70 GPa"\npoisson_ratio = 0.3\n'
+
+
+@each(
+    ("keys", "argument", "words"),
+    [
+        (ISOTROPIC + 'turn = "3 deg"\n', "material.turn", "keys of one kind only"),
+        (ISOTROPIC + 'c11 = "3 GPa"\n', "material.c11", "keys of one kind only"),
+        (CUBIC + "poisson_ratio = 0.3\n", "material.poisson_ratio", "keys of one kind only"),
+        (CUBIC.replace("c", "s"), "material.s11", "invert its compliance matrix"),
+        (CUBIC.replace("c", "C"), "material.C11", 'write "c11"'),
+        (CUBIC.replace("c", "c_"), "material.c_11", 'write "c11"'),
+        (CUBIC + '[material.uncertainty]\nc33 = "2 GPa"\nyoungs_modulus = "2 GPa"\n',
+         "material.uncertainty.youngs_modulus", "leave it out"),
+    ],
+)  # fmt: skip
+def test_tables_that_mix_kinds_of_materials_are_refused(keys, argument, words):
+    with pytest.raises(StudyError) as caught:
+        loads(SOLIDS + keys)
+    assert caught.value.argument == f"study: {argument}"
+    assert words in caught.value.next_step
+    assert "youngs_modulus was left out" not in str(caught.value)
+
+
+def test_a_degree_sign_is_a_unit():
+    assert loads(SOLIDS + CUBIC + 'turn = "45°"\n').cell.material.turn == math.radians(45)
 
 
 def test_incompressible_is_explained():

@@ -74,7 +74,7 @@ _QUANTITY = re.compile(rf"\s*{_NUMBER}\s*(?P<unit>{_NAME}(?:(?:\s*[*/]\s*|\s+){_
 _NOT_FINITE = re.compile(r"\s*[+-]?(nan|inf|infinity)\b", re.IGNORECASE)
 _THOUSANDS = re.compile(r",[0-9]{3}(?![0-9])")  # "1,500 mm" may be 1.5 mm or 1.5 m
 _MU = "\u03bc"  # the Greek letter; prefixes are written with the micro sign, and users type either
-TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "\u00d7": "*", "²": "^2", "³": "^3"})
+TYPOGRAPHIC = str.maketrans({_MU: "µ", "·": "*", "\u00d7": "*", "²": "^2", "³": "^3", "°": "deg"})
 
 
 @dataclass(frozen=True)

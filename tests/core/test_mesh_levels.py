@@ -192,6 +192,19 @@ def test_two_sites_at_general_places_are_answered_by_default():
     )
 
 
+def test_inaccurate_bands_close_above_the_last_one_are_named_as_the_reason():
+    """At M eight waves of a plain plate meet; six bands divide them, eight do not."""
+    plate = UnitCell(Lattice.square(6e-3), 0.5e-3, material("silicon"))
+    remarks = {
+        count: accuracy_remarks(bands_dataset(plate, BandSettings(count, points=12, accuracy=1e-2)).attrs)
+        for count in (6, 8)
+    }
+    (remark,) = remarks[6]
+    assert "a larger count in [bands]" in remark
+    assert "[mesh]" not in remark
+    assert remarks[8] == []
+
+
 def test_a_budget_that_ends_leaves_an_answer_with_its_error_and_the_next_budget(monkeypatch):
     """The lowest level alone fits: it answers, and its words name the budget that starts the next."""
     cell = cell_of(0.3, 0.7, 2.0)

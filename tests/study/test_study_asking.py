@@ -95,7 +95,7 @@ class TestRefusals:
         "too many parameters": (vary("cell.pitch", '"6 mm"', '"7 mm"') * 13, "design.vary", ["at most 12"]),
         "no step in this cell": (
             vary("cell.pillar.step.height", '"6 mm"', '"7 mm"'), "design.vary[1].parameter",
-            ["does not have it", "cell.pillar.diameter", "give it in [cell] first"],
+            ["does not have it", "cell.pillar.diameter", "give it in [cell.pillar.step] first"],
         ),
         "sharp edge has no fillet": (
             vary("cell.pillar.fillet", 0, '"1 mm"'), "design.vary[1].parameter", ["does not have it"]

@@ -24,7 +24,7 @@ from haptonic.cell import Pillar, Site, Step, UnitCell
 from haptonic.cell.tile import enclosed
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
-from haptonic.materials import material
+from haptonic.materials import OrthotropicMaterial, material
 from haptonic.names import visible
 from haptonic.workshop import Part, part_drawing, write_drawing
 from haptonic.workshop.dxf import outlines
@@ -250,7 +250,7 @@ class TestWholePlate:
             "next along x 7.000 ±0.020, next along y 9.000 ±0.020",
             "8 square, □2, height 8, fillet 0.4, step height 5, step □1.5, next along x 7, next along y 9",
             "3 round, ⌀3.5, height 11, next along y 9",
-            "centre 24.5, 4, size 6, 5, 0.5, pzt-5a, glue 0.05",
+            "centre 24.5, 4, size 6, 5, 0.5, pzt-5a, 0.05 of silver-epoxy below it",
         ):
             assert any(text in word for word in shown), text
         numbers = (
@@ -349,6 +349,23 @@ def test_a_fine_tolerance_is_not_shown_as_zero():
     assert "1.50000 ±0.00020" in texts
 
 
+def test_pitches_of_nanometres_are_not_rounded_away():
+    small = UnitCell(Lattice.triangular(526e-9), 200e-9, METAL, Pillar(300e-9, 400e-9))
+    part = Part.piece(small, 3, 3)
+    ((_, places),) = part.standing
+    assert nearest(places, 0)[1] == pytest.approx(526e-6, rel=1e-9)
+    assert nearest(places, 1)[1] == pytest.approx(526e-6 * math.sqrt(3), rel=1e-9)
+    shown = " ".join(words(part_drawing(part, "Plate", tolerances={"cell.pitch": 1e-9})))
+    assert "next along x 0.0005260 ±0.0000010, next along y 0.0009111" in shown
+
+
+def test_the_axes_of_crystals_are_noted():
+    for turn, words_of_turn in ((math.radians(45), "at 45° to x, anticlockwise"), (0.0, "along x")):
+        silicon = OrthotropicMaterial(c11=166e9, c12=64e9, c44=80e9, density=2330, name="Si", turn=turn)
+        shown = words(part_drawing(Part.piece(replace(STEPPED, material=silicon)), "Plate"))
+        assert any(f"Axis 1 of Si lies {words_of_turn}" in word for word in shown)
+
+
 def test_lengths_of_micrometres_are_not_rounded_away():
     small = UnitCell(Lattice.square(10e-6), 2.25e-6, METAL, Pillar(5.125e-6, 12.55e-6))
     shown = words(part_drawing(Part.piece(small), "Plate", tolerances={"cell.pillar.diameter": 1e-8}))
@@ -382,7 +399,7 @@ def test_a_piece_of_other_cells_has_a_plan_with_every_pillar_and_lists_of_their_
     assert nearest(part_of("honeycomb").standing[0][1], 0)[1] == pytest.approx(7)
     for text in (
         "12 round, ⌀2.000 ±0.020", "12 round, ⌀1.800 ±0.020, height 5.000 ±0.020",
-        "fillet 0.300 ±0.020", "next along x 7.000 ±0.020, next along y 12.1243",
+        "fillet 0.300 ±0.020", "next along x 7.000 ±0.020, next along y 12.1244",
         "24 pillars", "Section along x   5 : 1",
     ):  # fmt: skip
         assert any(text in word for word in texts), text

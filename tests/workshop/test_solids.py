@@ -13,7 +13,7 @@ import scipy
 from family import EXTREME, FAMILY, MM, RECTANGLE, cell, enclosed, is_watertight, volume
 
 from five_parts import refusing
-from haptonic.cell import Pillar, Step
+from haptonic.cell import Disc, Pillar, Step
 from haptonic.errors import GeometryError, ResourceError
 from haptonic.workshop import (
     Part,
@@ -68,6 +68,16 @@ def test_the_product_of_a_step_file_has_the_title_and_no_authors(title, tmp_path
     hidden = quoted.replace("\\\\", "\0")
     shown = re.sub(r"\\X2\\(.*?)\\X0\\", lambda m: bytes.fromhex(m[1]).decode("utf-16-be"), hidden)
     assert shown.replace("\0", "\\") == title
+
+
+@pytest.mark.parametrize("name", ["SiO\u2082", "R\u00fchl's \\ glass"])
+def test_materials_of_a_step_file_may_have_any_name(name, tmp_path):
+    cell = replace(ALL["no pillar"], material=replace(ALL["no pillar"].material, name=name))
+    part = Part.piece(replace(cell, disc=(Disc(1e-3, material="steel"),)))
+    text = write_step(tmp_path / "plate.step", part).read_bytes().decode("ascii")
+    hidden = "".join(c if c.isascii() else f"\\X2\\{ord(c):04X}\\X0\\" for c in name.replace("'", "''"))
+    assert hidden.split("\\ ")[0] in text
+    assert "steel" in text
 
 
 @pytest.mark.parametrize("draft", [0.0, 0.03, -0.03])

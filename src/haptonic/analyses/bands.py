@@ -17,6 +17,7 @@ from haptonic.bloch import bands_dataset
 from haptonic.bloch.gap_datasets import add_further_gaps
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.wavevectors import wavevector_at
+from haptonic.brillouin import IrreducibleZone
 from haptonic.cell import UnitCell
 from haptonic.fields import unchecked
 from haptonic.later import xarray as xr
@@ -81,6 +82,7 @@ def compute_bands(
     modes_at: str | None = None,
     moving: bool = False,
     also: Sequence[float] = (),
+    zone: IrreducibleZone | None = None,
     first: Callable[[xr.Dataset], object] | None = None,
 ) -> Bands:
     """Compute the bands of a cell, or take them from the store.
@@ -90,16 +92,18 @@ def compute_bands(
     surface : also sample the whole zone evenly
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`
     moving : also the surface of the cell in every mode of the diagram
-    also : positions of further wavevectors on the path, see `Zone.path`
+    also : positions of further wavevectors on the path, see `IrreducibleZone.path`
+    zone : see `bands_dataset`
     inputs : plain values of the inputs, for the attributes of the result
     carrier : Hz, marked in the diagram
     first : see `bands_dataset`
     """
     dataset = store.kept(
         {"kind": "bands", "surface": surface, "modes_at": modes_at, "moving": moving, "cell": cell,
-         "settings": settings, "also": tuple(also)},
+         "settings": settings, "also": tuple(also), "zone": zone},
         lambda: bands_dataset(
-            cell, settings, surface=surface, modes_at=modes_at, moving=moving, also=also, first=first
+            cell, settings, surface=surface, modes_at=modes_at, moving=moving, also=also, zone=zone,
+            first=first,
         ),
     )  # fmt: skip
     if carrier is not None:

@@ -11,12 +11,13 @@ import numpy as np
 
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.bands import compute_bands
-from haptonic.analyses.comparing import OfTable, check_table, of_dataset, of_file, of_table
+from haptonic.analyses.comparing import OfTable, check_table, of_dataset, of_file, of_table, zone_of
 from haptonic.analyses.options import COUNT, UnitsOfFile, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import no_cell
 from haptonic.analyses.table_path import OurPath
 from haptonic.arrays import Array
+from haptonic.brillouin import IrreducibleZone
 from haptonic.errors import StudyError, shown
 from haptonic.fields import table
 from haptonic.later import xarray as xr
@@ -27,6 +28,7 @@ from haptonic.study.template import ENDING
 from haptonic.units import in_percent
 
 RESULT = "bands.nc"  # in the folder of `haptonic bands`
+SAME_CORNER = 0.25  # units of pi; corners of one name differ by less in lattices of similar shape
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -113,30 +115,68 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
         if not options.any_difference:
             result.refuse_apart()
         return result
-    second = of_dataset(names[1], bands_of(options.second, options.studies.get(options.second), runner))
-    first = of_dataset(names[0], bands_of(options.first, described, runner, also=second.position))
-    if first.labels != second.labels:
-        raise StudyError.mismatch(
-            argument="SECOND",
-            given=f"a path {' '.join(second.labels)}",
-            allowed=f"{' '.join(first.labels)}, the path of {first.name}",
-            cause="lattices of different kinds have different zones, so their wavevectors do not correspond",
-            next_step="compare lattices of one kind",
-        )
+    zones = _zones(options)
+    second = of_dataset(
+        names[1], bands_of(options.second, options.studies.get(options.second), runner, zone=zones[1])
+    )
+    first = of_dataset(
+        names[0], bands_of(options.first, described, runner, also=second.position, zone=zones[0])
+    )
     return Comparison(first, second, {path: key.unit for path, key in table(Description).items()})
 
 
+def _zones(options: CompareOptions) -> list[IrreducibleZone | None]:
+    """Zones on whose edges both are compared; None for their own.
+
+    Two crystals of one kind of lattice, of which one has less symmetry, are compared on its path.
+
+    Raises
+    ------
+    StudyError : lattices, or results of crystals, with different paths
+    """
+    paths, studies = (options.first, options.second), options.studies
+    corners = [
+        studies[path].cell.zone.corners if path in studies else zone_of(of_file(_result(path)))
+        for path in paths
+    ]
+    labels = [[label for label, _ in zone] for zone in corners]
+    if labels[0] == labels[1]:
+        first, second = (np.array([phases for _, phases in zone]) for zone in corners)
+        if np.abs(first - second).max() < SAME_CORNER:
+            return [None, None]
+    cells = [studies[path].cell for path in paths if path in studies]
+    if len(cells) == 2 and cells[0].lattice.name == cells[1].lattice.name:
+        wide = min(cells, key=lambda cell: len(cell.point_group.operations)).zone.corners
+        return [IrreducibleZone(cell.lattice, wide) for cell in cells]
+    raise StudyError.mismatch(
+        argument="SECOND",
+        given=f"a path {' '.join(labels[1])}",
+        allowed=f"{' '.join(labels[0])} with the same wavevectors, the path of {options.first}",
+        cause="lattices of different kinds and crystals of different symmetry have different zones",
+        next_step="compare lattices of one kind, and give the studies of both",
+    )
+
+
+def _result(path: Path) -> Path:
+    return path / RESULT if path.is_dir() else path
+
+
 def bands_of(
-    path: Path, study: Description | None, runner: Runner, also: Sequence[float] | Array = ()
+    path: Path,
+    study: Description | None,
+    runner: Runner,
+    also: Sequence[float] | Array = (),
+    zone: IrreducibleZone | None = None,
 ) -> xr.Dataset:
-    """Compute the bands of a study, also at further positions on its path; read the bands of a result."""
+    """Bands of a study on the edge of a zone, also at further positions there, or those of a result."""
     if study is None:
-        return of_file(path / RESULT if path.is_dir() else path)
+        return of_file(_result(path))
     bands = compute_bands(
         study.cell,
         study.bands_settings,
         surface=False,
         also=np.asarray(also).tolist(),
+        zone=zone,
         inputs=study.inputs(),
         carrier=study.carrier,
         store=runner.store,

@@ -88,6 +88,11 @@ def of_file(path: Path) -> xr.Dataset:
     return data
 
 
+def zone_of(data: xr.Dataset) -> list[tuple[str, tuple[float, float]]]:
+    """Corners of the zone on whose edge a dataset of bands was computed; see `IrreducibleZone`."""
+    return [(label, (float(x), float(y))) for label, (x, y) in json_from(data.attrs["zone"])]
+
+
 def of_table(path: Path, ours: OurPath, asked: OfTable) -> BandSet:
     """Read the bands of a text table and place them on our path.
 

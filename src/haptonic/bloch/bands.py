@@ -31,7 +31,7 @@ from haptonic.bloch.tracking import (
 from haptonic.bloch.truncation import REST
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import ZoneModes, zone_surface
-from haptonic.brillouin import Path
+from haptonic.brillouin import IrreducibleZone, Path
 from haptonic.cell import UnitCell
 from haptonic.cell.scales import scales
 from haptonic.gate import declared, describe, titled
@@ -42,6 +42,7 @@ from haptonic.superelement import whole_mesh
 
 SURFACE_DIVISIONS = 24  # of the irreducible zone's sides, for contours and the density of states
 APART = 3.0  # margin of counts, as a multiple of the estimated distance of a band to the lower orders
+CLOSE_ABOVE = "less accurate bands lie close above the last one; set a larger count in [bands]"
 LEAST_COUNTED = 2  # order of a model up to which counts use its own mesh: the next is too coarse for them
 
 
@@ -54,6 +55,7 @@ def bands_dataset(
     modes_at: str | None = None,
     moving: bool = False,
     also: Sequence[float] = (),
+    zone: IrreducibleZone | None = None,
     first: Callable[[xr.Dataset], object] | None = None,
 ) -> xr.Dataset:
     """Band diagram, gaps and mode shapes of a cell.
@@ -65,7 +67,8 @@ def bands_dataset(
     modes_at : wavevector of the mode shapes, see `haptonic.bloch.wavevectors`; by default the middle of the
         path's second segment
     moving : also the surface of the cell in every mode of the diagram, see `haptonic.bloch.path_modes`
-    also : positions of further wavevectors on the path, see `Zone.path`
+    also : positions of further wavevectors on the path, see `IrreducibleZone.path`
+    zone : zone whose edge is the path, such as that of a cell of less symmetry; by default the cell's own
     first : called with the frequencies and their errors as soon as a model is accurate along the path, and
         again with the complete gaps, before anything else is computed
 
@@ -79,11 +82,12 @@ def bands_dataset(
     ResourceError : the coarsest mesh exceeds the budget or the memory; if some meshes fit and none reaches
         the accuracy, the best result is returned: see `BestModel.attributes`
     """
-    path = cell.zone.path(settings.points, also)  # first, because it refuses too few points
+    zone = zone or cell.zone
+    path = zone.path(settings.points, also)  # first, because it refuses too few points
     early = None if first is None else _FirstCurves(cell, settings, path, first)
     best = best_model(cell, settings, tried=early.solve if early else None)
     model = best.model
-    kappa, name = wavevector_at(cell.zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
+    kappa, name = wavevector_at(zone, modes_at or f"{path.labels[1]}-{path.labels[2]}")
     gaps = complete_gaps(model)
     solutions = solved(model, path) if early is None else early.with_gaps(model, gaps)
 
@@ -119,7 +123,7 @@ def bands_dataset(
         "counts_missed": missed,
         "lattice": json.dumps(asdict(cell.lattice.named)),
         "point_group": json.dumps(cell.point_group.operations),
-        "zone": json.dumps(cell.zone.corners),
+        "zone": json.dumps(zone.corners),
         "path_labels": json.dumps(path.labels),
         "path_corners": json.dumps(path.corners),
         "modes_at": name,
@@ -128,7 +132,10 @@ def bands_dataset(
         **best.attributes(settings),
     }
     if "largest_error" in dataset.attrs:  # the diagram has more wavevectors than the estimate over the zone
-        dataset.attrs["largest_error"] = max(dataset.attrs["largest_error"], _largest_error(dataset))
+        largest = max(dataset.attrs["largest_error"], _largest_error(dataset))
+        dataset.attrs["largest_error"] = largest
+        if largest > settings.accuracy and best.lack is None and not settings.resolution:
+            dataset.attrs |= {"stopped_by": "bands", "stopped_why": CLOSE_ABOVE}
     return dataset
 
 

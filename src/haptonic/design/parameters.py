@@ -24,7 +24,7 @@ UNITS = ByPattern({
 
 COORDINATE = re.compile(
     r"cell\.(a[12]|site\[\d+\]\.(at|position))(\[\d+\])?|cell(\.site\[\d+\])?\."
-    r"(pillar|disc\[\d+\])\.(turn|point\[\d+\]\.[xy])"
+    r"(pillar|disc\[\d+\])\.(turn|point\[\d+\]\.[xy])|(.+\.)?material\.turn"
 )
 FEATURE = re.compile(r"\.(pillar|disc\[\d+\])\.")
 """Part of the path of every number of a pillar or a disc."""
@@ -60,7 +60,7 @@ class OfCell(OfNumber):
                 "unsupported",
                 path,
                 "sizes and angles of the cell, of its pillars and discs, and constants of materials",
-                "a coordinate or the turn of a section changes the symmetry, and with it mesh and zone",
+                "coordinates, and turns of sections and crystals, change the symmetry, the mesh and the zone",
                 "vary it in a [[sweep]]; for a lattice given by its name, cell.pitch, cell.pitch_y, "
                 "cell.pitch_2 and cell.angle can be named here",
             )

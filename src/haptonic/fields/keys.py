@@ -38,6 +38,7 @@ class Key:
     count : length of a list
     numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
     example : declared example, if any; for several quantities the whole list as in a file
+    is_alternative : True in a table that may have keys of another kind instead, such as a material
     """
 
     path: str
@@ -55,6 +56,7 @@ class Key:
     count: int = 1
     numbers: tuple[str, ...] = ()
     example: str = ""
+    is_alternative: bool = False
 
     @property
     def required(self) -> bool:
@@ -92,7 +94,10 @@ def table(kind: type, prefix: str = "") -> dict[str, Key]:
             key = replace(key, numbers=tuple(parameters()))
         in_table = {} if slot.placed.inline else {path: key}
         for below in slot.kinds:
-            in_table |= table(below, f"{path}[]." if key.kind == "tables" else slot.below(prefix))
+            inner = table(below, f"{path}[]." if key.kind == "tables" else slot.below(prefix))
+            if len(slot.kinds) > 1:
+                inner = {at: replace(each, is_alternative=each.required) for at, each in inner.items()}
+            in_table |= inner
         outside = {name: each for name, each in in_table.items() if prefix and not name.startswith(prefix)}
         keys |= {name: each for name, each in in_table.items() if name not in outside}
         keys = outside | keys

@@ -81,7 +81,8 @@ class Named:
         if isinstance(value, self.others):
             return "<made>"
         if isinstance(value, Mapping):
-            return self._tag_of(max(self.tables, key=lambda kind: len(names_of(kind) & value.keys())))
+            given = {name.lower() for name in value if isinstance(name, str)}
+            return self._tag_of(max(self.tables, key=lambda kind: len(names_of(kind) & given)))
         return next((self._tag_of(kind) for kind in self.tables if isinstance(value, kind)), None)
 
     @staticmethod
@@ -90,5 +91,5 @@ class Named:
 
 
 def names_of(kind: Any) -> set[str]:
-    """Names of the fields of a described class."""
-    return set(kind.__pydantic_fields__)
+    """Names of the fields of a described class, and other words for them."""
+    return {*kind.__pydantic_fields__, *getattr(kind, "aliases", ())}

@@ -197,6 +197,11 @@ def _unknown(
     alias = _alias(pattern, known_aliases)
     if alias is not None:
         cause, next_step = alias.cause, alias.next_step
+    elif name in here and section in keys and keys[section].named:
+        cause, next_step = (
+            "the other keys are those of another kind of material",
+            "write the keys of one kind only",
+        )
     elif name in here:
         cause, next_step = "another given value already contains it", "leave it out, or change that value"
     elif guess and not inside:

@@ -129,10 +129,8 @@ def half_widths(properties: Mapping[str, str]) -> Callable[[object, ValidationIn
         if not isinstance(value, Mapping):
             return value
         with collected(within="material.uncertainty"):
-            widths = {
-                name: number_of(width, properties.get(name, ""), info.context)
-                for name, width in value.items()
-            }
+            spread_of(dict.fromkeys(map(str, value), 0.0), properties)  # names are refused before their units
+            widths = {name: number_of(width, properties[name], info.context) for name, width in value.items()}
             return spread_of(widths, properties)
 
     return read

@@ -52,10 +52,16 @@ class OrthotropicMaterial:
     aliases: ClassVar[Aliases] = {
         **meant("c12", "c21"), **meant("c13", "c31"), **meant("c23", "c32"),
         **meant("turn", "angle", "rotation", "orientation"),
+        **{word: alias for name in CONSTANTS for word, alias in meant(name, f"c_{name[1:]}").items()},
         **absent(
             *(f"{name}{axes}" for name in "eg" for axes in (1, 2, 3, "x", "y", "z")),
             *(f"{name}{axes}" for name in ("nu", "g") for axes in (12, 13, 23, "xy", "xz", "yz")),
             cause="an anisotropic material is given by its stiffnesses",
+            next_step="invert its compliance matrix, and write c11, c12 and so on",
+        ),
+        **absent(
+            *(f"s{name[1:]}" for name in CONSTANTS),
+            cause="an anisotropic material is given by its stiffnesses, not by its compliances",
             next_step="invert its compliance matrix, and write c11, c12 and so on",
         ),
         **absent(

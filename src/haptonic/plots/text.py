@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 WavevectorUnit = Literal["rad/m", "pi/a"]
 
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten by which they divide
-_SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9)}
+_SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9), "rad": ("deg", 180 / math.pi)}
 _PROPERLY = {
     "material.youngs_modulus": "Young's modulus",
     "material.poisson_ratio": "Poisson ratio",

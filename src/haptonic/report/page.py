@@ -18,7 +18,7 @@ from haptonic.bloch import gaps_of
 from haptonic.cell import UnitCell
 from haptonic.fields import Quantity, table
 from haptonic.fields.keys import key_of, leaves
-from haptonic.materials import built_in_name
+from haptonic.materials import Material, built_in_name
 from haptonic.pages import filled
 from haptonic.plots.text import gap_text
 from haptonic.report.chapter import Absent, Chapter, Results, Table
@@ -124,8 +124,14 @@ def _key_numbers(results: Results) -> list[tuple[str, str]]:
 
 def _materials(cell: UnitCell) -> str:
     """Names of the cell's materials, the plate's first."""
-    plate, *others = dict.fromkeys(solid.name for solid in cell.materials.values())
+    plate, *others = dict.fromkeys(_solid(solid) for solid in cell.materials.values())
     return plate if not others else f"{plate}; {cell.parts} of {' and '.join(others)}"
+
+
+def _solid(solid: Material) -> str:
+    """Name of a material, and the turn of its axes if it has one."""
+    turn = getattr(solid, "turn", 0.0)
+    return f"{solid.name} (turned by {format_quantity(turn, 'rad')})" if turn else solid.name
 
 
 def _length(value: float) -> str:

@@ -22,7 +22,12 @@ from haptonic.units import duration, in_percent
 Writer = Callable[[Path], object]
 
 
-REASONS = {"time": "lack of time", "memory": "lack of memory", "range": "range of validity"}
+REASONS = {
+    "time": "lack of time",
+    "memory": "lack of memory",
+    "range": "range of validity",
+    "bands": "the number of bands",
+}
 
 
 def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:

@@ -20,6 +20,7 @@ from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Cell, Column, Table, Uncertain
 from haptonic.units import format_quantity, hz_text
 
+SHOWN = {"m": "mm", "rad": "deg", "Pa": "GPa"}  # units of varied numbers for people
 VALUES = ("value", "second_value")  # variables of the first and the second expression
 
 
@@ -114,7 +115,7 @@ class Sweep:
             rows.append((*values.tolist(), count, *frequencies, *(margin for _ in of_carrier)))
         return Table(
             "sweep",
-            (*(Column(name, unit, "mm" if unit == "m" else "") for name, unit in self.axes.values()), "gaps",
+            (*(Column(name, unit, SHOWN.get(unit, "")) for name, unit in self.axes.values()), "gaps",
              *(Column(name, "Hz", "kHz", ".2f") for name in ("widest", "from", "to", *of_carrier))),
             rows,
         )  # fmt: skip

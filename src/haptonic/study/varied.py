@@ -15,7 +15,7 @@ from haptonic.design.parameters import FILLET, OfCell, values_of
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import ExpressedNumber, handed_on, problem, with_numbers
 from haptonic.fields.expressions import NAMED
-from haptonic.fields.keys import Key, key_of
+from haptonic.fields.keys import Key, key_of, pattern_of
 from haptonic.study.named import expressed_numbers, links_of
 from haptonic.study.sweeps import SweepAxis, SweepSettings
 from haptonic.study.vary import check_names
@@ -56,7 +56,8 @@ def check_varied(study: Description, keys: Mapping[str, Key]) -> None:
                     at=f"{at}.parameter",
                 )  # fmt: skip
             cause = "the cell of this study does not have it"
-            next_step = "give it in [cell] first, or leave this table out"
+            table = pattern_of(path).rpartition(".")[0].replace("[]", "")
+            next_step = f"give it in [{table}] first, or leave this table out"
             at = f"{at}.parameter"
             raise handed_on(StudyError.unknown(at, path, values, cause, slip=False, next_step=next_step))
     for i, vary in enumerate(design.vary, start=1):

@@ -22,15 +22,16 @@ from haptonic.cell import Disc, Pillar
 from haptonic.cell.outlines import Scaled
 from haptonic.cell.sectioned import LENGTHS
 from haptonic.cell.stack import Stack
+from haptonic.materials import OrthotropicMaterial
 from haptonic.names import counted
 from haptonic.plots.style import DOTS_PER_INCH, styled
-from haptonic.workshop.dimensions import checked_tolerances, disc_text, disc_width, number, text_of
+from haptonic.workshop.dimensions import checked_tolerances, degrees, disc_text, disc_width, number, text_of
 from haptonic.workshop.dxf import outlines, reproducible
 from haptonic.workshop.part import Part
 from haptonic.workshop.plan import draw_plan, letter
 from haptonic.workshop.section import draw_section, nearest, pitch_of
 from haptonic.workshop.shape import MM, PillarShape, dimensions, heights
-from haptonic.workshop.sheet import SIZE, SMALL, Box, Sheet, shortened
+from haptonic.workshop.sheet import SIZE, SMALL, Box, Sheet, shortened, text_width
 
 TIMES = " \N{MULTIPLICATION SIGN} "
 GENERAL = "ISO 2768-m"  # for dimensions without a tolerance: medium, which any mill keeps
@@ -214,7 +215,9 @@ def _title_block(sheet: Sheet, title: str, fields: Mapping[str, str]) -> None:
     for k, (name, value) in enumerate(fields.items()):
         x, y = left + (k % 4) * column + 2, bottom + (1 - k // 4) * row
         sheet.text((x, y + row - SMALL - 1.3), name, SMALL)
-        sheet.text((x, y + 2.5), shortened(value, column - 3, SIZE), SIZE)
+        room = column - 3
+        size = SIZE if text_width(value, SIZE) <= room else SMALL
+        sheet.text((x, y + 2.5), shortened(value, room, size), size)
 
 
 def _first_angle(sheet: Sheet, x: float, y: float) -> None:
@@ -232,7 +235,12 @@ def _advice(part: Part) -> list[str]:
     if part.cell.is_mirrored:
         notes = ["The lower face has the same pillars at the same places (layers BELOW in the DXF)."]
     else:
-        notes = ["The face at the bottom of the section is touched: keep it flat, no marks, no chamfer."]
+        flat = "flat beside its holes" if part.source.hole_below else "flat"
+        notes = [f"The face at the bottom of the section is touched: keep it {flat}, no marks, no chamfer."]
+    for solid in part.materials:
+        if isinstance(solid, OrthotropicMaterial):
+            at = f"at {degrees(solid.turn)} to x, anticlockwise" if solid.turn else "along x"
+            notes.append(f"Axis 1 of {solid.name} lies {at}, its axis 3 along the normal.")
     if len(part.materials) > 1:
         notes.append("Each hatch of the section is a material; the list names them.")
     bodies = [PillarShape.of(pillar) for pillar, _ in part.pillars]

@@ -285,7 +285,8 @@ def _widest_gap(shares: Array) -> float:
 def _patch(actuator: Actuator) -> Mark:
     centre, (width, depth, thickness) = np.array(actuator.centre), actuator.size
     arms = 0.5 * np.array([width, depth]) * [[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]
-    bond = f", glue {MM * actuator.bond.thickness:.4g}" if actuator.bond else ""
+    glue = actuator.bond
+    bond = f", {MM * glue.thickness:.4g} of {glue.material.name} below it" if glue else ""
     return Mark(
         "PATCH", MM * (centre + arms), actuator.name, f"{MM * thickness:.4g}, {actuator.material.name}{bond}"
     )

@@ -16,7 +16,7 @@ from haptonic.cell.outlines import Outline
 from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import Material
 from haptonic.plots.labels import spread
-from haptonic.workshop.dimensions import FINEST, disc_width, text_of
+from haptonic.workshop.dimensions import disc_width, text_of
 from haptonic.workshop.part import Part
 from haptonic.workshop.rings import Rings
 from haptonic.workshop.shape import MM, Dimension, Kind, PillarShape, heights, sides
@@ -30,6 +30,7 @@ ROOM: Box = (36.0, 32.0, 46.0, 33.0)  # mm around the section, for its dimension
 LANE = 8.0  # mm between a view and its first dimension line
 NEXT = 7.0  # mm between two dimension lines
 SAME_LEVEL = 1e-6  # mm
+SAME = 1e-6  # relative difference of equal places and distances
 HATCH = 0.6  # size of its pattern on the paper
 ANGLES = (0.0, 90.0, 45.0, 135.0)  # of the hatches of different materials, degrees
 
@@ -66,7 +67,7 @@ class Row:
         inside = [
             (kind, float(x))
             for kind, others in part.standing
-            for x in others[np.abs(others[:, 1] - y) < 10**-FINEST, 0]
+            for x in others[np.abs(others[:, 1] - y) < SAME * part.cell.lattice.pitch, 0]
             if low <= x - span(kind)[1] and x + span(kind)[0] <= high
         ]
         features = tuple(sorted(inside, key=lambda each: each[1]))
@@ -75,10 +76,11 @@ class Row:
 
 def nearest(places: Array, along: int) -> tuple[Array, float | None]:
     """Position with the nearest next one on its line along x or y, and their distance; None without two."""
-    rounded = np.round(places, FINEST)  # axes on one line differ by rounding
+    # axes on one line differ by rounding
+    rounded = np.round(places / max(SAME * float(np.ptp(places, axis=0).max()), SAME_LEVEL * SAME))
     order = np.lexsort((rounded[:, along], rounded[:, 1 - along]))
-    steps = np.diff(rounded[order], axis=0)
-    apart = np.where(steps[:, 1 - along] == 0, steps[:, along], np.inf)
+    is_next = np.diff(rounded[order, 1 - along]) == 0
+    apart = np.where(is_next, np.diff(places[order, along]), np.inf)
     if not len(apart) or not np.isfinite(apart.min()):
         return places[order[0]], None
     return places[order[int(apart.argmin())]], float(apart.min())
@@ -87,7 +89,7 @@ def nearest(places: Array, along: int) -> tuple[Array, float | None]:
 def pitch_of(part: Part, apart: float, along: int) -> Dimension:
     """A distance along x or y, with the name of the lattice's number if it equals that number."""
     side = sides(part.cell)[along]
-    is_pitch = abs(apart - side.value) < 2 * 10**-FINEST
+    is_pitch = abs(apart - side.value) < SAME * side.value
     return Dimension(side.name if is_pitch else "distance", apart, side.kind)
 
 

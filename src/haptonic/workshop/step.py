@@ -29,6 +29,7 @@ from haptonic.workshop.shape import MM, PillarShape
 
 # OpenCascade, called by NETGEN, writes its own name instead of the product's and the author's.
 _HEADER = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
+_CONTROL = re.compile(r"[\x00-\x1f\x7f]")
 _PRODUCT = re.compile(r"PRODUCT\('[^']*',\s*'[^']*',")
 
 
@@ -120,7 +121,8 @@ def write_step(path: Path, part: Part, *, title: str = "Plate", overwrite: bool 
 
     def write(temporary: Path) -> None:
         shape.WriteStep(str(temporary))
-        text = _HEADER.sub(lambda _: header, temporary.read_text("ascii"), count=1)
+        text = _in_ascii(temporary.read_text("utf-8"))  # with the names of materials
+        text = _HEADER.sub(lambda _: header, text, count=1)
         text = _PRODUCT.sub(lambda _: f"PRODUCT({name},{name},", text, count=1)
         temporary.write_text(text, "ascii", newline="\n")
 
@@ -227,5 +229,13 @@ def _filled(occ: ModuleType, outline: Outline, half_width: float) -> Any:
 def _quoted(text: str) -> str:
     """A string of STEP (ISO 10303-21): quotes and backslashes doubled, other characters by their codes."""
     doubled = text.replace("\\", "\\\\").replace("'", "''")
-    codes = (c if " " <= c <= "~" else f"\\X2\\{c.encode('utf-16-be').hex().upper()}\\X0\\" for c in doubled)
-    return f"'{''.join(codes)}'"
+    return f"'{_in_ascii(_CONTROL.sub(lambda match: _code(match[0]), doubled))}'"
+
+
+def _in_ascii(text: str) -> str:
+    """A text of STEP with codes in place of the characters beyond ASCII."""
+    return "".join(c if c.isascii() else _code(c) for c in text)
+
+
+def _code(character: str) -> str:
+    return f"\\X2\\{character.encode('utf-16-be').hex().upper()}\\X0\\"

@@ -92,7 +92,11 @@ def lines(key: Key) -> dict[str, str]:
         "allowed": allowed_at(key),
         "names": ", ".join(key.numbers or (key.known_names if key.named and key.kind != "text" else ())),
         "usual": key.typical,
-        "default": "none: the key is required" if key.required else key.default_text,
+        "default": key.default_text
+        if not key.required
+        else "none: required in a table of this kind"
+        if key.is_alternative
+        else "none: the key is required",
         "example": example(key),
     }
 
