@@ -69,7 +69,7 @@ def brief(study: Description) -> Brief:
     if section.limits.finger_force is not None and not isinstance(study.cell.material, IsotropicMaterial):
         raise StudyError.unsupported(
             argument="design.finger_force",
-            given=f"with {study.cell.material.name}",
+            given=f"a plate of {study.cell.material.name}",
             allowed="an isotropic material",
             cause="the formula for a plate under a finger is for isotropic materials",
             next_step="leave design.finger_force out and bound cell.thickness instead",

@@ -19,6 +19,7 @@ from haptonic.units import format_quantity
 VOIGT = ((0, 5, 4), (5, 1, 3), (4, 3, 2))  # Voigt number of the pair (i, j); order 11 22 33 23 13 12
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))  # of the Voigt numbers
 DENSITY = Quantity("kg/m^3", at_least=1.0, at_most=5e4, typical=(500.0, 23e3))
+UNITS = {"stiffness": "Pa", "compliance": "1/Pa", "permittivity": "F/m"}
 SYMMETRY_TOLERANCE = 1e-9  # relative to the largest entry of a matrix
 
 LossFactor = Annotated[
@@ -147,7 +148,7 @@ def require_positive_definite(
     if smallest <= SYMMETRY_TOLERANCE * float(np.abs(matrix).max()):
         raise StudyError.malformed(
             argument=f"material.{name}",
-            given=f"a smallest eigenvalue of {smallest:.3g}",
+            given=f"a smallest eigenvalue of {smallest:.3g} {UNITS[name]}",
             allowed="a positive definite matrix",
             cause=cause,
             next_step=next_step,

@@ -43,6 +43,7 @@ PLAN: Box = (12.0, 52.0, 250.0, 285.0)
 SECTION: Box = (250.0, 100.0, 408.0, 285.0)
 LISTS = (234.0, 97.0, 170.0)  # left, top and width
 MOST_LINES = 8  # of the list
+LEAST_SIZE = 0.5  # of a long text in the title block, relative to its usual size
 
 
 def part_drawing(
@@ -216,7 +217,7 @@ def _title_block(sheet: Sheet, title: str, fields: Mapping[str, str]) -> None:
         x, y = left + (k % 4) * column + 2, bottom + (1 - k // 4) * row
         sheet.text((x, y + row - SMALL - 1.3), name, SMALL)
         room = column - 3
-        size = SIZE if text_width(value, SIZE) <= room else SMALL
+        size = SIZE * min(1.0, max(LEAST_SIZE, 0.98 * room / max(text_width(value, SIZE), SMALL)))
         sheet.text((x, y + 2.5), shortened(value, room, size), size)
 
 

@@ -8,14 +8,17 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.plots.labels import spread
+from haptonic.workshop.dimensions import DECIMALS, number
 from haptonic.workshop.part import Part
 from haptonic.workshop.section import LANE, pitch_of, span
+from haptonic.workshop.shape import MM
 from haptonic.workshop.sheet import APART, SHELF, SIZE, Box, Sheet, View, text_width
 
 ROOM: Box = (41.0, 45.0, 16.0, 8.0)  # mm around the plan, for its dimensions
 BESIDE = 1.2  # mm between an edge and the line of its support
 SAMPLE = 12.0  # mm of such a line in the legend
-NUMBERS = 17.0  # mm for the numbers along an edge
+NUMBERS = 17.0  # mm for the numbers along an edge, at least
+AROUND_NUMBERS = 8.0  # mm, of which a number along an edge leaves this much free
 CLOSEST = 4.0  # mm between two of these numbers
 
 
@@ -45,8 +48,8 @@ def _draw_sizes(sheet: Sheet, view: View, part: Part, along: int, tolerances: Ma
     outermost = [extreme(np.concatenate(axes)) for extreme in (np.min, np.max)] if axes else []
     room = high[along] - low[along] - 2 * CLOSEST
     for listed in (np.concatenate([edges, outermost]), np.array(outermost)):
-        shown = np.unique(listed.round(6))
-        shown = shown[(shown > first + 1e-6) & (shown < last - 1e-6)]
+        shown = np.unique(listed.round(9))
+        shown = shown[(shown > first + 1e-9) & (shown < last - 1e-9)]
         if CLOSEST * (len(shown) - 1) <= room:
             break
     places = [zero.place(*[value - first] * 2)[along] for value in shown]
@@ -57,7 +60,8 @@ def _draw_sizes(sheet: Sheet, view: View, part: Part, along: int, tolerances: Ma
         sheet.ordinate(zero, *((b, a) if along else (a, b) for a, b in pair), upright=bool(along))
     size = part.size[along]
     overall = pitch_of(part, size, along)
-    line = other - NUMBERS
+    widest = max([text_width(number((value - first) / MM, DECIMALS)) for value in shown], default=0.0)
+    line = other - max(NUMBERS, widest + AROUND_NUMBERS)
     corners = [(low[0], low[1]), (low[0], high[1]) if along else (high[0], low[1])]
     shelf = (line - SHELF, 0.5 * (low[1] + high[1])) if along else None
     half = tolerances.get(overall.name or "")

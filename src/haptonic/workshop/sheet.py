@@ -52,7 +52,7 @@ LISTED = 3.0  # heights of letters between the margin of a list and its text
 APART = 6.0  # mm between labels
 DESCENT = 1.0  # mm between a shelf and a text that may have letters with tails
 
-SCALES = [step * 10.0**power for power in range(3, -4, -1) for step in (5, 2, 1)]  # ISO 5455
+SCALES = [step * 10.0**power for power in range(4, -4, -1) for step in (5, 2, 1)]  # ISO 5455
 
 Place = tuple[float, float]  # mm on the paper
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm
@@ -94,7 +94,7 @@ class View:
         return self.origin[0] + self.scale * right, self.origin[1] + self.scale * up
 
     def __str__(self) -> str:
-        return f"{self.scale:g} : 1" if self.scale >= 1 else f"1 : {1 / self.scale:g}"
+        return f"{self.scale:.0f} : 1" if self.scale >= 1 else f"1 : {1 / self.scale:g}"
 
 
 @dataclass(frozen=True)
