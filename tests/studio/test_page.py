@@ -97,6 +97,20 @@ def test_the_form_follows_the_text_also_by_the_keyboard(browser, studio):
         expect(page.locator("[id='key-cell.pitch']")).to_have_value("9 mm")
 
 
+def test_a_crystal_needs_no_constants_of_isotropic_solids(browser, studio):
+    constants = 'c11 = "166 GPa"\nc12 = "64 GPa"\nc44 = "80 GPa"\ndensity = "2330 kg/m^3"\n'
+    with opened(browser, studio) as page:
+        page.fill(TEXT, f'[material]\n{constants}[cell]\npitch = "7 mm"\nthickness = "1 mm"\n')
+        expect(page.locator("[id='key-material.c11']")).to_have_value("166 GPa")
+        page.locator("summary", has_text=re.compile("Young's modulus, Poisson ratio")).wait_for()
+        assert not page.locator("[id='key-material.youngs_modulus']").is_visible()
+        assert not page.get_by_text("(required)").is_visible()
+        page.get_by_label("Material, by name").first.select_option("steel")
+        wait_for_text(page, 'material = "steel"')
+        page.get_by_label("Material, by name").first.select_option(label="other, by its constants")
+        page.locator(".form .problem", has_text="the Young's modulus was left out").wait_for()
+
+
 def test_tables_are_added_and_removed(browser, studio):
     with opened(browser, studio) as page:
         page.get_by_text("Further tables").click()

@@ -38,7 +38,7 @@ class Key:
     count : length of a list
     numbers : paths of the study's numbers that a text may name; see `haptonic.fields.of_number`
     example : declared example, if any; for several quantities the whole list as in a file
-    is_alternative : True in a table that may have keys of another kind instead, such as a material
+    is_alternative : True for a required key of one kind of a table that has several, such as a material
     """
 
     path: str
@@ -93,11 +93,12 @@ def table(kind: type, prefix: str = "") -> dict[str, Key]:
         if slot.name == "parameter" and (parameters := getattr(kind, "known", None)):
             key = replace(key, numbers=tuple(parameters()))
         in_table = {} if slot.placed.inline else {path: key}
-        for below in slot.kinds:
-            inner = table(below, f"{path}[]." if key.kind == "tables" else slot.below(prefix))
-            if len(slot.kinds) > 1:
-                inner = {at: replace(each, is_alternative=each.required) for at, each in inner.items()}
-            in_table |= inner
+        start = f"{path}[]." if key.kind == "tables" else slot.below(prefix)
+        inner = [table(below, start) for below in slot.kinds]
+        for of_kind in inner:
+            for at, each in of_kind.items():
+                is_alternative = each.required and not all(at in other for other in inner)
+                in_table[at] = replace(each, is_alternative=True) if is_alternative else each
         outside = {name: each for name, each in in_table.items() if prefix and not name.startswith(prefix)}
         keys |= {name: each for name, each in in_table.items() if name not in outside}
         keys = outside | keys

@@ -22,7 +22,7 @@ def _plain(key: Key) -> dict[str, Any]:
         "kind": key.kind,
         "unit": key.unit,
         "default": key.default_text,
-        "required": key.required,
+        "required": key.required and not key.is_alternative,
         "bounds": key.bounds,
         "typical": key.typical,
         "help": key.description,

@@ -24,6 +24,9 @@ export function treeOf(keys: Key[]): Branch[] {
 
 export const isTable = ({ key }: Branch): boolean => ["table", "tables", "entries"].includes(key.kind);
 
+/** A title within a sentence; names of persons keep their capital. */
+export const inSentence = (title: string): string => (/^(Young|Poisson)/.test(title) ? title : title.toLowerCase());
+
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
 /** The value of the file for a typed text; null for none. The server refuses what is not allowed. */

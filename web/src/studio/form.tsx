@@ -2,7 +2,7 @@
 
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { ComponentChildren } from "preact";
-import { isTable, parsed, typedText, type Branch } from "./declared";
+import { inSentence, isTable, parsed, typedText, type Branch } from "./declared";
 import { Field } from "./field";
 import type { Step, Tables, Value } from "./server";
 import { broken, change, isWithin, loaded, opened, pathOf, problems, values } from "./study";
@@ -68,7 +68,7 @@ function Contents({ branches, steps, given }: ContentsProps) {
       {furtherKeys.length > 0 && (
         <Further
           title="Further keys"
-          about={furtherKeys.map(({ key }) => key.title.toLowerCase()).join(", ")}
+          about={furtherKeys.map(({ key }) => inSentence(key.title)).join(", ")}
           steps={steps}
           branches={furtherKeys}
         >
@@ -213,14 +213,14 @@ function Table({ branch, steps, value }: TableProps) {
         </div>
       )}
       {!byName && <Contents branches={branch.inside} steps={steps} given={asTables(value)} />}
-      {value !== undefined && !key.required && <Remove steps={steps}>Remove {key.title.toLowerCase()}</Remove>}
+      {value !== undefined && !key.required && <Remove steps={steps}>Remove {inSentence(key.title)}</Remove>}
     </>
   );
 }
 
 /** Tables of one name. */
 function List({ branch, steps, items }: { branch: Branch; steps: Step[]; items: Value[] }) {
-  const title = branch.key.title.toLowerCase();
+  const title = inSentence(branch.key.title);
   return (
     <>
       {items.map((item, row) => (
