@@ -282,6 +282,18 @@ def test_a_strip_too_narrow_for_its_mode_is_refused(inside, fine):
     assert not written(path)
 
 
+def test_a_strip_in_a_crystal_without_its_mirror_is_refused(inside, study, tmp_path):
+    """At 45 degrees the strip lies along an axis of symmetry of cubic silicon, at 20 degrees it does not."""
+    solid = (
+        '[material]\nc11 = "166 GPa"\nc12 = "64 GPa"\nc44 = "80 GPa"\ndensity = "2330 kg/m^3"\nturn = "{}"\n'
+    )
+    path = study(('material = "aluminium-paper"\n', ""), ("[cell]", solid.format("20 deg") + "[cell]"))
+    ran = inside("waveguide", path, store=tmp_path / "store")
+    assert_five_parts(ran, "haptonic ribbon", code="unsupported", argument="material.turn")
+    path = study(('material = "aluminium-paper"\n', ""), ("[cell]", solid.format("45 deg") + "[cell]"))
+    assert inside("waveguide", path, "--dry-run").code == 0
+
+
 def test_ends_that_no_rows_close_are_refused_before_anything_is_computed(inside, study, tmp_path):
     """An oblique lattice has no rows at a right angle to the strip; a square one has them."""
     ends = ("[[sweep]]", '[waveguide]\nends = "mirror"\n\n[[sweep]]')

@@ -14,6 +14,7 @@ from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.analyses.options import PageOption, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
+from haptonic.arrays import Array
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.guide_fields import guides_dataset
 from haptonic.bloch.layers import plain_plate
@@ -21,10 +22,11 @@ from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import best_model
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.bloch.waveguides import closing, strip_of, strips_dataset
-from haptonic.cell import Rows
+from haptonic.cell import Rows, UnitCell
 from haptonic.cell.scales import scales
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
+from haptonic.materials import is_symmetry
 from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
 from haptonic.results.cost import BASE, Cost
@@ -55,6 +57,7 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
     need_carrier(study)
     need_rows(study, "waveguide")
     settings = study.waveguide_settings
+    _need_equal_sides(study.cell, Rows(study.cell, settings.direction).turn[0])
     if settings.ends == "mirror":
         closing(Rows(study.cell, settings.direction))
     if options.mode is None:
@@ -69,6 +72,24 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
             cause="the text has another form",
             next_step="write the mode like 0x17",
         ) from None
+
+
+def _need_equal_sides(cell: UnitCell, across: Array) -> None:
+    """Refuse a crystal in which waves to the two sides of a strip are no mirror images of each other.
+
+    across : (2,) direction across the strip
+    """
+    mirror = np.eye(3)
+    mirror[:2, :2] -= 2 * np.outer(across, across)
+    if is_symmetry(cell.material.stiffness, mirror):
+        return
+    raise StudyError.unsupported(
+        argument="material.turn",
+        given=f"a plate of {cell.material.name}",
+        allowed="a plate in which the direction across the strip is an axis of symmetry",
+        cause="waves to both sides of this strip differ; its modes are computed from equal ones",
+        next_step="turn the crystal, or compute the strip as a ribbon: `haptonic ribbon`",
+    )
 
 
 @one_thread()

@@ -185,7 +185,8 @@ class Interface:
         k = plain_plate(rows).wavenumber(omega, angle, family)
         if k is None:
             raise _no_such_wave(family, omega)
-        return cls.of(rows, k * np.sin(angle))
+        # with exp(+i omega t), a wave that runs in a direction has the opposite wavevector
+        return cls.of(rows, -k * np.sin(angle))
 
     def plate_waves(self, omega: float) -> tuple[PlateWaves, PlateWaves]:
         """Waves of the plate to the right and to the left, on its unknowns."""

@@ -138,17 +138,21 @@ def half_widths(properties: Mapping[str, str]) -> Callable[[object, ValidationIn
 
 
 def require_positive_definite(
-    name: str,
+    kind: str,
     matrix: Array,
+    at: str,
     cause: str = "with these constants the solid would deform by itself",
     next_step: str = "check the signs, the order of the entries and which of them are compliances",
 ) -> None:
-    """Refuse a symmetric matrix whose energy is zero or negative for some deformation or field."""
+    """Refuse a symmetric matrix whose energy is zero or negative for some deformation or field.
+
+    kind : stiffness, compliance or permittivity; at : key of the material that is blamed
+    """
     smallest = float(np.linalg.eigvalsh(matrix).min())
     if smallest <= SYMMETRY_TOLERANCE * float(np.abs(matrix).max()):
         raise StudyError.malformed(
-            argument=f"material.{name}",
-            given=f"a smallest eigenvalue of {smallest:.3g} {UNITS[name]}",
+            argument=f"material.{at}",
+            given=f"a {kind} matrix with an eigenvalue of {smallest:.3g} {UNITS[kind]}",
             allowed="a positive definite matrix",
             cause=cause,
             next_step=next_step,

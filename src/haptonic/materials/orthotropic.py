@@ -115,7 +115,7 @@ class OrthotropicMaterial:
             )
         with collected(within="material"):
             require_name(self.name)
-            require_positive_definite("stiffness", self.stiffness)
+            require_positive_definite("stiffness", self.stiffness, "c11")
 
     _half_widths = field_validator("uncertainty", mode="before")(half_widths(PROPERTIES))
 

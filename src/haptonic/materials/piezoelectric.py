@@ -57,8 +57,13 @@ class PiezoelectricMaterial:
     """
 
     aliases: ClassVar[Aliases] = {
-        **meant("permittivity_33", "eps33", "epsilon33", "k33", "er", "eps_r"),
-        **meant("permittivity_11", "eps11", "epsilon11", "k11"),
+        **meant("permittivity_33", "eps33", "eps33_t", "eps33_s", "epsilon33", "k33", "k3", "er", "eps_r"),
+        **meant("permittivity_11", "eps11", "eps11_t", "eps11_s", "epsilon11", "k11", "k1"),
+        **absent("s66", "c66", cause="it follows from the constants 11 and 12", next_step="leave it out"),
+        **absent(
+            "turn", "angle", "rotation", cause="a poled ceramic is isotropic around the plate's normal",
+            next_step="leave it out",
+        ),
         **meant("dielectric_loss", "tan_delta", "tand", "loss_tangent"),
         **absent(
             "youngs_modulus", "poisson_ratio", "e", "nu",
@@ -96,7 +101,7 @@ class PiezoelectricMaterial:
     dielectric_loss: Annotated[
         float,
         Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1)),
-        Field(description="Loss tangent of the permittivity."),
+        Field(description="Loss tangent of the permittivity at constant strain."),
     ] = 0.0
     name: MaterialName = "material"
     source: Source = ""
@@ -119,13 +124,14 @@ class PiezoelectricMaterial:
         with collected(within="material"):
             require_name(self.name)
             if not self.is_stiffness_form:
-                require_positive_definite("compliance", self._matrix("s"))
-            require_positive_definite("stiffness", self.stiffness)
+                require_positive_definite("compliance", self._matrix("s"), "s11")
+            require_positive_definite("stiffness", self.stiffness, "c11")
             require_positive_definite(
                 "permittivity",
                 self.permittivity,
+                "permittivity_33",
                 "the charge constants are too large for these compliances and permittivities",
-                "check their powers of ten; permittivities beside charge constants are at constant stress",
+                "check signs (d31 is negative) and powers of ten; permittivities are at constant stress",
             )
 
     _half_widths = field_validator("uncertainty", mode="before")(half_widths(PROPERTIES))
