@@ -20,6 +20,7 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes, bulk_bands
+from haptonic.bloch.ribbon_datasets import ribbon_dataset
 from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
 from haptonic.bloch.rows import attenuation
 from haptonic.cell import Pillar, Ribbon, Site, UnitCell
@@ -158,6 +159,20 @@ def test_bulk_bands_hold_all_modes_but_those_of_guide_and_edges():
     assert not in_gap(replace(modes, error=np.zeros_like(modes.error)), bulk[None])[deep < 0.02].any()
     held = prototype().solve(ALONG, 54e3, 61e3)
     assert in_gap(replace(held, error=0 * held.error), bulk[None]).all()
+
+
+def test_a_mode_whose_energy_grows_away_from_the_guide_is_not_guided():
+    model = prototype()
+    bulk = bulk_bands(BlochModel.of(CRYSTAL, COARSE, 8, measured=False), model.ribbon, [ALONG])
+    held = model.solve(ALONG, 54e3, 61e3)
+    held = replace(held, error=0 * held.error)
+    beside = np.array([0.02, 0.03, 0.04, 0.05, 0.0])  # from the guide outwards
+    energy = np.concatenate([beside[::-1], np.full(4, 0.18), beside])[None, None]
+    growing = replace(held, energy=energy, stiffened_energy=energy)
+    dataset = ribbon_dataset(model, [held, growing], np.repeat(bulk[None], 2, axis=1), None)
+    assert dataset["in_gap"].values.tolist() == [1, 1]
+    assert (dataset["decay"].values > 0).tolist() == [True, False]
+    assert dataset["guided"].values.tolist() == [1, 0]
 
 
 def test_no_gap_is_reported_above_the_last_computed_bulk_band():

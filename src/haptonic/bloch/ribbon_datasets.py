@@ -33,6 +33,7 @@ def ribbon_dataset(
         share_in_guide, between = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
         wavenumber, across = harmonics(ribbon, model.fine, modes)
         fall, fall_error = (np.where(between, each, np.nan) for each in decay(model, modes))
+        towards_guide = share_in_guide > within(modes.energy, outermost(ribbon))
         pieces.append({
             "phase": np.full(len(modes.frequency), modes.kappa),
             "frequency": modes.frequency,
@@ -44,7 +45,7 @@ def ribbon_dataset(
             "in_gap": between.astype(np.int8),
             "guided": (
                 (ribbon.kind == "strip")
-                | between & (share_in_guide > within(modes.energy, outermost(ribbon)))
+                | between & towards_guide & ~(fall < 0)
             ).astype(np.int8),
             "decay": fall,
             "decay_error": fall_error,
@@ -73,8 +74,8 @@ def ribbon_dataset(
         "in_gap": ("1", "1 for modes between the bulk bands at this phase"),
         "guided": (
             "1",
-            "1 for modes between bulk bands with more energy in the guide than in the outermost columns, "
-            "and for all modes of a strip",
+            "1 for modes between bulk bands with more energy in the guide than in the outermost columns and "
+            "no negative decay, and for all modes of a strip",
         ),
         "decay": ("dB/row", "decay of the energy away from the guide"),
         "wavenumber": ("rad/m", "wavenumber of the strongest harmonic of the normal motion along the guide"),
