@@ -465,6 +465,18 @@ def test_refuses_impossible_piezoelectrics(change, argument, words):
     assert words in caught.value.next_step
 
 
+@each("name", ["pzt-4", "pzt-5a"])
+def test_a_free_element_has_the_loss_tangent_that_its_maker_prints(name):
+    """From complex constants: the free permittivity is that at constant strain plus d c e."""
+    ceramic = material(name)
+    stiffness = ceramic.stiffness * (1 + 1j * ceramic.loss_factor)
+    clamped = ceramic.permittivity[2, 2] * (1 - 1j * ceramic.clamped_loss)
+    free = clamped + ceramic.coupling[2] @ np.linalg.inv(stiffness) @ ceramic.coupling[2]
+    assert -free.imag / free.real == pytest.approx(ceramic.dielectric_loss, rel=1e-3)
+    assert ceramic.clamped_loss > ceramic.dielectric_loss
+    assert replace(ceramic, dielectric_loss=0.0).clamped_loss == 0.0
+
+
 def test_charge_constants_too_large_for_the_permittivity_are_refused():
     with refusing(StudyError, "malformed", "material.permittivity_33"):
         replace(material("pzt-4"), permittivity_33=500.0)

@@ -16,6 +16,7 @@ C = TypeVar("C", bound="HaptonicError", covariant=True)
 
 VAGUE, CLOSE = 0.5, 0.8  # shares of common letters: perhaps the same word, and a slip of one or two letters
 MOST_PROPOSED = 4  # names in one next step
+MOST_NAMES, NEAREST_NAMES = 40, 10  # in a message; of a longer list the nearest names
 
 
 class Parts(TypedDict):
@@ -124,7 +125,7 @@ class HaptonicError(Exception):
             "unknown",
             argument=argument,
             given=shown(given),
-            allowed=allowed or (f"one of {', '.join(names)}" if names else "none: the list is empty"),
+            allowed=allowed or (f"one of {_some(names, str(given))}" if names else "none: the list is empty"),
             cause=cause,
             next_step=proposal or next_step,
             command="" if proposal else command,
@@ -232,6 +233,14 @@ def similar(name: str, known: Iterable[str]) -> list[str]:
     containing = [each for each in names if words and words <= _words(each)]
     guess = None if containing else nearest(name, alike) or nearest(name, names, CLOSE)
     return containing[:MOST_PROPOSED] if guess is None else [guess]
+
+
+def _some(names: list[str], given: str) -> str:
+    """All of some names, or of a long list the nearest ones."""
+    if len(names) <= MOST_NAMES:
+        return ", ".join(names)
+    near = set(difflib.get_close_matches(given, names, n=NEAREST_NAMES, cutoff=0.0))
+    return f"{', '.join(name for name in names if name in near)} and {len(names) - len(near)} others"
 
 
 def _words(name: str) -> set[str]:

@@ -255,7 +255,7 @@ def dynamic(whole, omega):
         solid, name = actuator.material, actuator.name
         factors[bond(name)] = 1 + 1j * actuator.bond.material.loss_factor
         factors[ceramic(name)] = 1 + 1j * solid.loss_factor
-        factors[electric(name)] = 1 / (1 - 1j * solid.dielectric_loss)
+        factors[electric(name)] = 1 / (1 - 1j * solid.clamped_loss)
     return sum(factors[part] * K for part, K in whole.stiffness.items()) - omega**2 * whole.mass
 
 

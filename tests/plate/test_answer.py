@@ -467,7 +467,7 @@ def test_powers_and_energies_are_those_of_the_direct_solution():
     expected = omega * felt.imag * twice(pad.T @ pad) / len(pad)
     assert vibration.dissipated[FINGER] == pytest.approx(expected, rel=2e-3)
     solid = model.plate.actuators[0].material
-    charge = 40.0 * model.capacitance["A"] * (1 - 1j * solid.dielectric_loss) + model.drives["A"] @ u
+    charge = 40.0 * model.capacitance["A"] * (1 - 1j * solid.clamped_loss) + model.drives["A"] @ u
     assert vibration.charge["A"] == pytest.approx(charge, rel=1e-3)
     given = 0.5 * (40.0 * (1j * omega * charge).conj()).real
     given += 0.5 * (BOTH["F"] * (1j * omega * (model.drives["F"] @ u)).conj()).real
@@ -506,7 +506,7 @@ def test_the_virial_theorem_ties_both_energies_to_the_work_of_the_force():
     vibration = reduced.answer({"F": 1.0}, HZ * LINES)
     strain = sum(values.sum(1) for values in vibration.stored.values())
     foundation = vibration.dissipated[SUPPORTS] / (2 * vibration.omega * 0.08)
-    field_factor = (1 / (1 - 1j * plate.actuators[0].material.dielectric_loss)).real
+    field_factor = (1 / (1 - 1j * plate.actuators[0].material.clamped_loss)).real
     strain = strain + foundation + (field_factor - 1) * vibration.stored[electric("A")].sum(1)
     motion = (model.drives["F"] @ vibration.vectors) @ vibration.amplitudes
     assert 2 * (strain - vibration.moving.sum(1)) == pytest.approx(0.5 * motion.real, rel=1e-4)

@@ -261,7 +261,7 @@ def test_loss_factors_are_those_of_the_constants_they_scale():
     assert factors[PLATE] == 1 + 0.002j
     assert factors[bond("A")] == 1 + 1j * GLUE.loss_factor
     assert factors[ceramic("A")] == 1 + 1j * CERAMIC.loss_factor
-    lossy = 1 - 1j * CERAMIC.dielectric_loss
+    lossy = 1 - 1j * CERAMIC.clamped_loss
     assert factors[electric("A")] == 1 / lossy
     assert all(factor.imag > 0 for factor in factors.values())  # power is lost, not won
     ratio = 1.7

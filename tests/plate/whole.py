@@ -59,7 +59,7 @@ def dynamic(model: PlateModel, omega):
     for actuator in plate.actuators:
         solid, name = actuator.material, actuator.name
         total = total + (1 + 1j * solid.loss_factor) * stiffness[ceramic(name)]
-        total += stiffness[electric(name)] / (1 - 1j * solid.dielectric_loss)
+        total += stiffness[electric(name)] / (1 - 1j * solid.clamped_loss)
         if actuator.bond is not None:
             total += (1 + 1j * actuator.bond.material.loss_factor) * stiffness[bond(name)]
     for support, foundation in zip(

@@ -19,6 +19,7 @@ from five_parts import refused
 from haptonic import plots
 from haptonic.plots.looks import LOOKS
 from haptonic.results.bands import Bands
+from haptonic.results.result import Figures
 from simulated import reference_bands, reference_layers, simulated_sweep
 
 MODULES = (test_designs, test_mirror_pictures, test_plate_pictures, test_verdict_pictures)
@@ -120,6 +121,22 @@ class TestChoices:
         others = [line.get_color() for line in usual.lines if line.get_gid() == "rows"]
         assert curves == ["red", "#00ff00", *others[2:]]
 
+    def test_three_numbers_are_one_colour(self):
+        lines = Bands(reference_bands()).plot("dispersion", color=(0.1, 0.2, 0.3)).axes[0].lines
+        assert (0.1, 0.2, 0.3) in {line.get_color() for line in lines}
+
+    def test_frequencies_of_gaps_and_pictures_may_have_a_unit(self):
+        (gap, *_) = Bands(reference_bands()).gaps
+        assert gap.margin("60 kHz") == gap.margin(60e3)
+        assert gap.holds("60 kHz") == gap.holds(60e3)
+        refused(lambda: gap.margin("60 kN"), argument="frequency")
+        figures = Figures({"maps": lambda frequency=None: frequency}, {})
+        assert figures.drawn("maps", {"frequency": "60 kHz"}) == 60e3
+
+    def test_a_result_without_pictures_is_explained(self):
+        refused(lambda: Figures({}, {}).drawn(None, {}), "summary()", code="missing",
+                argument="name of the picture")  # fmt: skip
+
     def test_on_axes_of_ones_own_legends_and_colours_hold_too(self):
         axes = Figure().add_subplot()
         reference_layers().plot("layers", ax=axes, legend=False, color="red")
@@ -133,6 +150,7 @@ class TestChoices:
             ({"style": "column", "ax": Figure().add_subplot()}, "conflict", "style", "leave style out"),
             ({"color": "redd"}, "malformed", "color", "a colour of matplotlib"),
             ({"color": ["red", 7]}, "malformed", "color", "7"),
+            ({"color": 7}, "malformed", "color", "7"),
             ({"name": "iso_frequency", "color": "red"}, "unsupported", "color", "leave color out"),
         ],
     )

@@ -55,7 +55,7 @@ class TestRefusals:
         "half a row": ("[waveguide]\nrows = 0.5", "waveguide.rows", ["not a whole number"]),
         "misspelt parameter": (
             vary("cell.pillar.hight", '"13 mm"', '"16 mm"'), "design.vary[1].parameter",
-            ["cell.pillar.hight", 'write "cell.pillar.height"', "cell.thickness"],
+            ["cell.pillar.hight", 'write "cell.pillar.height"', "others"],
         ),
         "parameter like no other": (
             vary("zzzzzzzz", '"13 mm"', '"16 mm"'), "design.vary[1].parameter", ["choose one of these"]

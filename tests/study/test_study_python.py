@@ -320,3 +320,19 @@ def test_a_study_without_a_title_is_printed_with_its_sentence_once():
     assert repr(study) == "<Study: a square lattice in brass without pillars.>"
     titled = study.with_keys({"title": "Mine"})
     assert repr(titled) == "<Study: Mine: a square lattice in brass without pillars.>"
+
+
+def test_scalars_of_numpy_are_numbers_everywhere():
+    cell = {
+        "pitch": np.float32(0.0078125),
+        "thickness": np.array(1e-3),
+        "pillar": {"diameter": np.float64(3e-3)},
+    }
+    cell["pillar"]["height"] = np.int64(1) * 4e-3
+    study = Study(material="steel", cell=cell, bands={"count": np.int64(9)})
+    assert study.cell.lattice.pitch == 0.0078125
+    assert study.cell.thickness == 1e-3
+    assert study.bands_settings.count == 9
+    assert study.replace(bands={"count": np.int16(7)}).bands_settings.count == 7
+    with refusing(StudyError, "malformed", "bands.count"):
+        Study(material="steel", cell=cell, bands={"count": np.float64(9.5)})

@@ -40,16 +40,16 @@ class Runner:
 
     def __post_init__(self) -> None:
         check_workers(self.workers, self.scheduler)
-        for name, allowed, fits in (
-            ("store", "a haptonic.store.Store", isinstance(self.store, Store)),
-            ("progress", "a function of (done, planned, what)", callable(self.progress)),
+        for name, allowed, fits, other in (
+            ("store", "a haptonic.store.Store", isinstance(self.store, Store), "the name of a folder"),
+            ("progress", "a function of (done, planned, what)", callable(self.progress), "True"),
         ):
             if not fits:
                 raise HaptonicError.malformed(
                     argument=name,
                     given=repr(getattr(self, name)),
                     allowed=allowed,
-                    cause="it is of another type, such as the name of a folder",
+                    cause=f"it is of another type, such as {other}",
                     next_step="leave it out",
                 )
 

@@ -12,7 +12,7 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.symmetry import WAVES, Waves
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
-from haptonic.units import Hertz, format_quantity, hz_text
+from haptonic.units import Hertz, format_quantity, hz_text, to_si
 
 COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # relative deviation allowed between the change of a band and its slope at a corner
@@ -74,11 +74,12 @@ class Gap:
         """Larger relative error of the two edges."""
         return max(self.lower_error / self.lower, self.upper_error / self.upper)
 
-    def margin(self, frequency: float) -> float:
+    def margin(self, frequency: float | str) -> float:
         """Distance of a frequency from the nearer edge minus its error, Hz; negative outside the gap."""
+        frequency = to_si(frequency, "Hz", "frequency") if isinstance(frequency, str) else frequency
         return min(frequency - self.lower - self.lower_error, self.upper - self.upper_error - frequency)
 
-    def holds(self, frequency: float) -> bool:
+    def holds(self, frequency: float | str) -> bool:
         """True if a frequency lies inside the gap by more than the errors of its edges."""
         return self.margin(frequency) > 0
 

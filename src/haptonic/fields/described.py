@@ -20,6 +20,7 @@ from dataclasses import fields
 from functools import wraps
 from typing import Any, TypeVar, cast, dataclass_transform
 
+import numpy as np
 from pydantic import ConfigDict, Field, ValidationError
 from pydantic.dataclasses import dataclass
 
@@ -71,6 +72,7 @@ def described(
         @wraps(check)
         def checked(self: Any, *given: Any, **named: Any) -> None:
             try:
+                named = {key: plain(each) for key, each in named.items()}
                 check(self, *given, **(in_shape(value, named, complete=not given) if moved else named))
             except ValidationError as error:
                 refused = refusal(error, value, place=place, family=family, names=names)
@@ -83,6 +85,15 @@ def described(
         return cast("type[T]", value)
 
     return decorate
+
+
+def plain(value: Any) -> Any:
+    """A value with Python's numbers in place of NumPy's scalars, also in tables and lists."""
+    if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and not value.ndim):
+        return value.item()
+    if isinstance(value, dict):
+        return {key: plain(each) for key, each in value.items()}
+    return [plain(each) for each in value] if isinstance(value, list) else value
 
 
 def _slips(value: Any, place: str, given: tuple[Any, ...]) -> Iterator[str]:

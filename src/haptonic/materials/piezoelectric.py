@@ -101,7 +101,7 @@ class PiezoelectricMaterial:
     dielectric_loss: Annotated[
         float,
         Quantity("", at_least=0.0, below=1.0, typical=(0.0, 0.1)),
-        Field(description="Loss tangent of the permittivity at constant strain."),
+        Field(description="Loss tangent of the given permittivities; makers print that of a free element."),
     ] = 0.0
     name: MaterialName = "material"
     source: Source = ""
@@ -177,6 +177,16 @@ class PiezoelectricMaterial:
         """eps^S, (3, 3), at constant strain, F/m."""
         given = VACUUM * np.diag([self.permittivity_11, self.permittivity_11, self.permittivity_33])
         return given if self.is_stiffness_form else given - self._coupled("d") @ self.coupling.T
+
+    @property
+    def clamped_loss(self) -> float:
+        """Loss tangent of the permittivity at constant strain, along the axis.
+
+        A free element also loses mechanical energy: eps_T tan = eps_S tan_S + (eps_T - eps_S) loss_factor.
+        """
+        free, clamped = VACUUM * self.permittivity_33, float(self.permittivity[2, 2])
+        total = free * self.dielectric_loss - (free - clamped) * self.loss_factor
+        return self.dielectric_loss if self.is_stiffness_form else max(0.0, total / clamped)
 
     @property
     def coupling_tensor(self) -> Array:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
+from typing import Any
 
 from haptonic.errors import HaptonicError, shown
 from haptonic.later import colors  # stored pictures need no matplotlib
@@ -91,7 +92,8 @@ def chosen(
     """
     if style is not None and style not in LOOKS:
         raise HaptonicError.unknown("style", style, LOOKS, "the name is misspelt, or it is one of matplotlib")
-    colours = () if color is None else (color,) if isinstance(color, str) else tuple(color)
+    is_one = isinstance(color, str) or colors.is_color_like(color) or not isinstance(color, Sequence)
+    colours: tuple[Any, ...] = () if color is None else (color,) if is_one else tuple(color)
     for name in colours:
         if not colors.is_color_like(name):
             raise HaptonicError.malformed(

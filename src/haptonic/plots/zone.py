@@ -119,7 +119,7 @@ def _draw_levels(axes: Axes, plane: Triangulation, values: Array, corners: Array
         placed += 1
         drawn.clabel([every[n]], fmt="%g", inline=True, inline_spacing=1, manual=[tuple(place)],
                      colors=style.INK, fontsize=style.FINE * mpl.rcParams["font.size"])  # fmt: skip
-        drawn.labelTexts[-1].set(path_effects=HALO, gid="level", rotation=0)
+        drawn.labelTexts[-1].set(path_effects=HALO, gid="level", rotation=0, clip_on=False)
 
 
 def _zigzags(line: Array) -> bool:

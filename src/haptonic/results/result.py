@@ -30,6 +30,7 @@ from haptonic.results.common import Writer, accuracy_remarks, refuse_taken, writ
 from haptonic.results.pictures import write_pictures
 from haptonic.results.plain import attributes, plain
 from haptonic.results.table import Table
+from haptonic.units import to_si
 from haptonic.views import InteractiveView, widget_bundle, widgets_work, write_page
 
 if TYPE_CHECKING:
@@ -121,7 +122,14 @@ class Figures(Mapping[str, "Figure"]):
         ------
         HaptonicError : no picture of this name, or an option that this picture does not have
         """
-        asked = next(iter(self._drawers), "any") if name is None else name
+        if not self._drawers:
+            raise HaptonicError.missing(
+                argument="name of the picture",
+                allowed="a result with pictures",
+                cause="this result has none, such as the plan of a study without a plate",
+                next_step="print its summary() or its tables() instead",
+            )
+        asked = next(iter(self._drawers)) if name is None else name
         if asked not in self._drawers:
             cause = "the name is misspelt, or this result has no such picture"
             raise HaptonicError.unknown("name of the picture", asked, self._drawers, cause)
@@ -142,6 +150,8 @@ class Figures(Mapping[str, "Figure"]):
                     cause=alone,
                     next_step=f'plot("{others[0]}", {choice}=...)' if others else f"leave {choice} out",
                 )
+        if isinstance(how.get("frequency"), str):
+            how = {**how, "frequency": to_si(how["frequency"], "Hz", "frequency")}
         return draw(**how)
 
 

@@ -129,7 +129,7 @@ class PlateModel:
 
     def blocked(self, actuator: str) -> complex:
         """Capacitance of an actuator at rest with its dielectric loss, F."""
-        (loss,) = (a.material.dielectric_loss for a in self.plate.actuators if a.name == actuator)
+        (loss,) = (a.material.clamped_loss for a in self.plate.actuators if a.name == actuator)
         return self.capacitance[actuator] * (1 - 1j * loss)
 
     def observed(self, where: Array) -> sp.csr_array:

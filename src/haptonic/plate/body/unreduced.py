@@ -162,7 +162,7 @@ def loss_factors(plate: Plate) -> dict[PartKey, complex]:
         if actuator.bond is not None:
             factors[bond(actuator.name)] = 1 + 1j * actuator.bond.material.loss_factor
         factors[ceramic(actuator.name)] = 1 + 1j * solid.loss_factor
-        factors[electric(actuator.name)] = 1 / (1 - 1j * solid.dielectric_loss)
+        factors[electric(actuator.name)] = 1 / (1 - 1j * solid.clamped_loss)
     return factors
 
 
