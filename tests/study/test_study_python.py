@@ -1,5 +1,6 @@
 """Studies and cells made in Python: of values or texts, checked as in a file, changed by paths."""
 
+import inspect
 import math
 import re
 from dataclasses import fields, replace
@@ -22,6 +23,7 @@ from haptonic.lattice import Lattice
 from haptonic.materials import OrthotropicMaterial, material
 from haptonic.store import canonical
 from haptonic.study import Study, loads
+from haptonic.study.sweeps import SweepSettings
 from plies import SKEWED
 
 CELL = UnitCell(Lattice.square(7e-3), 1.5e-3, material("steel"), Pillar(3.5e-3, 14.7e-3))
@@ -336,3 +338,10 @@ def test_scalars_of_numpy_are_numbers_everywhere():
     assert study.replace(bands={"count": np.int16(7)}).bands_settings.count == 7
     with refusing(StudyError, "malformed", "bands.count"):
         Study(material="steel", cell=cell, bands={"count": np.float64(9.5)})
+
+
+def test_a_key_that_is_a_word_of_python_has_the_name_of_the_signature():
+    names = [name for name in inspect.signature(SweepSettings).parameters if name != "second"]
+    assert names == ["vary", "start", "to", "steps"]
+    sweep = SweepSettings(vary="cell.pitch", start=6e-3, to="8 mm", steps=3)
+    assert sweep == SweepSettings(**{"vary": "cell.pitch", "from": 6e-3, "to": 8e-3, "steps": 3})

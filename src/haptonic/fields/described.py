@@ -18,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import fields
 from functools import wraps
+from keyword import iskeyword
 from typing import Any, TypeVar, cast, dataclass_transform
 
 import numpy as np
@@ -68,11 +69,13 @@ def described(
         check: Callable[..., None] = value.__init__
         names = [field.name for field in fields(value) if field.init]
         moved = any_placed(value)
+        # a key such as "from" is no name of an argument in Python
+        keywords = {slot.name: slot.key for slot in slots(value) if iskeyword(slot.key)}
 
         @wraps(check)
         def checked(self: Any, *given: Any, **named: Any) -> None:
             try:
-                named = {key: plain(each) for key, each in named.items()}
+                named = {keywords.get(key, key): plain(each) for key, each in named.items()}
                 check(self, *given, **(in_shape(value, named, complete=not given) if moved else named))
             except ValidationError as error:
                 refused = refusal(error, value, place=place, family=family, names=names)

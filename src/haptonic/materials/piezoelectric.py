@@ -57,8 +57,10 @@ class PiezoelectricMaterial:
     """
 
     aliases: ClassVar[Aliases] = {
-        **meant("permittivity_33", "eps33", "eps33_t", "eps33_s", "epsilon33", "k33", "k3", "er", "eps_r"),
-        **meant("permittivity_11", "eps11", "eps11_t", "eps11_s", "epsilon11", "k11", "k1"),
+        **meant("permittivity_33", "eps33", "eps33_t", "eps33_s", "epsilon33", "er", "eps_r"),
+        **meant("permittivity_11", "eps11", "eps11_t", "eps11_s", "epsilon11"),
+        **absent("k31", "k33", "k15", "kp", "kt", cause="coupling factors follow from the other constants",
+                 next_step="leave it out"),
         **absent("s66", "c66", cause="it follows from the constants 11 and 12", next_step="leave it out"),
         **absent(
             "turn", "angle", "rotation", cause="a poled ceramic is isotropic around the plate's normal",
