@@ -64,6 +64,12 @@ class CompareOptions(UnitsOfFile):
         paths = dict.fromkeys(path for path in (self.first, self.second) if kind_of(path) == "study")
         return {path: load_as(path, Description) for path in paths}
 
+    @cached_property
+    def results(self) -> dict[Path, xr.Dataset]:
+        """The bands of results among the two files, each read once."""
+        paths = dict.fromkeys(path for path in (self.first, self.second) if kind_of(path) == "result")
+        return {path: of_file(path / RESULT if path.is_dir() else path) for path in paths}
+
 
 def kind_of(path: Path) -> str:
     """Kind of a file: "study", "result" or "table"."""
@@ -106,21 +112,19 @@ def compute(study: None, options: CompareOptions, runner: Runner) -> Comparison:
         names = [str(path) for path in paths]
     if kind_of(options.second) == "table":
         if described is None:
-            ours = bands_of(options.first, None, runner)
+            ours = options.results[options.first]
             theirs = of_table(options.second, OurPath.of_dataset(ours), options.of_table)
         else:
             theirs = of_table(options.second, OurPath.of_cell(described.cell), options.of_table)
-            ours = bands_of(options.first, described, runner, also=theirs.position)
+            ours = bands_of(options.first, options, runner, also=theirs.position)
         result = Comparison(of_dataset(names[0], ours), theirs)
         if not options.any_difference:
             result.refuse_apart()
         return result
     zones = _zones(options)
-    second = of_dataset(
-        names[1], bands_of(options.second, options.studies.get(options.second), runner, zone=zones[1])
-    )
+    second = of_dataset(names[1], bands_of(options.second, options, runner, zone=zones[1]))
     first = of_dataset(
-        names[0], bands_of(options.first, described, runner, also=second.position, zone=zones[0])
+        names[0], bands_of(options.first, options, runner, also=second.position, zone=zones[0])
     )
     return Comparison(first, second, {path: key.unit for path, key in table(Description).items()})
 
@@ -136,7 +140,7 @@ def _zones(options: CompareOptions) -> list[IrreducibleZone | None]:
     """
     paths, studies = (options.first, options.second), options.studies
     corners = [
-        studies[path].cell.zone.corners if path in studies else zone_of(of_file(_result(path)))
+        studies[path].cell.zone.corners if path in studies else zone_of(options.results[path])
         for path in paths
     ]
     labels = [[label for label, _ in zone] for zone in corners]
@@ -157,20 +161,17 @@ def _zones(options: CompareOptions) -> list[IrreducibleZone | None]:
     )
 
 
-def _result(path: Path) -> Path:
-    return path / RESULT if path.is_dir() else path
-
-
 def bands_of(
     path: Path,
-    study: Description | None,
+    options: CompareOptions,
     runner: Runner,
     also: Sequence[float] | Array = (),
     zone: IrreducibleZone | None = None,
 ) -> xr.Dataset:
     """Bands of a study on the edge of a zone, also at further positions there, or those of a result."""
+    study = options.studies.get(path)
     if study is None:
-        return of_file(_result(path))
+        return options.results[path]
     bands = compute_bands(
         study.cell,
         study.bands_settings,

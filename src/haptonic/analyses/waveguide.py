@@ -20,6 +20,7 @@ from haptonic.bloch.guide_fields import guides_dataset
 from haptonic.bloch.layers import plain_plate
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.model import best_model
+from haptonic.bloch.plate_waves import mirror_across
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.bloch.waveguides import closing, strip_of, strips_dataset
 from haptonic.cell import Rows, UnitCell
@@ -57,9 +58,10 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
     need_carrier(study)
     need_rows(study, "waveguide")
     settings = study.waveguide_settings
-    _need_equal_sides(study.cell, Rows(study.cell, settings.direction).turn[0])
+    rows = Rows(study.cell, settings.direction)
+    _need_equal_sides(study.cell, rows.turn[0])
     if settings.ends == "mirror":
-        closing(Rows(study.cell, settings.direction))
+        closing(rows)
     if options.mode is None:
         return settings
     try:
@@ -79,9 +81,7 @@ def _need_equal_sides(cell: UnitCell, across: Array) -> None:
 
     across : (2,) direction across the strip
     """
-    mirror = np.eye(3)
-    mirror[:2, :2] -= 2 * np.outer(across, across)
-    if is_symmetry(cell.material.stiffness, mirror):
+    if is_symmetry(cell.material.stiffness, mirror_across(across)):
         return
     raise StudyError.unsupported(
         argument="material.turn",

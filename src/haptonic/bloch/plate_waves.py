@@ -53,8 +53,7 @@ class PlateWaves:
 
     def mirrored(self, normal: Array) -> PlateWaves:
         """Images of the waves in a mirror across an axis (2,): waves to the other side."""
-        mirror = np.eye(3)
-        mirror[:2, :2] -= 2 * np.outer(normal, normal)
+        mirror = mirror_across(normal)
 
         def image_of(rows: Complex) -> Complex:
             return np.asarray(mirror @ rows.reshape(-1, 3, len(self))).reshape(rows.shape)
@@ -66,6 +65,13 @@ class PlateWaves:
             force=-image_of(self.waves.force),
         )
         return replace(self, waves=image, wavenumber=-self.wavenumber)
+
+
+def mirror_across(normal: Array) -> Array:
+    """(3, 3) mirror that reverses a direction (2,) in the plane of the plate."""
+    mirror = np.eye(3)
+    mirror[:2, :2] -= 2 * np.outer(normal, normal)
+    return mirror
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from pydantic import Field, ValidationInfo
 
 from haptonic.arrays import Array
 from haptonic.errors import StudyError, shown
-from haptonic.fields import Entries, ExpressedNumber, Quantity, number_of
+from haptonic.fields import Entries, Quantity, number_of
 from haptonic.fields.quantity import collected
 from haptonic.units import format_quantity
 
@@ -50,8 +50,8 @@ def turned(stiffness: Array, angle: float) -> Array:
     if angle == 0.0:
         return stiffness
     cosine, sine = math.cos(angle), math.sin(angle)
-    turns = [np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])] * 4
-    tensor = np.einsum("ai,bj,ck,dl,ijkl->abcd", *turns, elasticity_tensor(stiffness), optimize=True)
+    turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+    tensor = _image(elasticity_tensor(stiffness), turn)
     first, second = np.array(PAIRS).T
     matrix = tensor[first[:, None], second[:, None], first, second]
     return np.asarray((matrix + matrix.T) / 2)
@@ -65,9 +65,13 @@ def is_symmetry(stiffness: Array, operation: Array) -> bool:
 @lru_cache(maxsize=256)
 def _is_symmetry(stiffness: tuple[float, ...], operation: tuple[float, ...]) -> bool:
     tensor = elasticity_tensor(np.reshape(stiffness, (6, 6)))
-    turns = [np.reshape(operation, (3, 3))] * 4
-    image = np.einsum("ai,bj,ck,dl,ijkl->abcd", *turns, tensor, optimize=True)
+    image = _image(tensor, np.reshape(operation, (3, 3)))
     return bool(np.abs(image - tensor).max() <= SYMMETRY_TOLERANCE * np.abs(tensor).max())
+
+
+def _image(tensor: Array, operation: Array) -> Array:
+    """Image of a tensor (3, 3, 3, 3) in an orthogonal map (3, 3) of space."""
+    return np.asarray(np.einsum("ai,bj,ck,dl,ijkl->abcd", *[operation] * 4, tensor, optimize=True))
 
 
 def require_name(name: object) -> None:
@@ -81,60 +85,40 @@ def require_name(name: object) -> None:
         )
 
 
-def require_between(
-    name: str,
-    value: object,
-    unit: str,
-    *,
-    above: float = -math.inf,
-    at_least: float = -math.inf,
-    below: float = math.inf,
-) -> None:
-    """Refuse anything but a finite number in the interval."""
-    number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
-    if number and above < value and at_least <= value < below:  # type: ignore[operator]
-        return
-    limits = {"above": above, "at least": at_least, "below": below}
-    bounds = [
-        f"{bound} {format_quantity(limit, unit)}" for bound, limit in limits.items() if math.isfinite(limit)
-    ]
-    raise StudyError.out_of_range(
-        argument=f"material.{name}",
-        given=format_quantity(float(value), unit) if number else shown(value),  # type: ignore[arg-type]
-        allowed="a finite number" + (f" {' and '.join(bounds)}" if bounds else f" in {unit}" * bool(unit)),
-        cause="no stable solid has this value" if number else "it is not a finite number",
-        next_step=f"check the value and its unit{f' ({unit})' if unit else ''}",
-    )
-
-
-def spread_of(uncertainty: Mapping[str, float], properties: Mapping[str, str]) -> Entries[float]:
-    """Check and copy ``uncertainty``: half-widths of the plausible intervals of properties.
+def half_widths(properties: Mapping[str, str]) -> Callable[[object, ValidationInfo], object]:
+    """Reader of the uncertainties of a material: half-widths of the plausible intervals of its properties.
 
     ``properties`` maps each allowed name to its SI unit.
     """
-    for name, width in uncertainty.items():
-        if name not in properties:
-            at, cause = f"material.uncertainty.{name}", "this material has no such property"
-            raise StudyError.unknown(at, name, properties, cause, next_step="leave it out")
-        require_between(f"uncertainty.{name}", width, properties[name], at_least=0.0)
-    return Entries({
-        name: width if isinstance(width, ExpressedNumber) else float(width)
-        for name, width in uncertainty.items()
-    })  # fmt: skip
-
-
-def half_widths(properties: Mapping[str, str]) -> Callable[[object, ValidationInfo], object]:
-    """Reader of the uncertainties of a study file; ``properties`` is that of `spread_of`."""
 
     def read(value: object, info: ValidationInfo) -> object:
         if not isinstance(value, Mapping):
             return value
         with collected(within="material.uncertainty"):
-            spread_of(dict.fromkeys(map(str, value), 0.0), properties)  # names are refused before their units
+            for name in value:  # all names before any unit
+                if name not in properties:
+                    at, cause = f"material.uncertainty.{name}", "this material has no such property"
+                    raise StudyError.unknown(at, name, properties, cause, next_step="leave it out")
             widths = {name: number_of(width, properties[name], info.context) for name, width in value.items()}
-            return spread_of(widths, properties)
+            for name, width in widths.items():
+                _require_half_width(name, width, properties[name])
+            return Entries(widths)
 
     return read
+
+
+def _require_half_width(name: str, width: float, unit: str) -> None:
+    """Refuse a half-width that is negative or not finite."""
+    if math.isfinite(width) and width >= 0:
+        return
+    finite = math.isfinite(width)
+    raise StudyError.out_of_range(
+        argument=f"material.uncertainty.{name}",
+        given=format_quantity(width, unit) if finite else shown(width),
+        allowed=f"a finite number at least {format_quantity(0.0, unit)}",
+        cause="no stable solid has this value" if finite else "it is not a finite number",
+        next_step=f"check the value and its unit{f' ({unit})' if unit else ''}",
+    )
 
 
 def require_positive_definite(

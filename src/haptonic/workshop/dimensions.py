@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from haptonic.cell import Disc, UnitCell
 from haptonic.errors import StudyError
-from haptonic.workshop.shape import MM, Dimension, dimensions
+from haptonic.workshop.shape import MM, OF_DISC, Dimension, dimensions
 
 MINUS = "\N{MINUS SIGN}"
 DECIMALS = 3  # of toleranced lengths in mm
@@ -44,9 +45,10 @@ def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mappi
 
 def disc_text(name: str, value: float, at: str, tolerances: Mapping[str, float]) -> str:
     """Text of a number (m or rad) of a disc, whose table has the path ``at``, with its tolerance."""
-    path, is_angle = f"{at}.{name}", name in ("draft", "turn")
-    dimension = Dimension(path, value if is_angle else value * MM, "angle" if is_angle else "seen")
-    return text_of(dimension, tolerances.get(path))
+    dimension = Dimension(f"{at}.{name}", value, OF_DISC[name])
+    if not dimension.is_angle:
+        dimension = replace(dimension, value=MM * value)
+    return text_of(dimension, tolerances.get(f"{at}.{name}"))
 
 
 def disc_width(disc: Disc, thickness: float, at: str, tolerances: Mapping[str, float]) -> str:
@@ -72,7 +74,7 @@ def style_of(dimension: Dimension, half_width: float | None, sign: str = "") -> 
 
 def text_of(dimension: Dimension, half_width: float | None, sign: str = "") -> str:
     """Text by `style_of` for a length in mm; for an angle its degrees, such as 2.00° ±0.25°."""
-    if dimension.kind in ("angle", "turn"):
+    if dimension.is_angle:
         return sign + degrees(dimension.value, half_width)
     style = style_of(dimension, half_width, sign)
     form: str = style["dimpost"]

@@ -68,8 +68,7 @@ def part_drawing(
     StudyError : a tolerance of a dimension that the cell lacks, or one that is not positive
     """
     tolerances = checked_tolerances(part.source, tolerances or {})
-    lengths = [each for each in dimensions(part.source) if each.kind not in ("angle", "turn")]
-    short = [abs(length.value) < SHORTEST for length in lengths]
+    short = [abs(each.value) < SHORTEST for each in dimensions(part.source) if not each.is_angle]
     with reproducible():
         sheet = Sheet.of(outlines(part), title, date)
         left, bottom, right, top = FRAME, FRAME, sheet.size[0] - FRAME, sheet.size[1] - FRAME

@@ -23,6 +23,11 @@ Place = tuple[float, float]
 Kind = Literal["across", "deep", "left", "right", "width", "radius", "angle", "turn", "seen", "level"]
 
 MM = 1e3  # mm in a metre
+OF_DISC: dict[str, Kind] = {
+    "diameter": "seen", **dict.fromkeys(LENGTHS, "seen"), "draft": "angle", "turn": "turn",
+    "low": "level", "high": "level",
+}  # fmt: skip
+"""Kinds of the numbers of a disc; see `Dimension`."""
 
 
 @dataclass(frozen=True)
@@ -107,6 +112,11 @@ class Dimension:
     high: float = 0.0
     place: Place = (0.0, 0.0)
 
+    @property
+    def is_angle(self) -> bool:
+        """True for an angle, in rad; other numbers are lengths."""
+        return self.kind in ("angle", "turn")
+
 
 def dimensions(cell: UnitCell) -> list[Dimension]:
     """Every dimension of a cell, in the cell's unit of length and radians."""
@@ -160,10 +170,8 @@ def heights(thickness: float, pillar: Pillar | None, at: str = "cell.pillar") ->
 
 def of_disc(disc: Disc, at: str) -> list[Dimension]:
     """Numbers of a disc, which a table of the study gives."""
-    kinds: dict[str, Kind] = {"diameter": "seen", **dict.fromkeys(LENGTHS, "seen"), "draft": "angle"}
-    kinds |= {"turn": "turn", "low": "level", "high": "level"}
-    given = {name: getattr(disc, name) for name in kinds}
-    return [Dimension(f"{at}.{name}", value, kinds[name]) for name, value in given.items() if value]
+    given = {name: getattr(disc, name) for name in OF_DISC}
+    return [Dimension(f"{at}.{name}", value, OF_DISC[name]) for name, value in given.items() if value]
 
 
 def dimensions_of(cell: UnitCell) -> dict[str, float]:

@@ -92,13 +92,15 @@ def lines(key: Key) -> dict[str, str]:
         "allowed": allowed_at(key),
         "names": ", ".join(key.numbers or (key.known_names if key.named and key.kind != "text" else ())),
         "usual": key.typical,
-        "default": key.default_text
-        if not key.required
-        else "none: required in a table of this kind"
-        if key.is_alternative
-        else "none: the key is required",
+        "default": _default(key),
         "example": example(key),
     }
+
+
+def _default(key: Key) -> str:
+    if not key.required:
+        return key.default_text
+    return "none: required in a table of this kind" if key.is_alternative else "none: the key is required"
 
 
 def example(key: Key) -> str:
