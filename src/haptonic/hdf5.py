@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from haptonic.later import h5py, xarray as xr
 
+SIGNATURE = b"\x89HDF\r\n\x1a\n"  # first bytes of an HDF5 file
+STUDY = "study"  # attribute of a result with the text of its study
 # attributes by which HDF5 and NetCDF mark dimensions
 DIMENSION_MARKS = frozenset(
     {"CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_Netcdf4Dimid", "_Netcdf4Coordinates",

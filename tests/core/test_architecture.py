@@ -83,7 +83,7 @@ ALLOWED: dict[str, set[str]] = {
     # from here on down to the command line: what is reported, what is asked, what is computed, what shows it
     "views": {"gate", "pages", "progress"},
     "results": LOWER | {"pages", "plots", "views", "vtu"},
-    "description": LOWER - {"atomic", "store"} | {"results"},
+    "description": LOWER - {"atomic", "store"} | {"foreign", "results"},
     "report": LOWER | {"description", "pages", "plots", "results", "views"},
     "analyses": LOWER | {"channels", "description", "jobs", "plots", "report", "results", "workshop"},
     "study": {"analyses", "description", "errors", "fields", "progress", "results", "store"},

@@ -156,3 +156,28 @@ def test_an_axis_that_is_no_axis(what, picture):
 def test_what_a_picture_cannot_be_asked_for(asked, code, argument, words):
     name, how = asked
     refused(lambda: Bands(reference_bands()).plot(name, **how), words, code=code, argument=argument)
+
+
+def test_bands_of_another_pitch_share_the_corners_of_the_first():
+    first = reference_bands()
+    second = first.assign(distance=first["distance"] * 0.8)
+    axes = Figure(layout="constrained").add_subplot()
+    Bands(first).plot(ax=axes, label="first")
+    limits, corners = (axes.get_xlim(), axes.get_ylim()), list(axes.get_xticks())
+    Bands(second).plot(ax=axes, label="second", color="#cc0000")
+    assert (axes.get_xlim(), axes.get_ylim()) == limits
+    assert list(axes.get_xticks()) == corners
+    ends = {line.get_xdata()[-1] for line in axes.lines if str(line.get_gid()).startswith("branch")}
+    assert ends == {first["distance"].values[-1]}
+    assert [text.get_text() for text in axes.get_legend().get_texts()][:2] == ["first", "second"]
+    gaps = [to_hex(patch.get_facecolor()) for patch in axes.patches if patch.get_gid() == "gap"]
+    assert len(set(gaps)) == 2, "gaps of two designs look alike"
+    assert len([line for line in axes.lines if line.get_gid() == "carrier"]) <= 1
+
+
+def test_bands_without_gaps():
+    figure = Bands(reference_bands()).plot(gaps=False, label="a $ b")
+    axes = figure.axes[0]
+    assert not [patch for patch in axes.patches if str(patch.get_gid()).startswith("gap")]
+    assert not [text for text in axes.texts if "gap" in text.get_text()]
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["a $ b"]

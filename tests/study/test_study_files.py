@@ -3,6 +3,7 @@
 import os
 
 import pytest
+import xarray as xr
 
 from five_parts import refusing
 from haptonic.errors import StudyError
@@ -78,3 +79,20 @@ class TestUnreadableFiles:
 
         monkeypatch.setattr("pathlib.Path.open", denied)
         self.refused(tmp_path / "study.toml", "forbidden")
+
+
+class TestStudiesInResults:
+    def test_a_result_contains_its_study(self, tmp_path, reference_text):
+        path = tmp_path / "touchpad.toml"
+        path.write_text(reference_text)
+        study = load(path)
+        result = study.with_keys({"bands.accuracy": 1e-2, "bands.count": 4, "bands.points": 10}).bands()
+        result.write(tmp_path / "answer")
+        again = load(tmp_path / "answer" / "bands.nc")
+        assert again == study.with_keys({"bands.accuracy": 1e-2, "bands.count": 4, "bands.points": 10})
+        assert again.bands().dataset.attrs["inputs"] == result.dataset.attrs["inputs"]
+
+    def test_a_netcdf_file_of_others_is_refused(self, tmp_path):
+        xr.Dataset({"x": ("n", [1.0])}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
+        with refusing(StudyError, "missing", "study"):
+            load(tmp_path / "other.nc")

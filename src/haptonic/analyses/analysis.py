@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import MISSING, dataclass, fields
 from numbers import Integral, Real
 from pathlib import Path
@@ -16,6 +16,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import Supports
 from haptonic.analyses.tables import example_of, settings_of
 from haptonic.errors import HaptonicError, StudyError, shown
+from haptonic.hdf5 import STUDY
 from haptonic.names import listed
 from haptonic.paths import source
 from haptonic.results.cost import Cost
@@ -179,7 +180,15 @@ class Analysis:
 
     def run(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
         """Check and compute for a call in Python; errors name options as in Python, not as flags."""
-        return self._called(self.compute, study, runner, given)
+        return self._called(self.answer, study, runner, given)
+
+    def answer(self, study: Any, options: Any, runner: Runner) -> Result:
+        """Compute the result; its dataset contains the text of the study, from which `load` reads it."""
+        result = self.compute(study, options, runner)
+        if study is not None and "inputs" in result.dataset.attrs:
+            with suppress(StudyError):  # a material, given in Python, that cannot be written
+                result.dataset.attrs[STUDY] = study.to_toml()
+        return result
 
     def examined(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:
         """Check the options and examine the files; errors as from `run`."""

@@ -158,7 +158,7 @@ def _compute(analysis: Analysis, study: Description, chosen: Any, runner: Runner
         runner.progress(done, planned, f"{analysis.name}, {what}" if what else analysis.name)
 
     analysis.need_supported(study, chosen)
-    return analysis.compute(study, chosen, replace(runner, progress=progress))
+    return analysis.answer(study, chosen, replace(runner, progress=progress))
 
 
 def _reported(study: Description) -> Iterator[tuple[Analysis, Any]]:

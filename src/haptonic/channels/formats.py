@@ -11,6 +11,7 @@ from haptonic.channels import delimited, hdf5, matlab, tdms, uff, wav
 from haptonic.channels.notes import Notebook
 from haptonic.channels.signals import Group, SignalFile
 from haptonic.errors import ChannelError, ResourceError
+from haptonic.hdf5 import SIGNATURE
 
 
 @dataclass(frozen=True)
@@ -28,14 +29,13 @@ class Format:
 
 
 HEAD = 4096  # bytes for the detection
-_HDF5 = b"\x89HDF\r\n\x1a\n"
 _DELIMITER = re.compile(rb"^    -1 *\r?$", re.MULTILINE)
 
 # The order matters: a MATLAB file of version 7.3 is HDF5 behind a block of its own.
 FORMATS = (
     Format("TDMS", (".tdms",), tdms.read, lambda head: head.startswith(b"TDSm")),
     Format("MATLAB", (".mat",), matlab.read, lambda head: head.startswith(b"MATLAB 5.0")),
-    Format("HDF5", (".h5", ".hdf5", ".nc"), hdf5.read, lambda head: _HDF5 in (head[:8], head[512:520])),
+    Format("HDF5", (".h5", ".hdf5", ".nc"), hdf5.read, lambda head: SIGNATURE in (head[:8], head[512:520])),
     Format("WAV", (".wav",), wav.read, lambda head: head.startswith(b"RIFF") and head[8:12] == b"WAVE"),
     Format("CSV", (".csv",), delimited.read),
     Format("UFF", (".uff", ".unv", ".uf"), uff.read, lambda head: bool(_DELIMITER.search(head))),

@@ -208,7 +208,7 @@ def once(analysis: Analysis, given: dict[str, Any], voice: Voice) -> None:
             about=about,
             folder=folder,
         )
-        result = analysis.compute(study, options, runner)
+        result = analysis.answer(study, options, runner)
     if form is None:  # print the answer before pictures are drawn, which may take as long again
         show(result, voice, every=tables)
     else:

@@ -6,12 +6,12 @@ import json
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from haptonic.arrays import Ints
+from haptonic.arrays import Array, Ints
 from haptonic.errors import HaptonicError
 from haptonic.later import xarray as xr
 from haptonic.plots import style
@@ -49,6 +49,7 @@ CURVE_STYLES = {
     "plate in-plane": CurveStyle(style.ORANGE, style.DASHED, "X"),
 }
 RIGID = "rigid body"
+TINT = 0.2  # opacity of a gap in the colour of its curves
 HATCHES = {"symmetric": "////", "antisymmetric": "\\\\\\\\"}
 
 
@@ -59,12 +60,15 @@ def dispersion(
     title: str = "",
     *,
     natures: bool = False,
+    gaps: bool = True,
+    label: str | None = None,
     wavevectors: WavevectorUnit | None = None,
     ax: Axes | None = None,
 ) -> Figure:
     """Bands along the path; complete gaps shaded, the carrier dashed.
 
     Gaps of one parity in the plate's middle plane are hatched. A curve follows a branch through crossings.
+    Axes that already show bands between the same corners keep their corners and their limits.
 
     Parameters
     ----------
@@ -72,44 +76,72 @@ def dispersion(
     carrier_hz : drive frequency, Hz
     natures : draw each mode in the colour, dashes and marker of its nature, also where this changes
         along a branch
+    gaps : shade and name the gaps
+    label : name of the curves in the legend
     wavevectors : unit of the length of the path, which is then written below the corners
     """
     on = stage(ax, 11.5)
     axes = on.axes
-    distance = dataset["distance"].values
-    axes.set_xlim(distance[0], distance[-1])
-    axes.set_ylim(0, shown_up_to(dataset, carrier_hz, whole=natures) / 1e3)
-    handles = _shade_incomplete(axes, dataset)
-    for lower, upper, _, _ in complete_gaps(dataset):
-        axes.axhspan(lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")
-    for (lower, upper), waves in parity_gaps(dataset):
+    corners = _corners_of(axes, dataset)
+    if corners is None:
+        distance = dataset["distance"].values
+        axes.set_xlim(distance[0], distance[-1])
+        axes.set_ylim(0, shown_up_to(dataset, carrier_hz, whole=natures) / 1e3)
+        _shade_incomplete(axes, dataset)
+        mark_corners(axes, dataset, wavevectors)
+        axes.set_ylabel("frequency (kHz)")
+    else:
+        dataset = _stretched(dataset, corners)
+    colour = style.INK if natures else colours([style.INK])[0]
+    is_one_of_several = label is not None or corners is not None
+    shade, edge = to_rgba(style.GAP), style.GAP_EDGE
+    if is_one_of_several and colour != style.INK:
+        shade, edge = to_rgba(colour, TINT), colour
+    of_one_parity = parity_gaps(dataset) if gaps else []
+    for lower, upper, _, _ in complete_gaps(dataset) if gaps else []:
+        axes.axhspan(lower / 1e3, upper / 1e3, facecolor=shade, edgecolor="none", zorder=0, gid="gap")
+    for (lower, upper), waves in of_one_parity:
         axes.axhspan(
-            lower / 1e3, upper / 1e3, facecolor="none", edgecolor=style.GAP_EDGE, hatch=HATCHES[waves],
+            lower / 1e3, upper / 1e3, facecolor="none", edgecolor=edge, hatch=HATCHES[waves],
             linewidth=0.0, alpha=0.35, zorder=0, gid=f"gap {waves}",
         )  # fmt: skip
-    present = _draw_branches(axes, dataset, None if natures else colours([style.INK])[0])
-    mark_corners(axes, dataset, wavevectors)
-    axes.set_ylabel("frequency (kHz)")
+    present = _draw_branches(axes, dataset, None if natures else colour, label)
     if title:
         axes.set_title(title, parse_math=False)
     strokes = [(name, CURVE_STYLES[name]) for name in present if natures]
     handles = [
         *(Line2D([], [], color=stroke.colour, ls=stroke.dashes, marker=stroke.marker, ms=3.5, label=name)
           for name, stroke in strokes),
-        *handles,
+        *axes.get_legend_handles_labels()[0],
     ]  # fmt: skip
     if handles:
         on.legend(handles, ncols=min(3, len(handles)), handlelength=3.4)
-    labels = [(centre, text, style.GAP_EDGE) for centre, text in _gap_labels(dataset)]
-    labels += [
-        (0.5 * sum(edges) / 1e3, f"gap of\n{waves}\nwaves", style.GAP_EDGE)
-        for edges, waves in parity_gaps(dataset)
-    ]
-    if carrier_hz is not None:
+    labels = [(centre, text, edge) for centre, text in _gap_labels(dataset)] if gaps else []
+    labels += [(0.5 * sum(edges) / 1e3, f"gap of\n{waves}\nwaves", edge) for edges, waves in of_one_parity]
+    if carrier_hz is not None and not _shows_carrier(axes, carrier_hz):
         axes.axhline(carrier_hz / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
         labels.append((carrier_hz / 1e3, f"carrier\n{hz_text(carrier_hz, form='g')}", style.CARRIER))
     label_right(axes, labels)
     return on.figure
+
+
+def _corners_of(axes: Axes, dataset: xr.Dataset) -> Array | None:
+    """Places of the corners on axes that already show bands between the same corners; None on others."""
+    names = [text.get_text().split("\n")[0] for text in axes.get_xticklabels()]
+    is_same = names == json.loads(dataset.attrs["path_labels"])
+    return np.asarray(axes.get_xticks()) if is_same and axes.lines else None
+
+
+def _stretched(dataset: xr.Dataset, corners: Array) -> xr.Dataset:
+    """Bands of another pitch, whose path has another length, between these corners."""
+    distance = dataset["distance"]
+    own = distance.values[json.loads(dataset.attrs["path_corners"])]
+    return dataset.assign(distance=distance.copy(data=np.interp(distance, own, corners)))
+
+
+def _shows_carrier(axes: Axes, carrier_hz: float) -> bool:
+    lines = [line for line in axes.lines if line.get_gid() == "carrier"]
+    return any(np.isclose(np.asarray(line.get_ydata())[0], carrier_hz / 1e3) for line in lines)
 
 
 def shown_up_to(dataset: xr.Dataset, carrier_hz: float | None, *, whole: bool = False) -> float:
@@ -131,18 +163,18 @@ def _last_band(dataset: xr.Dataset) -> tuple[float, float, bool]:
     return lowest, highest, lowest < LEAST_SHOWN * highest
 
 
-def _shade_incomplete(axes: Axes, dataset: xr.Dataset) -> list[Artist]:
-    """Shade the range of bands that were not computed; its entry of the legend if it is in view."""
+def _shade_incomplete(axes: Axes, dataset: xr.Dataset) -> None:
+    """Shade the range of bands that were not computed, and name it for the legend if it is in view."""
     lowest, _, few = _last_band(dataset)
     top = axes.get_ylim()[1]
     if few:
-        return []
+        return
     name = f"bands above band {dataset.sizes['band']} are missing"
-    patch = axes.axhspan(
-        lowest / 1e3, 2 * top, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond", label=name,
+    axes.axhspan(
+        lowest / 1e3, 2 * top, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond",
+        label=name if top > lowest / 1e3 * (1 + 1e-9) else None,
     )  # fmt: skip
     axes.set_ylim(0, top)
-    return [patch] if top > lowest / 1e3 * (1 + 1e-9) else []
 
 
 def complete_gaps(dataset: xr.Dataset) -> list[tuple[float, float, float, float]]:
@@ -201,8 +233,11 @@ def mark_corners(axes: Axes, dataset: xr.Dataset, unit: WavevectorUnit | None = 
     axes.set_xlabel(f"length of the path ({of_path.name})")
 
 
-def _draw_branches(axes: Axes, dataset: xr.Dataset, color: str | None) -> list[str]:
-    """Draw all curves, in one colour or by their characters; names of these, in the order of the legend."""
+def _draw_branches(axes: Axes, dataset: xr.Dataset, color: str | None, label: str | None) -> list[str]:
+    """Draw all curves, in one colour or by their characters; names of these, in the order of the legend.
+
+    ``label`` : of the first of the curves in one colour
+    """
     names = json.loads(dataset.attrs["character_names"])
     character = dataset["character"].values
     seen: set[str] = set()
@@ -210,7 +245,8 @@ def _draw_branches(axes: Axes, dataset: xr.Dataset, color: str | None) -> list[s
         height = curve.frequency / 1e3
         if color is not None:
             gid = f"branch {curve.branch[0]}"
-            axes.plot(curve.distance, height, color=color, lw=1.1, gid=gid, zorder=3)
+            axes.plot(curve.distance, height, color=color, lw=1.1, gid=gid, zorder=3, label=label)
+            label = None
             continue
         kind = _without_rigid(character[np.arange(len(curve.band)), curve.band], names.index(RIGID))
         for start, stop in _runs(kind, curve.branch):

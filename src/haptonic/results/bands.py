@@ -241,10 +241,17 @@ class Bands(Result):
         "Simulated dispersion along the edge of the irreducible zone. Complete gaps are shaded, those of one "
         "parity hatched.",
     )
-    def _dispersion(self, *, wavevectors: WavevectorUnit | None = None, ax: Axes | None = None) -> Figure:
-        """Band diagram with the complete gaps and the carrier; ``wavevectors`` is a unit for the path."""
+    def _dispersion(
+        self,
+        *,
+        gaps: bool = True,
+        label: str | None = None,
+        wavevectors: WavevectorUnit | None = None,
+        ax: Axes | None = None,
+    ) -> Figure:
+        """Band diagram with the complete gaps and the carrier; see `haptonic.plots.dispersion`."""
         carrier = self.dataset.attrs.get("carrier_hz")
-        return plots.dispersion(self.dataset, carrier, wavevectors=wavevectors, ax=ax)
+        return plots.dispersion(self.dataset, carrier, gaps=gaps, label=label, wavevectors=wavevectors, ax=ax)
 
     @figure(
         "natures",

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from haptonic import plots
+from haptonic.hdf5 import STUDY
 from haptonic.plots.looks import PICTURE_KINDS, choice
 from haptonic.progress import Progress
 from haptonic.results.common import write_files
@@ -75,12 +76,13 @@ def shown_by(result: Result) -> dict[str, Any] | None:
 
 
 def _contents(dataset: xr.Dataset) -> dict[str, Any]:
-    """All numbers and attributes of a dataset in a form for `haptonic.store.canonical`."""
+    """All numbers and attributes of a dataset but its study, in a form for `haptonic.store.canonical`."""
     variables = {
         str(name): (variable.dims, _hashed(variable.values), _attributes(variable.attrs))
         for name, variable in dataset.variables.items()
     }
-    return {"variables": variables, "attributes": _attributes(dataset.attrs)}
+    shown = {name: value for name, value in dataset.attrs.items() if name != STUDY}
+    return {"variables": variables, "attributes": _attributes(shown)}
 
 
 def _attributes(attributes: Mapping[Any, Any]) -> dict[str, Any]:

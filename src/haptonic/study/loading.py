@@ -14,7 +14,7 @@ from haptonic.fields import read, table
 from haptonic.fields.reading import read_listing
 from haptonic.paths import source
 from haptonic.study.schema import Description
-from haptonic.study.text_file import text_of
+from haptonic.study.text_file import is_result, text_of
 from haptonic.study.trial_tables import TrialSettings, TrialsFile
 
 S = TypeVar("S", bound=Description)
@@ -27,7 +27,7 @@ _BARE_QUANTITY = re.compile(r"=\s*[+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?\s*[A-Za-zµ]"
 
 
 def load_as(path: str | Path, kind: type[S]) -> S:
-    """Read a study file.
+    """Read a study from its file, or from the NetCDF file of a result, such as ``bands.nc``.
 
     Parameters
     ----------
@@ -43,7 +43,9 @@ def load_as(path: str | Path, kind: type[S]) -> S:
     HaptonicWarning : a value outside its typical range
     """
     checked = source(path, "study", StudyError)
-    return loads_as(text_of(checked), kind, str(path), checked.parent)
+    text = text_of(checked)
+    # the path of a CAD file is relative to the study, and in a result to the folder of the run
+    return loads_as(text, kind, str(path), None if is_result(checked) else checked.parent)
 
 
 def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | None = None) -> S:

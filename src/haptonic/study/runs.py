@@ -112,7 +112,7 @@ for _name in NAMES:  # after the class statement, so that methods do not become 
 
 
 def load(path: str | Path) -> Study:
-    """Read a study file; see `haptonic.study.loading.load_as`."""
+    """Read a study from its file or from a result, ``bands.nc``; see `haptonic.study.loading.load_as`."""
     return load_as(path, Study)
 
 

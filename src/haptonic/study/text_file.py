@@ -1,17 +1,19 @@
-"""Text of a study file, read without the modules that understand it."""
+"""Text of a study, from its file or from a result, read without the modules that understand it."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from haptonic.errors import CLOSE, StudyError, nearest, shown
+from haptonic.errors import CLOSE, ChannelError, ResourceError, StudyError, nearest, shown
+from haptonic.foreign.process import ask
+from haptonic.hdf5 import SIGNATURE, STUDY
 from haptonic.study.template import ENDING
 
 LARGEST_FILE = 1_000_000  # bytes; a study needs a few thousand
 
 
 def text_of(path: Path) -> str:
-    """Text of a study file.
+    """Text of a study file, or of the study in the NetCDF file of a result.
 
     Raises
     ------
@@ -34,6 +36,8 @@ def text_of(path: Path) -> str:
     except (OSError, ValueError) as error:
         cause = getattr(error, "strerror", None) or str(error)
         raise _refused("unreadable", path, f"error of the system: {cause}", "check the path") from None
+    if content.startswith(SIGNATURE):
+        return _text_in_result(path)
     if len(content) > LARGEST_FILE:
         cause = f"it is larger than {LARGEST_FILE} bytes"
         raise _refused("too-large", path, cause, "check that it is a study file")
@@ -51,12 +55,29 @@ def text_of(path: Path) -> str:
     return text
 
 
+def is_result(path: Path) -> bool:
+    """True for an HDF5 file, such as the NetCDF file of a result."""
+    with path.open("rb") as file:
+        return file.read(len(SIGNATURE)) == SIGNATURE
+
+
+def _text_in_result(path: Path) -> str:
+    try:
+        text = ask("hdf5.tree", path, deep=False)["attributes"].get(STUDY)
+    except (ChannelError, ResourceError, OSError) as error:
+        raise _refused("malformed", path, "it is a damaged HDF5 file", "compute the result again") from error
+    if not isinstance(text, str):
+        next_step = f"give the {ENDING} file of the study, or compute the result again"
+        raise _refused("missing", path, "it is an HDF5 file without the text of a study", next_step)
+    return text
+
+
 def _refused(code: str, path: Path, cause: str, next_step: str) -> StudyError:
     return StudyError(
         code,
         argument="study",
         given=shown(str(path), 200),
-        allowed="a readable text file in TOML",
+        allowed="a readable text file in TOML, or a result of haptonic in NetCDF",
         cause=cause,
         next_step=next_step,
     )
