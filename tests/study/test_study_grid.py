@@ -7,7 +7,7 @@ import pytest
 
 from five_parts import assert_explained
 from haptonic.errors import StudyError
-from haptonic.study import loads
+from haptonic.study import load, loads
 from quick import QUICK_CELL
 
 HEIGHTS = {"vary": "cell.pillar.height", "from": "14 mm", "to": "15 mm", "steps": 2}
@@ -81,3 +81,14 @@ def test_a_column_of_the_grid_is_a_sweep_along_one_expression():
     table = grid.to_dataframe()
     assert list(table)[:2] == ["cell.pillar.height (m)", "cell.pillar.diameter / cell.pitch"]
     assert len(table) == 4
+
+
+def test_all_sweeps_are_one_table_and_each_file_contains_the_study(tmp_path):
+    study = loads(QUICK_CELL).with_keys({"sweep": [HEIGHTS, PITCHES], "bands.accuracy": 1e-2})
+    answer = study.sweep()
+    frame = answer.to_dataframe()
+    assert frame["sweep"].tolist() == [1, 1, 2, 2]
+    assert frame["cell.pillar.height (m)"].tolist()[:2] == pytest.approx([14e-3, 15e-3])
+    assert frame["cell.pitch (m)"].tolist()[2:] == pytest.approx([6e-3, 8e-3])
+    answer.write(tmp_path / "swept")
+    assert all(load(tmp_path / "swept" / f"sweep_{number}.nc") == study for number in (1, 2))

@@ -345,3 +345,30 @@ def test_a_key_that_is_a_word_of_python_has_the_name_of_the_signature():
     assert names == ["vary", "start", "to", "steps"]
     sweep = SweepSettings(vary="cell.pitch", start=6e-3, to="8 mm", steps=3)
     assert sweep == SweepSettings(**{"vary": "cell.pitch", "from": 6e-3, "to": 8e-3, "steps": 3})
+
+
+@pytest.mark.parametrize("name", ["touchpad.toml", "bands.nc"])
+def test_a_file_in_place_of_a_title(name):
+    error = refused(lambda: Study(name), code="malformed", argument="the study")
+    assert f"load({name!r})" in error.next_step
+
+
+def test_a_described_value_does_not_change():
+    study = Study(cell=CELL)
+
+    def change(owner, name):
+        setattr(owner, name, 1.0)
+
+    error = refused(lambda: change(study, "bands_settings"), code="unsupported", argument="bands")
+    assert "study.replace(bands=...)" in error.next_step
+    error = refused(lambda: change(study.cell, "thickness"), code="unsupported", argument="cell.thickness")
+    assert "dataclasses.replace" in error.next_step
+    assert study.bands_settings != 1.0
+
+
+def test_a_key_of_a_sweep_keeps_the_sweeps():
+    sweep = {"vary": "cell.thickness", "from": "1 mm", "to": "2 mm", "steps": 5}
+    study = Study(cell=CELL, sweep=[sweep, sweep | {"steps": 7}])
+    changed = study.with_keys({"sweep[2].steps": 3})
+    assert [each.steps for each in changed.sweep_settings] == [5, 3]
+    assert not study.with_keys({"bands.count": 9}).sweep_settings

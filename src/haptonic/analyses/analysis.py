@@ -183,11 +183,13 @@ class Analysis:
         return self._called(self.answer, study, runner, given)
 
     def answer(self, study: Any, options: Any, runner: Runner) -> Result:
-        """Compute the result; its dataset contains the text of the study, from which `load` reads it."""
+        """Compute the result; its files contain the text of the study, from which `load` reads it."""
         result = self.compute(study, options, runner)
-        if study is not None and "inputs" in result.dataset.attrs:
+        if study is not None:
             with suppress(StudyError):  # a material, given in Python, that cannot be written
-                result.dataset.attrs[STUDY] = study.to_toml()
+                text = study.to_toml()
+                for dataset in result.datasets:
+                    dataset.attrs[STUDY] = text
         return result
 
     def examined(self, study: Any, runner: Runner, given: Mapping[str, Any]) -> Result:

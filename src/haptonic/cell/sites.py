@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from haptonic.cell.sectors import unmeshed
 from haptonic.cell.stack import Feature
 from haptonic.cell.tile import HALF_TURNED, PlacedTile, SiteTile, TileShape
 from haptonic.errors import GeometryError
-from haptonic.fields import Quantity, described, problem, setting
+from haptonic.fields import Aliases, Quantity, described, meant, problem, setting
 from haptonic.lattice import LEAST_SIDE, Lattice, Operation
 from haptonic.materials import Material, is_symmetry
 from haptonic.translations import SAME
@@ -46,6 +46,14 @@ class Site:
     ``at`` is in translations of the lattice, ``position`` in metres along x and y, both from a corner of the
     cell that the translations span.
     """
+
+    aliases: ClassVar[Aliases] = meant(
+        "position",
+        "x",
+        "y",
+        cause="both coordinates are one value",
+        next_step='write position = ["1 mm", "2 mm"]',
+    )
 
     at: tuple[Annotated[float, SHARE], Annotated[float, SHARE]] | None = setting(
         None, 'Shares of the two translations, such as ["1/3", "2/3"]; each from 0 to below 1.', title="Site"

@@ -15,9 +15,9 @@ checked in ``__post_init__``, which raises `problem`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields
-from functools import wraps
+from functools import partialmethod, wraps
 from keyword import iskeyword
 from typing import Any, TypeVar, cast, dataclass_transform
 
@@ -25,7 +25,7 @@ import numpy as np
 from pydantic import ConfigDict, Field, ValidationError
 from pydantic.dataclasses import dataclass
 
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields.keys import slots
 from haptonic.fields.problems import refusal
 from haptonic.fields.reading import any_placed, in_shape
@@ -74,6 +74,8 @@ def described(
 
         @wraps(check)
         def checked(self: Any, *given: Any, **named: Any) -> None:
+            if kw_only and given:
+                raise _unnamed(given[0], place, family, [slot.key for slot in slots(value)])
             try:
                 named = {keywords.get(key, key): plain(each) for key, each in named.items()}
                 check(self, *given, **(in_shape(value, named, complete=not given) if moved else named))
@@ -85,9 +87,42 @@ def described(
             raise refused  # outside of the except clause, so that pydantic's error is not its context
 
         value.__init__ = checked
+        value.__setattr__ = partialmethod(_refuse_change, place, family)
         return cast("type[T]", value)
 
     return decorate
+
+
+def _unnamed(given: object, place: str, family: type[HaptonicError], names: Sequence[str]) -> HaptonicError:
+    """Error for a positional argument of a class with keyword arguments only."""
+    is_file = isinstance(given, str) and given.endswith((".toml", ".nc"))
+    return family.malformed(
+        argument=place or "the study",
+        given=shown(given, 60),
+        allowed=", ".join(f"{name}=..." for name in names),
+        cause="it is the name of a file" if is_file else "a value without the name of its key",
+        next_step=f"load the file: haptonic.load({given!r})"
+        if is_file
+        else "write the name before the value",
+    )
+
+
+def _refuse_change(value: Any, place: str, family: type[HaptonicError], name: str, given: Any) -> None:
+    """Raise the error for ``value.name = given``."""
+    key = {slot.name: slot.key for slot in slots(type(value))}.get(name, name)
+    kind = type(value).__name__
+    copy = (
+        f"study.replace({key}=...)"
+        if hasattr(value, "replace")
+        else f"dataclasses.replace(value, {name}=...)"
+    )
+    raise family.unsupported(
+        argument=f"{place}.{key}".lstrip("."),
+        given=shown(given, 60),
+        allowed="a value that is given when the object is made",
+        cause=f"an object of {kind} does not change after it is made",
+        next_step=f"make a changed copy, {copy}",
+    )
 
 
 def plain(value: Any) -> Any:

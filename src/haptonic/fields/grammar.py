@@ -200,9 +200,12 @@ class _Evaluation:
     def _unknown(self, name: str) -> CalculationError:
         known = ", ".join(self.known)
         listed = f"the parameters are {known}" if known else "the study has no [parameters]"
-        guess = nearest(name, [*self.known, *(FUNCTIONS if len(name) > 2 else ())])
-        if guess:
+        follower = self._next()
+        functions = FUNCTIONS if len(name) > 2 and follower.text == "(" else ()
+        if guess := nearest(name, [*self.known, *functions]):
             next_step = f'write "{guess}"'
+        elif follower.kind == "name" and follower.text in symbols():
+            next_step = f"write a number before the unit, such as 6 {follower.text}"
         elif name in symbols():
             next_step = f"write a number before the unit: 1 {name}"
         else:

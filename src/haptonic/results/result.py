@@ -177,6 +177,11 @@ class Result:
         def dataset(self) -> xr.Dataset:
             """The whole answer: labelled arrays with units, stamped with their inputs."""
 
+    @property
+    def datasets(self) -> tuple[xr.Dataset, ...]:
+        """Datasets that are written to files, each with the inputs; by default the whole answer."""
+        return (self.dataset,)
+
     def view(self) -> InteractiveView | None:
         """Contents of the interactive view; None for a result that has none."""
         return None

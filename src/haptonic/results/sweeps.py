@@ -13,7 +13,7 @@ from haptonic import plots
 from haptonic.bloch.gap_datasets import carrier_margins
 from haptonic.bloch.mesh_levels import rounded_up
 from haptonic.gate import declared
-from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.later import Axes, Figure, pandas as pd, xarray as xr
 from haptonic.plots.text import band_text
 from haptonic.results.common import Writer, write_netcdf
 from haptonic.results.result import Result, figure, file
@@ -162,6 +162,10 @@ class Sweeps(Result):
         declared(joined, **dict.fromkeys(set(VALUES) & set(joined), missing))
         return joined.assign_coords(expression=("sweep", names))
 
+    @property
+    def datasets(self) -> tuple[xr.Dataset, ...]:
+        return tuple(row.dataset for row in self.rows)
+
     def summary(self) -> list[str]:
         sentences = []
         for row in self.rows:
@@ -182,6 +186,14 @@ class Sweeps(Result):
 
     def tables(self) -> list[Table]:
         return [row.table() for row in self.rows]
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """One row for each design, in SI units; with several sweeps the first column numbers them."""
+        frames = [table.to_dataframe() for table in self.tables()]
+        if len(frames) == 1:
+            return frames[0]
+        numbered = pd.concat(frames, keys=range(1, len(frames) + 1), names=["sweep"])
+        return numbered.reset_index("sweep").reset_index(drop=True)
 
     def remarks(self) -> list[str]:
         left = [

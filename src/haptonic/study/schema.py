@@ -6,6 +6,7 @@ file, checks, help, labels and the written file follow from these declarations.
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Container, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -272,7 +273,7 @@ class Description:
         )
 
     def with_keys(self, changes: Mapping[str, Any]) -> Self:
-        """The study with changed keys of its file, and without sweeps: one design.
+        """The study with changed keys of its file; without sweeps, unless one of the keys belongs to a sweep.
 
         ``study.with_keys({"cell.lattice": "triangular", "bands.count": 20, "cell.pitch": "8 mm"})``
 
@@ -285,7 +286,11 @@ class Description:
         ------
         StudyError : an unknown key, a value that is not allowed, or a study that cannot be written as a file
         """
-        tables = tomllib.loads(self._with_parameters({}, None).to_toml())
+        changes_sweeps = isinstance(changes, Mapping) and any(
+            re.match(r"sweep\b", str(key)) for key in changes
+        )
+        kept = self if changes_sweeps else self._with_parameters({}, None)
+        tables = tomllib.loads(kept.to_toml())
         changed = read(type(self), with_values(tables, changes), "study")
         warn_caller(changed._slips(), caller())
         return changed

@@ -125,6 +125,10 @@ class PlateResult(Result, products=PRODUCTS):
         return self.lines
 
     @property
+    def datasets(self) -> tuple[xr.Dataset, ...]:
+        return self.lines, self.response.dataset, self.marked.dataset, self.modes
+
+    @property
     def drive(self) -> float:
         """Amplitude of the first drive, used in pictures, in the unit of the reference."""
         return reference_of(self.plate)[1]
