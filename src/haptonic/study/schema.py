@@ -6,7 +6,6 @@ file, checks, help, labels and the written file follow from these declarations.
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Container, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -286,10 +285,8 @@ class Description:
         ------
         StudyError : an unknown key, a value that is not allowed, or a study that cannot be written as a file
         """
-        changes_sweeps = isinstance(changes, Mapping) and any(
-            re.match(r"sweep\b", str(key)) for key in changes
-        )
-        kept = self if changes_sweeps else self._with_parameters({}, None)
+        of_sweeps = isinstance(changes, Mapping) and any(str(key).startswith("sweep") for key in changes)
+        kept = self if of_sweeps else self._with_parameters({}, None)
         tables = tomllib.loads(kept.to_toml())
         changed = read(type(self), with_values(tables, changes), "study")
         warn_caller(changed._slips(), caller())
