@@ -18,6 +18,7 @@ from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
 from haptonic.names import counted, listed
 from haptonic.plate import Layout, Plate
+from haptonic.plate.layout.parts import Bond
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
@@ -131,13 +132,22 @@ class StudyPlan(Result):
         rows: list[tuple[Cell, ...]] = [
             (
                 patch.name,
-                f"{patch.size[0] * 1e3:.4g} x {patch.size[1] * 1e3:.4g}",
+                " x ".join(f"{side * 1e3:.4g}" for side in patch.size),
+                patch.material.name,
+                _glue(patch.bond),
                 *patch.centre,
                 patch.voltage,
             )
             for patch in plate.actuators
         ]
-        columns: list[Column | str] = ["patch", "size / mm", *wide, Column("voltage", "V", form=".4g")]
+        columns: list[Column | str] = [
+            "patch",
+            "size / mm",
+            "material",
+            "glue",
+            *wide,
+            Column("voltage", "V", form=".4g"),
+        ]
         if len(plate.carriers(self.carrier or 0.0)) > 1:
             columns.append(Column("carrier", "Hz", "kHz", "g"))
             rows = [
@@ -167,6 +177,10 @@ class StudyPlan(Result):
     def _plan(self, *, ax: Axes | None = None) -> Figure:
         assert self.plate is not None
         return plots.plate_plan(self.plate, ax=ax)
+
+
+def _glue(bond: Bond | None) -> str:
+    return "none" if bond is None else f"{bond.material.name}, {format_quantity(bond.thickness, 'm')}"
 
 
 def _lattices(layout: Layout) -> Table:

@@ -8,6 +8,7 @@ from haptonic import plots
 from haptonic.bloch import Gap
 from haptonic.later import xarray as xr
 from haptonic.names import listed
+from haptonic.plate import Plate
 from haptonic.plate.vibration.datasets import part_name
 from haptonic.plate.vibration.modes import has_one_lobe
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
@@ -100,14 +101,27 @@ def _findings(result: PlateResult) -> list[str]:
         k = max(lobed, key=lambda mode: shares[mode])
         quality, plate_alone = float(result.modes["quality_factor"][k]), 1 / result.plate.loss_factor
         lattice = sum(float(stored.sel(part=part[name])[k]) for name in result.plate.layout.cells)
-        change = "raise" if quality > plate_alone else "reduce"
+        others = _lossy_parts(result.plate)
+        change = ("raise" if quality > plate_alone else "reduce") + "s" * (len(others) == 1)
+        share = in_percent(abs(1 - quality / plate_alone), form=".1f")
         findings.append(
             f"Mode {names[k]} of the driven guide has a quality factor of {quality:.0f}. With the loss "
-            f"factor of the plate alone it would be {plate_alone:.0f}; patch, bond and supports {change} it "
-            f"by {in_percent(abs(1 - quality / plate_alone), form='.1f')}. {in_percent(lattice)} of the "
+            f"factor of the plate alone it would be {plate_alone:.0f}"
+            f"{f'; {listed(others)} {change} it by {share}' if others else ''}. {in_percent(lattice)} of the "
             "strain energy is in the mirrors, which have the loss factor of the plate."
         )
     return findings
+
+
+def _lossy_parts(plate: Plate) -> list[str]:
+    """Parts with a loss factor of their own."""
+    present = {
+        "patch": plate.actuators,
+        "bond": [patch for patch in plate.actuators if patch.bond is not None],
+        "supports": plate.supports,
+        "finger": plate.finger,
+    }
+    return [name for name, parts in present.items() if parts]
 
 
 def _of_carrier(answer: CarrierAnswer) -> Finding:
