@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_plate import EDGES, LOSS, UNKNOWNS, YOUNG, measured, plate, small
+from small_plate import EDGES, LINES, LOSS, UNKNOWNS, YOUNG, measured, plate, small
 
 from five_parts import refusing
 from haptonic.errors import ScanError
@@ -90,6 +90,26 @@ def test_another_plate_is_refused():
     other = replace(data, response=np.roll(data.response, 3, axis=1)[::-1])
     with refusing(ScanError, "no-answer", "fit", "unexplained"):
         fitted(small(), other)
+
+
+@pytest.mark.parametrize(
+    ("change", "cause"),
+    [
+        (np.conj, "exp(-i omega t)"),
+        (lambda response: 1e3 * response, "1000 times"),
+        pytest.param(np.negative, "against z", marks=pytest.mark.nightly),
+        pytest.param(
+            lambda response: response / (2j * np.pi * LINES[:, None]),
+            "displacement",
+            marks=pytest.mark.nightly,
+        ),
+    ],
+    ids=["conjugate", "millimetres", "opposite sign", "displacement"],
+)
+def test_a_misread_measurement_is_recognised(change, cause):
+    data = measured(*TRUE.values())
+    with refusing(ScanError, "no-answer", "fit", cause):
+        fitted(small(), replace(data, response=change(data.response)))
 
 
 def test_noise_is_weighed_by_line_and_by_point():

@@ -128,7 +128,7 @@ class TestRegistration:
 
     def test_bad_fits(self):
         line = np.column_stack([np.arange(9.0), np.arange(9.0)])
-        for scan in (line, CORNERS[:2]):
+        for scan in (line, CORNERS[:2] + 0.01):
             with refusing(ScanError, "malformed", "registration.fit"):
                 register_by_fit(scan, CORNERS)
 
@@ -373,3 +373,34 @@ def test_a_scale_that_a_wrong_unit_would_cause_gives_a_remark(scale, doubtful):
     registration = Registration(scale=scale, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=0.0)
     assert (len(registration.doubts) == 1) == doubtful
     assert all(f"scaled by {scale:.4g}" in doubt for doubt in registration.doubts)
+
+
+class TestPartsOfAPlan:
+    """Scans that lack rows of their plan, or contain a point beside it."""
+
+    PLAN = scan_plan(PLATE, 4e-3).points
+
+    def test_points_in_the_coordinates_of_the_plate_are_not_moved(self):
+        for kept in (self.PLAN[:, 0] > 0.02, self.PLAN[:, 0] < 0.07, self.PLAN[:, 1] < 0.03):
+            fit = register_by_fit(self.PLAN[kept], self.PLAN)
+            assert (fit.scale, fit.angle, fit.shift.tolist()) == (1.0, 0.0, [0.0, 0.0])
+            assert fit.repeats is None
+            assert fit.covered == pytest.approx(kept.mean(), abs=0.1)
+
+    @given(st.integers(0, 10**6))
+    def test_a_point_beside_the_plate_moves_nothing(self, seed):
+        chance = np.random.default_rng(seed)
+        shift = chance.uniform(-0.3, 0.3, 2)
+        beside = self.PLAN.max(axis=0) + chance.uniform(0.0, 0.2, 2) * [1, 0] + [1e-3, 0.0]
+        fit = register_by_fit(moved(np.vstack([self.PLAN, beside]), 1.0, 0.0, shift), self.PLAN)
+        assert fit.scale == 1.0
+        assert fit.shift == pytest.approx(shift, abs=2e-4)
+        assert not fit.doubts
+
+    def test_a_part_with_unknown_origin_gives_a_doubt(self):
+        part = self.PLAN[self.PLAN[:, 0] < 0.07]
+        fit = register_by_fit(moved(part, 1.0, 0.0, [0.3, 0.2]), self.PLAN)
+        assert fit.scale == 1.0
+        assert "--corners" in "".join(fit.doubts)
+        whole = register_by_fit(moved(self.PLAN, 1.0, 0.0, [0.3, 0.2]), self.PLAN)
+        assert not whole.doubts

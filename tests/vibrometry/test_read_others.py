@@ -148,6 +148,25 @@ class TestMatlab:
         ]
         assert np.isfinite(scan.response.values).all()
 
+    def test_a_point_of_zeros_was_not_measured(self, tmp_path, save):
+        values = VALUES.T.copy()
+        values[3] = 0.0
+        save(tmp_path / "a.mat", frf=values, f=LINES, x=X, y=Y)
+        scan = read_scan(tmp_path / "a.mat")
+        assert [str(point) for point in scan.report.dropped] == [
+            "point 4 (row 4): all of its numbers are zero"
+        ]
+
+    def test_a_line_without_numbers_is_left_out(self, tmp_path, save):
+        """Programs write 0 / 0 for a ratio of spectra at 0 Hz."""
+        values = VALUES.T.copy()
+        values[:, 2] = np.nan
+        save(tmp_path / "a.mat", frf=values, f=LINES, x=X, y=Y)
+        scan = read_scan(tmp_path / "a.mat")
+        assert scan.report.points == len(X)
+        assert scan.response.frequency == pytest.approx(np.delete(LINES, 2))
+        assert any("1 line without a number" in text for text in scan.report.remarks)
+
     @pytest.mark.parametrize(
         ("arrays", "words"),
         [

@@ -19,8 +19,9 @@ from haptonic.bloch import Gap
 from haptonic.bloch.settings import BandSettings
 from haptonic.errors import ResponseError, ScanError
 from haptonic.later import xarray as xr
+from haptonic.names import counted
 from haptonic.plate import Layout, Plate
-from haptonic.plate.layout.sampling import driven_region, tile_names
+from haptonic.plate.layout.sampling import driven_region, driven_regions, tile_names
 from haptonic.plate.vibration.region_measures import marked_lines
 from haptonic.progress import Progress, silent
 from haptonic.response import FrequencyResponse, average_spectrum
@@ -43,10 +44,18 @@ from haptonic.vibrometry.estimation.spectra import Estimator, WindowName
 from haptonic.vibrometry.guides import Mirror, guides_of, mirror_beside, without_mode
 from haptonic.vibrometry.maps.waves import grid_step
 from haptonic.vibrometry.of_settings import Tiles, plan_for
-from haptonic.vibrometry.on_plate import contrast_range, decay_in, guide_waves, lattice_gap, region_levels
+from haptonic.vibrometry.on_plate import (
+    contrast_range,
+    decay_in,
+    guide_waves,
+    lattice_gap,
+    reason_of,
+    region_levels,
+)
 from haptonic.vibrometry.settings import ScanSettings
 from haptonic.vibrometry.theory import computed_waves
 
+LOUDER = 6.0  # dB, by which a region that is not driven may vibrate more than the driven one
 FAR = 0.5  # registration misfit relative to the step of the grid; a larger misfit gives a remark
 
 
@@ -230,6 +239,8 @@ def compute_scan(
     waves = _waves(response, on, mirror, store)
     remarks += [] if waves is None else without_mode(layout)
     remarks += _doubts_of_places(response, registration, layout)
+    if len(driven_regions(on.plate)) == 1:
+        remarks += _doubts_of_orientation(data, driven_regions(on.plate)[0])
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
         measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,
@@ -300,8 +311,29 @@ def _doubts_of_places(response: FrequencyResponse, registration: Registration, l
     remarks += registration.doubts
     outside = sum(name is None for name in tile_names(layout, response.points))
     if outside:
-        remarks.append(f"{outside} points lie outside the plate of the study")
+        lie = "lies" if outside == 1 else "lie"
+        remarks.append(f"{counted(outside, 'point')} {lie} outside the plate of the study")
     return remarks
+
+
+def _doubts_of_orientation(data: xr.Dataset, driven: str) -> list[str]:
+    """Remark on a region that vibrates more than the only driven one, as in a scan that is turned around.
+
+    The outline of most plates is the same after half a turn, so that the places cannot show it.
+    """
+    if "rms" not in data or driven not in data["region"].values:
+        return []
+    levels = data["rms"].where(data["rms"] > 0)
+    # of all frequencies, because in the gap the difference is largest and the sum is that of the resonances
+    excess = 20 * xr.apply_ufunc(np.log10, levels / levels.sel(region=driven))
+    means = excess.mean("frequency").fillna(-np.inf)
+    most, loudest = max(zip(means.values.tolist(), means["region"].values.tolist(), strict=True))
+    if most < LOUDER:
+        return []
+    return [
+        f"{loudest} vibrates {most:.0f} dB more on average than {driven}, the driven region; if the scan is "
+        "turned around or mirrored, give the corners of the plate in it (--corners, --mirrored)"
+    ]
 
 
 def _beside_lattice(
@@ -319,12 +351,12 @@ def _beside_lattice(
     try:
         contrast = contrast_range(response, plate)
     except (ScanError, ResponseError) as error:
-        reasons.append(f"no range of high contrast: {error.given}")
+        reasons.append(f"no range of high contrast: {reason_of(error)}")
     if mirror is not None:
         try:
             decay = decay_in(response, mirror)
         except (ScanError, ResponseError) as error:
-            reasons.append(f"no decay: {error.given}")
+            reasons.append(f"no decay: {reason_of(error)}")
         else:
             data.update(decay.rename(error="error_of_decay"))
             data.attrs["decay"] = json.dumps(decay.attrs)

@@ -189,7 +189,7 @@ def fitted(small: SmallModel, data: MeasuredResponse, progress: Progress = silen
         if error < small.tolerance or (number > 1 and unexplained > UNEXPLAINED):
             break
     if unexplained > UNEXPLAINED:
-        raise _unlike(unexplained)
+        raise _unlike(unexplained, small, data, before)
     progress(0, 0, "the same with new tiles")
     exact = data.seen(small.anew(x))
     match = replace(match, defect=exact - match.response(x))
@@ -248,12 +248,41 @@ def _numbers(space: Space, x: Array, intervals: Uncertainty) -> tuple[Fitted, ..
     return tuple(numbers)
 
 
-def _unlike(unexplained: float) -> ScanError:
+def _unlike(unexplained: float, small: SmallModel, data: MeasuredResponse, before: Complex) -> ScanError:
+    """Error for a measurement that the plate explains with no numbers within their bounds."""
+    cause, next_step = _misread(small, data, before) or (
+        "another plate, points that are turned or mirrored, another reference than the drive, narrow bounds",
+        "compare the maps of `haptonic scan` and `haptonic plate`; register the scan; widen [fit.vary]",
+    )
     return ScanError.no_answer(
         argument="fit",
         given=f"a best fit that leaves {in_percent(unexplained)} of the measured energy unexplained",
         allowed=f"at most {in_percent(UNEXPLAINED)}",
-        cause="another plate, points that are turned or mirrored, another reference than the drive, bounds "
-        "too narrow",
-        next_step="look at the maps of model and measurement; register the scan; widen the bounds of [fit]",
+        cause=cause,
+        next_step=next_step,
     )
+
+
+def _misread(small: SmallModel, data: MeasuredResponse, before: Complex) -> tuple[str, str] | None:
+    """Cause and remedy if the plate explains another reading of the measured numbers, at any scale."""
+    turn = 1j * data.omega[:, None]
+    unit = "give the unit of the response (--unit)"
+    read, other = ("velocity", "displacement") if data.velocity else ("displacement", "velocity")
+    readings: tuple[tuple[Complex, str, str], ...] = (
+        (data.response, "the unit is another one, or the voltage", unit),
+        (data.response.conj(), "its phases have the opposite sign, as for exp(-i omega t)", "conjugate it"),
+        (-data.response, "the motion was measured against z", "reverse the sign of the response"),
+        (data.response * (turn if data.velocity else 1 / turn), f"it is a {other}, read as a {read}", unit),
+    )
+    for response, cause, next_step in readings:
+        size = float(np.linalg.norm(response) / np.linalg.norm(before))
+        match = small.match(replace(data, response=response / size))
+        fit = match.response(match.searched())
+        scale = float(np.vdot(fit, match.data.response).real / np.vdot(fit, fit).real)
+        if match.data.unexplained(scale * fit) < UNEXPLAINED:
+            scale *= size
+            return (
+                cause if 0.5 < scale < 2 else f"{cause}; it is {scale:.3g} times the computed one",
+                next_step,
+            )
+    return None

@@ -10,7 +10,7 @@ from pydantic import Field
 from haptonic.fields import Frequency, NumberRange, ascending, described, once, problem, setting
 from haptonic.plate import Plate
 from haptonic.units import format_quantity
-from haptonic.updating.parameters import UNITS, unit_of, values_of
+from haptonic.updating.parameters import UNITS, YOUNG, unit_of, values_of
 
 KNOWN = (*UNITS, "plate.actuator[1].bond.thickness")
 
@@ -65,13 +65,18 @@ class FitSettings:
 
         ``absent`` gives, by name, the reason for a missing number.
         """
-        given = {} if plate is None else values_of(plate)
-        given = {name: value for name, value in given.items() if name not in absent}
+        of_plate = {} if plate is None else values_of(plate)
+        given = {name: value for name, value in of_plate.items() if name not in absent}
         for number, unknown in enumerate(self.vary, start=1):
             at, name = f"fit.vary[{number}]", unknown.parameter
             if name not in given:
                 cause = absent.get(name, "this study does not give it")
                 next_step = "give it in this study, as the value to begin with, or leave this table out"
+                if name == YOUNG and plate is not None and name not in of_plate:
+                    cause = "a modulus is fitted only to a plate of a single isotropic material"
+                    next_step = (
+                        "leave this table out; constants of crystals and of several materials are kept"
+                    )
                 raise problem("missing", name, "a number of this study", cause, next_step, f"{at}.parameter")
             value = given[name]
             low, high = (format_quantity(end, unknown.unit) for end in (unknown.low, unknown.high))

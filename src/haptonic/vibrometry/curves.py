@@ -15,7 +15,9 @@ from haptonic.arrays import Array
 from haptonic.channels import Notebook
 from haptonic.channels.labels import Motion, steps
 from haptonic.errors import ScanError
+from haptonic.names import counted
 from haptonic.response import FrequencyResponse, Reference
+from haptonic.units import hz_text
 
 SAME_LINE = 1e-4  # of the line spacing: files give the spacing with six digits
 AXES = {1: "x", 2: "y", 3: "z"}
@@ -77,7 +79,7 @@ def assemble(
     ------
     ScanError : several references and no choice, or no curve left
     """
-    curves = _ascending(curves, notes)
+    curves = _without_empty_lines(_ascending(curves, notes), notes)
     measured = [curve for curve in curves if curve.kind == "response"]
     measured = _of_one_reference(measured, reference, notes)
     measured = _of_one_estimator(measured, estimator, notes)
@@ -241,11 +243,34 @@ def _accepted(curves: list[Curve], notes: Notebook, refuse: Callable[[Curve], st
     return accepted
 
 
+def _without_empty_lines(curves: list[Curve], notes: Notebook) -> list[Curve]:
+    """Leave out lines without a number in any response, such as the one at 0 Hz of a ratio of spectra."""
+    responses = [curve for curve in curves if curve.kind == "response"]
+    shapes = {np.shape(curve.values) for curve in responses}
+    if len(shapes) != 1 or shapes != {np.shape(curve.frequency) for curve in responses}:
+        return curves
+    empty = ~np.isfinite([curve.values for curve in responses]).any(axis=0)
+    if not empty.any() or empty.all():
+        return curves
+    ends = np.unique(responses[0].frequency[empty][[0, -1]])
+    notes.remark(
+        f"{counted(int(empty.sum()), 'line')} without a number in any point left out: {hz_text(*ends)}"
+    )
+    return [
+        replace(curve, frequency=curve.frequency[~empty], values=curve.values[~empty])
+        if np.shape(curve.values) in shapes
+        else curve
+        for curve in curves
+    ]
+
+
 def _not_finite(curve: Curve) -> str | None:
     """Reason for refusing the numbers of a curve, or None."""
     bad = np.count_nonzero(~np.isfinite(curve.values))
     if bad:
         return f"{bad} of its {len(curve.values)} numbers are not finite"
+    if not np.any(curve.values):
+        return "all of its numbers are zero"
     lines = curve.frequency
     if not (len(lines) and np.isfinite(lines).all()):
         return "its frequencies are not finite"

@@ -64,8 +64,15 @@ def guide_waves(response: FrequencyResponse, layout: Layout) -> tuple[xr.Dataset
         try:
             waves[guide.region] = wavenumber_map(response, guide.region, guide.along)
         except HaptonicError as error:
-            reasons.append(f"no waves along {guide.region}: {error.given}; {error.cause}")
+            reasons.append(f"no waves along {guide.region}: {reason_of(error)}")
     return _by_guide(waves) if waves else xr.Dataset(), reasons
+
+
+def reason_of(error: HaptonicError) -> str:
+    """Why a result is missing, in a few words."""
+    if error.argument == "region" and error.code == "unknown":
+        return f"no point of the scan lies in {error.given}"
+    return f"{error.given}; {error.cause}"
 
 
 def _by_guide(waves: Mapping[str, xr.DataArray]) -> xr.Dataset:
@@ -99,7 +106,7 @@ def lattice_gap(response: FrequencyResponse, plate: Plate, data: xr.Dataset) -> 
     try:
         decay = decay_along(response, strips_of(plate.layout, mirror) if mirror else [])
     except (ScanError, ResponseError) as error:
-        return LatticeGap(None, None, (f"no edges of the gap: {error.given}",))
+        return LatticeGap(None, None, (f"no edges of the gap: {reason_of(error)}",))
     data["row_decay"] = decay
     assert mirror is not None
     if mirror.repeat > 1:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import attrgetter
 from typing import Annotated
 
 import numpy as np
@@ -13,13 +14,17 @@ import scipy
 from haptonic.arrays import Array
 from haptonic.errors import ScanError
 from haptonic.response import FrequencyResponse
-from haptonic.units import In
+from haptonic.units import In, in_percent
 from haptonic.vibrometry.planning import Region
 
 ROUNDS = 50  # at most in the best fit; it converges in far fewer
 SETTLED = 1e-12  # of the plate's size
 AS_GOOD = 1.05  # ratio of two misfits that count as equal
+ON_THE_PLAN = 0.02  # of the step of the plan: points this near to planned ones lie on them
+MUCH_BETTER = 0.5  # ratio of misfits for which another scale is taken
+STRAY = 3.0  # times the usual distance of neighbours, for a point that is left out of the fit
 SAME_SCALE = 0.05  # relative change of the scale; a larger one gives a remark
+WHOLE = 0.8  # of the planned points; a scan that covers less gives a remark
 WORST = 0.25  # of the size of a plate: a larger misfit means that the points belong to something else
 
 
@@ -30,6 +35,8 @@ class Registration:
     angle : rad, anticlockwise
     shift : (2,) m
     misfit : rms distance of the point pairs, m
+    repeats : shift by a step of the plan that fits as well, (2,) m, if any
+    covered : share of the planned points that have a point of the scan beside them; 1 without a plan
     """
 
     scale: float
@@ -37,6 +44,8 @@ class Registration:
     shift: Annotated[Array, In("m")]
     mirrored: bool
     misfit: Annotated[float, In("m")]
+    repeats: Annotated[Array | None, In("m")] = None
+    covered: float = 1.0
 
     @property
     def sentence(self) -> str:
@@ -50,10 +59,22 @@ class Registration:
 
     @property
     def doubts(self) -> list[str]:
-        """Remark on a change of the scale that a wrong unit of lengths would cause."""
-        if abs(self.scale - 1) <= SAME_SCALE:
-            return []
-        return [f"lengths were scaled by {self.scale:.4g} to fit the plate: check their unit"]
+        """Remarks on a scale that a wrong unit of lengths would cause, and on other equally good places."""
+        remarks = []
+        if self.covered < WHOLE:
+            remarks.append(
+                f"the points cover {in_percent(self.covered)} of the plan: a part of the plate was scanned, "
+                "or another plate; check the registration"
+            )
+        if abs(self.scale - 1) > SAME_SCALE:
+            remarks.append(f"lengths were scaled by {self.scale:.4g} to fit the plate: check their unit")
+        if self.repeats is not None:
+            x, y = 1e3 * self.repeats
+            remarks.append(
+                f"the points fit the plan equally well {x:.3g} mm farther along x and {y:.3g} mm along y: "
+                "give the corners of the plate in the scan (--corners)"
+            )
+        return remarks
 
     def of(self, points: Array) -> Array:
         """(point, 2) positions on the plate of points of the scan, m."""
@@ -152,8 +173,10 @@ def register_by_fit(
 ) -> Registration:
     """Best fit of all points of a scan to the planned ones, each to its nearest (iterative closest points).
 
-    It starts from the smallest rectangles around both, in all four orientations; of fits that are equally
-    good because of the symmetry of a grid, the one with the smallest rotation is used.
+    A scan whose points lie on planned ones is not moved. Otherwise the fit starts from the points as they
+    are, and from the smallest rectangles around both in all four orientations. Of fits that are equally good
+    because of the symmetry of a grid, the one with the smallest rotation and then the smallest shift is used.
+    Another scale than 1 is taken only if it fits much better. Single points far from all others are left out.
 
     Parameters
     ----------
@@ -165,33 +188,106 @@ def register_by_fit(
     ScanError : points on a line, or no good fit
     """
     seen = scan * np.array([-1.0, 1.0]) if mirrored else scan
+    seen = seen[_distances(seen) <= STRAY * np.median(_distances(seen))] if len(seen) > 2 else seen
+    plan, sure = _Plan(plate), ON_THE_PLAN * float(np.median(_distances(plate)))
+    given = Registration(scale=1.0, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=np.inf)
+    given = replace(given, misfit=plan.misfit(given, seen))
+    if given.misfit <= sure and not mirrored:
+        return replace(given, covered=plan.covered(given, seen))
+    best = _nearest_fit([given, *_starts(seen, plate, scaled=False)], seen, plan, sure, scaled=False)
+    if scaled and best.misfit > sure:
+        other = _nearest_fit(_starts(seen, plate, scaled=True), seen, plan, sure, scaled=True)
+        best = other if other.misfit < MUCH_BETTER * best.misfit else best
+    if best.misfit > WORST * np.ptp(plate, axis=0).min():
+        raise _wrong("fit", f"a misfit of {best.misfit * 1e3:.4g} mm", "points of the same plate")
+    by_steps = [replace(best, shift=best.shift + step) for step in plan.steps]
+    repeats = [fit for fit in by_steps if plan.misfit(fit, seen) <= AS_GOOD * best.misfit + sure]
+    if repeats:
+        best = replace(best, repeats=repeats[0].shift - best.shift)
+    return replace(best, mirrored=mirrored, covered=plan.covered(best, seen))
+
+
+class _Plan:
+    """Planned points (m, 2), m, and their neighbours."""
+
+    def __init__(self, points: Array) -> None:
+        self.points, self.tree = points, scipy.spatial.cKDTree(points)
+
+    def near(self, points: Array) -> Array:
+        """(n, 2) planned point nearest to each of the points."""
+        return np.asarray(self.points[self.tree.query(points)[1]])
+
+    def misfit(self, fit: Registration, seen: Array) -> float:
+        """Root mean square distance of the moved points to the nearest planned ones, m."""
+        return float(np.sqrt((self.tree.query(fit.of(seen))[0] ** 2).mean()))
+
+    def covered(self, fit: Registration, seen: Array) -> float:
+        """Share of the planned points that have a moved point beside them."""
+        points = fit.of(seen)
+        step = max(float(np.median(_distances(places))) for places in (points, self.points))
+        return float((scipy.spatial.cKDTree(points).query(self.points)[0] <= step).mean())
+
+    @property
+    def steps(self) -> list[Array]:
+        """Shifts by one step of the grid, to both sides along x and y."""
+        tolerance = 1e-6 * np.ptp(self.points)
+        apart = [np.diff(np.unique(self.points[:, axis])) for axis in (0, 1)]
+        sizes = [gaps[gaps > tolerance].min(initial=np.inf) for gaps in apart]
+        unit = np.eye(2)
+        return [
+            sign * sizes[axis] * unit[axis] for axis in (0, 1) if np.isfinite(sizes[axis]) for sign in (1, -1)
+        ]
+
+
+def _starts(seen: Array, plate: Array, *, scaled: bool) -> list[Registration]:
+    """Registrations that place the smallest rectangle around the points on that of the plate."""
     (size, tilt, middle), (target_size, target_tilt, target) = _rectangle(seen), _rectangle(plate)
-    tree, fits = scipy.spatial.cKDTree(plate), list[Registration]()
+    starts = []
     for quarter in range(4):
         angle = target_tilt - tilt + quarter * np.pi / 2
-        sides = size[::-1] if quarter % 2 else size
-        scale = float(np.sqrt(target_size.prod() / sides.prod())) if scaled else 1.0
-        fit = Registration(
-            scale=scale,
-            angle=angle,
-            shift=target - scale * _turn(angle) @ middle,
-            mirrored=False,
-            misfit=np.inf,
-        )
-        for _ in range(ROUNDS):
-            near = plate[tree.query(fit.of(seen))[1]]
-            better = register_by_corners(seen, near, scaled=scaled)
-            settled = abs(fit.misfit - better.misfit) <= SETTLED * target_size.max()
-            fit = better
-            if settled:
-                break
-        fits.append(fit)
+        scale = float(np.sqrt(target_size.prod() / size.prod())) if scaled else 1.0
+        shift = target - scale * _turn(angle) @ middle
+        starts.append(Registration(scale=scale, angle=angle, shift=shift, mirrored=False, misfit=np.inf))
+    return starts
+
+
+def _nearest_fit(
+    starts: Sequence[Registration], seen: Array, plan: _Plan, sure: float, *, scaled: bool
+) -> Registration:
+    """Least turned and least moved of the best fits that these registrations lead to."""
+    fits = [_settled(start, seen, plan, scaled=scaled) for start in starts]
     least = min(fit.misfit for fit in fits)
-    equal = [fit for fit in fits if fit.misfit <= AS_GOOD * least + 1e-9 * target_size.max()]
-    best = min(equal, key=lambda fit: abs(float(np.angle(np.exp(1j * fit.angle)))))
-    if best.misfit > WORST * target_size.min():
-        raise _wrong("fit", f"a misfit of {best.misfit * 1e3:.4g} mm", "points of the same plate")
-    return replace(best, mirrored=mirrored)
+    equal = [fit for fit in fits if fit.misfit <= AS_GOOD * least + sure]
+    best = min(
+        equal,
+        key=lambda fit: (
+            round(abs(float(np.angle(np.exp(1j * fit.angle)))), 3),
+            float(((fit.of(seen) - seen) ** 2).mean()),
+        ),
+    )
+    while True:  # points that are too many at one side have moved the grid by a step or more
+        moved = [replace(best, shift=best.shift + step) for step in plan.steps]
+        by_step = min(
+            (_settled(start, seen, plan, scaled=scaled) for start in moved), key=attrgetter("misfit")
+        )
+        if by_step.misfit >= best.misfit - sure:
+            return best
+        best = by_step
+
+
+def _settled(fit: Registration, seen: Array, plan: _Plan, *, scaled: bool) -> Registration:
+    """The best fit that a registration leads to, each point with its nearest planned one."""
+    for _ in range(ROUNDS):
+        better = register_by_corners(seen, plan.near(fit.of(seen)), scaled=scaled)
+        if abs(fit.misfit - better.misfit) <= SETTLED * np.ptp(plan.points, axis=0).max():
+            return better
+        fit = better
+    return fit
+
+
+def _distances(points: Array) -> Array:
+    """(n,) distance of each point to its nearest neighbour, m."""
+    return np.asarray(scipy.spatial.cKDTree(points).query(points, k=2)[0][:, 1])
 
 
 def _rectangle(points: Array) -> tuple[Array, float, Array]:
