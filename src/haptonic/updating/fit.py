@@ -280,9 +280,9 @@ def _misread(small: SmallModel, data: MeasuredResponse, before: Complex) -> tupl
         fit = match.response(match.searched())
         scale = float(np.vdot(fit, match.data.response).real / np.vdot(fit, fit).real)
         if match.data.unexplained(scale * fit) < UNEXPLAINED:
-            scale *= size
+            power = round(np.log10(scale * size))  # the fit of the loss factor leaves the scale uncertain
             return (
-                cause if 0.5 < scale < 2 else f"{cause}; it is {scale:.3g} times the computed one",
+                f"{cause}; it is about {10.0**power:g} times the computed one" if power else cause,
                 next_step,
             )
     return None
