@@ -55,7 +55,7 @@ def compute(study: Description, options: ProtocolOptions, runner: Runner) -> Tri
     pairs = protocol.pairs
     powers, needed = [], []
     for population in populations.values():
-        needed.append(participants_needed(population, pairs, wanted=section.power, seed=section.seed))
+        needed.append(participants_needed(population, pairs, wanted=section.power))
     most = max([MOST_DRAWN, *(people + 2 for people in needed if people)])
     tried = sorted({*range(2, most + 1), max(participants, 2)})
     for population in populations.values():
@@ -66,9 +66,7 @@ def compute(study: Description, options: ProtocolOptions, runner: Runner) -> Tri
     )
     least = None
     if participants > 1:
-        least = smallest_shown(
-            next(iter(populations.values())), participants, pairs, wanted=section.power, seed=section.seed
-        )
+        least = smallest_shown(next(iter(populations.values())), participants, pairs, wanted=section.power)
     joined["reduction"] = ("waveguide", [population.reduction for population in populations.values()])
     joined["needed"] = ("waveguide", np.array([np.nan if n is None else n for n in needed], dtype=float))
     joined["shown"] = np.nan if least is None else least

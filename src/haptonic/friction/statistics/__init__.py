@@ -24,6 +24,7 @@ from haptonic.friction.statistics.pairs import Pairs, paired
 from haptonic.friction.statistics.planning import (
     Alarms,
     Population,
+    expected_power,
     false_alarms,
     participants_needed,
     power,
@@ -46,6 +47,7 @@ __all__ = [
     "corrected",
     "drift",
     "equivalence",
+    "expected_power",
     "false_alarms",
     "paired",
     "participants_needed",

@@ -194,8 +194,20 @@ def drift(trials: xr.Dataset) -> IntervalEstimate:
                 else "leave this participant out, or add trials without vibration",
             )
         friction = trials["friction"].values[rows][rows_used]
-        centred = _without_guides(friction, trials["waveguide"].values[rows][rows_used])
-        slopes.append(float(np.polyfit(place[rows_used], centred, 1)[0] / friction.mean()))
+        guide = trials["waveguide"].values[rows][rows_used]
+        # both less the means of their region: a region that is felt later is not a drift, and its mean
+        # contains a part of the drift
+        moved, change = _without_guides(place[rows_used], guide), _without_guides(friction, guide)
+        spread = float(moved @ moved)
+        if spread == 0:
+            raise FrictionError.too_few(
+                argument=f"trials of {name}",
+                given="one trial with the vibration off in each region",
+                allowed="two of a region",
+                cause="a drift cannot be distinguished from a difference of the regions",
+                next_step="leave this participant out, or add trials without vibration",
+            )
+        slopes.append(float(moved @ change) / spread / float(friction.mean()))
     each = np.array(slopes)
     if len(each) < 2:
         return IntervalEstimate(float(each.mean()), math.nan, math.nan, "one participant only")
@@ -204,10 +216,10 @@ def drift(trials: xr.Dataset) -> IntervalEstimate:
     return IntervalEstimate(float(each.mean()), float(each.mean()) - reach, float(each.mean()) + reach)
 
 
-def _without_guides(friction: Array, guide: NDArray[np.str_]) -> Array:
-    """Friction less the mean of its waveguide, because plates of unequal roughness are not a drift."""
-    means = {name: friction[guide == name].mean() for name in set(guide)}
-    return np.asarray(friction - np.array([means[name] for name in guide]))
+def _without_guides(values: Array, guide: NDArray[np.str_]) -> Array:
+    """Values less the mean of their waveguide, because plates of unequal roughness are not a drift."""
+    means = {name: values[guide == name].mean() for name in set(guide)}
+    return np.asarray(values - np.array([means[name] for name in guide]))
 
 
 def _check_the_same_people(driven: Pairs, idle: Pairs) -> None:
@@ -252,6 +264,11 @@ def _among_these(value: float, cloud: Array, pairs: Pairs) -> IntervalEstimate:
     fewest = min(int((pairs.participant == name).sum()) for name in pairs.people)
     if fewest < 2:
         note = "a participant with a single pair of trials: their scatter is unknown"
+        return IntervalEstimate(
+            value=value, low=math.nan, high=math.nan, note=note, about="these participants"
+        )
+    if np.isnan(cloud).all():
+        note = "no draw of the trials has a reduction"
         return IntervalEstimate(
             value=value, low=math.nan, high=math.nan, note=note, about="these participants"
         )
