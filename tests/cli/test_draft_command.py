@@ -43,6 +43,15 @@ def test_columns_are_found_in_drawn_names(tmp_path_factory, form, person, guide)
     assert rows == expected
 
 
+def test_blanks_in_the_names_of_people(tmp_path):
+    people = ("ann", "de Vries", "van der Berg")
+    for name in (f"{who}_blk1_WG1_{a}_{t}.csv" for who in people for a in ("on", "off") for t in (1, 2)):
+        (tmp_path / name).touch()
+    draft = drafted(tmp_path)
+    assert not draft.empty
+    assert set(draft.columns["participant"]) == set(people)
+
+
 def test_a_draft_is_written_once_and_read(inside, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     folder = written(tmp_path / "lab", simulated(trials=4))

@@ -450,6 +450,13 @@ class TestTables:
             (lambda t: t.iloc[:0], "missing", "trials.csv", "no rows below the head"),
             (lambda t: t.assign(start="soon", stop=1.0), "malformed", "trials.csv", ""),
             (lambda t: t.assign(file="gone.csv"), "not-found", "gone.csv: gone.csv", ""),
+            (lambda t: t.assign(file=t.file.iloc[0]), "repeated", "trials.csv: file", "trial 1 and for"),
+            (
+                lambda t: t.assign(file=t.file.iloc[0], start=0.0, stop=1.0),
+                "repeated",
+                "trials.csv: file",
+                "trial 1 and for",
+            ),
         ],
     )
     def test_wrong_tables_are_refused(self, tmp_path, change, code, argument, given):

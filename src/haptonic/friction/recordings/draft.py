@@ -26,6 +26,7 @@ LETTERS = {
 }  # fmt: skip
 NUMBERED = ("block", "trial")
 _PART = re.compile(r"(?:on|off)(?=\d)|[^\W\d_]+\d*|\d+", re.IGNORECASE)
+_WITH_BLANKS = re.compile(r"(?:on|off)(?=\d)|[^\W\d_]+(?: [^\W\d_]+)*\d*|\d+", re.IGNORECASE)
 _MIXED = re.compile(r"([^\W\d_]+)(\d+)")
 
 
@@ -70,7 +71,12 @@ def drafted(folder: Path) -> Draft:
             cause="another folder, or records in another format",
             next_step="choose the folder with the records",
         )
-    parts = [parts_of(name) for name in files]
+    # if some names have more words than others, a blank may be part of one, as in "de Vries_1_on"
+    parts = min(
+        ([pattern.findall(str(Path(name).with_suffix(""))) for name in files]
+         for pattern in (_PART, _WITH_BLANKS)),
+        key=lambda rows: len(set(map(len, rows))),
+    )  # fmt: skip
     usual = Counter(map(len, parts)).most_common(1)[0][0]
     rows = [row if len(row) == usual else [""] * usual for row in parts]
     places = {place: [row[place] for row in rows] for place in range(usual)}
@@ -121,11 +127,6 @@ def records_in(folder: Path) -> list[str]:
         for name, hides in zip(names, hidden, strict=True)
         if not hides and name.name.casefold() not in (TABLE, CALIBRATION)
     ]
-
-
-def parts_of(name: str) -> list[str]:
-    """Words and numbers of the name of a file and of its folders, without its ending."""
-    return _PART.findall(str(Path(name).with_suffix("")))
 
 
 def _meanings(places: dict[int, list[str]]) -> dict[str, int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import groupby, pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -22,11 +22,13 @@ from haptonic.friction.signals.tables import (
     read_columns,
 )
 from haptonic.later import pandas as pd
+from haptonic.names import listed
 
 TABLE = "trials.csv"
 CARRIED = ("order", "direction")  # columns that are copied to the table of results
 ORIGINS = ("measured", "simulated")
 LONGEST = 1e9  # s, of a recording: 30 years
+SHARED = 0.5  # of the shorter of two records, which may overlap by as much
 PORTION = 512  # trials that a worker reads at a time
 
 
@@ -96,8 +98,10 @@ class TrialTable:
             RecordSpan(row, "" if pd.isna(group) else str(group), start, stop)
             for row, (group, start, stop) in enumerate(zip(groups, *times, strict=True))
         ]
+        _need_own_records(path, labels, files, spans)
         if refusals:
             doubts.append(left_out(path, refusals))
+        doubts += [text for name in ("participant", "waveguide") for text in _alike(labels, name)]
         return cls(
             folder=folder,
             labels={name: np.array([getattr(label, name) for label in labels]) for name in LABEL},
@@ -168,6 +172,54 @@ def _files(
         ):
             files[row] = ""
     return files
+
+
+def _need_own_records(
+    path: Path, labels: Sequence[Label], files: Sequence[str], spans: Sequence[RecordSpan]
+) -> None:
+    """Refuse a table in which two trials have the same record, or overlap by more than half of one.
+
+    Raises
+    ------
+    FrictionError : see above
+    """
+    there = {name for name in set(files) if name and _exists(path.parent / name)}
+    records = sorted(
+        (name, span.group, span.start or 0.0, LONGEST if span.stop is None else span.stop, span.row)
+        for name, span in zip(files, spans, strict=True)
+        if name in there
+    )
+    for (name, group, start, stop, row), (other, next_group, begin, end, next_row) in pairwise(records):
+        if (name, group) != (other, next_group):
+            continue
+        if min(stop, end) - begin > SHARED * min(stop - start, end - begin):
+            raise FrictionError.repeated(
+                argument=f"{path.name}: file",
+                given=f"{name} for {labels[row]} and for {labels[next_row]}",
+                allowed="a record of its own for each trial, or start and stop times that do not overlap",
+                cause="a row was copied, or the file contains several trials and their times are missing",
+                next_step="correct the file, or add the columns start and stop (s)",
+            )
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # too long for any file, or with a zero
+        return False
+
+
+def _alike(labels: Sequence[Label], name: str) -> list[str]:
+    """Remarks on names that differ only in capitals and blanks."""
+    spellings: dict[str, dict[str, None]] = {}
+    for label in labels:
+        text = str(getattr(label, name))
+        spellings.setdefault("".join(text.casefold().split()), {})[text] = None
+    return [
+        f"{name}s {listed(list(several))} differ only in capitals or blanks and count as {len(several)}"
+        for several in spellings.values()
+        if len(several) > 1
+    ]
 
 
 def _with_ending(folder: Path, name: str) -> str:

@@ -34,9 +34,10 @@ Columns = dict[str, NDArray[np.generic]]
 
 FEWEST = 10  # samples of a record that a filter can use
 TOGETHER = 64  # strokes; their channels fit into the processor's cache
-# Without a finger, the sensor's output is small relative to the force of a stroke. A finger that lies on it
-# from the start is lifted in the end, which leaves little of the force at the start.
+# Without a finger, the sensor's output is small relative to the force of a stroke, and quiet. A finger that
+# lies on it from the start is lifted in the end, which leaves little of the force at the start.
 LITTLE = 0.2
+QUIETER = 0.5  # of the scatter of the normal force at the start: an end with less is without a finger
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,7 +162,10 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         stroke, far = np.maximum(up, down), np.where(up > down, start[0] + up, start[0] - down)
         back = np.abs(channels[0, :, -window:].mean(axis=1) - start[0]) < RETURNED * stroke
         touched = np.ptp(smooth[0, :, :window], axis=1) > rules.threshold
-        touched |= (stroke > rules.threshold) & ~back & (np.abs(far) < LITTLE * np.abs(start[0]))
+        leaves = (stroke > rules.threshold) & ~back
+        # a sensor at rest shows zero, or if it has an offset, less motion than a finger
+        quieter = smooth[0, :, -window:].std(axis=1) < QUIETER * smooth[0, :, :window].std(axis=1)
+        touched |= leaves & ((np.abs(far) < LITTLE * np.abs(start[0])) | quieter)
         rest, settled = rest_of(channels[:2], smooth[0], start, back, window)
         forces = forces - rest
         zero = start[0]

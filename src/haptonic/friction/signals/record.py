@@ -52,7 +52,8 @@ class Label:
 
 
 def _bad(label: Label, name: str, given: object, allowed: str, next_step: str = "") -> FrictionError:
-    where = f"participant {label.participant!s:.20}, block {label.block!s:.20}, trial {label.trial!s:.20}"
+    parts = {each: f"{getattr(label, each)!s:.20}" for each in ("participant", "block", "trial")}
+    where = ", ".join(f"{each} {value}" for each, value in parts.items() if value)
     return FrictionError.malformed(
         argument=f"{name} of {where}",
         given=shown(given),

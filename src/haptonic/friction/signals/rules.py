@@ -64,8 +64,9 @@ REMEDIES = {
         "leave the minus out before normal in [trials.sensor]: the records of each participant show the sign",
     ),
     "no contact": (
-        "the normal force stays below the threshold: another channel, another unit or a light touch",
-        "check normal and force_unit in [trials.sensor], or lower threshold in [trials]",
+        "the normal force stays below the threshold above its start: another channel, another unit, a light "
+        "touch, or a finger that lies on the plate from start to end",
+        "check normal and force_unit in [trials.sensor], lower threshold in [trials], or begin at rest",
     ),
     "steady part too short": (
         "too few samples have contact and a steady speed in one direction",
