@@ -158,6 +158,22 @@ class TestRefusals:
         cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "slot.step")))
         assert "not whole" in self.refused(cell).given
 
+    @pytest.mark.parametrize("gap", [1e-5, 0.01])
+    def test_a_pillar_above_the_plate(self, tmp_path, gap):
+        plate = prism(SQUARE.corners, 0.0, THICKNESS)
+        loose = occ.Cylinder(occ.Pnt(0, 0, THICKNESS / MM + gap), occ.Z, r=2.0, h=3.0)
+        occ.Compound([plate, loose]).WriteStep(str(tmp_path / "loose.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "loose.step")))
+        assert "2 pieces" in self.refused(cell).given
+
+    def test_a_plate_that_is_not_normal_to_z(self, tmp_path):
+        plate = occ.Box(occ.Pnt(-3.5, 0, -3.5), occ.Pnt(3.5, THICKNESS / MM, 3.5))
+        plate.WriteStep(str(tmp_path / "tilted.step"))
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "tilted.step")))
+        error = self.refused(cell)
+        assert "7 mm x 1.5 mm x 7 mm" in error.given
+        assert "axes" in error.cause
+
     def test_solids_that_overlap(self, tmp_path):
         plate = prism(SQUARE.corners, 0.0, THICKNESS)
         inside = occ.Cylinder(occ.Pnt(0, 0, 0), occ.Z, r=2.0, h=3.0)

@@ -1,13 +1,14 @@
 """Files that cannot be read, each with an error that gives the reason."""
 
 import os
+from pathlib import Path
 
 import pytest
 import xarray as xr
 
 from five_parts import refusing
 from haptonic.errors import StudyError
-from haptonic.study import load
+from haptonic.study import load, loads
 
 
 class TestUnreadableFiles:
@@ -96,3 +97,24 @@ class TestStudiesInResults:
         xr.Dataset({"x": ("n", [1.0])}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
         with refusing(StudyError, "missing", "study"):
             load(tmp_path / "other.nc")
+
+    def test_the_file_of_its_cell_is_found_above_the_result(self, tmp_path, monkeypatch):
+        (tmp_path / "cell.step").touch()
+        folder = tmp_path / "results" / "bands"
+        folder.mkdir(parents=True)
+        solid = '[cell]\npitch = "7 mm"\nthickness = "1 mm"\n[cell.solid]\nfile = "cell.step"\n'
+        text = f'material = "steel"\n{solid}'
+        xr.Dataset(attrs={"study": text}).to_netcdf(folder / "bands.nc", engine="h5netcdf")
+        for place in (tmp_path, folder, tmp_path.parent):
+            monkeypatch.chdir(place)
+            assert Path(load(folder / "bands.nc").cell.solid.file).resolve() == tmp_path / "cell.step"
+
+    def test_the_geometry_of_a_file_cannot_be_swept(self, tmp_path):
+        (tmp_path / "cell.step").touch()
+        text = f"""
+            material = "steel"
+            cell = {{ pitch = "7 mm", thickness = "1 mm", solid = {{ file = "{tmp_path / "cell.step"}" }} }}
+            sweep = [{{ vary = "cell.pitch", from = "6 mm", to = "8 mm", steps = 3 }}]
+        """
+        with refusing(StudyError, "unknown", "sweep[1].vary"):
+            loads(text)

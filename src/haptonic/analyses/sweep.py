@@ -32,11 +32,15 @@ RESONANCES = 3  # number of resonances of the pillar alone
 def check(study: Description, options: NoOptions) -> None:
     """Raise StudyError if the study has no sweep."""
     if not study.sweep_settings:
+        varied = "cell.pillar.diameter / cell.pitch"
+        if study.cell.pillar is None:
+            sizes = (path for path in study.parameters() if path.startswith(("cell.", "material.")))
+            varied = next(sizes, "bands.accuracy")
         raise StudyError.missing(
             argument="sweep",
             allowed="at least one [[sweep]] table",
             cause="the study describes a single design",
-            next_step='add [[sweep]] with vary = "cell.pillar.diameter / cell.pitch", from, to and steps',
+            next_step=f'add [[sweep]] with vary = "{varied}", from, to and steps',
         )
 
 

@@ -14,9 +14,9 @@ from haptonic.superelement.symmetry import THIRD, folds_of
 from haptonic.superelement.trace import trace_levels
 
 # For solids of a CAD file: unknowns per element and cube of the order, measured 0.7 to 1.1; time (s) and
-# memory (bytes) for powers of their number: 13,700 took 2 s, 140,000 took 90 s and 8.5 GB, the lower order a
-# third more.
-SOLID_UNKNOWNS, SOLID_SECONDS, SOLID_COST, SOLID_BYTES, SOLID_GROWTH = 1.0, 6.5e-7, 1.6, 20.0, 1.7
+# memory (bytes) for powers of their number: 13,700 took 2 s, 140,000 took 90 s, 22,000 and 52,000 took 1.1
+# and 3.7 GB.
+SOLID_UNKNOWNS, SOLID_SECONDS, SOLID_COST, SOLID_BYTES, SOLID_GROWTH = 1.0, 6.5e-7, 1.6, 28.0, 1.7
 # For meshes from files, per unknown and unknown of the trace: meshes of 134 hexahedra to 4458 tetrahedra took
 # 56 to 59 bytes and 1.0 to 1.1 us at orders 3 and 4.
 MESH_SECONDS, MESH_BYTES = 1.1e-6, 75.0

@@ -58,6 +58,7 @@ def no_period(answer: dict[str, Any], thickness: float, unit: str) -> GeometryEr
             cause="the plate of the file has another thickness along the sides of the cell",
             next_step=f'write thickness = "{length}" in [cell], or check the unit of the file',
         )
+    extent = " x ".join(format_quantity(float(f"{size:.6g}"), "m") for size in np.ravel(answer["place"]))
     words = _of_mesh(answer, unit) if unit else {
         "empty": (
             "a file without a solid", "at least one solid",
@@ -70,10 +71,16 @@ def no_period(answer: dict[str, Any], thickness: float, unit: str) -> GeometryEr
             "check lattice, pitch and pitch_y against the drawing, and the unit of the file",
         ),
         "sides": (
-            "a plate that is not whole along the sides of the cell", "a flat plate of one thickness there",
-            "around every place tried, holes or pillars reach a side of the cell: they touch their "
-            "neighbours, or the file is not drawn about one of them",
-            "draw one period with its pillar or hole in the middle or at the corners",
+            f"solids of {extent} in x, y and z, whose plate is not whole along the sides of the cell",
+            "a flat plate of one thickness there, normal to z",
+            "the pitch, the unit or the direction of the axes is another one; or around every place tried, "
+            "holes or pillars reach a side of the cell",
+            "compare these sizes with [cell]; draw one period with its pillar or hole in the middle",
+        ),
+        "pieces": (
+            f"{answer['number']:.0f} pieces that no faces join", "solids that touch along faces",
+            "a gap between two solids, perhaps too small to be seen, or solids that touch at an edge only",
+            "close the gap in the program that drew them; solids that touch exactly are joined",
         ),
         "materials": (
             "several solids along the sides of the cell", "one solid along all sides",

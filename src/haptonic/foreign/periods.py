@@ -80,6 +80,8 @@ class DrawnPeriod(FilledTile):
         if not solids:
             self.problem = "empty"
             return
+        low, high = whole.bounding_box
+        extent = np.array([high.x - low.x, high.y - low.y, high.z - low.z]) * self.metres
         first = None
         for origin in _origins(whole, solids):
             self._cut([solid.Move(occ.Vec(-origin[0], -origin[1], 0.0)) for solid in solids])
@@ -88,6 +90,7 @@ class DrawnPeriod(FilledTile):
             first = first or (self.problem, self.number)
         assert first is not None
         self.problem, self.number = first
+        self.place = extent
 
     @property
     def mesh(self) -> Any:
@@ -150,6 +153,8 @@ class DrawnPeriod(FilledTile):
         self.body = occ.Glue(parts) if len(parts) > 1 else parts[0]
         if abs(self.body.mass - sum(part.mass for part in parts)) > SAME_VOLUME * self.body.mass:
             self.problem = "overlap"
+        elif (pieces := _pieces(self.body)) > 1:
+            self.problem, self.number = "pieces", float(pieces)
 
     def _reaches(self, solid: Any, move: NDArray[Any]) -> bool:
         """True if the bounding box of a moved solid meets that of the tile."""
@@ -185,7 +190,7 @@ class DrawnPeriod(FilledTile):
         whole = np.abs(area - length * depth) < SAME * UNITS * length
         level = np.ptp(low) < SAME * UNITS and np.ptp(high) < SAME * UNITS
         if not (np.isfinite(depth).all() and whole.all() and level):
-            self.problem, self.number = "sides", float(np.sum(area) / np.sum(length) * self.metres)
+            self.problem = "sides"
             return None
         if abs(depth.mean() - self.thickness) > SAME * UNITS:
             self.problem, self.number = "thickness", float(depth.mean() * self.metres)
@@ -211,6 +216,18 @@ class DrawnPeriod(FilledTile):
             if abs(common.mass - part.mass) > SAME_VOLUME * part.mass:
                 return False
         return True
+
+
+def _pieces(body: Any) -> int:
+    """Number of pieces that no faces join; glued solids share the faces where they touch."""
+    left = [set(solid.faces) for solid in body.solids]
+    pieces = 0
+    while left:
+        piece, pieces = left.pop(), pieces + 1
+        while joined := [faces for faces in left if faces & piece]:
+            piece = piece.union(*joined)
+            left = [faces for faces in left if faces not in joined]
+    return pieces
 
 
 def _origins(whole: Any, solids: Sequence[Any]) -> Iterator[NDArray[Any]]:

@@ -43,17 +43,19 @@ def load_as(path: str | Path, kind: type[S]) -> S:
     HaptonicWarning : a value outside its typical range
     """
     checked = source(path, "study", StudyError)
-    text = text_of(checked)
-    # the path of a CAD file is relative to the study, and in a result to the folder of the run
-    return loads_as(text, kind, str(path), None if is_result(checked) else checked.parent)
+    return loads_as(text_of(checked), kind, str(path), checked.parent, near=is_result(checked))
 
 
-def loads_as(text: str, kind: type[S], origin: str = "study", folder: Path | None = None) -> S:
+def loads_as(
+    text: str, kind: type[S], origin: str = "study", folder: Path | None = None, *, near: bool = False
+) -> S:
     """Read a study from text; ``origin`` is its name in errors and warnings. Otherwise as `load_as`.
 
-    ``folder`` is the base of paths in the study, by default the working directory.
+    ``folder`` is the base of paths in the study, by default the working directory. With ``near``, as for a
+    result, it is the working directory or the nearest folder above ``folder`` that contains the file.
     """
-    study = read(kind, _placed(parsed_tables(text, origin), folder), origin)
+    data = parsed_tables(text, origin)
+    study = read(kind, _placed(data, _folder_with_solid(data, folder) if near else folder), origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
@@ -93,6 +95,16 @@ def _outside(data: dict[str, Any], placed: dict[str, Any], folder: Path) -> Stud
         cause="the path leads out of the folder",
         next_step="copy the file beside the study, and give its name",
     )
+
+
+def _folder_with_solid(data: dict[str, Any], folder: Path | None) -> Path | None:
+    """Folder of the CAD file of a study in a result: that of the run may be above that of the result."""
+    cell = data.get("cell")
+    solid = cell.get("solid") if isinstance(cell, dict) else None
+    if folder is None or not isinstance(solid, dict) or not isinstance(solid.get("file"), str):
+        return None
+    above = folder.absolute()
+    return next((each for each in (Path(), above, *above.parents) if (each / solid["file"]).is_file()), None)
 
 
 def _placed(data: dict[str, Any], folder: Path | None) -> dict[str, Any]:

@@ -56,7 +56,7 @@ from haptonic.study.named import varied_expressions, with_dependents
 from haptonic.study.plate_tables import PlateSettings
 from haptonic.study.plating import check_carriers, plate_of
 from haptonic.study.ribbon_tables import RibbonSettings
-from haptonic.study.sweeps import SweepSettings, numeric_parameters
+from haptonic.study.sweeps import SweepSettings, can_vary, numeric_parameters
 from haptonic.study.trial_tables import TrialSettings
 from haptonic.study.varied import check_reached, check_sweeps, check_varied
 from haptonic.study.vary import Expression, solve
@@ -213,9 +213,8 @@ class Description:
 
     @cached_property
     def _parameters(self) -> dict[str, float]:
-        allowed = numeric_parameters()  # a study with sweeps needs the values at every step
-        every = numbers(self, names=True).items()
-        return {path: value for path, value in every if path in allowed or path.startswith(NAMED)}
+        every = numbers(self, names=True).items()  # a study with sweeps needs the values at every step
+        return {path: value for path, value in every if path.startswith(NAMED) or can_vary(path, self.cell)}
 
     def units(self) -> dict[str, str]:
         """SI units of the `parameters`, by path."""
@@ -226,6 +225,8 @@ class Description:
     def absent_parameters(self) -> dict[str, str]:
         """Reason why a numeric parameter has no value in this study, by path."""
         absent, built_in = "this study does not give it", ""
+        if self.cell.solid is not None:
+            absent += ", or the file of the cell does"
         if built_in_name(self.cell.material):
             built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
         return {

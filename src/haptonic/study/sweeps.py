@@ -44,6 +44,12 @@ def numeric_parameters() -> Mapping[str, str]:
     return ByPattern({"carrier": CARRIER.unit, **units})
 
 
+def can_vary(path: str, cell: UnitCell) -> bool:
+    """True for a number of the study that an expression can name; the geometry of a CAD file is fixed."""
+    is_of_file = cell.solid is not None and path.startswith("cell.") and not path.startswith("cell.solid.")
+    return path in numeric_parameters() and not is_of_file
+
+
 def named_in(expression: Expression) -> list[str]:
     """Named parameters in an expression, ``parameters.a``."""
     return [name for name, _ in expression.powers if name.startswith(NAMED)]
