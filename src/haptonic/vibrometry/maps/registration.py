@@ -189,7 +189,7 @@ def register_by_fit(
     """
     seen = scan * np.array([-1.0, 1.0]) if mirrored else scan
     seen = seen[_distances(seen) <= STRAY * np.median(_distances(seen))] if len(seen) > 2 else seen
-    plan, sure = _Plan(plate), ON_THE_PLAN * float(np.median(_distances(plate)))
+    plan, sure = _PlanPoints(plate), ON_THE_PLAN * float(np.median(_distances(plate)))
     given = Registration(scale=1.0, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=np.inf)
     given = replace(given, misfit=plan.misfit(given, seen))
     if given.misfit <= sure and not mirrored:
@@ -207,7 +207,7 @@ def register_by_fit(
     return replace(best, mirrored=mirrored, covered=plan.covered(best, seen))
 
 
-class _Plan:
+class _PlanPoints:
     """Planned points (m, 2), m, and their neighbours."""
 
     def __init__(self, points: Array) -> None:
@@ -252,7 +252,7 @@ def _starts(seen: Array, plate: Array, *, scaled: bool) -> list[Registration]:
 
 
 def _nearest_fit(
-    starts: Sequence[Registration], seen: Array, plan: _Plan, sure: float, *, scaled: bool
+    starts: Sequence[Registration], seen: Array, plan: _PlanPoints, sure: float, *, scaled: bool
 ) -> Registration:
     """Least turned and least moved of the best fits that these registrations lead to."""
     fits = [_settled(start, seen, plan, scaled=scaled) for start in starts]
@@ -275,7 +275,7 @@ def _nearest_fit(
         best = by_step
 
 
-def _settled(fit: Registration, seen: Array, plan: _Plan, *, scaled: bool) -> Registration:
+def _settled(fit: Registration, seen: Array, plan: _PlanPoints, *, scaled: bool) -> Registration:
     """The best fit that a registration leads to, each point with its nearest planned one."""
     for _ in range(ROUNDS):
         better = register_by_corners(seen, plan.near(fit.of(seen)), scaled=scaled)
