@@ -6,7 +6,7 @@ from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 
 from haptonic.response import mac
-from haptonic.updating.shapes import Shapes, can_identify, pairs, shapes_of
+from haptonic.updating.shapes import Shapes, can_identify, pairs, resolved, shapes_of
 
 LINES = np.arange(1e3, 20e3, 10.0)
 FREQUENCY = np.array([3e3, 7.4e3, 8.1e3, 14e3])
@@ -44,6 +44,12 @@ def test_modes_of_a_narrow_band_far_from_zero_are_identified():
     assert shapes.frequency == pytest.approx(own, abs=10)
     assert shapes.damping == pytest.approx(np.full(6, 1.3e-3), rel=0.1)
     assert (np.diag(mac(shapes.shape, shape)) > 0.98).all()
+
+
+@pytest.mark.parametrize(("step", "enough"), [(50.0, True), (120.0, True), (130.0, False), (200.0, False)])
+def test_modes_need_two_lines_in_their_half_power_width(step, enough):
+    lines = np.arange(45e3, 55e3 + step / 2, step)
+    assert resolved(lines, 5e-3) == enough
 
 
 def test_operating_shapes_are_the_response_at_its_peaks():

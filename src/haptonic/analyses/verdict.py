@@ -28,7 +28,7 @@ from haptonic.units import format_quantity
 from haptonic.updating.agreement import agreement, normal_of, together
 from haptonic.updating.fit import Fit, SmallModel, fitted
 from haptonic.updating.match import MeasuredResponse
-from haptonic.updating.shapes import How, can_identify, even
+from haptonic.updating.shapes import How, can_identify, even, resolved
 from haptonic.vibrometry.maps.gap import MeasuredGap
 from haptonic.vibrometry.on_plate import contrast_range
 
@@ -118,7 +118,8 @@ def compared(
         exact = normal_of(_alike(responses[AFTER], scan))[:, picked]
         recomputed = float(np.linalg.norm(fit.after - exact) / np.linalg.norm(exact))
     progress(0, 0, "comparison")
-    how: How = "modes" if can_identify() and even(scan.frequency) else "operating shapes"
+    identifiable = can_identify() and even(scan.frequency) and resolved(scan.frequency, plate.loss_factor)
+    how: How = "modes" if identifiable else "operating shapes"
     return Verdict(
         plate=plate, responses={name: _alike(response, scan) for name, response in responses.items()},
         agreements={

@@ -19,6 +19,7 @@ How = Literal["modes", "operating shapes"]
 PROMINENT = 3.0  # dB, smallest height of a peak of the average spectrum above the dip to a higher peak
 AROUND = 0.5  # of a peak's energy: lines above belong to it
 ORDER = 60  # largest order of the polynomial for poles; it needs twice as many lines
+LINES_OF_A_MODE = 2.0  # in its half-power width, for an identification
 ASIDE = 0.01  # largest relative distance of a pole from its peak
 LEAST = 0.5  # smallest criterion (MAC) of a pair
 APART = 0.1  # largest relative difference of the frequencies of a pair
@@ -78,6 +79,16 @@ def even(frequency: Array) -> bool:
     """True if lines are evenly spaced, as the identification needs."""
     steps = np.diff(frequency)
     return bool(np.ptp(steps) < 1e-6 * steps.max())
+
+
+def resolved(frequency: Array, loss_factor: float) -> bool:
+    """True if lines are close enough to identify modes with this loss factor.
+
+    With 1.2 lines in the half-power width of modes, exact data of a plate gave shapes with a MAC of 0.54 to
+    those of the same plate, while operating shapes agreed to 1e-5.
+    """
+    width = loss_factor * 0.5 * float(frequency[0] + frequency[-1])
+    return width >= LINES_OF_A_MODE * float(np.diff(frequency).max())
 
 
 def pairs(first: Shapes, second: Shapes) -> list[Pair]:

@@ -107,12 +107,15 @@ def paired(trials: xr.Dataset, waveguide: str) -> Pairs:
             pair[side] = float(columns["friction"][row])
     whole = {key: pair for key, pair in places.items() if len(pair) == 2}
     if not whole:
+        sides = {str(columns["actuation"][row]) for row in rows}
         raise FrictionError.too_few(
             argument=f"trials on {waveguide}",
             given=f"{len(rows)} trials, {int(usable[rows].sum())} of them usable",
             allowed="at least one trial with the vibration on and one with it off in the same block",
-            cause="a condition is missing, or all its trials were excluded",
-            next_step="look at the reasons for exclusion",
+            cause=f'all {len(rows)} trials are "{sides.pop()}"'
+            if len(sides) == 1
+            else "a condition is missing in every block, or all its trials were excluded",
+            next_step="look at the column actuation, and at the reasons for exclusion",
         )
     return Pairs(
         waveguide=waveguide,

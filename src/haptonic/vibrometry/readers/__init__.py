@@ -143,6 +143,12 @@ def read_scan(
         raise ScanError.not_found(
             argument="path", given=path, allowed=FORMATS, cause=cause, next_step=next_step
         )
+    if not isinstance(variables, Mapping | None):
+        raise ScanError.malformed(
+            argument="variables", given=shown(variables), allowed='names by meaning, {"response": "FRF"}',
+            cause="it is not a dictionary, but perhaps in the form of the command line",
+            next_step='write variables={"response": "FRF", "frequency": "f"}',
+        )  # fmt: skip
     try:
         path = _scan_in(path)
         lengths = _unit_value(length_unit, "m", "length_unit")
