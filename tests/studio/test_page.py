@@ -307,10 +307,14 @@ def test_bands_are_computed_shown_and_marked_when_the_study_has_changed(browser,
         pitch = text_of(page)
         write(page, "Pitch with unit", "7.1 mm")
         page.get_by_text("belongs to another version").wait_for()
-        page.get_by_role("button", name="Show that version").click()
+        page.get_by_role("button", name="Show that study").click()
         wait_for_text(page, 'pitch = "7 mm"')
         assert text_of(page) == pitch
         page.get_by_text("belongs to another version").wait_for(state="detached")
+        page.get_by_label(re.compile("^Open, in")).select_option("cell.toml")
+        page.get_by_text("belongs to quick.toml").wait_for()
+        page.get_by_role("button", name="Show that study").click()
+        page.get_by_text("belongs to").wait_for(state="detached")
         page.locator("summary", has_text="Pictures").click()
         page.locator(".pictures img").first.scroll_into_view_if_needed()
         first = page.locator(".pictures figure").first

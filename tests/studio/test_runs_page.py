@@ -10,7 +10,7 @@ import pytest
 from PIL import Image, ImageSequence
 from playwright.sync_api import expect
 from served import served
-from test_page import CELL, TEXT, opened, text_of
+from test_page import CELL, TEXT, opened, text_of, write
 from test_studio_runs import MANY, SWEEP
 
 from browser import WIDTHS, violations
@@ -140,6 +140,15 @@ def test_news_of_the_server_leaves_a_refusal_on_the_page(browser, studio):
         page.get_by_role("button", name="2. sweep", exact=True).click()
         page.wait_for_selector("[data-marks]")
         expect(refusal).to_be_visible()
+
+
+def test_a_change_without_an_answer_is_reported(browser, studio):
+    with opened(browser, studio) as page:
+        before = page.locator(TEXT).input_value()
+        page.route("**/api/change*", lambda route: route.abort())
+        write(page, "Pitch with unit", "7.1 mm")
+        page.get_by_text("The server does not answer, so nothing was changed").wait_for()
+        expect(page.locator(TEXT)).to_have_value(before)
 
 
 def options(page) -> list[str]:

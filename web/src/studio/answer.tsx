@@ -10,7 +10,7 @@ import { host } from "./slider";
 import { TableOf } from "./table";
 import { Saving } from "./saving";
 import { server, type Answer, type Exports, type WholeJob } from "./server";
-import { isSaved, showVersion } from "./study";
+import { file, isSaved, showVersion } from "./study";
 import { arrived, canTurn, designOf } from "./turn";
 
 export function Result({ exports }: { exports: Exports }) {
@@ -26,9 +26,9 @@ export function Result({ exports }: { exports: Exports }) {
     <section ref={place} id="result" class="result" aria-label={`Result of ${job.analysis}`}>
       {!canTurn.value && (
         <p class="notice">
-          This result belongs to another version of the study.{" "}
+          This result belongs to {[null, job.file].includes(file.value) ? "another version of the study" : job.file}.{" "}
           <button type="button" onClick={() => showVersion(job.text, job.file)}>
-            Show that version
+            Show that study
           </button>
         </p>
       )}

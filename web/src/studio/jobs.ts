@@ -1,8 +1,8 @@
 /** Jobs of the server, as all pages of this studio see them. */
 
 import { computed, effect, signal } from "@preact/signals";
-import { followJobs, server, type Job, type Wanted, type WholeJob } from "./server";
-import { attempt, react } from "./study";
+import { followJobs, NO_ANSWER, server, type Job, type Wanted, type WholeJob } from "./server";
+import { attempt, notice, react } from "./study";
 
 export const jobs = signal<Job[]>([]);
 export const lost = signal(false); // the server does not answer
@@ -28,7 +28,10 @@ export function follow(): void {
       heard.value = performance.now();
       jobs.value = list;
     },
-    (gone) => (lost.value = gone),
+    (gone) => {
+      lost.value = gone;
+      if (!gone && notice.peek() === NO_ANSWER) notice.value = "The server answers again. Make the last change once more.";
+    },
   );
   effect(() => {
     const job = jobs.value.find((each) => each.number === shown.value);

@@ -226,12 +226,14 @@ export class Refusal extends Error {
   }
 }
 
+export const NO_ANSWER = "The server does not answer, so nothing was changed; is `haptonic studio` still running?";
+
 async function accepted(request: Promise<Response>): Promise<Response> {
   let response: Response;
   try {
     response = await request;
   } catch {
-    throw new Refusal("The server does not answer; is `haptonic studio` still running?");
+    throw new Refusal(NO_ANSWER);
   }
   if (response.ok) return response;
   if (response.status === 422) {
