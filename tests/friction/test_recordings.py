@@ -10,6 +10,7 @@ import pytest
 from five_parts import refused, refusing
 from haptonic.errors import ResourceError
 from haptonic.friction.recordings import Exclusion, Sensor, analysed, read_calibration, traces
+from haptonic.friction.recordings.trial_table import TrialTable
 from haptonic.friction.signals import Record, Rules, exclusions, measure, measured
 from haptonic.friction.signals.measuring import measure_all
 from trial_folders import channels, edited, simulated, written
@@ -450,18 +451,27 @@ class TestTables:
             (lambda t: t.iloc[:0], "missing", "trials.csv", "no rows below the head"),
             (lambda t: t.assign(start="soon", stop=1.0), "malformed", "trials.csv", ""),
             (lambda t: t.assign(file="gone.csv"), "not-found", "gone.csv: gone.csv", ""),
-            (lambda t: t.assign(file=t.file.iloc[0]), "repeated", "trials.csv: file", "trial 1 and for"),
-            (
-                lambda t: t.assign(file=t.file.iloc[0], start=0.0, stop=1.0),
-                "repeated",
-                "trials.csv: file",
-                "trial 1 and for",
-            ),
         ],
     )
     def test_wrong_tables_are_refused(self, tmp_path, change, code, argument, given):
         folder = edited(written(tmp_path / "a", MADE[:6]), change)
         refused(lambda: friction_in(folder), given, code=code, argument=argument)
+
+    def test_a_record_of_several_trials_is_named(self, tmp_path):
+        folder = written(tmp_path / "a", MADE[:6])
+        assert not [text for text in TrialTable.read(folder).doubts if "another trial" in text]
+        files = [f"P1-B1-T{trial}.csv" for trial in (1, 1, 1, 4, 5, 6)]
+        edited(folder, lambda t: t.assign(file=files))
+        (doubt,) = TrialTable.read(folder).doubts
+        assert "2 trials have the record of another trial" in doubt
+        edited(folder, lambda t: t.assign(start=np.arange(6.0), stop=np.arange(6.0) + 1.3))
+        assert not TrialTable.read(folder).doubts
+
+    def test_names_that_differ_in_capitals_are_named(self, tmp_path):
+        folder = written(tmp_path / "a", MADE[:6])
+        edited(folder, lambda t: t.assign(participant=["Ann", "ann", "Bo", "Ann", "Bo", "Bo"]))
+        (doubt,) = TrialTable.read(folder).doubts
+        assert "Ann and ann" in doubt
 
     def test_folders_without_a_table(self, tmp_path):
         for folder in (tmp_path, tmp_path / "none"):

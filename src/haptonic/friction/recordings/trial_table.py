@@ -22,7 +22,7 @@ from haptonic.friction.signals.tables import (
     read_columns,
 )
 from haptonic.later import pandas as pd
-from haptonic.names import listed
+from haptonic.names import counted, listed
 
 TABLE = "trials.csv"
 CARRIED = ("order", "direction")  # columns that are copied to the table of results
@@ -98,9 +98,9 @@ class TrialTable:
             RecordSpan(row, "" if pd.isna(group) else str(group), start, stop)
             for row, (group, start, stop) in enumerate(zip(groups, *times, strict=True))
         ]
-        _need_own_records(path, labels, files, spans)
         if refusals:
             doubts.append(left_out(path, refusals))
+        doubts += _shared_records(path, labels, files, spans)
         doubts += [text for name in ("participant", "waveguide") for text in _alike(labels, name)]
         return cls(
             folder=folder,
@@ -174,32 +174,31 @@ def _files(
     return files
 
 
-def _need_own_records(
+def _shared_records(
     path: Path, labels: Sequence[Label], files: Sequence[str], spans: Sequence[RecordSpan]
-) -> None:
-    """Refuse a table in which two trials have the same record, or overlap by more than half of one.
-
-    Raises
-    ------
-    FrictionError : see above
-    """
+) -> list[str]:
+    """Remark on trials that have the record of another trial, or overlap with it by more than half."""
     there = {name for name in set(files) if name and _exists(path.parent / name)}
     records = sorted(
         (name, span.group, span.start or 0.0, LONGEST if span.stop is None else span.stop, span.row)
         for name, span in zip(files, spans, strict=True)
         if name in there
     )
-    for (name, group, start, stop, row), (other, next_group, begin, end, next_row) in pairwise(records):
-        if (name, group) != (other, next_group):
-            continue
-        if min(stop, end) - begin > SHARED * min(stop - start, end - begin):
-            raise FrictionError.repeated(
-                argument=f"{path.name}: file",
-                given=f"{name} for {labels[row]} and for {labels[next_row]}",
-                allowed="a record of its own for each trial, or start and stop times that do not overlap",
-                cause="a row was copied, or the file contains several trials and their times are missing",
-                next_step="correct the file, or add the columns start and stop (s)",
-            )
+    shared = [
+        (name, labels[row], labels[next_row])
+        for (name, group, start, stop, row), (other, next_group, begin, end, next_row) in pairwise(records)
+        if (name, group) == (other, next_group)
+        and min(stop, end) - begin > SHARED * min(stop - start, end - begin)
+    ]
+    if not shared:
+        return []
+    name, first, second = shared[0]
+    have = "has" if len(shared) == 1 else "have"
+    trials = f"{counted(len(shared), 'trial')} {have} the record of another trial"
+    return [
+        f"{trials}, such as {name} of {first} and {second}: statistics count it again; correct the column "
+        "file, or add the columns start and stop (s)"
+    ]
 
 
 def _exists(path: Path) -> bool:
