@@ -398,7 +398,7 @@ class TestOtherFiles:
             read_scan(tmp_path / "a.svd")
         assert_explained(caught.value, "Polytec", code="unreadable", argument="path")
 
-    @pytest.mark.parametrize("name", ["a.txt", "a.nc", "a.h5", "a.csv"])
+    @pytest.mark.parametrize("name", ["a.txt", "a.nc", "a.h5"])
     def test_unknown(self, tmp_path, name):
         (tmp_path / name).write_bytes(b"hello")
         with pytest.raises(ScanError) as caught:

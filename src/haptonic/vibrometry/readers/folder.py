@@ -42,7 +42,7 @@ PARTS = (("real", "imaginary"), ("amplitude", "phase"), ("response",))
 
 
 @dataclass(frozen=True, eq=False)
-class _PointFile:
+class PointFile:
     """File of a point: all its columns, and those with a known meaning."""
 
     path: Path
@@ -81,7 +81,7 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
     curves: list[Curve] = []
     for name, point in points.items():
         try:
-            curves += _curves(name, point, how, notes, max(phases))
+            curves += curves_of(name, point, how, notes, max(phases))
         except UnfitError as error:
             notes.drop(f"file {point.path.name}", str(error))
         except ChannelError as error:
@@ -100,15 +100,15 @@ def read_folder(path: Path, how: Mapped, notes: Notebook, origin: Origin, title:
 
 def _point_files(
     files: Mapping[str, Path], how: Mapped, notes: Notebook
-) -> tuple[dict[str, _PointFile], list[ScanError]]:
+) -> tuple[dict[str, PointFile], list[ScanError]]:
     """Files of the points with responses; and errors for the others, which list their columns."""
-    points: dict[str, _PointFile] = {}
+    points: dict[str, PointFile] = {}
     errors: list[ScanError] = []
     mine = replace(how, variables={k: name for k, name in how.variables.items() if k in COLUMNS})
     for name, file in files.items():
         try:
             group = delimited.read(file, notes)[""]
-            point = _PointFile(file, group, chosen(group.channels, mine, Notebook(file, ""), COLUMNS))
+            point = PointFile(file, group, chosen(group.channels, mine, Notebook(file, ""), COLUMNS))
         except FileNotFoundError:
             notes.missing.append(name)
         except OSError as error:
@@ -129,7 +129,7 @@ def _point_files(
     return points, errors
 
 
-def _largest_phase(point: _PointFile) -> float:
+def _largest_phase(point: PointFile) -> float:
     """Largest phase of a point without a unit of phases, or 0."""
     try:
         return largest_of(numbers(point.columns["phase"])) if "phase" in point.columns else 0.0
@@ -137,8 +137,18 @@ def _largest_phase(point: _PointFile) -> float:
         return 0.0  # making the response raises the error
 
 
-def _curves(name: str, point: _PointFile, how: Mapped, notes: Notebook, largest_phase: float) -> list[Curve]:
-    """The response of a point, and its coherence."""
+def curves_of(
+    name: str, point: PointFile, how: Mapped, notes: Notebook, largest_phase: float | None = None
+) -> list[Curve]:
+    """The response of a point, and its coherence.
+
+    largest_phase : of all points, if the phases have no unit; by default of this one
+
+    Raises
+    ------
+    UnfitError, ChannelError : columns that form no response
+    """
+    largest_phase = _largest_phase(point) if largest_phase is None else largest_phase
     columns, parts = point.columns, point.parts
     assert parts is not None
     if delimited.UNEVEN in point.group.properties:

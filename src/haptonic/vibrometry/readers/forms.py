@@ -18,11 +18,15 @@ from haptonic.response.files import is_response
 from haptonic.vibrometry.curves import assemble
 from haptonic.vibrometry.readers import hdf5, tdms, uff, uff_time
 from haptonic.vibrometry.readers.folder import GEOMETRY, read_folder
+from haptonic.vibrometry.readers.long_table import read_table
 from haptonic.vibrometry.readers.mapped import Mapped
 from haptonic.vibrometry.readers.tables import scan_of_groups
 from haptonic.vibrometry.records import TimeScan
 
-FORMATS = "UFF (.uff, .unv), MATLAB (.mat), TDMS, NetCDF and HDF5 (.nc, .h5), a folder of CSV files"
+FORMATS = (
+    "UFF (.uff, .unv), MATLAB (.mat), TDMS, NetCDF and HDF5 (.nc, .h5), a folder of CSV files, or one CSV "
+    "file with the columns x, y, frequency, real and imaginary"
+)
 FOLDER = "CSV folder"
 OF_ARRAYS = frozenset(("variables", "at", "frequency_unit", "phase_unit", "points_in"))
 
@@ -109,6 +113,7 @@ FORMS = {
     "MATLAB": ScanForm(_matlab, OF_ARRAYS),
     "HDF5": ScanForm(_hdf5, OF_ARRAYS),
     "TDMS": ScanForm(_tdms, frozenset({"variables"})),
+    "CSV": ScanForm(read_table, OF_ARRAYS - {"at", "points_in"}),
     FOLDER: ScanForm(read_folder, OF_ARRAYS - {"points_in"}),
 }
 
