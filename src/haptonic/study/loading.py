@@ -55,7 +55,9 @@ def loads_as(
     result, it is the working directory or the nearest folder above ``folder`` that contains the file.
     """
     data = parsed_tables(text, origin)
-    study = read(kind, _placed(data, _folder_with_solid(data, folder) if near else folder), origin)
+    if near and folder is not None:
+        folder = _folder_with_solid(data, folder)
+    study = read(kind, _placed(data, folder), origin)
     for words in study.unusual():
         warnings.warn(f"{origin}: {words}", HaptonicWarning, stacklevel=2)
     return study
@@ -83,10 +85,8 @@ def examined(
 
 def _outside(data: dict[str, Any], placed: dict[str, Any], folder: Path) -> StudyError | None:
     """Error for a CAD file outside of the folder of studies; None if there is none."""
-    cell = placed.get("cell")
-    solid = cell.get("solid") if isinstance(cell, dict) else None
-    file = solid.get("file") if isinstance(solid, dict) else None
-    if not isinstance(file, str) or Path(file).resolve().is_relative_to(folder.resolve()):
+    file = _solid_file(placed)
+    if file is None or Path(file).resolve().is_relative_to(folder.resolve()):
         return None
     return StudyError.forbidden(
         argument="cell.solid.file",
@@ -97,23 +97,29 @@ def _outside(data: dict[str, Any], placed: dict[str, Any], folder: Path) -> Stud
     )
 
 
-def _folder_with_solid(data: dict[str, Any], folder: Path | None) -> Path | None:
-    """Folder of the CAD file of a study in a result: that of the run may be above that of the result."""
+def _solid_file(data: dict[str, Any]) -> str | None:
+    """Path of the CAD file in the data of a study."""
     cell = data.get("cell")
     solid = cell.get("solid") if isinstance(cell, dict) else None
-    if folder is None or not isinstance(solid, dict) or not isinstance(solid.get("file"), str):
+    file = solid.get("file") if isinstance(solid, dict) else None
+    return file if isinstance(file, str) else None
+
+
+def _folder_with_solid(data: dict[str, Any], folder: Path) -> Path | None:
+    """Folder of the CAD file of a study in a result: that of the run may be above that of the result."""
+    file, above = _solid_file(data), folder.absolute()
+    if file is None:
         return None
-    above = folder.absolute()
-    return next((each for each in (Path(), above, *above.parents) if (each / solid["file"]).is_file()), None)
+    return next((each for each in (Path(), above, *above.parents) if (each / file).is_file()), None)
 
 
 def _placed(data: dict[str, Any], folder: Path | None) -> dict[str, Any]:
     """The data of a study, with the path of its CAD file relative to the working directory."""
-    cell = data.get("cell")
-    solid = cell.get("solid") if isinstance(cell, dict) else None
-    if folder is None or not isinstance(solid, dict) or not isinstance(solid.get("file"), str):
+    file = _solid_file(data)
+    if folder is None or file is None:
         return data
-    return {**data, "cell": {**data["cell"], "solid": {**solid, "file": str(folder / solid["file"])}}}
+    cell = data["cell"]
+    return {**data, "cell": {**cell, "solid": {**cell["solid"], "file": str(folder / file)}}}
 
 
 def load_trials_as(path: str | Path, kind: type[S]) -> tuple[TrialSettings, S | None]:
