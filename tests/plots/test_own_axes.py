@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import json
 import re
 from functools import partial
 
@@ -181,3 +182,12 @@ def test_bands_without_gaps():
     assert not [patch for patch in axes.patches if str(patch.get_gid()).startswith("gap")]
     assert not [text for text in axes.texts if "gap" in text.get_text()]
     assert [text.get_text() for text in figure.legends[0].get_texts()] == ["a $ b"]
+
+
+def test_bands_along_another_path_are_not_drawn_over():
+    axes = Figure().add_subplot()
+    bands = reference_bands()
+    Bands(bands).plot(ax=axes)
+    labels = [*json.loads(bands.attrs["path_labels"])[:-2], "K", "Γ"]
+    other = Bands(bands.assign_attrs(path_labels=json.dumps(labels)))
+    refused(lambda: other.plot(ax=axes), "K-Γ", code="conflict", argument="ax")

@@ -126,10 +126,25 @@ def dispersion(
 
 
 def _corners_of(axes: Axes, dataset: xr.Dataset) -> Array | None:
-    """Places of the corners on axes that already show bands between the same corners; None on others."""
-    names = [text.get_text().split("\n")[0] for text in axes.get_xticklabels()]
-    is_same = names == json.loads(dataset.attrs["path_labels"])
-    return np.asarray(axes.get_xticks()) if is_same and axes.lines else None
+    """Places of the corners on axes that already show bands between the same corners; None on others.
+
+    Raises
+    ------
+    HaptonicError : the axes show bands between other corners
+    """
+    if not any(str(line.get_gid()).startswith("branch") for line in axes.lines):
+        return None
+    known = [text.get_text().split("\n")[0] for text in axes.get_xticklabels()]
+    names = json.loads(dataset.attrs["path_labels"])
+    if names == known:
+        return np.asarray(axes.get_xticks())
+    raise HaptonicError.conflict(
+        argument="ax",
+        given=f"axes with bands along {'-'.join(known)}",
+        allowed=f"axes without bands, or with bands along {'-'.join(names)}",
+        cause="the two lattices have other wavevectors, so that their curves cannot be compared",
+        next_step="draw these bands on axes of their own",
+    )
 
 
 def _stretched(dataset: xr.Dataset, corners: Array) -> xr.Dataset:
