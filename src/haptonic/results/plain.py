@@ -20,6 +20,7 @@ from typing import Any, get_type_hints
 import numpy as np
 
 from haptonic.gate import WORD
+from haptonic.hdf5 import STUDY
 from haptonic.later import xarray as xr
 
 
@@ -76,8 +77,8 @@ def split(data: xr.Dataset | xr.DataArray | None, dimension: str) -> Any:
 
 
 def attributes(data: xr.Dataset) -> dict[str, Any]:
-    """Attributes of a dataset; JSON texts of objects and lists are decoded."""
-    decoded = {name: _attribute(value) for name, value in data.attrs.items() if name != WORD}
+    """Attributes of a dataset but the text of its study; JSON texts of objects and lists are decoded."""
+    decoded = {name: _attribute(value) for name, value in data.attrs.items() if name not in (WORD, STUDY)}
     return {name: determined(value) for name, value in decoded.items()} if WORD in data.attrs else decoded
 
 
