@@ -179,8 +179,8 @@ class Result:
 
     @property
     def datasets(self) -> tuple[xr.Dataset, ...]:
-        """Datasets that are written to files, each with the inputs; by default the whole answer."""
-        return (self.dataset,)
+        """Datasets in NetCDF files, each with the inputs; by default the whole answer, if it has such a file."""
+        return (self.dataset,) if self.data_file else ()
 
     def view(self) -> InteractiveView | None:
         """Contents of the interactive view; None for a result that has none."""
