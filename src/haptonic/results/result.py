@@ -179,7 +179,7 @@ class Result:
 
     @property
     def datasets(self) -> tuple[xr.Dataset, ...]:
-        """Datasets in NetCDF files, each with the inputs; by default the whole answer, if it has such a file."""
+        """Datasets in NetCDF files, each with the inputs; by default the whole answer, if it has a file."""
         return (self.dataset,) if self.data_file else ()
 
     def view(self) -> InteractiveView | None:
