@@ -6,6 +6,8 @@ from strategies import ALUMINIUM
 
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.bands import count_check
+from haptonic.bloch.mesh_levels import MeshLimits, finer_level
+from haptonic.bloch.resolution import LEVELS
 from haptonic.cell import Disc, Pillar, Solid, SolidPart, UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.lattice import HALF_TURN, Lattice
@@ -121,6 +123,15 @@ def pillar(tmp_path_factory):
 @pytest.fixture(scope="module")
 def inclusion(tmp_path_factory):
     return drawn(tmp_path_factory.mktemp("solids"), SQUARE, INCLUSION)[1].solid
+
+
+def test_meshes_of_a_file_rise_by_one_level(pillar):
+    """Each takes three times the memory of the one before, and reaches a seventh of its error."""
+    cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=pillar)
+    ample = MeshLimits(seconds=1e9, memory=1e12)
+    for level in (0, 1):
+        mesh = LEVELS[level].for_bands(cell, 8)
+        assert finer_level(cell, mesh, level, 6.3, ample, 0.0)[0] == level + 1
 
 
 class TestRefusals:

@@ -193,11 +193,10 @@ def test_every_reason_has_its_trial(reason):
 @pytest.mark.parametrize("offset", [0.3, -0.3, 2.0])
 def test_a_finger_from_the_first_sample_is_seen_beside_an_offset(offset):
     """The sensor does not return to zero, but it is quiet when the finger has gone."""
-    signals = stroke()
-    noise = np.random.default_rng(0).standard_normal(1500)
-    signals["normal"] *= 1 + 0.05 * np.sin(np.arange(1500) / 50)
-    signals["normal"] += offset + 2e-3 * noise
-    signals = {name: array[310:] if name != "rate" else array for name, array in signals.items()}
+    signals = stroke(noise=2e-3, bias=(offset, 0.1))
+    pressed = signals["normal"] - offset
+    signals["normal"] += 0.03 * pressed * np.sin(np.arange(1500) / 50)
+    signals = {name: array[360:] if name != "rate" else array for name, array in signals.items()}
     for sign in (1, -1):
         signals["normal"] *= sign
         assert measure(Record(**signals)).excluded == "contact before the stroke"
