@@ -136,6 +136,10 @@ class TestPeriods:
     def test_a_symmetric_mesh_has_the_symmetry_of_the_lattice(self, tmp_path):
         assert len(cell_of(write(tmp_path / "a.vtu", *PILLAR), material_2=STEEL).point_group) == 8
         places, nodes, _ = PILLAR
+        mesh = meshio.read(tmp_path / "a.vtu")
+        mesh.cell_data["material"] = [numbers.astype(float) for numbers in mesh.cell_data["material"]]
+        mesh.write(tmp_path / "decimals.vtu")
+        assert len(cell_of(tmp_path / "decimals.vtu", material_2=STEEL).point_group) == 8
         pillar = PILLAR[2]["pillar"]  # the first two have x < 0
         askew = {"plate": PILLAR[2]["plate"], "left": pillar[:2], "right": pillar[2:]}
         cell = cell_of(write(tmp_path / "b.msh", places, nodes, askew), left=STEEL, right=ALUMINIUM)

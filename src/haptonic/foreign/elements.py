@@ -103,9 +103,11 @@ def _of_meshio(mesh: Any, labels: dict[str, str]) -> NamedElements:
     for array, values in mesh.cell_data.items():
         numbers = np.concatenate([np.asarray(each) for each in values])
         values = np.unique(numbers)
-        if numbers.ndim == 1 and numbers.dtype.kind in "iu" and len(values) <= MOST_GROUPS:
+        is_real = numbers.ndim == 1 and numbers.dtype.kind in "iuf"
+        # some programs write whole numbers as decimals
+        if is_real and len(values) <= MOST_GROUPS and np.array_equal(values, np.trunc(values)):
             for value in values.tolist():
-                whole.groups[f"{labels.get(array, array)} {value}"] = np.flatnonzero(numbers == value)
+                whole.groups[f"{labels.get(array, array)} {value:.0f}"] = np.flatnonzero(numbers == value)
     return whole
 
 
