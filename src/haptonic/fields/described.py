@@ -15,7 +15,7 @@ checked in ``__post_init__``, which raises `problem`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import fields
 from functools import partialmethod, wraps
 from keyword import iskeyword
@@ -32,6 +32,7 @@ from haptonic.fields.reading import any_placed, in_shape
 from haptonic.fields.unusual import caller, unusual_values, warn_caller
 
 T = TypeVar("T")
+FILES = (".toml", ".nc")  # endings of files that contain a study
 
 
 def needed(help: str, title: str = "", **more: Any) -> Any:
@@ -74,8 +75,8 @@ def described(
 
         @wraps(check)
         def checked(self: Any, *given: Any, **named: Any) -> None:
-            if kw_only and given:
-                raise _unnamed(given[0], place, family, [slot.key for slot in slots(value)])
+            if kw_only and given and isinstance(given[0], str) and given[0].endswith(FILES):
+                raise _file_for_a_value(given[0], place, family)
             try:
                 named = {keywords.get(key, key): plain(each) for key, each in named.items()}
                 check(self, *given, **(in_shape(value, named, complete=not given) if moved else named))
@@ -93,17 +94,14 @@ def described(
     return decorate
 
 
-def _unnamed(given: object, place: str, family: type[HaptonicError], names: Sequence[str]) -> HaptonicError:
-    """Error for a positional argument of a class with keyword arguments only."""
-    is_file = isinstance(given, str) and given.endswith((".toml", ".nc"))
+def _file_for_a_value(given: str, place: str, family: type[HaptonicError]) -> HaptonicError:
+    """Error for the name of a file in place of the values of a class with keyword arguments."""
     return family.malformed(
         argument=place or "the study",
         given=shown(given, 60),
-        allowed=", ".join(f"{name}=..." for name in names),
-        cause="it is the name of a file" if is_file else "a value without the name of its key",
-        next_step=f"load the file: haptonic.load({given!r})"
-        if is_file
-        else "write the name before the value",
+        allowed="values by the names of their keys",
+        cause="it is the name of a file",
+        next_step=f"load the file: haptonic.load({given!r})",
     )
 
 
