@@ -71,6 +71,7 @@ def test_feel_at_a_frequency_and_for_a_reduction(inside, plated):
 def test_the_map_is_that_of_the_response(inside, plated, tmp_path):
     out = tmp_path / "out"
     inside("feel", plated(), "--out", out)
+    assert load(out / "feel.nc") == load(plated())
     with xr.open_dataset(out / "feel.nc", engine="h5netcdf") as data:
         order = np.argsort(data["amplitude"].values)
         assert (np.diff(data["value"].values[order]) <= 1e-12).all()  # more vibration, less friction

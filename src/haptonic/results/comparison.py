@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -165,7 +166,7 @@ class Comparison(Result):
                 return f"all its frequencies are {usual:.4g} times ours: a size or a material differs"
         return "a band is missing in one of the two, a column is not a frequency, or a size differs"
 
-    @property
+    @cached_property
     def dataset(self) -> xr.Dataset:
         """Differences at the wavevectors of the second."""
         both = ("wavevector", "band")

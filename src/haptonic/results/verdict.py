@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -171,7 +172,7 @@ class Verdict(Result):
         ]  # fmt: skip
         return Table("high contrast over the lattice", ("response", *ends), rows)
 
-    @property
+    @cached_property
     def dataset(self) -> xr.Dataset:
         """FRAC of each model against the points, and the MAC matrix of the last model."""
         last = self.agreements[self.last]

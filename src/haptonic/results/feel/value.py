@@ -102,7 +102,7 @@ class Feel(Result):
     def _drive(self) -> str:
         return format_quantity(self.friction.drive, self.friction.unit)
 
-    @property
+    @cached_property
     def dataset(self) -> xr.Dataset:
         """Friction and amplitudes at every point, with the assumptions."""
         friction = self.friction
