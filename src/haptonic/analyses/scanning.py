@@ -239,8 +239,8 @@ def compute_scan(
     waves = _waves(response, on, mirror, store)
     remarks += [] if waves is None else without_mode(layout)
     remarks += _doubts_of_places(response, registration, layout)
-    if len(driven_regions(on.plate)) == 1:
-        remarks += _doubts_of_orientation(data, driven_regions(on.plate)[0])
+    if driven and len(driven_regions(on.plate)) == 1:
+        remarks += _doubts_of_orientation(data, driven)
     return replace(
         plain, response=response, shapes=shapes, plate=on.plate, carrier=on.carrier, gap=on.gap,
         measured=stands_out, lattice=lattice, registration=registration, waves=waves, mirror=mirror,

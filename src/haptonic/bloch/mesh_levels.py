@@ -170,10 +170,9 @@ def finer_level(
     if all(part.tile.is_smooth for part in cell.tiles):
         excess = math.sqrt(excess)
     reaching = (n for n in levels if excess * EXPECTED[n] <= EXPECTED[level])
-    first = next(reaching, min(levels, default=level))
-    if cell.solid is not None:
-        # a level divided the error of a pillar by 7 (by 2.5 in `EXPECTED`), and took three times the memory
-        first = min(levels, default=level)
+    following = min(levels, default=level)
+    # in files, a level divided the error of a pillar by 7 (by 2.5 in `EXPECTED`), in three times the memory
+    first = following if cell.solid is not None else next(reaching, following)
     lack = Lack("range", mesh, limits, spent)
     for n in reversed([n for n in levels if n <= first]):
         finer = replace(

@@ -262,13 +262,10 @@ def _resampled(pairs: Pairs, draws: int, rng: np.random.Generator) -> tuple[Arra
 
 def _among_these(value: float, cloud: Array, pairs: Pairs) -> IntervalEstimate:
     fewest = min(int((pairs.participant == name).sum()) for name in pairs.people)
-    if fewest < 2:
-        note = "a participant with a single pair of trials: their scatter is unknown"
-        return IntervalEstimate(
-            value=value, low=math.nan, high=math.nan, note=note, about="these participants"
-        )
-    if np.isnan(cloud).all():
+    if fewest < 2 or np.isnan(cloud).all():
         note = "no draw of the trials has a reduction"
+        if fewest < 2:
+            note = "a participant with a single pair of trials: their scatter is unknown"
         return IntervalEstimate(
             value=value, low=math.nan, high=math.nan, note=note, about="these participants"
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from operator import attrgetter
 from typing import Annotated
 
@@ -188,7 +189,9 @@ def register_by_fit(
     ScanError : points on a line, or no good fit
     """
     seen = scan * np.array([-1.0, 1.0]) if mirrored else scan
-    seen = seen[_distances(seen) <= STRAY * np.median(_distances(seen))] if len(seen) > 2 else seen
+    if len(seen) > 2:
+        apart = _distances(seen)
+        seen = seen[apart <= STRAY * np.median(apart)]
     plan, sure = _PlanPoints(plate), ON_THE_PLAN * float(np.median(_distances(plate)))
     given = Registration(scale=1.0, angle=0.0, shift=np.zeros(2), mirrored=False, misfit=np.inf)
     given = replace(given, misfit=plan.misfit(given, seen))
@@ -200,8 +203,7 @@ def register_by_fit(
         best = other if other.misfit < MUCH_BETTER * best.misfit else best
     if best.misfit > WORST * np.ptp(plate, axis=0).min():
         raise _wrong("fit", f"a misfit of {best.misfit * 1e3:.4g} mm", "points of the same plate")
-    by_steps = [replace(best, shift=best.shift + step) for step in plan.steps]
-    repeats = [fit for fit in by_steps if plan.misfit(fit, seen) <= AS_GOOD * best.misfit + sure]
+    repeats = [fit for fit in plan.stepped(best) if plan.misfit(fit, seen) <= AS_GOOD * best.misfit + sure]
     if repeats:
         best = replace(best, repeats=repeats[0].shift - best.shift)
     return replace(best, mirrored=mirrored, covered=plan.covered(best, seen))
@@ -227,7 +229,11 @@ class _PlanPoints:
         step = max(float(np.median(_distances(places))) for places in (points, self.points))
         return float((scipy.spatial.cKDTree(points).query(self.points)[0] <= step).mean())
 
-    @property
+    def stepped(self, fit: Registration) -> list[Registration]:
+        """A registration shifted by each of the steps."""
+        return [replace(fit, shift=fit.shift + step) for step in self.steps]
+
+    @cached_property
     def steps(self) -> list[Array]:
         """Shifts by one step of the grid, to both sides along x and y."""
         tolerance = 1e-6 * np.ptp(self.points)
@@ -266,9 +272,9 @@ def _nearest_fit(
         ),
     )
     while True:  # points that are too many at one side have moved the grid by a step or more
-        moved = [replace(best, shift=best.shift + step) for step in plan.steps]
         by_step = min(
-            (_settled(start, seen, plan, scaled=scaled) for start in moved), key=attrgetter("misfit")
+            (_settled(start, seen, plan, scaled=scaled) for start in plan.stepped(best)),
+            key=attrgetter("misfit"),
         )
         if by_step.misfit >= best.misfit - sure:
             return best
