@@ -195,6 +195,14 @@ def test_a_design_has_no_rounding_errors_in_its_text(tmp_path):
     assert 'pitch = "7.5 mm"' in result
 
 
+def test_the_text_of_a_design_moves_discs_that_share_an_end(tmp_path):
+    glue = '[[cell.disc]]\ndiameter = "5 mm"\nhigh = "50 um"\nlow = "0 mm"\nmaterial = "epoxy"\n'
+    pillar = '[[cell.disc]]\ndiameter = "5 mm"\nlow = "50 um"\nhigh = "7 mm"\n'
+    text = f'material = "steel"\n[cell]\npitch = "8 mm"\nthickness = "1 mm"\n{glue}{pillar}# end\n'
+    result = design_text(text, {"cell.disc[1].high": 80e-6}, tmp_path)
+    assert result == text.replace("50 um", "80 µm")
+
+
 def test_a_number_that_the_text_gives_in_another_way_gives_a_new_text(tmp_path):
     text = QUICK_CELL.replace('"aluminium-paper"', "{ youngs_modulus = '70 GPa', poisson_ratio = 0.33 }")
     text = text.replace("0.33 }", "0.33, density = '2700 kg/m^3' } # inline")

@@ -65,6 +65,41 @@ def test_a_sweep_changes_a_number_of_a_disc():
     assert [design.cell.disc[0].diameter for design in designs] == pytest.approx([3e-3, 4e-3, 5e-3])
 
 
+GLUED = """
+material = "aluminium-paper"
+[cell]
+pitch = "8 mm"
+thickness = "1 mm"
+[[cell.disc]]
+diameter = "5 mm"
+low = "0 mm"
+high = "50 um"
+material = "epoxy"
+[[cell.disc]]
+diameter = "5 mm"
+low = "50 um"
+high = "7 mm"
+material = "steel"
+"""
+
+
+@pytest.mark.parametrize("end", ["disc[1].high", "disc[2].low"])
+def test_a_sweep_of_the_glue_moves_the_pillar_on_it(end):
+    study = loads(GLUED + f'[[sweep]]\nvary = "cell.{end}"\nfrom = "20 um"\nto = "200 um"\nsteps = 2\n')
+    for design, height in zip(study.designs(study.sweep_settings[0]), (20e-6, 200e-6), strict=True):
+        glue, pillar = design.cell.disc
+        assert (glue.high, pillar.low, pillar.high) == pytest.approx((height, height, 7e-3))
+
+
+def test_discs_of_one_border_move_together_unless_both_are_given():
+    study = loads(GLUED)
+    first, second = "cell.disc[1].diameter", "cell.disc[2].diameter"
+    assert [disc.diameter for disc in study.with_parameter(first, 4e-3).cell.disc] == [4e-3, 4e-3]
+    both = study.with_parameters({first: 4e-3, second: 3e-3})
+    assert [disc.diameter for disc in both.cell.disc] == [4e-3, 3e-3]
+    assert [disc.diameter for disc in study.with_keys({first: "4 mm"}).cell.disc] == [4e-3, 5e-3]
+
+
 @pytest.mark.parametrize("table", ["hole", "inclusion", "coating", "cap"])
 def test_another_word_for_a_disc_is_answered_with_what_to_write(table):
     with refusing(StudyError, "unknown", f"cell.{table}") as refusal:

@@ -1,7 +1,7 @@
-"""Numbers of discs that a designer can change: those that leave the grid of their stack as it is.
+"""Numbers of discs that move together, and those that a designer can change without a change of the grid.
 
-A design follows one mesh. Discs that share an end, a border or a material go on sharing it, so that such
-equal numbers count as one and move together. An end at a face of the plate stays there. A number that would
+Discs that share an end, a border or a material go on sharing it in every design, sweep and fit: such equal
+numbers count as one. A design follows one mesh. An end at a face of the plate stays there. A number that would
 part the sides of two discs, such as the angle of a cone below a cap, is fixed.
 """
 
@@ -35,8 +35,11 @@ def stacks_of(cell: UnitCell) -> dict[str, Stack]:
 
 
 @lru_cache(maxsize=64)
-def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
-    """Numbers of discs that can vary, each with the paths of the equal numbers that move with it."""
+def shared_numbers(cell: UnitCell) -> tuple[tuple[str, ...], ...]:
+    """Paths of numbers of discs, in groups of equal ones that move together; most groups have one member.
+
+    Ends at the faces of the plate and below its middle, and corners without rounding, are in no group.
+    """
     groups: dict[tuple[object, ...], list[str]] = {}
     stacks = stacks_of(cell)
     for path, value in cell.numbers().items():
@@ -55,7 +58,13 @@ def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
             border = stack.border_of(int(named["number"]) - 1)
             share = round(value if name == "draft" else value / stack.widest, DIGITS)
             groups.setdefault((table, name, disc.section, border, share), []).append(path)
-    return {first: tuple(others) for first, *others in groups.values() if _keeps(cell, [first, *others])}
+    return tuple(map(tuple, groups.values()))
+
+
+@lru_cache(maxsize=64)
+def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
+    """Numbers of discs that designs can vary, each with the paths of the equal numbers that move with it."""
+    return {group[0]: group[1:] for group in shared_numbers(cell) if _keeps(cell, group)}
 
 
 def _keeps(cell: UnitCell, paths: Sequence[str]) -> bool:
@@ -71,9 +80,14 @@ def _keeps(cell: UnitCell, paths: Sequence[str]) -> bool:
 
 def with_shared(cell: UnitCell, values: Mapping[str, float]) -> dict[str, float]:
     """New values of numbers of a cell, and of the numbers of discs that move with them."""
-    together = moving_together(cell)
-    others = {other: value for path, value in values.items() for other in together.get(path, ())}
-    return {**values, **others}
+    moved = {
+        path: values[changed]
+        for group in shared_numbers(cell)
+        for changed in group
+        if changed in values
+        for path in group
+    }
+    return {**moved, **values}
 
 
 def reason_of_thickness(cell: UnitCell) -> tuple[str, str] | None:
