@@ -1,8 +1,8 @@
 """Numbers of discs that move together, and those that a designer can change without a change of the grid.
 
 Discs that share an end, a border or a material go on sharing it in every design, sweep and fit: such equal
-numbers count as one. A design follows one mesh. An end at a face of the plate stays there. A number that would
-part the sides of two discs, such as the angle of a cone below a cap, is fixed.
+numbers count as one. A design follows one mesh: an end at a face of the plate stays there, and a number that
+would part the sides of two discs, such as the angle of a cone below a cap, is fixed.
 """
 
 from __future__ import annotations
