@@ -99,6 +99,19 @@ def test_a_wrong_reduction_is_refused_before_anything_is_computed(inside, plated
     assert not (tmp_path / "store").exists()
 
 
+@pytest.mark.parametrize(
+    ("change", "options", "argument"),
+    [('force = "5 N"', [], "touch.force"), ('force = "1 N"', ["--at", "900 kHz"], "frequency")],
+)
+def test_a_large_force_and_a_high_frequency_are_refused_before_anything_is_computed(
+    inside, plated, tmp_path, change, options, argument
+):
+    study = plated(("[[sweep]]", f"[touch]\n{change}\n\n[[sweep]]"))
+    ran = inside("feel", study, *options, "--dry-run", "--json", store=tmp_path / "store")
+    assert_five_parts(ran, code="out-of-range", argument=argument)
+    assert not (tmp_path / "store").exists()
+
+
 def test_a_voltage_for_a_plate_that_a_force_drives_is_refused(inside, plated):
     force = (
         "[[plate.actuator]]",

@@ -1,6 +1,7 @@
 """Load sharing and intermittent contact: stated values, balance of forces, scaling laws, inverses."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -33,6 +34,26 @@ FINGER = Fingertip()
 MICRO = 1e-6
 
 amplitudes = st.floats(0.02, 6).map(lambda a: a * MICRO)
+
+
+def test_skins_that_a_force_presses_flat_are_left_out_of_the_interval():
+    """A gap is left if the pressure is below that of the asperities at no gap."""
+    touch, amplitude = Touch(45e3, 2.0), xr.DataArray(np.array([0.5, 1.0, 2.0]) * MICRO, dims="amplitude")
+    skin = FINGER.sampled(200)
+    pressure = 2.0 / (skin["patch_area"] * 4.0 ** skin["area_exponent"])
+    flat = pressure >= skin["asperity_pressure"] * np.exp(skin["contact_gap"] / skin["decay_length"])
+    predicted = predict(amplitude, touch, FINGER)
+    assert 0 < flat.mean() < 0.5
+    assert predicted.attrs["pressed_flat"] == pytest.approx(flat.mean())
+    assert (predicted["low"] <= predicted["high"]).all()
+    assert predict(amplitude, Touch(45e3, 1.0), FINGER).attrs["pressed_flat"] == 0
+
+
+def test_the_largest_force_is_that_at_which_the_value_has_a_gap():
+    error = refused(lambda: shared_friction(1e-6, Touch(45e3, 5.0), FINGER.values), "touch.force")
+    largest = float(re.search(r"below (\S+) N", error.allowed)[1])
+    assert np.isfinite(shared_friction(1e-6, Touch(45e3, 0.97 * largest), FINGER.values))
+    refused(lambda: shared_friction(1e-6, Touch(45e3, 1.05 * largest), FINGER.values), "touch.force")
 
 
 class TestLoadSharing:

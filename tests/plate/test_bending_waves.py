@@ -21,6 +21,7 @@ from haptonic.plate.layout.grid import Block
 from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.supports import Support
 from haptonic.plate.vibration.responses import map_spacing
+from haptonic.plate.vibration.touch import highest
 
 HZ = 2 * np.pi
 EDGE = 8e-3
@@ -100,6 +101,13 @@ def test_a_frequency_beyond_it_is_refused_and_smaller_tiles_reach_it():
     assert f"{int(limit / 1e3)}." in caught.value.parts()["allowed"]
     assert PlateModel.of(Plate(layout_of(), supports=held), 0.99 * limit).highest == 0.99 * limit
     assert PlateModel.of(Plate(layout_of(EDGE / 2), supports=held), 1.01 * limit)
+
+
+def test_a_basis_near_a_frequency_ends_at_what_the_tiles_resolve():
+    plate, limit = Plate(layout_of()), highest_resolved(layout_of(), Fineness().trace)
+    assert highest(plate, 0.5 * limit) > 0.51 * limit
+    assert 0.98 * limit < highest(plate, 0.98 * limit) < limit
+    assert highest(plate, 1.1 * limit) == 1.1 * limit  # refused later, with this frequency
 
 
 def test_a_coarse_mesh_of_the_study_is_used_up_to_two_orders_for_each_wave():

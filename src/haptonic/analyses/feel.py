@@ -10,7 +10,13 @@ from haptonic.analyses import plate as vibration
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
-from haptonic.analyses.plate_needs import checked_fineness, gap_of_plate, has_plate, response_settings
+from haptonic.analyses.plate_needs import (
+    check_waves,
+    checked_fineness,
+    gap_of_plate,
+    has_plate,
+    response_settings,
+)
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.errors import StudyError
@@ -18,6 +24,7 @@ from haptonic.fields import FREQUENCY
 from haptonic.friction.lubrication.law import check_reduction
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.lubrication.settings import VOLTAGE
+from haptonic.friction.lubrication.sharing import check_force
 from haptonic.later import xarray as xr
 from haptonic.plate import Plate
 from haptonic.plate.layout.parts import Actuator
@@ -56,9 +63,18 @@ class FeelOptions:
 
 
 def check(study: Description, options: FeelOptions) -> None:
-    """Raise StudyError for a reduction that is not between 0 and 1."""
+    """Refuse a reduction that is not between 0 and 1, a force that is too large, and a frequency too high.
+
+    Raises
+    ------
+    HaptonicError : one of these
+    """
     if options.reduction is not None:
         check_reduction(options.reduction)
+    plate, carrier = study.mounted_plate(), need_carrier(study)
+    middle = carrier if options.at is None else options.at
+    check_force(study.touch.at(middle), study.touch.skin.values)
+    check_waves(study, plate, middle)
 
 
 def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
@@ -80,10 +96,9 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     )
     drive = amplitude(plate, finger.voltage if options.voltage is None else options.voltage)
     middle = carrier if options.at is None else options.at
-    finger.at(middle)  # raises before the computation
-    check_cost(plate, highest(middle))
-    check_grid(plate, settings.grid, len(LOADS))
     chosen = checked_fineness(study)
+    check_cost(plate, highest(plate, middle, chosen))
+    check_grid(plate, settings.grid, len(LOADS))
     gap = gap_of_plate(study, plate, carrier, runner)
     vibration_below = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,

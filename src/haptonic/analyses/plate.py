@@ -11,6 +11,7 @@ from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
 from haptonic.analyses.plate_needs import (
+    check_waves,
     checked_fineness,
     gaps_around,
     has_plate,
@@ -54,8 +55,10 @@ class PlateOptions:
 
 
 def check(study: Description, options: PlateOptions) -> None:
-    """Raise StudyError if the study has no plate."""
-    study.mounted_plate()
+    """Raise an error if the study has no plate, or if its tiles do not resolve the frequencies."""
+    plate = study.mounted_plate()
+    highest = (options.settings or response_settings(study)).highest if options.at is None else options.at
+    check_waves(study, plate, highest)
 
 
 def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateResult:

@@ -50,6 +50,11 @@ def fineness(study: Description) -> Fineness | None:
     return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order, drawn=drawn)
 
 
+def check_waves(study: Description, plate: Plate, highest: float) -> None:
+    """Raise HaptonicError if bending waves of a frequency, Hz, are too short for the tiles of a plate."""
+    (fineness(study) or Fineness()).check_waves(plate.layout, highest)
+
+
 def checked_fineness(study: Description) -> Fineness | None:
     """`fineness` after a check of the memory.
 

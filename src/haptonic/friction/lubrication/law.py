@@ -40,11 +40,14 @@ class FrictionLaw:
     """mu / mu0 at amplitudes evenly spaced in their logarithm: the value, and the ends of its interval.
 
     Where the plate would strike the skin through the film, the value is that of intermittent contact.
+
+    pressed_flat : share of the plausible skins that the force presses flat; the interval is without them
     """
 
     value: Array
     low: Array
     high: Array
+    pressed_flat: float
 
     @classmethod
     def of(cls, touch: Touch, skin: Fingertip) -> FrictionLaw:
@@ -52,7 +55,12 @@ class FrictionLaw:
         prediction = predict(xr.DataArray(np.exp(LOGARITHMS), dims="amplitude"), touch, skin)
         shared = prediction["load_sharing"]
         value = shared.where(np.isfinite(shared), prediction["intermittent"])
-        return cls(value.values, prediction["low"].values, prediction["high"].values)
+        return cls(
+            value.values,
+            prediction["low"].values,
+            prediction["high"].values,
+            float(prediction.attrs["pressed_flat"]),
+        )
 
     def at(self, amplitude: Array, end: End = "value") -> Array:
         """mu / mu0 at amplitudes (m); outside the table it is constant."""

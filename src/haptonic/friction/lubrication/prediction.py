@@ -16,6 +16,7 @@ from haptonic.friction.lubrication.sharing import (
     amplitude_for,
     amplitude_ratio,
     checked_amplitude,
+    gap_at_rest,
     shared_friction,
 )
 from haptonic.friction.lubrication.slider import VALIDITY, intermittent_friction
@@ -51,7 +52,8 @@ def predict(
     on the dimensions of ``amplitude``: the value of either model, ``load_sharing`` and ``intermittent``, and
     the ends (``_low``, ``_high``) of the interval that contains 95 % of the draws, NaN if a draw has no
     solution; ``low`` and ``high``, the ends of the interval over both models and their values, which a model
-    without an interval may have. The attribute ``assumptions`` (JSON) lists every parameter with its mark.
+    without an interval may have. The attribute ``assumptions`` (JSON) lists every parameter with its mark;
+    ``pressed_flat`` is the share of draws that the force presses flat, which are left out.
 
     Raises
     ------
@@ -86,8 +88,10 @@ def predict(
     }
     for name, words in VALID.items():
         data[name][2]["validity"] = words
+    kept = len(plausible(touch, finger, samples, seed)["contact_gap"])
     attributes = {
         "origin": "simulated",
+        "pressed_flat": 1 - kept / samples,
         "touch": json.dumps({"frequency": touch.frequency, "force": touch.force, "speed": touch.speed}),
         "assumptions": json.dumps(finger.assumptions()),
         "samples": samples,
@@ -107,9 +111,16 @@ def with_interval(
     seed: int = 0,
 ) -> Array:
     """(3, amplitude) friction by one model: the value, and the ends of its interval; see `predict`."""
-    drawn = {name: numbers[:, None] for name, numbers in finger.sampled(samples, seed).items()}
+    drawn = {name: numbers[:, None] for name, numbers in plausible(touch, finger, samples, seed).items()}
     cloud = model(amplitude, touch, drawn)
     return np.stack([model(amplitude, touch, finger.values), *np.quantile(cloud, QUANTILES, axis=0)])
+
+
+def plausible(touch: Touch, finger: Fingertip, samples: int, seed: int) -> dict[str, Array]:
+    """Draws of the parameters, name -> (k,), without those that the force presses flat."""
+    drawn = finger.sampled(samples, seed)
+    has_gap = gap_at_rest(touch, drawn) > 0
+    return {name: numbers[has_gap] for name, numbers in drawn.items()}
 
 
 def explained(

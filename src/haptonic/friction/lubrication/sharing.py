@@ -26,6 +26,29 @@ def nominal_pressure(touch: Touch, values: Values) -> Array:
     return np.asarray(touch.force / _area(touch, values))
 
 
+def gap_at_rest(touch: Touch, values: Values) -> Array:
+    """Mean gap without vibration, m; not positive where the force presses the asperities flat."""
+    return _gap_of_share(1.0, nominal_pressure(touch, values), values)
+
+
+def check_force(touch: Touch, values: Values) -> None:
+    """Raise FrictionError if a force presses the asperities flat, so that no film of air is left."""
+    if (gap_at_rest(touch, values) > 0).all():
+        return
+    flat = np.asarray(values["asperity_pressure"]) * np.exp(
+        np.asarray(values["contact_gap"]) / np.asarray(values["decay_length"])
+    )
+    exponent = np.asarray(values["area_exponent"])
+    largest = np.min((flat * values["patch_area"] / 0.5**exponent) ** (1 / (1 - exponent)))
+    raise FrictionError.out_of_range(
+        argument="touch.force",
+        given=f"{touch.force:g} N, {np.max(nominal_pressure(touch, values)):.3g} Pa on the contact",
+        allowed=f"below {largest:.2g} N for this skin, so that its asperities leave a gap at rest",
+        cause="the force is in another unit, or too large for the asperity law",
+        next_step="use a smaller force, or give a larger contact_gap in [touch.skin]",
+    )
+
+
 def film_pressure(gap: ArrayLike, amplitude: ArrayLike, touch: Touch, values: Values) -> Array:
     """Mean overpressure of the film, Pa, at a mean gap not below amplitude / `film.LARGEST_EXCURSION`."""
     length = np.sqrt(_area(touch, values) / np.pi) * values["film_share"]
@@ -56,9 +79,8 @@ def shared_friction(amplitude: ArrayLike, touch: Touch, values: Values) -> Array
     moving = checked_amplitude(amplitude)
     pressure = nominal_pressure(touch, values)
     shape = np.broadcast_shapes(moving.shape, *(np.shape(value) for value in values.values()))
-    at_rest = _gap_of_share(1.0, pressure, values)
-    if (at_rest <= 0).any():
-        raise _pressed_flat(touch, pressure)
+    check_force(touch, values)
+    at_rest = gap_at_rest(touch, values)
     lowest = np.maximum(moving, NO_MOTION) / film.LARGEST_EXCURSION
     highest = _gap_of_share(FILM_ONLY, pressure, values) + FAR * moving + FAR * at_rest
     names = list(values)
@@ -181,16 +203,6 @@ def checked_amplitude(amplitude: ArrayLike) -> Array:
         allowed="real amplitudes of displacement in m, from 0 to 1 mm",
         cause="micrometres, a complex response, or a velocity instead of a displacement",
         next_step="take the magnitude of FrequencyResponse.displacement(), in m",
-    )
-
-
-def _pressed_flat(touch: Touch, pressure: Array) -> FrictionError:
-    return FrictionError.out_of_range(
-        argument="touch.force",
-        given=f"{touch.force:g} N, {np.max(pressure):.3g} Pa on the contact",
-        allowed="a force at which the asperities leave a gap when nothing vibrates",
-        cause="the force is in another unit, or too large for the asperity law",
-        next_step="use a force of 0.1 to 2 N, or give a larger contact_gap",
     )
 
 

@@ -12,7 +12,6 @@ import numpy as np
 from haptonic.arrays import Array, Complex, Ints
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.plate.body.assembly import Assembly
-from haptonic.plate.body.bending_waves import check_resolved
 from haptonic.plate.body.foundations import Foundation, supported, total_stiffness
 from haptonic.plate.body.skeleton import Skeleton
 from haptonic.plate.body.tile_construction import Fineness, recipe_of, tiles_of
@@ -88,10 +87,8 @@ class PlateModel:
             which the study chooses, only waves that it does not represent at all
         GeometryError : things glued so close to a lattice that no block of plain tiles contains them
         """
-        layout, usual = plate.layout, Fineness()
-        fineness = fineness or usual
-        is_coarse = fineness.along < usual.along  # chosen by the study
-        check_resolved(layout, fineness.trace, highest, roughly=is_coarse)
+        layout, fineness = plate.layout, fineness or Fineness()
+        fineness.check_waves(layout, highest)
         blocks = blocks_of(plate)
         skeleton = Skeleton.of(layout, list(blocks), fineness.trace)
         held, foundations = supported(skeleton, plate.supports)

@@ -14,6 +14,7 @@ from haptonic.cell import MeshPlan, Solid, TileShape, UnitCell
 from haptonic.cell.brickwork import Steps, equal_pieces
 from haptonic.lattice import Lattice
 from haptonic.parallel import one_thread, threads
+from haptonic.plate.body.bending_waves import check_resolved, highest_resolved
 from haptonic.plate.body.bonds import Bonded
 from haptonic.plate.body.joined_tile import joined_tile, opened_tile
 from haptonic.plate.body.reduction import block_tile, cell_tile
@@ -55,6 +56,22 @@ class Fineness:
         """Orders of the traces between tiles, within the orders of the meshes."""
         shear = self.shear if min(self.cell, self.plain) > self.through else 0
         return TraceOrders(self.along, self.through, shear)
+
+    @property
+    def is_coarse(self) -> bool:
+        """True for a mesh that is coarser than usual, which the study chooses."""
+        return self.along < Fineness.along
+
+    def highest_resolved(self, layout: Layout) -> float:
+        """Frequency of the shortest bending wave that the tiles of a plate resolve, Hz."""
+        return highest_resolved(layout, self.trace, roughly=self.is_coarse)
+
+    def check_waves(self, layout: Layout, highest: float) -> None:
+        """Raise HaptonicError if bending waves of a frequency, Hz, are too short for the tiles of a plate.
+
+        With a coarse mesh, only waves that it does not represent at all are refused.
+        """
+        check_resolved(layout, self.trace, highest, roughly=self.is_coarse)
 
 
 def _spread(force: Force, bounds: tuple[float, float, float, float]) -> tuple[Array, Array]:

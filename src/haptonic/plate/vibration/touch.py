@@ -151,9 +151,10 @@ FREE = "free"  # the vibration without a finger
 LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
 
 
-def highest(middle: float) -> float:
-    """Highest frequency of a basis for the vibration near a frequency, Hz."""
-    return (1 + NEAR) * middle
+def highest(plate: Plate, middle: float, fineness: Fineness | None = None) -> float:
+    """Highest frequency of a basis for the vibration near a frequency, Hz, within what tiles resolve."""
+    resolved = (fineness or Fineness()).highest_resolved(plate.layout)
+    return max(middle, min((1 + NEAR) * middle, 0.999 * resolved))
 
 
 def loaded(
@@ -195,7 +196,7 @@ def loaded(
     """
     plate = replace(plate, finger=None)
     middle = carrier if at is None else at
-    high = highest(middle)
+    high = highest(plate, middle, fineness)
     model = PlateModel.of(plate, high, fineness)
     band = Band.of(model, 0.0, high, progress)
     modes = modes_between(band, (1 - NEAR) * middle, high)

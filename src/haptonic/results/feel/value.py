@@ -158,6 +158,11 @@ class Feel(Result):
         if self.reduction is not None:
             drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
             sentences.append(f"Drive for a reduction of {in_percent(self.reduction)}: {drives}")
+        if flat := self.friction.law.pressed_flat:
+            sentences.append(
+                f"A force of {self.friction.touch.force:g} N presses {in_percent(flat)} of the plausible "
+                "skins flat, without a film of air; the intervals are without them."
+            )
         assumptions = self.friction.skin.assumptions()
         assumed = [name for name, assumption in assumptions.items() if assumption["mark"] == "assumed"]
         sentences.append(
