@@ -156,10 +156,11 @@ def test_names_the_cause(value, unit, cause):
     assert cause in caught.value.cause
 
 
-def test_suggests_the_unit_that_differs_in_case_only():
+@each(("text", "unit", "nearest"), [("70 gpa", "Pa", "GPa"), ("8 mn", "m", "mm"), ("8 kHx", "Hz", "kHz")])
+def test_suggests_the_unit_that_differs_in_case_or_in_one_letter(text, unit, nearest):
     with pytest.raises(HaptonicError) as caught:
-        to_si("70 gpa", "Pa", "x")
-    assert '"GPa"' in caught.value.next_step
+        to_si(text, unit, "x")
+    assert f'"{nearest}" is the nearest' in caught.value.next_step
 
 
 @settings(deadline=None)

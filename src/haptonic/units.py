@@ -390,7 +390,13 @@ def _nearest_unit(unit_text: str, unit: str) -> str | None:
     for name in _table(unit):
         if name.casefold() == unit_text.casefold():
             return name
-    return nearest(unit_text, _table(unit))
+    # one wrong letter, rather behind a right prefix: "mn" is closer to "mm" than to "m"
+    one_off = [
+        name
+        for name in _table(unit)
+        if len(name) == len(unit_text) and sum(a != b for a, b in zip(name, unit_text, strict=True)) == 1
+    ]
+    return min(one_off, key=lambda name: name[0] != unit_text[0], default=nearest(unit_text, _table(unit)))
 
 
 def _plain(number: Decimal) -> str:

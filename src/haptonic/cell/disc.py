@@ -136,7 +136,7 @@ class Disc(Sectioned):
                 format_quantity(self.low, "m"),
                 f"below the upper end, {format_quantity(high, 'm')}",
                 "the disc has no thickness; heights count upwards from the plate's upper face",
-                "exchange low and high, or give the upper end of a disc that is above the plate",
+                "check the units of low and high, or give the upper end of a disc that is above the plate",
                 at="low",
             )
 

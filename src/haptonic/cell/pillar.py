@@ -90,6 +90,11 @@ class Pillar(Sectioned):
             next_step="give core and coating as [[cell.disc]] tables in place of the pillar",
         ),
         **absent(
+            "glue", "bond", "adhesive", "glue_thickness", "bond_thickness",
+            cause="a pillar is one piece with the plate; pillars on glue are stacks of discs",
+            next_step="give the glue and the pillar as two [[cell.disc]] tables in place of the pillar",
+        ),
+        **absent(
             "hole", "bore", "inner_diameter", "hollow",
             cause="pillars are solid; hollow ones are stacks of discs",
             next_step="give them as two [[cell.disc]] tables, the second with empty = true",

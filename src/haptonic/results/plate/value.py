@@ -140,7 +140,10 @@ class PlateResult(Result, products=PRODUCTS):
     def summary(self) -> list[str]:
         line = self.maps.sel(frequency=self.resonance)
         levels = [f"{name} {level:.1f} dB" for name, level in split(line.get("contrast"), "pair").items()]
-        contrast = f"Contrast at {hz_text(self.resonance, form='.3f')}: {'; '.join(levels)}."
+        where = hz_text(self.resonance, form=".3f")
+        if self.gap and self.resonance != self.carrier:
+            where = f"the strongest resonance in the gap near the carrier, {where}"
+        contrast = f"Contrast at {where}: {'; '.join(levels)}."
         basis = int(self.lines.attrs["basis"])
         method = f", solved on {basis} vectors" if basis else ", solved at each frequency"
         return [
