@@ -52,6 +52,18 @@ class TestFrequencies:
         assert checked > 1
         assert missed == 0
 
+    def test_errors_of_a_hole_are_not_far_above_the_true_ones(self, tmp_path):
+        """The median ratio was 18 before the ratio of the two highest degrees counted away from edges."""
+        blocks, solids = drawn(tmp_path, SQUARE, *STACKS["hole"])
+        exact, own = (
+            BlochModel.of(cell, Resolution(order, 1), 6) for cell, order in ((blocks, 5), (solids, 3))
+        )
+        for kappa in KAPPAS:
+            true, solution = exact.solve(kappa), own.solve(kappa)
+            away = np.abs(solution.frequency - true.frequency)
+            assert (solution.error >= away - true.error).all()
+            assert np.median(solution.error / away) < 8
+
     @pytest.mark.nightly
     @pytest.mark.parametrize("name", STACKS)
     def test_every_stack_of_discs_has_those_of_its_block_mesh(self, tmp_path, name):

@@ -22,6 +22,7 @@ SAME_VOLUME = 1e-5  # relative
 ELEMENTS, WIDEST_ELEMENT, ALONG_EDGE, OF_EDGE = 1.0, 0.25, 1.0, 0.15
 GRADING, CURVATURE = 0.5, 1.0  # settings of Netgen: growth of elements, and elements around a curve
 LAYERS = 0.2  # ratio of neighbouring layers of elements towards an edge
+NEAR_EDGES = 2  # layers of elements at edges with singular stress that count as near them
 STRAIGHT = np.radians(185.0)  # an edge with a larger solid angle about it is re-entrant
 
 
@@ -77,6 +78,7 @@ class DrawnPeriod(FilledTile):
         self.parts: list[Any] = []
         self.body: Any = None
         self._mesh: Any = None
+        self.singular: set[str] = set()  # names of edges with singular stress, once there is a mesh
         if not solids:
             self.problem = "empty"
             return
@@ -116,6 +118,29 @@ class DrawnPeriod(FilledTile):
         mesh.RefineHP(rings, factor=LAYERS)
         mesh.Curve(order)
         return mesh
+
+    def near_edges(self, mesh: Any) -> Any:
+        """Elements of a refined mesh near edges with singular stress, by `NEAR_EDGES`."""
+        import ngsolve as ng
+
+        there = {
+            vertex.nr - 1
+            for segment in mesh.ngmesh.Elements1D()
+            if str(mesh.ngmesh.EdgeDescriptor(segment.index).name) in self.singular
+            for vertex in segment.vertices
+        }
+        near = ng.BitArray(mesh.ne)
+        near.Clear()
+        for _ in range(NEAR_EDGES):
+            touching = [
+                element
+                for element in mesh.Elements(ng.VOL)
+                if any(vertex.nr in there for vertex in element.vertices)
+            ]
+            for element in touching:
+                near.Set(element.nr)
+            there.update(vertex.nr for element in touching for vertex in element.vertices)
+        return near
 
     def _cut(self, solids: Sequence[Any]) -> None:
         """Cut the repeated solids along the tile's sides; if this fails, `problem` is the reason."""
@@ -257,7 +282,9 @@ def _meshed(period: DrawnPeriod) -> Any:
     for number, edge in enumerate(edges):
         edge.name = f"edge{number}"
     coarse = occ.OCCGeometry(body).GenerateMesh(maxh=size, grading=GRADING, curvaturesafety=CURVATURE)
-    for number in _singular(coarse, period):
+    singular = _singular(coarse, period)
+    period.singular = {f"edge{number}" for number in singular}
+    for number in singular:
         low, high = edges[number].bounding_box
         extent = max(high.x - low.x, high.y - low.y, high.z - low.z)
         edges[number].hpref = 1

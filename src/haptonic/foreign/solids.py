@@ -79,7 +79,8 @@ def assembled(
     places), their values from those of the trace; ``above`` like the mass, for the parts beyond the plate's
     faces; ``points`` (n, 3) of the surface, ``cells`` (m, 4) quadrilaterals of it, seen from outside
     anticlockwise, ``lower`` (faces, n, n) nodes of quadrilaterals on the face at z = 0, and ``shown``, values
-    at the points from unknowns; ``highest`` scalar unknowns whose polynomials are of the given order.
+    at the points from unknowns; ``degree`` of the polynomial of each scalar unknown, at least two below
+    the order; ``near`` like the stiffness, of elements near singular edges.
     """
     import ngsolve as ng
 
@@ -93,8 +94,9 @@ def assembled(
     hooke = mesh.MaterialCF(dict(zip(names, tensors, strict=True)))
     vector = ng.VectorH1(mesh, order=order)
     u, v = vector.TnT()
-    form = ng.BilinearForm(ng.InnerProduct(hooke * _strain(ng.Grad(u)), _strain(ng.Grad(v))) * ng.dx)
-    form.Assemble()
+    work = ng.InnerProduct(hooke * _strain(ng.Grad(u)), _strain(ng.Grad(v)))
+    form = ng.BilinearForm(work * ng.dx).Assemble()
+    near = ng.BilinearForm(work * ng.dx(definedonelements=period.near_edges(mesh))).Assemble()
     a, b = scalar.TnT()
     mass = ng.BilinearForm(heavy * a * b * ng.dx).Assemble()
     beyond = ng.IfPos(ng.z - period.thickness, 1.0, ng.IfPos(ng.z, 0.0, 1.0))
@@ -112,25 +114,27 @@ def assembled(
         "cells": cells,
         "lower": lower,
         "shown": shown,
-        "highest": _highest(mesh, scalar, order),
+        "degree": _degrees(mesh, scalar, order),
+        "near": _triplets(near, metres),
     }
 
 
-def _highest(mesh: Any, scalar: Any, order: int) -> NDArray[np.int64]:
-    """Numbers of the scalar unknowns whose polynomials are of the highest order.
+def _degrees(mesh: Any, scalar: Any, order: int) -> NDArray[np.int64]:
+    """Degree of the polynomial of each scalar unknown; lower ones than ``order - 2`` count as of this degree.
 
-    Polynomials are hierarchical: in any field of the order below, their values are zero.
+    Polynomials are hierarchical: in any field of a lower order, their values are zero.
     """
     import ngsolve as ng
 
-    if order == 1:
-        return np.arange(scalar.ndof)
-    below = ng.GridFunction(ng.H1(mesh, order=order - 1))
-    values = below.vec.FV().NumPy()
-    values[:] = np.random.default_rng(0).uniform(1.0, 2.0, len(values))
-    embedded = ng.GridFunction(scalar)
-    embedded.Set(below)
-    return np.flatnonzero(np.abs(embedded.vec.FV().NumPy()) < ROUNDING)
+    degree = np.full(scalar.ndof, order)
+    for lower in range(order - 1, max(order - 3, 0), -1):
+        below = ng.GridFunction(ng.H1(mesh, order=lower))
+        values = below.vec.FV().NumPy()
+        values[:] = np.random.default_rng(0).uniform(1.0, 2.0, len(values))
+        embedded = ng.GridFunction(scalar)
+        embedded.Set(below)
+        degree[np.abs(embedded.vec.FV().NumPy()) > ROUNDING] = lower
+    return degree
 
 
 def period_of(

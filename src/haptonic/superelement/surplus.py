@@ -57,14 +57,15 @@ EDGE = 0.5445
 # the errors, and for twenty bands of a pillar on a plate of 0.04 pitches they are equal to them.
 SMOOTH, WAVES = 1.0, 1 / 3
 AROUND = 1  # axis of elements along the rings
-# Energy beyond the highest polynomials in elements that are not their own images; in the others, energy of
-# the highest of each kind, and of those before
+# Energy beyond the highest polynomials in elements that are not their own images; in the others, and in those
+# of a CAD file away from edges, energy of the highest of each kind, and of those before
 FORMS = ("beyond", "highest_of_kind", "before")
 
 
 def missing_energy(beyond: Array, of_kind: Array, before: Array) -> Array:
     """Estimate the energy that a mesh lacks from the values of `FORMS`, each (k,) of k modes."""
-    ratio = np.divide(of_kind, before, out=np.ones_like(of_kind), where=before > of_kind)
+    falls = before > np.maximum(of_kind, 0.0)  # energies of rigid motions may be negative by rounding
+    ratio = np.divide(of_kind, before, out=np.ones_like(of_kind), where=falls)
     return np.asarray(beyond + ratio * of_kind)
 
 
