@@ -387,16 +387,10 @@ def _table(unit: str) -> dict[str, Fraction]:
 
 
 def _nearest_unit(unit_text: str, unit: str) -> str | None:
-    for name in _table(unit):
-        if name.casefold() == unit_text.casefold():
-            return name
-    # one wrong letter, rather behind a right prefix: "mn" is closer to "mm" than to "m"
-    one_off = [
-        name
-        for name in _table(unit)
-        if len(name) == len(unit_text) and sum(a != b for a, b in zip(name, unit_text, strict=True)) == 1
-    ]
-    return min(one_off, key=lambda name: name[0] != unit_text[0], default=nearest(unit_text, _table(unit)))
+    alike = [name for name in _table(unit) if name.casefold() == unit_text.casefold()]
+    # then one wrong letter behind a right one: "mn" is closer to "mm" than to "m"
+    alike += [name for name in _table(unit) if name[:-1] == unit_text[:-1] != ""]
+    return alike[0] if alike else nearest(unit_text, _table(unit))
 
 
 def _plain(number: Decimal) -> str:

@@ -93,6 +93,7 @@ ALLOWED: dict[str, set[str]] = {
         "analyses",
         "atomic",
         "channels",
+        "design",
         "description",
         "pages",
         "plate",
