@@ -93,6 +93,38 @@ def test_a_file_is_not_replaced_without_being_asked(studio):
     assert upload(studio, "folder.csv", replace=True).status == 422
 
 
+@each(
+    ("name", "content", "is_read"),
+    [
+        ("picture.png", b"\x89PNG", False),
+        ("page.pdf", b"%PDF" + b"x" * 10_000, False),
+        ("STUDY.TOML", b"", False),
+        ("study.toml", b"title = 'x'", True),
+        ("cell.STEP", b"ISO-10303-21;", True),
+        ("cell.msh", b"$MeshFormat", True),
+        ("scan.CSV", b"", True),
+        ("scan.ascii", b"    -1\n   151\n", True),  # UFF by its first bytes
+    ],
+)
+def test_a_file_that_nothing_reads_is_refused_before_it_is_written(tmp_path, name, content, is_read):
+    seen = []
+
+    async def parts() -> AsyncIterator[bytes]:
+        for k in range(0, len(content), 3):
+            yield content[k : k + 3]
+            seen.append(sorted(path.name for path in tmp_path.iterdir()))
+
+    if is_read:
+        asyncio.run(receive(Workspace(tmp_path), name, parts()))
+        assert (tmp_path / name).read_bytes() == content
+    else:
+        with pytest.raises(HaptonicError, match="reads this format") as refusal:
+            asyncio.run(receive(Workspace(tmp_path), name, parts()))
+        assert refusal.value.code == "unsupported"
+        assert not any(seen)
+        assert list(tmp_path.iterdir()) == []
+
+
 def test_no_link_leads_out_of_the_folder(tmp_path):
     outside, folder = tmp_path / "outside", tmp_path / "studies"
     outside.mkdir()

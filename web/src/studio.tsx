@@ -88,7 +88,7 @@ async function begin(): Promise<void> {
     followPoints();
     followComparison();
     followTurns();
-    followDrops();
+    followDrops(start.solids);
     followReading();
   });
   addEventListener("hashchange", () => void openLink());

@@ -51,9 +51,13 @@ def format_of(path: Path) -> Format | None:
     OSError : no such file, or no right to read it
     """
     with path.open("rb") as file:
-        head = file.read(HEAD)
-    suffix = path.suffix.lower()
-    return next((form for form in FORMATS if suffix in form.suffixes or form.recognises(head)), None)
+        return recognised(path.suffix, file.read(HEAD))
+
+
+def recognised(suffix: str, head: bytes) -> Format | None:
+    """Format of a file with this suffix and these first bytes, of which `HEAD` suffice; None if unknown."""
+    ending = suffix.lower()
+    return next((form for form in FORMATS if ending in form.suffixes or form.recognises(head)), None)
 
 
 def opened(path: Path) -> SignalFile:

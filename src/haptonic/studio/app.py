@@ -38,7 +38,7 @@ from haptonic.studio.painting import FIRST, forecast
 from haptonic.studio.replies import binary, download, missing
 from haptonic.studio.requests import Asked, number_in, order_of, steps_in, text_in, unasked
 from haptonic.studio.turns import LONGEST_PATH, turn_routes
-from haptonic.studio.uploads import upload_route
+from haptonic.studio.uploads import SOLIDS, upload_route
 from haptonic.studio.workspace import Workspace
 from haptonic.study import templates
 from haptonic.views import packed_page
@@ -141,6 +141,7 @@ class Studio:
             "exports": choices(),
             "expressions": PARAMETERS,
             "plate": FIRST,
+            "solids": SOLIDS,
         }
 
     def check(self, asked: Asked) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Reception of measured files: each is complete or absent, and replaces another one only if asked."""
+"""Reception of files: each is of use, complete or absent, and replaces another one only if asked."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import errno
 import secrets
 from collections.abc import AsyncIterator, Callable
 from contextlib import suppress
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -14,14 +14,19 @@ from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.routing import Route
 
 from haptonic.atomic import TEMPORARY, cause_of
+from haptonic.cell.solid import DRAWN, MESHES
+from haptonic.channels.formats import HEAD, SUFFIXES, recognised
 from haptonic.errors import HaptonicError, ResourceError, StudyError, shown
 from haptonic.studio.checking import described
 from haptonic.studio.guard import UPLOAD, TooLargeError
 from haptonic.studio.workspace import Workspace
+from haptonic.study.template import ENDING
+
+SOLIDS = (*DRAWN, *MESHES)  # endings of files that a study names
 
 
 def upload_route(workspace: Workspace, listed: Callable[[], object]) -> Route:
-    """The address that takes a measured file, and answers with the files that are there afterwards."""
+    """The address that takes a file, and answers with the files that are there afterwards."""
 
     async def upload(request: Request) -> Response:
         asked = request.query_params
@@ -44,7 +49,7 @@ async def receive(
 
     Raises
     ------
-    StudyError : a name that leads out of the folder, or one that is taken
+    StudyError : a name that leads out of the folder, or one that is taken; or a file of no use
     ResourceError : the folder cannot be written, or the disk is full
     """
     path = workspace.place(name)
@@ -52,9 +57,12 @@ async def receive(
     try:
         if not replace:
             await run_in_threadpool(_need_free, path, name)
+        head = await _head(content)
+        _need_use(name, head)
         await run_in_threadpool(path.parent.mkdir, parents=True, exist_ok=True)
         draft = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}.tmp"
         with draft.open("xb") as file:
+            await run_in_threadpool(file.write, head)
             async for part in content:
                 await run_in_threadpool(file.write, part)
         await run_in_threadpool(_put, draft, path, name, replace)
@@ -70,6 +78,30 @@ async def receive(
         if draft is not None:
             with suppress(OSError):
                 draft.unlink(missing_ok=True)
+
+
+async def _head(content: AsyncIterator[bytes]) -> bytes:
+    """First bytes of a file, enough to recognise its format."""
+    head = b""
+    async for part in content:
+        head += part
+        if len(head) >= HEAD:
+            break
+    return head
+
+
+def _need_use(name: str, head: bytes) -> None:
+    """Refuse a file that neither an analysis nor a study reads, before it is written."""
+    suffix = PurePosixPath(name).suffix.lower()
+    if not name.endswith(ENDING) and suffix not in SOLIDS and recognised(suffix, head) is None:
+        raise StudyError.unsupported(
+            argument="file",
+            given=shown(name, 200),
+            allowed=f"a study ({ENDING}), a measurement ({', '.join(SUFFIXES)}), or a CAD file or mesh "
+            f"of a cell ({', '.join(SOLIDS)})",
+            cause="neither an analysis nor a study reads this format",
+            next_step="save a measurement as CSV, or a cell as STEP, and drop that file",
+        )
 
 
 def _need_free(path: Path, name: str) -> None:

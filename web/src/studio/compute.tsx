@@ -3,6 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { analyses, analysis, choose, isWrong, missing, usesStudy, wanted } from "./chosen";
 import { cancel, compute, elapsed, lost, running, whole } from "./jobs";
+import { Received } from "./drop";
 import { Runs } from "./runs";
 import type { Job } from "./server";
 import { settled } from "./study";
@@ -43,6 +44,7 @@ export function Compute() {
         {wrong && <span class="quiet">The study has problems, or is empty.</span>}
       </div>
       <p class="quiet">{chosen.help}</p>
+      <Received />
       <Questions chosen={chosen} />
       {job !== undefined && !job.turned && !lost.value && <Running job={job} />}
       <Runs />

@@ -1,10 +1,10 @@
-/** Measured files from outside of the folder: dropped on the page, or chosen. */
+/** Files from outside of the folder, dropped on the page or chosen: measured ones, studies, and cells of studies. */
 
 import { signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { chooseFile, list } from "./chosen";
 import { Refusal, server } from "./server";
-import { attempt } from "./study";
+import { attempt, ENDING, notice, openFile } from "./study";
 
 interface Added {
   name: string; // with the folders that it was dropped in
@@ -13,13 +13,22 @@ interface Added {
 
 const pending = signal<Added[]>([]); // several files that need a folder
 const folder = signal("");
-const taken = signal<Added[]>([]); // files whose names are in the folder already
+/** Files whose names are in the folder already, of all that were dropped together. */
+const taken = signal<{ files: Added[]; all: string[] } | null>(null);
 const progress = signal("");
 const isOver = signal(false); // files are held over the page
-let target = ""; // what is chosen after the files are there
+const NO_USE = "unsupported"; // code of the refusal of a file that nothing reads
+let solids: string[] = []; // endings of files that a study names
 
-/** Take the files that are dropped anywhere on the page. */
-export function followDrops(): void {
+const isStudy = (name: string) => name.endsWith(ENDING);
+const isSolid = (name: string) => solids.some((ending) => name.toLowerCase().endsWith(ending));
+const isMeasured = (name: string) => !isStudy(name) && !isSolid(name);
+/** The file, or the folder that was dropped with it. */
+const top = (name: string) => name.split("/")[0] ?? "";
+
+/** Take the files that are dropped anywhere on the page; `endings` are those of CAD files and meshes. */
+export function followDrops(endings: string[]): void {
+  solids = endings;
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
   addEventListener("dragover", (event) => {
     if (!hasFiles(event)) return;
@@ -59,46 +68,59 @@ async function contents(entry: FileSystemEntry): Promise<Added[]> {
   return (await Promise.all(inside.map(contents))).flat();
 }
 
-/** Add files at once if their place is clear: a single one, or those of one folder. */
+/** Add files at once if their place is clear; several loose measured files need a folder first. */
 async function take(added: Added[]): Promise<void> {
   const visible = added.filter(({ name }) => !name.split("/").some((part) => part.startsWith(".")));
-  const [first] = visible;
+  const some = visible.length > 0 ? visible : added.slice(0, 1); // the server refuses a hidden file with its reason
+  const first = some[0];
   if (first === undefined) return;
-  const top = first.name.split("/")[0] ?? "";
-  if (visible.every(({ name }) => name.startsWith(`${top}/`)) || visible.length === 1) {
-    target = top;
-    await add(visible, false);
-    return;
-  }
-  pending.value = visible;
+  const isOneFolder = some.every(({ name }) => name.startsWith(`${top(first.name)}/`));
+  const measured = some.filter(({ name }) => isMeasured(name));
+  if (isOneFolder || measured.length < 2) return add(some, false);
+  pending.value = measured;
   folder.value ||= "measured";
+  const others = some.filter(({ name }) => !isMeasured(name)); // they belong beside the studies
+  if (others.length > 0) await add(others, false);
 }
 
-async function add(added: Added[], replace: boolean): Promise<void> {
-  const repeated: Added[] = [];
-  taken.value = [];
+async function add(added: Added[], replace: boolean, all = added.map(({ name }) => name)): Promise<void> {
+  const [repeated, useless]: [Added[], string[]] = [[], []];
+  taken.value = null;
   try {
     for (const [k, each] of added.entries()) {
       progress.value = `Adding ${each.name}, ${k + 1} of ${added.length}`;
       try {
         list(await server.upload(each.name, each.content, replace));
       } catch (reason) {
-        if (!(reason instanceof Refusal) || reason.problem?.code !== "repeated") throw reason;
-        repeated.push(each);
+        const code = reason instanceof Refusal ? reason.problem?.code : undefined;
+        if (code === "repeated") repeated.push(each);
+        else if (code === NO_USE && useless.length + 1 < all.length) useless.push(each.name);
+        else throw reason;
       }
     }
-    progress.value = repeated.length === 0 ? `Added ${target}.` : "";
-    taken.value = repeated;
-    if (repeated.length === 0) chooseFile(target);
   } catch (reason) {
     progress.value = "";
     throw reason;
   }
+  const useful = all.filter((name) => !useless.includes(name));
+  const leftOut = useless.length > 0 ? ` Left out, because nothing reads them: ${useless.join(", ")}.` : "";
+  progress.value = repeated.length === 0 ? `Added ${[...new Set(useful.map(top))].join(", ")}.${leftOut}` : "";
+  if (repeated.length > 0) taken.value = { files: repeated, all: useful };
+  else await use(useful);
+}
+
+/** Use files that are in the folder now: open a study, choose measurements, and explain the others. */
+async function use(names: string[]): Promise<void> {
+  const study = names.find((name) => isStudy(name) && top(name) === name);
+  const [measured, solid] = [names.find(isMeasured), names.find(isSolid)];
+  if (measured !== undefined) chooseFile(top(measured));
+  if (study !== undefined) await openFile(study);
+  if (solid !== undefined) notice.value ??= `${solid} is in the folder. A study uses it with file = "${solid}" in its table [cell.solid].`;
 }
 
 function addPending(): void {
-  target = folder.peek().trim();
-  const added = pending.peek().map((each) => ({ ...each, name: `${target}/${each.name}` }));
+  const place = folder.peek().trim();
+  const added = pending.peek().map((each) => ({ ...each, name: `${place}/${each.name}` }));
   pending.value = [];
   void attempt(() => add(added, false));
 }
@@ -124,6 +146,15 @@ export function Drop() {
       </p>
       <input {...hidden} ref={file} data-choose="files" />
       <input {...hidden} ref={whole} data-choose="folder" {...{ webkitdirectory: true }} />
+    </div>
+  );
+}
+
+/** Questions about received files, and how far they are; a drop can happen beside any analysis. */
+export function Received() {
+  const already = taken.value;
+  return (
+    <>
       {pending.value.length > 0 && (
         <form
           class="row"
@@ -145,20 +176,20 @@ export function Drop() {
           </button>
         </form>
       )}
-      {taken.value.length > 0 && (
+      {already !== null && (
         <div class="row" role="alert">
           <span>
-            In the folder already: {taken.value.slice(0, 3).map(({ name }) => name).join(", ")}
-            {taken.value.length > 3 && ` and ${taken.value.length - 3} more`}.
+            In the folder already: {already.files.slice(0, 3).map(({ name }) => name).join(", ")}
+            {already.files.length > 3 && ` and ${already.files.length - 3} more`}.
           </span>
-          <button type="button" onClick={() => void attempt(() => add(taken.peek(), true))}>
+          <button type="button" onClick={() => void attempt(() => add(already.files, true, already.all))}>
             Replace
           </button>
           <button
             type="button"
             onClick={() => {
-              taken.value = [];
-              chooseFile(target);
+              taken.value = null;
+              void attempt(() => use(already.all));
             }}
           >
             Use what is there
@@ -168,6 +199,6 @@ export function Drop() {
       <p class="quiet" role="status">
         {progress.value}
       </p>
-    </div>
+    </>
   );
 }

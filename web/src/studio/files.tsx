@@ -2,12 +2,11 @@
 
 import { useState } from "preact/hooks";
 import type { Start } from "./server";
-import { canRedo, canUndo, file, files, notice, openFile, opening, openTemplate, redo, save, text, undo, unsaved } from "./study";
+import { canRedo, canUndo, ENDING, file, files, notice, openFile, opening, openTemplate, redo, save, text, undo, unsaved } from "./study";
 import { Parts } from "./editor";
 import { Help } from "./help";
 import { copyLink } from "./share";
 
-const ENDING = ".toml";
 const ANNOUNCED = 6000; // ms
 
 export function Bar({ start }: { start: Start }) {
@@ -18,7 +17,6 @@ export function Bar({ start }: { start: Start }) {
     setTimeout(() => setCopied(""), ANNOUNCED);
   };
   const target = name ?? file.value ?? "";
-  const sure = () => !unsaved.peek() || confirm("The study has changes that are not saved. Leave them? Undo brings them back.");
   return (
     <header class="bar">
       <div class="row">
@@ -31,7 +29,7 @@ export function Bar({ start }: { start: Start }) {
               const chosen = event.currentTarget.value;
               event.currentTarget.value = "";
               setName(null);
-              if (chosen) void openTemplate(chosen, sure);
+              if (chosen) void openTemplate(chosen);
             }}
           >
             <option value="">choose</option>
@@ -50,7 +48,7 @@ export function Bar({ start }: { start: Start }) {
               const chosen = event.currentTarget.value;
               event.currentTarget.value = "";
               setName(null);
-              if (chosen) void openFile(chosen, sure);
+              if (chosen) void openFile(chosen);
             }}
           >
             <option value="">{files.value.length > 0 ? "choose" : "no study yet"}</option>

@@ -73,6 +73,7 @@ export interface Start extends Listed {
   exports: Exports;
   expressions: string; // table whose names expressions may use
   plate: Tables; // of a study that gets its first plate
+  solids: string[]; // endings of CAD files and meshes
 }
 
 /** An error in its five parts, with the path and the line of its key. */

@@ -16,6 +16,7 @@ interface Version {
   source: Source;
 }
 
+export const ENDING = ".toml"; // of a study's file
 const PAUSE = 250; // ms after the last letter before the text is checked
 const STEP = 800; // ms; letters within it are undone together
 const MOST_STEPS = 100; // with values, some kilobytes each
@@ -178,10 +179,10 @@ function begin(next: string, name: string | null): void {
   replace(next, false, own);
 }
 
-/** Open a study if the user is `sure` to leave the text, once every change is in it. */
-const open = (name: string, sure: () => boolean, read: () => Promise<Edited & { name?: string }>) =>
+/** Open a study if the user leaves a text that is not saved, once every change is in it. */
+const open = (name: string, read: () => Promise<Edited & { name?: string }>) =>
   inTurn(async () => {
-    if (!sure()) return;
+    if (unsaved.peek() && !confirm("The study has changes that are not saved. Leave them? Undo brings them back.")) return;
     opening.value = name;
     try {
       const state = await read();
@@ -192,8 +193,8 @@ const open = (name: string, sure: () => boolean, read: () => Promise<Edited & { 
     }
   });
 
-export const openFile = (name: string, sure = () => true) => open(name, sure, () => server.open(name));
-export const openTemplate = (name: string, sure: () => boolean) => open(name, sure, () => server.template(name));
+export const openFile = (name: string) => open(name, () => server.open(name));
+export const openTemplate = (name: string) => open(name, () => server.template(name));
 
 /** Another study without a file, as one step of the history. */
 export function openText(next: string): void {

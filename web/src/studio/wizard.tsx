@@ -134,6 +134,8 @@ function Understood({ chosen }: { chosen: Analysis }) {
   );
 }
 
+const RESULT = ".nc";
+
 /** Other analyses that may understand the same file. */
 function Instead({ chosen }: { chosen: Analysis }) {
   const file = chosen.options.find((option) => option.required && namesFile(option));
@@ -147,6 +149,7 @@ function Instead({ chosen }: { chosen: Analysis }) {
             Read it for {other.name}
           </button>
         ))}
+      {name.endsWith(RESULT) && <span class="quiet"> The bands of a study, {RESULT}, are chosen in the analysis compare.</span>}
     </p>
   );
 }
