@@ -49,8 +49,13 @@ def chromium() -> Iterator[Browser]:
 
 
 @contextmanager
-def page_at(browser: Browser, url: str, width: int = 1440, **context: object) -> Iterator[Page]:
-    """Open a page in a window of its own; errors and complaints on its console fail the test."""
+def page_at(
+    browser: Browser, url: str, width: int = 1440, *, complains: bool = False, **context: object
+) -> Iterator[Page]:
+    """Open a page in a window of its own; errors and complaints on its console fail the test.
+
+    complains : True if refusals of the server, which the browser lists there, belong to the test
+    """
     with_size = {"viewport": {"width": width, "height": WIDTHS[width]}, **context}
     opened = browser.new_context(**with_size)  # type: ignore[arg-type]
     page, complaints = opened.new_page(), list[str]()
@@ -59,7 +64,7 @@ def page_at(browser: Browser, url: str, width: int = 1440, **context: object) ->
     try:
         page.goto(url)
         yield page
-        assert not [text for text in complaints if HARMLESS not in text]
+        assert complains or not [text for text in complaints if HARMLESS not in text]
     finally:
         opened.close()
 

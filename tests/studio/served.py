@@ -88,9 +88,9 @@ class Served:
 
 
 @contextmanager
-def served(folder: Path, opened: str | None = None, *, admit: bool = True) -> Iterator[Served]:
+def served(folder: Path, opened: str | None = None, *, admit: bool = True, port: int = 0) -> Iterator[Served]:
     """Run a studio in a thread of this process; ``admit`` uses its link."""
-    socket = listen(0)
+    socket = listen(port)
     port = socket.getsockname()[1]
     studio = Studio(Workspace(folder), opened)
     guard = Guard(studio.app(), port)

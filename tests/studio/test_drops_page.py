@@ -1,12 +1,11 @@
 """Files that are dropped on the page: each is opened, chosen, explained or refused."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import expect
 from served import Served, served
-from test_page import CELL, TEXT, admitted
+from test_page import CELL, TEXT, opened
 from test_wizard_page import SCAN, drop
 
 expect.set_options(timeout=30_000)
@@ -19,26 +18,13 @@ def studio(tmp_path) -> Iterator[Served]:
         yield running
 
 
-@contextmanager
-def refused_page(browser: Browser, studio: Served) -> Iterator[Page]:
-    """The page in a window whose console may report refusals."""
-    context = browser.new_context(storage_state=admitted(studio), reduced_motion="reduce")
-    page = context.new_page()
-    page.goto(f"{studio.origin}/")
-    expect(page.locator(TEXT)).to_have_value(CELL)
-    try:
-        yield page
-    finally:
-        context.close()
-
-
 def names_in(studio: Served) -> list[str]:
     return sorted(path.name for path in studio.studio.workspace.folder.iterdir())
 
 
 def test_a_dropped_study_is_opened_with_care_for_unsaved_text(browser, studio):
     other = CELL.replace("6 mm", "7 mm")
-    with refused_page(browser, studio) as page:
+    with opened(browser, studio, complains=True) as page:
         drop(page, "other.toml", other.encode())
         expect(page.locator(TEXT)).to_have_value(other)
         expect(page.get_by_label("File name")).to_have_value("other.toml")
@@ -61,7 +47,7 @@ def test_a_dropped_study_is_opened_with_care_for_unsaved_text(browser, studio):
 
 
 def test_a_dropped_solid_is_kept_and_a_useless_file_and_name_are_refused(browser, studio):
-    with refused_page(browser, studio) as page:
+    with opened(browser, studio, complains=True) as page:
         drop(page, "cell.step", b"ISO-10303-21;")
         page.get_by_role("alert").get_by_text('file = "cell.step" in its table [cell.solid]').wait_for()
         drop(page, "picture.png", b"\x89PNG")
@@ -78,18 +64,19 @@ def test_a_folder_is_added_without_the_files_that_nothing_reads(browser, studio,
     folder.mkdir()
     for name, content in (("notes.docx", b"PK"), ("photo.png", b"\x89PNG"), ("scan.h5", SCAN.read_bytes())):
         (folder / name).write_bytes(content)
-    with refused_page(browser, studio) as page:
+    with opened(browser, studio, complains=True) as page:
         page.get_by_label("Analysis").select_option("scan")
         page.set_input_files("input[data-choose=folder]", folder)
         page.get_by_text("Added measured. Left out, because nothing reads them: ").wait_for()
-        assert sorted(path.name for path in (studio.studio.workspace.folder / "measured").iterdir()) == ["scan.h5"]
+        received = studio.studio.workspace.folder / "measured"
+        assert [path.name for path in received.iterdir()] == ["scan.h5"]
         expect(page.get_by_role("combobox", name="path")).to_have_value("measured")
         page.get_by_role("button", name="Compute scan").wait_for()
 
 
 def test_results_are_explained_where_a_scan_was_expected(browser, studio):
     (studio.studio.workspace.folder / "bands.nc").write_bytes(b"no scan")
-    with refused_page(browser, studio) as page:
+    with opened(browser, studio, complains=True) as page:
         page.get_by_label("Analysis").select_option("scan")
         page.get_by_role("combobox", name="path").select_option("bands.nc")
         page.get_by_text("are chosen in the analysis compare").wait_for()

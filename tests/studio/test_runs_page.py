@@ -10,7 +10,7 @@ import pytest
 from PIL import Image, ImageSequence
 from playwright.sync_api import expect
 from served import served
-from test_page import CELL, TEXT, opened, text_of, write
+from test_page import CELL, TEXT, admitted, opened, text_of, write
 from test_studio_runs import MANY, SWEEP
 
 from browser import WIDTHS, violations
@@ -71,8 +71,32 @@ def test_designs_of_a_cancelled_sweep_stay_in_sight(browser, tmp_path):
         designs.wait_for(timeout=60_000)
         designs.scroll_into_view_if_needed()
         page.get_by_role("button", name="Cancel").click()
-        page.get_by_text("The computation of sweep was cancelled.").wait_for()
+        page.get_by_text("The computation of sweep was cancelled").wait_for()
         expect(designs).to_be_in_viewport()
+
+
+def test_the_state_of_a_run_is_unknown_without_the_server_and_right_when_it_is_back(browser, tmp_path):
+    (tmp_path / "many.toml").write_text(MANY, "utf-8")
+    with served(tmp_path, "many.toml") as first:
+        context = browser.new_context(storage_state=admitted(first))  # its console lists the lost server
+        page = context.new_page()
+        page.goto(f"{first.origin}/")
+        page.get_by_label("Analysis").select_option("sweep")
+        page.get_by_role("button", name="Compute sweep").click()
+        cancel = page.get_by_role("button", name="Cancel")
+        expect(cancel).to_be_visible()
+        page.locator("summary", has_text="Runs").click()
+        page.get_by_role("button", name="1. sweep (running)").wait_for()
+    page.get_by_role("button", name="1. sweep (unknown, because the server does not answer)").wait_for()
+    expect(cancel).to_have_count(0)
+    with served(tmp_path, "many.toml", port=first.port) as again:
+        context.add_cookies(admitted(again)["cookies"])  # as its new link does
+        page.get_by_role("button", name="1. sweep (interrupted)").wait_for()
+        page.get_by_text("The server ended during the computation of sweep").wait_for()
+        page.get_by_role("button", name="Continue").click()
+        page.get_by_role("button", name="2. sweep (running)").wait_for()
+        expect(cancel).to_be_visible()
+    context.close()
 
 
 def test_a_run_is_opened_saved_filmed_and_removed(browser, studio, tmp_path):

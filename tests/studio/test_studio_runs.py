@@ -14,12 +14,13 @@ import pytest
 from served import PATIENCE, Served, served
 
 from haptonic.errors import HaptonicError
+from haptonic.studio import jobs
 from haptonic.studio.archive import Archive
 from haptonic.studio.designs import design_text
 from haptonic.studio.job import Job
 from haptonic.studio.order import Order
 from haptonic.studio.worker import Wishes, study_of
-from haptonic.study import loads
+from haptonic.study import loads, templates
 from quick import QUICK_CELL
 
 SWEEP = (
@@ -33,6 +34,7 @@ steps = 3
 """
 )
 MANY = SWEEP.replace("steps = 3", "steps = 200")
+SLOW = str(templates()["touchpad"])
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +59,7 @@ def wait_for_points(studio: Served, number: int) -> None:
         time.sleep(0.05)
 
 
-def test_a_killed_server_loses_no_finished_run(tmp_path):
+def test_a_killed_server_loses_no_run(tmp_path):
     (tmp_path / "quick.toml").write_text(QUICK_CELL, "utf-8")
     command = [sys.executable, "-m", "haptonic", "studio", str(tmp_path / "quick.toml"), "--no-browser"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
@@ -66,27 +68,35 @@ def test_a_killed_server_loses_no_finished_run(tmp_path):
         number = start(running, "bands", QUICK_CELL)
         before = running.finished(number)
         view = running.ask("GET", f"/api/jobs/{number}/view").content
+        unfinished = start(running, "bands", SLOW)
+        with served(tmp_path) as beside, beside.listening() as page:
+            assert [job["number"] for job in json.loads(page.recv())["jobs"]] == [number]  # it still runs
         process.send_signal(signal.SIGKILL)
         process.wait(30)
     with served(tmp_path, "quick.toml") as again:
         with again.listening() as page:
-            (brief,) = json.loads(page.recv())["jobs"]
+            brief, left = json.loads(page.recv())["jobs"]
         assert brief["title"] == "Quick"
+        assert (left["number"], left["state"]) == (unfinished, "interrupted")
+        job = again.ask("GET", f"/api/jobs/{unfinished}").json
+        assert (job["state"], job["text"], job["answer"]) == ("interrupted", SLOW, None)
         after = again.ask("GET", f"/api/jobs/{number}").json
         assert after["answer"] == before["answer"]
         picture = again.ask("GET", f"/api/jobs/{number}/pictures/natures")
         assert picture.status == 200
         assert picture.content.startswith(b"<?xml")
         assert again.ask("GET", f"/api/jobs/{number}/view").content == view
-        assert start(again, "sweep", MANY) == number + 1
-        wait_for_points(again, number + 1)
+        last = start(again, "sweep", MANY)
+        assert last == unfinished + 1
+        wait_for_points(again, last)
         assert again.post("remove", number=number).status == 200
         assert again.ask("GET", f"/api/jobs/{number}").status == 404
-    # a server that ends keeps the designs of the job that it cancels
-    ((last, brief),) = Archive(tmp_path.resolve()).briefs.items()
-    assert last == number + 1
-    assert brief["state"] == "cancelled"
-    assert brief["points"] > 0
+    # a server that ends keeps the designs of the job that it interrupts
+    runs = Archive(tmp_path.resolve()).briefs
+    assert [(each, brief["state"]) for each, brief in runs.items()] == [
+        (unfinished, "interrupted"), (last, "interrupted"),
+    ]  # fmt: skip
+    assert runs[last]["points"] > 0
 
 
 def served_elsewhere(link: str) -> Served:
@@ -117,6 +127,25 @@ def test_the_latest_wish_is_prepared_first():
         wishes.add(path)
     assert wishes.first_of(["thickness", "pitch", "height"]) == "height"
     assert wishes.first_of(["thickness", "pitch"]) == "pitch"
+
+
+def test_points_of_a_running_job_are_written_and_a_cancelled_one_without_any_is_not_listed(
+    tmp_path, monkeypatch
+):
+    monkeypatch.setattr(jobs, "SAVED_EVERY", 0.0)
+    with served(tmp_path) as studio:
+        number = start(studio, "sweep", MANY)
+        wait_for_points(studio, number)
+        archive = studio.studio.jobs.archive
+        end = time.monotonic() + PATIENCE
+        while not (stored := archive.read(number)).points and time.monotonic() < end:
+            time.sleep(0.05)
+        assert stored.points
+        assert Archive(tmp_path).briefs == {}  # it still runs
+        slow = start(studio, "bands", SLOW)
+        assert sorted(archive.briefs) == [number, slow]
+        studio.post("cancel", number=slow)
+    assert list(Archive(tmp_path.resolve()).briefs) == [number]
 
 
 def test_the_archive_is_bounded_and_leaves_damaged_files_alone(tmp_path):

@@ -1,7 +1,8 @@
-"""Finished jobs on the disk, so that nothing is lost when the server ends: one zip file for each.
+"""Jobs on the disk, so that nothing is lost when the server ends: one zip file for each.
 
 The folder of the archive is in the store. Its name is the hash of the folder of studies, so that every folder
-has its own list of runs.
+has its own list of runs. The file of a running job names its process: after the end of the process the job is
+listed as interrupted.
 """
 
 from __future__ import annotations
@@ -9,16 +10,20 @@ from __future__ import annotations
 import hashlib
 import io
 import json
+import math
+import os
 import secrets
 import zipfile
 from collections.abc import Container, Iterator
 from contextlib import suppress
 from dataclasses import asdict, fields
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from haptonic.atomic import write_atomically
 from haptonic.gate import json_from
+from haptonic.later import psutil
 from haptonic.store import Store
 from haptonic.studio.job import Job
 from haptonic.studio.order import Order
@@ -70,19 +75,23 @@ class Archive:
     def _add(self, path: Path, brief: dict[str, Any], taken: Container[int]) -> None:
         if brief["form"] != FORM or not isinstance(brief["number"], int):
             return
+        if brief["state"] == "running":
+            if _is_alive(*brief["process"]):
+                return
+            brief = brief | {"state": "interrupted"}
         number = brief["number"]
         while number in self.briefs or number in taken:
             number += 1
         self.briefs[number], self._paths[number] = brief | {"number": number}, path
 
     def keep(self, job: Job) -> None:
-        """Write a finished job, and remove the oldest beyond the limits.
+        """Write a job as far as it is, and remove the oldest beyond the limits.
 
         Raises
         ------
         ResourceError : the folder cannot be written
         """
-        content, brief = io.BytesIO(), job.brief() | ARCHIVED | {"form": FORM}
+        content, brief = io.BytesIO(), job.brief() | ARCHIVED | {"form": FORM, "process": _this_process()}
         with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as parts:
             parts.writestr(BRIEF, json.dumps(brief))
             parts.writestr(WHOLE, json.dumps(_plain(job)))
@@ -100,6 +109,7 @@ class Archive:
             order = plain.pop("order") | {"number": number}
             job = Job(Order(folder=self.studies, **order), **plain)
             job.view = parts.read(VIEW) if VIEW in parts.namelist() else None
+            job.state, job.seconds = self.briefs[number]["state"], self.briefs[number]["seconds"]
             return job
         return None
 
@@ -131,6 +141,22 @@ def _plain(job: Job) -> dict[str, Any]:
     del order["folder"]
     values = {field.name: getattr(job, field.name) for field in fields(job) if field.name not in APART}
     return values | {"order": order}
+
+
+@cache
+def _this_process() -> tuple[int, float]:
+    """Number of this process, and the time of its start."""
+    return os.getpid(), psutil.Process().create_time()
+
+
+def _is_alive(number: int, began: float) -> bool:
+    """True if a process still exists; a later one may have its number."""
+    try:
+        process = psutil.Process(number)
+        is_same = math.isclose(process.create_time(), began, abs_tol=1.0)
+        return is_same and process.status() != psutil.STATUS_ZOMBIE
+    except psutil.Error:
+        return False
 
 
 def _time(path: Path) -> float:

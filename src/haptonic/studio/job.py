@@ -16,7 +16,7 @@ LONGEST_TITLE = 200  # characters in the list, which is sent after every change
 class Job:
     """An ordered analysis and its answer so far.
 
-    state : "running", "done", "failed" or "cancelled"
+    state : "running", "done", "failed", "cancelled", or "interrupted" by the end of its server
     begun : True after the worker has received the order
     progress : steps done and planned, and the name of the current one; planned is 0 while it is unknown
     command, python : lines that repeat it
@@ -66,15 +66,12 @@ class Job:
 
     @property
     def is_kept(self) -> bool:
-        """True if the archive keeps the job: it has ended, with an answer or with points.
+        """True if the archive keeps the job: it has an answer or points, or it can be continued.
 
         Designs on the way of a slider would push out other runs.
         """
-        return (
-            not self.order.turned
-            and self.state != "running"
-            and (self.answer is not None or bool(self.points))
-        )
+        is_left = self.state in ("running", "interrupted")
+        return not self.order.turned and (is_left or self.answer is not None or bool(self.points))
 
     def brief(self) -> dict[str, Any]:
         """State for the list of jobs."""

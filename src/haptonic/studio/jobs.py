@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import multiprocessing
 import threading
+import time
 import warnings
 from collections.abc import Callable
 from contextlib import suppress
@@ -23,6 +24,7 @@ from haptonic.studio.worker import serve
 
 KEPT = 8  # jobs whose answers stay in memory
 MOST_POINTS = 5000  # of a job
+SAVED_EVERY = 5.0  # s, of a running job
 
 
 class Worker:
@@ -62,7 +64,7 @@ class Worker:
 class Jobs:
     """All jobs of a studio, newest last, and the worker that computes them.
 
-    archive : finished jobs, also those of earlier servers
+    archive : jobs on the disk, also those of earlier servers
     notify : called after every change, from any thread
     """
 
@@ -73,6 +75,7 @@ class Jobs:
         self._worker: Worker | None = None
         self._current: Job | None = None
         self._count = max(archive.briefs, default=0)
+        self._saved = 0.0  # time of the last writing of a job
 
     def warm(self) -> None:
         """Start a worker, so that the first job need not wait for it."""
@@ -135,6 +138,7 @@ class Jobs:
             job = Job.ordered(replace(order, number=self._count))
             self._send(job)
             self._current = self.jobs[job.number] = job
+            self._keep(job)
             for number in list(self.jobs)[:-KEPT]:
                 del self.jobs[number]
         self.notify()
@@ -174,9 +178,9 @@ class Jobs:
         self.notify()
 
     def end(self) -> None:
-        """Cancel the running job, whose points are kept, and end the worker."""
+        """Interrupt the running job, which is kept, and end the worker."""
         with self._lock:
-            self._stop_running()
+            self._stop_running("interrupted")
             self.close()
 
     def close(self) -> None:
@@ -186,9 +190,9 @@ class Jobs:
                 self._worker.end()
                 self._worker = None
 
-    def _stop_running(self) -> None:
+    def _stop_running(self, state: str = "cancelled") -> None:
         if self._current is not None and self._current.state == "running":
-            self._current.finish("cancelled")
+            self._current.finish(state)
             self.close()
             self._keep(self._current)
         self._current = None
@@ -200,15 +204,17 @@ class Jobs:
         self._current = None
 
     def _keep(self, job: Job) -> None:
-        """Write a job that has ended; a job that cannot be written stays in memory."""
+        """Write a job, or remove what was written of it; a job that cannot be written stays in memory."""
+        self._saved = time.monotonic()
         if not job.is_kept:
+            self.archive.remove(job.number)
             return
         try:
             self.archive.keep(job)
         except ResourceError as error:
-            warnings.warn(
-                f"run {job.number} is lost when the studio ends: {error.cause}", HaptonicWarning, stacklevel=2
-            )
+            if job.state != "running":
+                words = f"run {job.number} is lost when the studio ends: {error.cause}"
+                warnings.warn(words, HaptonicWarning, stacklevel=2)
 
     def _heard(self, worker: Worker, kind: str, number: int, content: Any) -> None:
         """Note a message of a worker; those of a worker that was ended on purpose are late."""
@@ -250,6 +256,8 @@ class Jobs:
                         job.error = content
                         job.finish("failed")
                         self._keep(job)
+            if job.state == "running" and time.monotonic() - self._saved > SAVED_EVERY:
+                self._keep(job)
 
     def _lose(self, job: Job, code: int | None) -> None:
         """End a job whose worker has died; an order that no worker received is given once more."""

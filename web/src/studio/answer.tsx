@@ -5,7 +5,7 @@ import { Dataset } from "../dataset";
 import { show } from "../views";
 import { typeset } from "../parts/numbers";
 import { Parts } from "./editor";
-import { awaited, whole } from "./jobs";
+import { awaited, compute, lost, whole } from "./jobs";
 import { host } from "./slider";
 import { TableOf } from "./table";
 import { Saving } from "./saving";
@@ -32,7 +32,7 @@ export function Result({ exports }: { exports: Exports }) {
           </button>
         </p>
       )}
-      {job.state === "cancelled" && <p>The computation of {job.analysis} was cancelled.</p>}
+      {["cancelled", "interrupted"].includes(job.state) && <Unfinished job={job} />}
       {job.error !== null && (
         <>
           <h2>No result of {job.analysis}</h2>
@@ -41,6 +41,21 @@ export function Result({ exports }: { exports: Exports }) {
       )}
       {job.answer !== null && <Shown key={designOf(job)} job={job} answer={job.answer} exports={exports} />}
     </section>
+  );
+}
+
+/** A job that can be computed again, with its finished parts from the store. */
+function Unfinished({ job }: { job: WholeJob }) {
+  const { analysis, options, alone, text, file: name } = job;
+  const [done, planned] = job.progress;
+  return (
+    <p>
+      {job.state === "cancelled" ? `The computation of ${analysis} was cancelled` : `The server ended during the computation of ${analysis}`}
+      {planned > 0 && ` at ${done} of ${planned}`}. Finished parts come from the store.{" "}
+      <button type="button" disabled={lost.value} onClick={() => void compute({ analysis, options, alone, text, file: name })}>
+        Continue
+      </button>
+    </p>
   );
 }
 

@@ -46,7 +46,7 @@ export function Compute() {
       <p class="quiet">{chosen.help}</p>
       <Received />
       <Questions chosen={chosen} />
-      {job !== undefined && !job.turned && !lost.value && <Running job={job} />}
+      {job !== undefined && !job.turned && <Running job={job} />}
       <Runs />
     </section>
   );

@@ -14,7 +14,8 @@ export const awaited = { job: 0 }; // the job whose result comes into view when 
 const heard = signal(0); // time of the last list
 export const isFollowed = computed(() => heard.value > 0);
 
-export const running = () => jobs.value.find((job) => job.state === "running");
+/** The job that is computed, as far as the server answers. */
+export const running = () => (lost.value ? undefined : jobs.value.find((job) => job.state === "running"));
 
 /** Seconds that a running job has taken until `now`. */
 export const elapsed = (job: Job, now: number) => job.seconds + Math.max(0, now - heard.value) / 1000;

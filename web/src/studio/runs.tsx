@@ -1,10 +1,11 @@
 /** The list of runs in this folder, newest first: open or remove one. */
 
 import { other } from "./compare";
-import { jobs, remove, showResult, shown, shownJob } from "./jobs";
+import { jobs, lost, remove, showResult, shown, shownJob } from "./jobs";
 import type { Job } from "./server";
 
-export const STATES = { running: "running", done: "", failed: "failed", cancelled: "cancelled" };
+const STATES = { running: "running", done: "", failed: "failed", cancelled: "cancelled", interrupted: "interrupted" };
+const stateOf = ({ state }: Job) => (state === "running" && lost.value ? "unknown, because the server does not answer" : STATES[state]);
 
 export function Runs() {
   const list = [...jobs.value].reverse();
@@ -12,7 +13,7 @@ export function Runs() {
   return (
     <>
       <p class="hidden" role="status">
-        {own === undefined ? "" : `${own.analysis}: ${STATES[own.state] || "finished"}`}
+        {own === undefined ? "" : `${own.analysis}: ${stateOf(own) || "finished"}`}
       </p>
       {list.length > 0 && (
         <details class="section">
@@ -53,7 +54,7 @@ function Run({ job }: { job: Job }) {
       <td>
         <button type="button" class="minor" aria-pressed={shown.value === job.number}
           onClick={() => showResult(job.number)}>
-          {name} {STATES[job.state] && `(${STATES[job.state]})`}
+          {name} {stateOf(job) && `(${stateOf(job)})`}
         </button>
       </td>
       <td class="study-title">{job.title || "-"}</td>

@@ -142,7 +142,7 @@ export interface Job {
   title: string; // of the study
   started: number; // s since 1970
   points: number; // computed designs so far
-  state: "running" | "done" | "failed" | "cancelled";
+  state: "running" | "done" | "failed" | "cancelled" | "interrupted"; // the last: by the end of its server
   cost: string;
   progress: [number, number, string];
   seconds: number;
