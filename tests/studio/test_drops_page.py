@@ -46,17 +46,22 @@ def test_a_dropped_study_is_opened_with_care_for_unsaved_text(browser, studio):
         assert names_in(studio) == ["cell.toml", "other.toml", "third.toml"]
 
 
-def test_a_dropped_solid_is_kept_and_a_useless_file_and_name_are_refused(browser, studio):
+def test_a_dropped_solid_is_kept_and_a_useless_file_is_refused(browser, studio):
     with opened(browser, studio, complains=True) as page:
         drop(page, "cell.step", b"ISO-10303-21;")
         page.get_by_role("alert").get_by_text('file = "cell.step" in its table [cell.solid]').wait_for()
         drop(page, "picture.png", b"\x89PNG")
         page.get_by_role("alert").get_by_text("reads this format").wait_for()
         expect(page.get_by_text("Added")).to_have_count(0)
-        drop(page, "../evil.csv", b"x")
-        page.get_by_role("alert").get_by_text("a step upwards").wait_for()
         expect(page.get_by_label("Analysis")).to_have_value("bands")
         assert names_in(studio) == ["cell.step", "cell.toml"]
+
+
+def test_a_refused_name_is_explained(browser, studio):
+    with opened(browser, studio, complains=True) as page:
+        drop(page, "../evil.csv", b"x")
+        page.get_by_role("alert").get_by_text("a step upwards").wait_for()
+        assert names_in(studio) == ["cell.toml"]
 
 
 def test_a_folder_is_added_without_the_files_that_nothing_reads(browser, studio, tmp_path_factory):

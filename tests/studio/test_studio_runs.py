@@ -129,9 +129,7 @@ def test_the_latest_wish_is_prepared_first():
     assert wishes.first_of(["thickness", "pitch"]) == "pitch"
 
 
-def test_points_of_a_running_job_are_written_and_a_cancelled_one_without_any_is_not_listed(
-    tmp_path, monkeypatch
-):
+def test_points_of_a_running_job_are_written_at_intervals(tmp_path, monkeypatch):
     monkeypatch.setattr(jobs, "SAVED_EVERY", 0.0)
     with served(tmp_path) as studio:
         number = start(studio, "sweep", MANY)

@@ -75,6 +75,15 @@ def test_a_study_is_saved_and_opened(studio):
     assert opened["values"]["cell"]["pitch"] == "6 mm"
 
 
+def test_a_file_is_replaced_if_the_page_asks_for_it(studio):
+    path = studio.studio.workspace.folder / "replaced.toml"
+    path.write_text("# edited", "utf-8")
+    for wish in (None, False, "true"):
+        assert studio.post("save", name=path.name, text="# mine", known=CELL, replace=wish).status == 422
+    assert studio.post("save", name=path.name, text="# mine", known=CELL, replace=True).status == 200
+    assert path.read_text("utf-8") == "# mine"
+
+
 def test_a_file_that_another_program_changed_is_not_replaced(studio):
     path = studio.studio.workspace.folder / "shared.toml"
     assert studio.post("save", name="shared.toml", text=CELL, known=None).status == 200
@@ -82,6 +91,9 @@ def test_a_file_that_another_program_changed_is_not_replaced(studio):
     refused = studio.post("save", name="shared.toml", text="# mine", known=CELL)
     assert refused.status == 422
     assert refused.json["error"]["code"] == "repeated"
+    assert "has changed since this page" in refused.json["error"]["cause"]
+    taken = studio.post("save", name="shared.toml", text="# mine", known=None)
+    assert "another file of this name" in taken.json["error"]["cause"]
     assert path.read_text("utf-8").startswith("# edited")
     assert (
         studio.post("save", name="shared.toml", text=f"# both\n{CELL}", known=f"# edited\n{CELL}").status

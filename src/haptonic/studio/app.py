@@ -176,21 +176,23 @@ class Studio:
         return {"text": text} | checked(text, self.workspace.folder)
 
     def save(self, asked: Asked) -> dict[str, Any]:
-        """Write a file, unless it was changed elsewhere since the page read or wrote it."""
-        text, name = text_in(asked), asked.get("name")
+        """Write a file; one that was changed elsewhere since the page read or wrote it only if asked."""
+        text, name, known = text_in(asked), asked.get("name"), asked.get("known")
         try:
             there: str | None = self.workspace.read(name)
         except HaptonicError as error:
             if error.code != "not-found":
                 raise
             there = None
-        if there is not None and there not in (asked.get("known"), text):
+        if there is not None and there not in (known, text) and asked.get("replace") is not True:
             raise StudyError.repeated(
                 argument="name of the file",
                 given=shown(name),
-                allowed="a new name, or a file that only this page has changed",
-                cause="a file of this name exists, or another program has changed it",
-                next_step="choose another name, or open the file first",
+                allowed="a new name, or the file of this page as it was last opened or saved here",
+                cause="another file of this name is in the folder"
+                if known is None
+                else "the file has changed since this page opened or saved it, by another page or an editor",
+                next_step="choose another name, replace the file, or open it in place of this text",
             )
         return {"name": self.workspace.write(name, text), "files": self.workspace.names()}
 

@@ -1,8 +1,8 @@
 /** The bar at the top: templates, files of the folder, saving, undo and redo. */
 
-import { useState } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 import type { Start } from "./server";
-import { canRedo, canUndo, ENDING, file, files, notice, openFile, opening, openTemplate, redo, save, text, undo, unsaved } from "./study";
+import { canRedo, canUndo, conflict, ENDING, file, files, notice, openFile, opening, openTemplate, redo, save, text, undo, unsaved } from "./study";
 import { Parts } from "./editor";
 import { Help } from "./help";
 import { copyLink } from "./share";
@@ -16,6 +16,7 @@ export function Bar({ start }: { start: Start }) {
     setCopied(result);
     setTimeout(() => setCopied(""), ANNOUNCED);
   };
+  const field = useRef<HTMLInputElement>(null);
   const target = name ?? file.value ?? "";
   return (
     <header class="bar">
@@ -70,6 +71,7 @@ export function Bar({ start }: { start: Start }) {
           <label>
             File name
             <input
+              ref={field}
               value={target}
               placeholder={`my${ENDING}`}
               spellcheck={false}
@@ -104,11 +106,29 @@ export function Bar({ start }: { start: Start }) {
       {notice.value !== null && (
         <div class="notice" role="alert">
           {typeof notice.value === "string" ? <p>{notice.value}</p> : <Parts problem={notice.value} />}
+          {conflict.value !== null && <Conflict name={conflict.value} rename={() => field.current?.select()} />}
           <button type="button" class="minor" onClick={() => (notice.value = null)}>
             Close
           </button>
         </div>
       )}
     </header>
+  );
+}
+
+/** Choices about a file with another text than the page knows. */
+function Conflict({ name, rename }: { name: string; rename: () => void }) {
+  return (
+    <div class="row">
+      <button type="button" onClick={rename}>
+        Choose another name
+      </button>
+      <button type="button" onClick={() => void save(name, true)}>
+        Replace {name}
+      </button>
+      <button type="button" onClick={() => void openFile(name)}>
+        Open {name} in place of this text
+      </button>
+    </div>
   );
 }

@@ -287,8 +287,8 @@ export const server = {
   forecast: (text: string) => post<{ costs: Forecast[] }>("forecast", { text }),
   open: (name: string) => post<Edited & { name: string }>("open", { name }),
   template: (name: string) => post<Edited>("template", { name }),
-  save: (name: string, text: string, known: string | null) =>
-    post<{ name: string; files: string[] }>("save", { name, text, known }),
+  save: (name: string, text: string, known: string | null, replace: boolean) =>
+    post<{ name: string; files: string[] }>("save", { name, text, known, replace }),
   run: (wanted: Wanted) => post<{ number: number }>("run", wanted),
   examine: (wanted: Wanted) => post<Examined>("examine", wanted),
   upload: (name: string, content: Blob, replace: boolean) => {

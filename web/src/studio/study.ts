@@ -32,6 +32,9 @@ export const file = computed(() => source.value.file.value);
 export const files = signal<string[]>([]);
 export const loaded = signal(0); // number of studies that the page has shown, apart from designs of one study
 export const notice = signal<Problem | string | null>(null); // why the last action was refused
+const kept = signal<{ name: string; problem: Problem } | null>(null); // the file that was last not replaced
+/** Name of the file that the shown notice is about, because it was not replaced; null for another notice. */
+export const conflict = computed(() => (kept.value?.problem === notice.value ? (kept.value?.name ?? null) : null));
 // table that another part of the page has opened in the form, and whether the form has moved to it
 export const opened = signal<{ path: string; isReached: boolean } | null>(null);
 export const opening = signal(""); // what is read to replace the text
@@ -102,9 +105,11 @@ function replace(next: string, isTyped = false, own = source.peek(), at = perfor
   text.value = next;
 }
 
+/** Check the text after the user has changed it; refusals of later actions stay. */
 function checkLater(pause = PAUSE): void {
+  notice.value = null;
   clearTimeout(timer);
-  timer = window.setTimeout(() => void attempt(checkNow), pause);
+  timer = window.setTimeout(() => void react(checkNow), pause);
 }
 
 async function checkNow(): Promise<void> {
@@ -216,10 +221,15 @@ export const openDesign = (job: number, point: number) =>
     take(state);
   });
 
-export const save = (name: string) =>
+/** Save the text; a file with another text is replaced only if the user has decided so. */
+export const save = (name: string, replaces = false) =>
   inTurn(async () => {
     const [own, written] = [source.peek(), text.peek()];
-    const answer = await server.save(name, written, name === own.file.peek() ? own.saved.peek() : null);
+    const known = name === own.file.peek() ? own.saved.peek() : null;
+    const answer = await server.save(name, written, known, replaces).catch((reason: unknown) => {
+      if (reason instanceof Refusal && reason.problem?.code === "repeated") kept.value = { name, problem: reason.problem };
+      throw reason;
+    });
     [own.file.value, own.saved.value] = [answer.name, written];
     files.value = answer.files;
   });
