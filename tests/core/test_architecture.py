@@ -92,6 +92,7 @@ ALLOWED: dict[str, set[str]] = {
     | {
         "analyses",
         "atomic",
+        "cell",  # the endings of files of cells
         "channels",
         "design",
         "description",
