@@ -91,6 +91,13 @@ def test_a_sweep_of_the_glue_moves_the_pillar_on_it(end):
         assert (glue.high, pillar.low, pillar.high) == pytest.approx((height, height, 7e-3))
 
 
+def test_the_plan_lists_materials_and_ends_at_the_face():
+    sizes = next(table for table in loads(GLUED).plan().tables() if table.title.startswith("sizes"))
+    values = {row[0]: row[1] for row in sizes.rows}
+    assert values["material"] == "aluminium-paper"
+    assert (values["disc[1].low"], values["disc[1].material"]) == ("0 m", "epoxy")
+
+
 def test_discs_of_one_border_move_together_unless_both_are_given():
     study = loads(GLUED)
     first, second = "cell.disc[1].diameter", "cell.disc[2].diameter"

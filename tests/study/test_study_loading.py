@@ -23,6 +23,14 @@ thickness = "1 mm"
 """
 
 
+def test_a_table_of_results_in_place_of_a_study_is_answered_with_what_to_give(tmp_path):
+    path = tmp_path / "bands.csv"
+    path.write_text("distance (rad/m),kx (rad/m)\n0,0\n")
+    with pytest.raises(StudyError) as caught:
+        load(path)
+    assert "ends in .toml" in caught.value.next_step
+
+
 def test_reference_study_holds_the_prototype(reference_path):
     study = load(reference_path)
     assert study.title == "Touchpad with two waveguides"

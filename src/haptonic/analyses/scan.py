@@ -214,7 +214,7 @@ def _need_plate(study: Description, options: ScanOptions, runner: Runner) -> OnP
         raise StudyError.missing(
             argument="plate", given="nothing", allowed="a study with a [plate]",
             cause="the study describes a lattice without a plate",
-            next_step="add [plate], or leave the study out",
+            next_step="add [plate], or leave the study out to read the scan alone",
         )  # fmt: skip
     return on_plate(study, options, store=runner.store)
 

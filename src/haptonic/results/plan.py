@@ -95,7 +95,9 @@ class StudyPlan(Result):
         values += [
             (path, format_quantity(value, declared.unit) if declared else str(value))
             for path, value, declared in leaves(self.cell, "cell.")
-            if path.startswith("cell.") and value and (declared or path.endswith(".section"))
+            if (path.startswith("cell.") or path == "material")
+            and (value or path.endswith((".low", ".high")))
+            and (declared or path.endswith(("section", "material")))
         ]
         sizes: list[tuple[Cell, ...]] = [
             (path.removeprefix("cell."), value, *([self.expressions.get(path)] if self.expressions else []))
@@ -108,7 +110,7 @@ class StudyPlan(Result):
                 ("command", "processor time", "memory"),
                 costs,
             ),
-            Table("sizes of the cell", head, sizes),
+            Table("sizes and materials of the cell", head, sizes),
             *([_of_the_file(self.cell)] if self.cell.solid else []),
             *(self._of_the_plate(self.plate) if self.plate else []),
         ]

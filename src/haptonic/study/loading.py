@@ -14,6 +14,7 @@ from haptonic.fields import read, table
 from haptonic.fields.reading import read_listing
 from haptonic.paths import source
 from haptonic.study.schema import Description
+from haptonic.study.template import ENDING
 from haptonic.study.text_file import is_result, text_of
 from haptonic.study.trial_tables import TrialSettings, TrialsFile
 
@@ -200,6 +201,8 @@ def _malformed(text: str, origin: str, error: Exception) -> StudyError:
         next_step = 'put quotes around the number and its unit: pitch = "7 mm"'
     elif line.startswith("[") and "twice" in message:
         next_step = "a heading may occur only once; several sweeps need a heading [[sweep]] each"
+    elif number == 1 and Path(origin).suffix not in ("", ENDING):
+        next_step = f"give a study file, which ends in {ENDING}; this one may be a result or a measurement"
     return StudyError.malformed(
         argument=f"{origin}, line {number}" if line else origin,
         given=shown(line) if line else "text that is not TOML",

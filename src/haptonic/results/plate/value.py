@@ -161,7 +161,8 @@ class PlateResult(Result, products=PRODUCTS):
     def remarks(self) -> list[str]:
         if not self.plate.rigid:
             return []
-        return [f"the plate has no support: {self.plate.rigid_modes} rigid-body motions are free"]
+        count = self.plate.rigid_modes
+        return [f"the plate has no support: {count} rigid-body motions are free; they are included"]
 
     def tables(self) -> list[Table]:
         tables = [*carriers_table(self.answers), lines_table(self), power_table(self)]
