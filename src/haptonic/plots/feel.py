@@ -9,9 +9,10 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
+from matplotlib.container import Container
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
-from matplotlib.lines import Line2D
+from matplotlib.legend_handler import HandlerTuple
 from matplotlib.patches import Patch
 
 from haptonic.later import xarray as xr
@@ -22,10 +23,11 @@ from haptonic.plots.looks import colours
 from haptonic.plots.mapped import LOW, ends, outlined
 from haptonic.plots.marks import LINE, above
 from haptonic.plots.spectra import LOOKS
-from haptonic.plots.stage import stage
+from haptonic.plots.stage import Handle, stage
 from haptonic.plots.text import label
 from haptonic.units import in_percent
 
+RANGE = 0.18  # opacity of a plausible range
 PANELS = {
     "value": "prediction",
     "high": "least reduction\nthat is plausible",
@@ -95,18 +97,20 @@ def reduction_curve(
     """
     on = stage(ax, 9.0)
     axes = on.axes
-    handles: list[Line2D | Patch] = []
+    handles: list[Handle] = []
     drives, unit = curve["drive"].values, curve["drive"].attrs["units"]
     tints = colours([colour for colour, _ in LOOKS])
     names = curve["region"].values.tolist()
     for name, colour, (_, dashes) in zip(names, cycle(tints), cycle(LOOKS), strict=False):
         region = curve.sel(region=name)
         low, high = 100 * region["low"].values, 100 * region["high"].values
-        axes.fill_between(drives, low, high, color=colour, alpha=0.18, lw=0, gid="band")
+        axes.fill_between(drives, low, high, color=colour, alpha=RANGE, lw=0, gid="band")
         handles += axes.plot(
             drives, 100 * region["value"].values, color=colour, ls=dashes, label=label(name), gid="curve"
         )
-    handles.append(Patch(facecolor=style.PALE_INK, alpha=0.3, label="plausible range"))
+    # in all colours of the ranges, side by side: grey would be the colour of two that overlap
+    patches = [Patch(facecolor=colour, alpha=RANGE) for colour, _ in zip(cycle(tints), names, strict=False)]
+    handles.append(Container(patches, label="plausible range"))
     look: dict[str, Any] = {"color": style.INK, "lw": 0.9}
     axes.axhline(100 * noticed, ls=style.DOTTED, gid="noticed", **look)
     axes.axvline(drive, ls=style.DASHED, gid="drive", **look)
@@ -116,5 +120,5 @@ def reduction_curve(
     )  # fmt: skip
     above(axes, [(drive, f"drive in use {drive:g} {unit}", style.INK)])
     label_right(axes, [(100 * noticed, f"just noticed\n{in_percent(noticed)}", style.INK)])
-    on.legend(handles, ncols=4)
+    on.legend(handles, ncols=4, handler_map={tuple: HandlerTuple(ndivide=None, pad=0)})
     return on.figure

@@ -14,6 +14,8 @@ from haptonic.errors import HaptonicError, shown
 from haptonic.plots import style
 from haptonic.plots.looks import choice
 
+Handle = Artist | tuple[Artist, ...]  # a tuple is one entry of a legend with several marks
+
 FULL = 0.96  # of the width of a figure, for a legend: its text is measured to a pixel for each letter
 
 
@@ -34,7 +36,7 @@ class Stage:
         assert figure is not None
         return figure
 
-    def legend(self, handles: Sequence[Artist] | None = None, ncols: int = 3, **look: Any) -> None:
+    def legend(self, handles: Sequence[Handle] | None = None, ncols: int = 3, **look: Any) -> None:
         """Draw a legend of the handles, or of all labelled curves: below new axes, within axes of a user."""
         known = self.axes.get_legend_handles_labels()[0] if handles is None else list(handles)
         if self.own:
@@ -43,7 +45,7 @@ class Stage:
             self.axes.legend(handles=known, **look)
 
 
-def below(figure: Figure, handles: Sequence[Artist], ncols: int = 3, **look: Any) -> None:
+def below(figure: Figure, handles: Sequence[Handle], ncols: int = 3, **look: Any) -> None:
     """Explain the handles below a figure, in as many columns as its width has room for, up to ``ncols``.
 
     Handles that are explained there already come first.
