@@ -330,7 +330,7 @@ class TestModes:
         titles = [axes.get_title() for axes in drawn["modes"].axes if axes.get_title()]
         assert len(titles) == 8
         for k, title in enumerate(titles):
-            assert title.startswith(f"M{k + 1}  {float(bands['mode_frequency'][k]) / 1e3:.2f} kHz")
+            assert title.startswith(f"{k + 1}:  {float(bands['mode_frequency'][k]) / 1e3:.2f} kHz")
 
     def test_camera_and_scale_are_the_same(self, drawn):
         panels = [axes for axes in drawn["modes"].axes if axes.get_title()]

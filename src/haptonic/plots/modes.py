@@ -37,7 +37,7 @@ AZIMUTH, ELEVATION = np.radians(-62), np.radians(20)  # direction of the camera
 
 @style.drawn
 def mode_shapes(dataset: xr.Dataset) -> Figure:
-    """The lowest eight modes at one wavevector, numbered M1 to M8.
+    """The lowest eight modes at one wavevector, numbered from 1 to 8.
 
     The displacement is the real part, at the moment when it is largest; every mode is scaled to the same
     largest displacement, because the size of a free vibration means nothing. All share camera and scale.
@@ -90,7 +90,7 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
         axes.plot(*rest, color=style.PALE_INK, lw=0.5, zorder=0, gid="undeformed")
         frequency = float(dataset["mode_frequency"][k]) / 1e3
-        axes.set_title(f"M{k + 1}  {hz_text(1e3 * frequency, form='.2f')}\n{names[k]}")
+        axes.set_title(f"{k + 1}:  {hz_text(1e3 * frequency, form='.2f')}\n{names[k]}")
     figure.suptitle(f"modes at {dataset.attrs['modes_at']}", gid="wavevector")
     bar = figure.colorbar(
         ScalarMappable(Normalize(0, 1), style.perceptual()),
