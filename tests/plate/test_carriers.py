@@ -1,10 +1,12 @@
 """Drives of several carriers: each frequency is answered with its own drives alone."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from haptonic.bloch import Gap
-from haptonic.bloch.gaps import common_gap
+from haptonic.bloch.gaps import common_gap, shared_gaps
 from haptonic.fields import remade
 from haptonic.report.chapter import Results
 from haptonic.report.chapters.plate import chapter
@@ -119,6 +121,23 @@ def test_a_common_gap_is_inside_all():
     assert common_gap([low]) == low
     assert common_gap([low, None]) is None
     assert common_gap([]) is None
+
+
+def test_shared_gaps_are_all_ranges_that_lie_in_a_gap_of_each_lattice():
+    lattice = [gap(80e3, 99e3, 9), gap(50e3, 62e3, 4), replace(gap(10e3, 20e3, 2), complete=False)]
+    assert shared_gaps([lattice]) == ((50e3, 62e3), (80e3, 99e3))
+    assert shared_gaps([lattice, [gap(55e3, 85e3, 6)]]) == ((55e3, 62e3), (80e3, 85e3))
+    assert shared_gaps([lattice, []]) == shared_gaps([]) == ()
+
+
+def test_all_complete_gaps_are_known_and_shaded_also_without_the_carrier(study, result):
+    assert result.gap is None
+    assert list(result.gaps) == [gap.edges for gap in study.bands().gaps if gap.complete]
+    assert result.gaps
+    two = replace(result, gaps=((12e3, 15e3), (22e3, 30e3)))
+    for name in ("velocity", "contrast"):
+        shades = [patch for patch in two.plot(name).axes[0].patches if patch.get_gid() == "gap"]
+        assert [shade.get_x() for shade in shades] == [12, 22]
 
 
 def test_the_chapter_of_the_report_names_each_carrier(study, result):

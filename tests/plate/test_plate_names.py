@@ -110,17 +110,17 @@ def shown_whole(result, regions, drives, folder: Path):
     figures = {
         "plan": plots.plate_plan(result.plate),
         "velocity": plots.velocity_spectrum(
-            frequency, {k: v.values for k, v in result.levels.items()}, None, units="m/s/V",
+            frequency, {k: v.values for k, v in result.levels.items()}, [], units="m/s/V",
             origin="simulated",
         ),
         "contrast": plots.contrast_spectrum(
-            frequency, {k: v.values for k, v in result.contrasts(result.response).items()}, None,
+            frequency, {k: v.values for k, v in result.contrasts(result.response).items()}, [],
             origin="simulated",
         ),
     }  # fmt: skip
     (impedance,) = impedance_names(result.plate).values()
     figures[impedance] = plots.impedance_spectrum(
-        frequency, result.impedance(drives[0]), None, origin="simulated"
+        frequency, result.impedance(drives[0]), [], origin="simulated"
     )
     shown = figures["velocity"].findobj(Legend)
     assert sum(len(legend.get_texts()) for legend in shown) >= len(regions)

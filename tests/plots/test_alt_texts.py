@@ -21,7 +21,7 @@ DRAWN = {
     'bands.plot("density_of_states")': lambda: plots.density_of_states(reference_bands()),
     'rows.plot("decay")': lambda: plots.decay(simulated_mirror()),
     "study.design().plot()": lambda: plots.search(simulated_search(), UNITS),
-    'plate.plot("impedance-A1")': lambda: plots.impedance_spectrum(FREQUENCY[1:], IMPEDANCE, GAP),
+    'plate.plot("impedance-A1")': lambda: plots.impedance_spectrum(FREQUENCY[1:], IMPEDANCE, [GAP]),
 }
 UNNAMED = {"the", "per", "and", "khz", "dimensionless", "cell", "wavevector", "frequency"}
 

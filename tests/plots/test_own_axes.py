@@ -92,7 +92,7 @@ def test_one_wave_of_several_can_be_asked_for():
 
 def test_names_with_dollars_and_lines_are_texts_on_anybody_s_axes():
     axes = Figure().add_subplot()
-    plots.contrast_spectrum(np.arange(3.0), {"a $ over $ b_": np.zeros(3)}, None, ax=axes)
+    plots.contrast_spectrum(np.arange(3.0), {"a $ over $ b_": np.zeros(3)}, [], ax=axes)
     axes.get_figure().canvas.draw()
     assert "a $ over $ b_" in [text.get_text() for text in axes.findobj(Text)]
     assert not axes.get_legend().get_texts()[0].get_parse_math()

@@ -14,6 +14,7 @@ from haptonic.analyses.plate_needs import (
     check_waves,
     checked_fineness,
     gaps_around,
+    lattice_gaps,
     has_plate,
     response,
     response_settings,
@@ -21,7 +22,7 @@ from haptonic.analyses.plate_needs import (
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
 from haptonic.bloch import Gap
-from haptonic.bloch.gaps import common_gap
+from haptonic.bloch.gaps import common_gap, shared_gaps
 from haptonic.fields import FREQUENCY
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.layout.sampling import check_grid, reference_of
@@ -87,11 +88,13 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
         single = compute_plate(plate, settings, carrier=carrier, gap=None, **means)
         return replace(single, interactive=options.html)
     plates = {each: study.mounted_plate(each) for each in carriers}
-    around = {each: gaps_around(study, driven, each, runner) for each, driven in plates.items()}
+    known = {each: lattice_gaps(study, driven, runner) for each, driven in plates.items()}
+    around = {each: gaps_around(study, known[each], each) for each in plates}
     shared = {each: common_gap(beside.values()) for each, beside in around.items()}
     result = replace(
         compute_plate(plate, settings, carrier=carrier, gap=shared[carrier], **means),
         interactive=options.html,
+        gaps=shared_gaps(known[carrier].values()),
     )
     if len(carriers) == 1:
         return result

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Iterable, Mapping
 
 from haptonic.analyses.runner import Runner
 from haptonic.bloch import Gap
@@ -76,14 +77,22 @@ def tile_resolution(cell: UnitCell, chosen: Fineness | None) -> Resolution:
     return Resolution(fine.of_cell(cell.solid), fine.rings, STEPS, BLOCK)
 
 
-def gaps_around(study: Description, plate: Plate, carrier: float, runner: Runner) -> dict[str, Gap | None]:
-    """Gap at the carrier (Hz) of each lattice beside the driven regions, by its name.
+def lattice_gaps(study: Description, plate: Plate, runner: Runner) -> dict[str, tuple[Gap, ...]]:
+    """Complete gaps of each lattice beside the driven regions, by its name.
 
     Without such a lattice it is the first one of the plate.
     """
     layout, settings = plate.layout, study.bands_settings
     names = layout.beside(driven_regions(plate)) or list(layout.cells)[:1]
-    gaps = {name: gap_at(Runner(runner.store).gaps(layout.cells[name], settings), carrier) for name in names}
+    return {name: Runner(runner.store).gaps(layout.cells[name], settings) for name in names}
+
+
+def gaps_around(
+    study: Description, known: Mapping[str, Iterable[Gap]], carrier: float
+) -> dict[str, Gap | None]:
+    """Gap at the carrier (Hz) of each lattice, by its name, among all of its gaps."""
+    settings = study.bands_settings
+    gaps = {name: gap_at(every, carrier) for name, every in known.items()}
     for gap in gaps.values():
         if gap is not None and settings.resolution is None:
             reached = {"accuracy": settings.accuracy, "largest_error": gap.relative_error}
@@ -94,7 +103,7 @@ def gaps_around(study: Description, plate: Plate, carrier: float, runner: Runner
 
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:
     """Gap at the carrier (Hz) that all lattices beside the driven regions share; None without one."""
-    return common_gap(gaps_around(study, plate, carrier, runner).values())
+    return common_gap(gaps_around(study, lattice_gaps(study, plate, runner), carrier).values())
 
 
 def response(study: Description, mounted: Plate, asked: ResponseSettings) -> Cost:

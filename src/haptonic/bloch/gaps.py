@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 
@@ -237,6 +238,13 @@ def common_gap(gaps: Iterable[Gap | None]) -> Gap | None:
         upper_error=above.upper_error,
         upper_kappa=above.upper_kappa,
     )
+
+
+def shared_gaps(lattices: Iterable[Iterable[Gap]]) -> tuple[tuple[float, float], ...]:
+    """Edges (Hz) of the frequencies that lie in a complete gap of every lattice, lowest first."""
+    chosen = product(*([gap for gap in gaps if gap.complete] for gaps in lattices))
+    common = [gap for gap in map(common_gap, chosen) if gap is not None]
+    return tuple(sorted(gap.edges for gap in common if gap.lower < gap.upper))
 
 
 def widest_gap(gaps: Iterable[Gap]) -> Gap | None:

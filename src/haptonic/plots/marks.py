@@ -20,16 +20,16 @@ SIDE = 0.3  # of the width, within which a name is not centred on its place, so 
 
 
 def mark(
-    axes: Axes, *, gap: Gap = None, carrier: float | None = None, along: Literal["x", "y"] = "x",
+    axes: Axes, *gaps: Gap, carrier: float | None = None, along: Literal["x", "y"] = "x",
     name: str = "band gap", named: bool = True,
 ) -> None:  # fmt: skip
-    """Shade a gap and dash the drive frequency, where they are in view; call it when the limits are set.
+    """Shade gaps and dash the drive frequency, where they are in view; call it when the limits are set.
 
     Parameters
     ----------
-    gap, carrier : Hz; the axis is in kHz
+    gaps, carrier : Hz; the axis is in kHz
     along : the axis of frequencies; names are above the axes, or to their right
-    name : of the gap; named : whether to write names, once for several systems of axes
+    name : of each gap; named : whether to write names, once for several systems of axes
     """
     low, high = axes.get_xlim() if along == "x" else axes.get_ylim()
     names: list[tuple[float, str, str]] = []
@@ -37,7 +37,9 @@ def mark(
         line = axes.axvline if along == "x" else axes.axhline
         line(carrier / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
         names.append((carrier / 1e3, f"carrier {hz_text(carrier, form='g')}", style.CARRIER))
-    if gap is not None and gap[0] / 1e3 < high and gap[1] / 1e3 > low:
+    for gap in gaps:
+        if gap is None or gap[0] / 1e3 >= high or gap[1] / 1e3 <= low:
+            continue
         span = axes.axvspan if along == "x" else axes.axhspan
         ends = gap[0] / 1e3, gap[1] / 1e3
         span(*ends, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap")

@@ -220,4 +220,4 @@ def _mark(axes: Axes, dataset: xr.Dataset, *, named: bool) -> None:
     """Shade the gap and draw the drive frequency, if they are in view."""
     edges = np.atleast_1d(dataset.attrs["gap"])
     gap = (float(edges[0]), float(edges[1])) if len(edges) == 2 else None
-    mark(axes, gap=gap, carrier=float(dataset.attrs["carrier_hz"]), name="complete gap", named=named)
+    mark(axes, gap, carrier=float(dataset.attrs["carrier_hz"]), name="complete gap", named=named)

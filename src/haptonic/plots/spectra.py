@@ -37,7 +37,7 @@ PALE = 0.4  # opacity of a curve below its mean
 def contrast_spectrum(
     frequency: Array,
     contrast: Mapping[str, Array],
-    gap: Gap,
+    gaps: Sequence[tuple[float, float]],
     *,
     carrier: float | None = None,
     origin: str = "",
@@ -51,7 +51,7 @@ def contrast_spectrum(
     ----------
     frequency : (frequency,) Hz
     contrast : label of each curve and its values (frequency,), dB
-    gap : edges of the band gap, Hz, or None; carrier : Hz
+    gaps : edges of the band gaps, Hz; carrier : Hz
     origin : of the data, "simulated" or "measured"
     """
     on = stage(ax, _height(len(contrast)))
@@ -59,7 +59,7 @@ def contrast_spectrum(
     handles = averaged(axes, frequency, contrast)
     axes.axhline(0, color=style.INK, lw=0.7, zorder=1, gid="zero")
     axes.set_ylabel(f"{origin} contrast (dB)".strip())
-    finished(axes, frequency, gap, carrier=carrier)
+    finished(axes, frequency, *gaps, carrier=carrier)
     on.legend(handles, ncols=2)
     return on.figure
 
@@ -68,7 +68,7 @@ def contrast_spectrum(
 def velocity_spectrum(
     frequency: Array,
     velocity: Mapping[str, Array],
-    gap: Gap,
+    gaps: Sequence[tuple[float, float]],
     *,
     units: str = "m/s/V",
     drive: float | None = None,
@@ -85,7 +85,7 @@ def velocity_spectrum(
     frequency : (frequency,) Hz
     velocity : name of each region and its values (frequency,), in ``units``; zeros are not drawn
     drive : amplitude of the drive by which the velocity is divided, if it is known
-    gap : edges of the band gap, Hz, or None; carrier : Hz
+    gaps : edges of the band gaps, Hz; carrier : Hz
     origin : of the data, "simulated" or "measured"
     """
     on = stage(ax, _height(len(velocity)))
@@ -96,13 +96,15 @@ def velocity_spectrum(
     style.logarithmic(axes)
     handles = averaged(axes, frequency, positive, logarithmic=True)
     axes.set_ylabel(f"{origin} rms velocity\n({unit}){driven(units, drive)}".strip())
-    finished(axes, frequency, gap, carrier=carrier)
+    finished(axes, frequency, *gaps, carrier=carrier)
     on.legend(handles, ncols=4)
     return on.figure
 
 
 @style.drawn
-def impedance_spectrum(frequency: Array, impedance: AnyComplex, gap: Gap, *, origin: str = "") -> Figure:
+def impedance_spectrum(
+    frequency: Array, impedance: AnyComplex, gaps: Sequence[tuple[float, float]], *, origin: str = ""
+) -> Figure:
     """Electrical admittance of an actuator: conductance, which takes up power, above capacitance.
 
     The magnitude of an impedance is hidden below that of the capacitor, which falls as 1 / omega.
@@ -111,7 +113,7 @@ def impedance_spectrum(frequency: Array, impedance: AnyComplex, gap: Gap, *, ori
     ----------
     frequency : (frequency,) Hz, above 0
     impedance : (frequency,) ohm
-    gap : edges of the band gap, Hz, or None
+    gaps : edges of the band gaps, Hz
     origin : of the data, "simulated" or "measured"
     """
     figure = style.blank(10.5)
@@ -128,8 +130,8 @@ def impedance_spectrum(frequency: Array, impedance: AnyComplex, gap: Gap, *, ori
         axes.set_ylabel(f"{name} ({unit})")
         if axes is above and (values > 0).all():  # below zero is an error of measurement, and has to be seen
             style.logarithmic(axes)
-    finished(above, frequency, gap)
-    finished(below, frequency, gap, named=False)
+    finished(above, frequency, *gaps)
+    finished(below, frequency, *gaps, named=False)
     above.set_xlabel("")
     below.set_xlabel(f"frequency (kHz){', ' if origin else ''}{origin}")
     return figure
@@ -192,13 +194,12 @@ def running_mean(values: Array) -> Array:
 def finished(
     axes: Axes,
     frequency: Array,
-    gap: Gap = None,
-    *,
+    *gaps: Gap,
     carrier: float | None = None,
     name: str = "band gap",
     named: bool = True,
 ) -> None:
-    """The axis of frequencies, with the gap and the carrier (Hz) in it."""
+    """The axis of frequencies, with the gaps and the carrier (Hz) in it."""
     axes.set_xlabel("frequency (kHz)")
     axes.set_xlim(frequency[0] / 1e3, frequency[-1] / 1e3)
-    mark(axes, gap=gap, carrier=carrier, name=name, named=named)
+    mark(axes, *gaps, carrier=carrier, name=name, named=named)

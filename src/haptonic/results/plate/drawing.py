@@ -61,7 +61,7 @@ def carriers(result: PlateResult) -> Figure:
 def velocity(result: PlateResult, *, ax: Axes | None = None) -> Figure:
     levels = {name: level.values for name, level in result.levels.items()}
     return plots.velocity_spectrum(
-        result.response.frequency, levels, result.gap_edges, units=result.response.units,
+        result.response.frequency, levels, result.gaps, units=result.response.units,
         drive=result.drive, carrier=result.carrier, origin=result.origin, ax=ax,
     )  # fmt: skip
 
@@ -71,7 +71,7 @@ def contrast(result: PlateResult, *, ax: Axes | None = None) -> Figure:
     curves = {name: level.values for name, level in result.contrasts(result.response).items()}
     lines = result.response.frequency
     return plots.contrast_spectrum(
-        lines, curves, result.gap_edges, carrier=result.carrier, origin=result.origin, ax=ax
+        lines, curves, result.gaps, carrier=result.carrier, origin=result.origin, ax=ax
     )
 
 
@@ -90,7 +90,7 @@ def impedances(result: PlateResult) -> dict[str, Callable[[], Figure]]:
 
 def _impedance(result: PlateResult, actuator: str) -> Figure:
     lines, values = result.lines["frequency"].values, result.impedance(actuator)
-    return plots.impedance_spectrum(lines, values, result.gap_edges, origin=result.origin)
+    return plots.impedance_spectrum(lines, values, result.gaps, origin=result.origin)
 
 
 @file("response.nc")

@@ -82,6 +82,7 @@ class PlateResult(Result, products=PRODUCTS):
     """Response of a plate per unit of its reference, with energies, impedances and modes.
 
     plate : the computed plate; gap : of its lattice around the carrier, if any; carrier : Hz
+    gaps : edges of all complete gaps that the lattices beside the driven region share, Hz
     response : velocity of the flat face; marked : response at the frequencies of the maps, at finer points
     at_maps : response at these frequencies, at the points of ``response``
     lines : dataset on the response's frequencies; modes : dataset of the modes near the carrier
@@ -104,6 +105,7 @@ class PlateResult(Result, products=PRODUCTS):
     body: xr.Dataset
     answers: tuple[CarrierAnswer, ...] = ()
     interactive: bool = False
+    gaps: tuple[tuple[float, float], ...] = ()
 
     @property
     def driven(self) -> str | None:

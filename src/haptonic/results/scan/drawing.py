@@ -61,8 +61,9 @@ def maps(scan: ScanResult, *, frequency: float | None = None, ax: Axes | None = 
 @figure("velocity", "{Origin} velocity of the regions.", when=_has("rms"))
 def velocity(scan: ScanResult, *, ax: Axes | None = None) -> Figure:
     levels = {name: level.values for name, level in split(scan.data.get("rms"), "region").items()}
+    gaps = [scan.gap_edges] if scan.gap_edges else []
     return plots.velocity_spectrum(
-        scan.response.frequency, levels, scan.gap_edges, units=scan.response.units, origin=scan.origin, ax=ax
+        scan.response.frequency, levels, gaps, units=scan.response.units, origin=scan.origin, ax=ax
     )
 
 
