@@ -34,7 +34,7 @@ _IN_LATEX = str.maketrans(
     {letter: f"\\{letter}" for letter in "&%$#_{}"}
     | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "\u200b": ""}
     | {letter: f"${letter}$" for letter in "<>|"}
-    | {"\N{MINUS SIGN}": "$-$"}
+    | {"\N{MINUS SIGN}": "$-$", "\N{EN DASH}": "--"}
     | {letter: f"$\\{name}$" for letter, name in _SIGNS.items()}
     | {letter: f"$_{k}$" for k, letter in enumerate("₀₁₂₃₄₅₆₇₈₉")}
     | {letter: f"$^{power}$" for letter, power in _POWERS.items()}

@@ -5,7 +5,9 @@ from __future__ import annotations
 import inspect
 import json
 import re
+import warnings
 from functools import partial
+from itertools import combinations
 
 import matplotlib as mpl
 import numpy as np
@@ -15,6 +17,7 @@ import test_mirror_pictures
 import test_plate_pictures
 import test_verdict_pictures
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -22,6 +25,7 @@ from matplotlib.text import Text
 from five_parts import refused
 from haptonic import plots
 from haptonic.results.bands import Bands
+from haptonic.results.result import Result
 from simulated import reference_bands, reference_guides, reference_layers, simulated_sweep
 
 MODULES = (test_designs, test_mirror_pictures, test_plate_pictures, test_verdict_pictures)
@@ -150,7 +154,7 @@ def test_an_axis_that_is_no_axis(what, picture):
     ("asked", "code", "argument", "words"),
     [
         (("modes", {"ax": Figure().add_subplot()}), "unsupported", "ax", "dispersion, natures, density"),
-        (("dispersion", {"frequency": 1.0}), "unsupported", "frequency", "no frequency for this result"),
+        (("dispersion", {"frequency": 1.0}), "unsupported", "frequency", "gaps, labels, label, wavevectors"),
         (("dispersions", {}), "unknown", "name of the picture", 'write "dispersion"'),
     ],
 )
@@ -164,15 +168,17 @@ def test_bands_of_another_pitch_share_the_corners_of_the_first():
     second = first.assign(distance=first["distance"] * 0.8)
     axes = Figure(layout="constrained").add_subplot()
     Bands(first).plot(ax=axes, label="first")
-    limits, corners = (axes.get_xlim(), axes.get_ylim()), list(axes.get_xticks())
+    limits, corners = axes.get_xlim(), list(axes.get_xticks())
     Bands(second).plot(ax=axes, label="second", color="#cc0000")
-    assert (axes.get_xlim(), axes.get_ylim()) == limits
+    assert axes.get_xlim() == limits
     assert list(axes.get_xticks()) == corners
     ends = {line.get_xdata()[-1] for line in axes.lines if str(line.get_gid()).startswith("branch")}
     assert ends == {first["distance"].values[-1]}
     assert [text.get_text() for text in axes.get_legend().get_texts()][:2] == ["first", "second"]
-    gaps = [to_hex(patch.get_facecolor()) for patch in axes.patches if patch.get_gid() == "gap"]
-    assert len(set(gaps)) == 2, "gaps of two designs look alike"
+    gaps = [patch for patch in axes.patches if patch.get_gid() == "gap"]
+    assert len({to_hex(gap.get_edgecolor()) for gap in gaps}) == 2, "gaps of two designs look alike"
+    assert [gap.get_fill() and gap.get_facecolor()[3] > 0 for gap in gaps] == [True, False]
+    assert gaps[1].get_hatch()
     assert len([line for line in axes.lines if line.get_gid() == "carrier"]) <= 1
 
 
@@ -191,3 +197,88 @@ def test_bands_along_another_path_are_not_drawn_over():
     labels = [*json.loads(bands.attrs["path_labels"])[:-2], "K", "Γ"]
     other = Bands(bands.assign_attrs(path_labels=json.dumps(labels)))
     refused(lambda: other.plot(ax=axes), "K-Γ", code="conflict", argument="ax")
+
+
+def scaled(bands, factor: float):
+    """Bands of a design whose frequencies are all higher."""
+    names = [name for name in bands if str(name).startswith(("frequency", "gap_lower", "gap_upper"))]
+    plain = [name for name in names if "kappa" not in name]
+    speed = {"group_velocity": factor * bands["group_velocity"]}
+    return bands.assign({name: factor * bands[name] for name in plain} | speed)
+
+
+def assert_within(axes: Axes) -> None:
+    """The legend lies in its axes, above all gaps, and no text lies on another or leaves the figure."""
+    figure = axes.get_figure()
+    renderer = figure.canvas.get_renderer()
+    legend = axes.get_legend()
+    box, frame = legend.get_window_extent(renderer), axes.get_window_extent(renderer)
+    assert box.x0 >= frame.x0 - 1
+    assert box.x1 <= frame.x1 + 1
+    assert box.y1 <= frame.y1 + 1
+    edges = [patch.get_y() + patch.get_height() for patch in axes.patches if patch.get_gid() == "gap"]
+    assert box.y0 > axes.transData.transform((0, max(edges)))[1]
+    boxes = [Text.get_window_extent(text, renderer) for text in axes.texts]  # without leaders
+    for first, second in combinations([box, *boxes], 2):
+        assert not first.overlaps(second)
+    for text in boxes:
+        assert text.x0 >= frame.x0
+        assert text.x1 <= figure.bbox.x1
+
+
+@pytest.mark.parametrize("panels", [1, 2])
+@pytest.mark.parametrize("carrier", [None, 57e3])
+def test_two_designs_can_be_read_in_a_column_and_in_half_of_one(panels, carrier):
+    bands = reference_bands()
+    with mpl.rc_context({"font.size": 7}):
+        figure = Figure(figsize=(85 / 25.4, 65 / 25.4), layout="constrained")
+        FigureCanvasAgg(figure)
+        for axes in np.ravel(figure.subplots(1, panels)):
+            plots.dispersion(bands, carrier, label="50 µm epoxy", ax=axes)
+            plots.dispersion(scaled(bands, 1.3), carrier, label="ideal joint", ax=axes)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            figure.canvas.draw()
+        for axes in figure.axes:
+            assert_within(axes)
+            assert axes.get_window_extent().width > 0.25 * figure.bbox.width
+            texts = [text.get_text() for text in axes.texts]
+            assert len(set(texts)) == len(texts)
+            if panels == 1:
+                assert len([text for text in texts if text.endswith("kHz")]) == 2 + (carrier is not None)
+
+
+def test_the_axis_of_frequencies_covers_every_design():
+    axes = Figure().add_subplot()
+    bands = reference_bands()
+    plots.dispersion(bands, ax=axes)
+    alone = axes.get_ylim()[1]
+    assert alone == pytest.approx(plots.shown_up_to(bands, None) / 1e3)
+    for label in ("a", "b", "c"):
+        plots.dispersion(scaled(bands, 1.5), label=label, ax=axes)
+        assert alone * 1.5 < axes.get_ylim()[1] < alone * 1.5 * 1.35
+
+
+def test_names_can_be_left_out_and_the_shades_stay():
+    for axes in (None, Figure().add_subplot()):
+        drawn = Bands(reference_bands()).plot(labels=False, **({"ax": axes} if axes else {}))
+        axes = axes or drawn.axes[0]
+        assert [patch for patch in axes.patches if patch.get_gid() == "gap"]
+        assert not axes.texts
+
+
+def test_the_help_names_every_option_of_every_picture():
+    words = inspect.getdoc(Result.plot)
+    options = {
+        name
+        for kind in kinds(Result)
+        for picture in kind._pictures
+        for name in inspect.signature(picture.make).parameters
+    }
+    assert {"gaps", "labels", "incident"} < options
+    for option in options - {"self", "result", "scan"}:
+        assert re.search(rf"\b{option}\b", words), option
+
+
+def kinds(base: type) -> list[type]:
+    return [base, *(kind for below in base.__subclasses__() for kind in kinds(below))]

@@ -14,8 +14,8 @@ from haptonic.analyses.plate_needs import (
     check_waves,
     checked_fineness,
     gaps_around,
-    lattice_gaps,
     has_plate,
+    lattice_gaps,
     response,
     response_settings,
 )

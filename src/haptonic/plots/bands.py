@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgba
+from matplotlib.colors import to_hex, to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Rectangle
 
 from haptonic.arrays import Array, Ints
 from haptonic.errors import HaptonicError
@@ -18,6 +21,7 @@ from haptonic.plots import style
 from haptonic.plots.curves import PIECES, curves
 from haptonic.plots.labels import label_right
 from haptonic.plots.looks import AxisUnit, choice, colours
+from haptonic.plots.room import legend_on_top, name_within, room_on_top
 from haptonic.plots.stage import stage
 from haptonic.plots.text import WavevectorUnit, band_text
 from haptonic.units import hz_text
@@ -50,6 +54,7 @@ CURVE_STYLES = {
 }
 RIGID = "rigid body"
 TINT = 0.2  # opacity of a gap in the colour of its curves
+FURTHER = "|||"  # hatch of the complete gaps of a further design
 HATCHES = {"symmetric": "////", "antisymmetric": "\\\\\\\\"}
 
 
@@ -61,6 +66,7 @@ def dispersion(
     *,
     natures: bool = False,
     gaps: bool = True,
+    labels: bool = True,
     label: str | None = None,
     wavevectors: WavevectorUnit | None = None,
     ax: Axes | None = None,
@@ -68,7 +74,8 @@ def dispersion(
     """Bands along the path; complete gaps shaded, the carrier dashed.
 
     Gaps of one parity in the plate's middle plane are hatched. A curve follows a branch through crossings.
-    Axes that already show bands between the same corners keep their corners and their limits.
+    Axes that already show bands between the same corners keep their corners. On axes of a user gaps are named
+    where there is room, and the gaps of further designs are hatched.
 
     Parameters
     ----------
@@ -77,21 +84,24 @@ def dispersion(
     natures : draw each mode in the colour, dashes and marker of its nature, also where this changes
         along a branch
     gaps : shade and name the gaps
+    labels : write names of gaps and of the carrier; on axes of a user for everything that they show
     label : name of the curves in the legend
     wavevectors : unit of the length of the path, which is then written below the corners
     """
     on = stage(ax, 11.5)
     axes = on.axes
     corners = _corners_of(axes, dataset)
+    top = shown_up_to(dataset, carrier_hz, whole=natures) / 1e3
     if corners is None:
         distance = dataset["distance"].values
         axes.set_xlim(distance[0], distance[-1])
-        axes.set_ylim(0, shown_up_to(dataset, carrier_hz, whole=natures) / 1e3)
-        _shade_incomplete(axes, dataset)
         mark_corners(axes, dataset, wavevectors)
         axes.set_ylabel("frequency (kHz)")
     else:
         dataset = _stretched(dataset, corners)
+        top = max(top, axes.get_ylim()[1] * (1 - room_on_top(axes)))
+    axes.set_ylim(0, top)
+    _shade_incomplete(axes, dataset, named=on.own)
     colour = style.INK if natures else colours([style.INK])[0]
     is_one_of_several = label is not None or corners is not None
     shade, edge = to_rgba(style.GAP), style.GAP_EDGE
@@ -99,7 +109,10 @@ def dispersion(
         shade, edge = to_rgba(colour, TINT), colour
     of_one_parity = parity_gaps(dataset) if gaps else []
     for lower, upper, _, _ in complete_gaps(dataset) if gaps else []:
-        axes.axhspan(lower / 1e3, upper / 1e3, facecolor=shade, edgecolor="none", zorder=0, gid="gap")
+        look: dict[str, Any] = {"facecolor": shade}
+        if corners is not None:  # a second colour on the first one would look like a third
+            look = {"facecolor": "none", "hatch": FURTHER, "alpha": 0.6}
+        axes.axhspan(lower / 1e3, upper / 1e3, edgecolor=edge, linewidth=0.0, zorder=0, gid="gap", **look)
     for (lower, upper), waves in of_one_parity:
         axes.axhspan(
             lower / 1e3, upper / 1e3, facecolor="none", edgecolor=edge, hatch=HATCHES[waves],
@@ -114,15 +127,51 @@ def dispersion(
           for name, stroke in strokes),
         *axes.get_legend_handles_labels()[0],
     ]  # fmt: skip
-    if handles:
-        on.legend(handles, ncols=min(3, len(handles)), handlelength=3.4)
-    labels = [(centre, text, edge) for centre, text in _gap_labels(dataset)] if gaps else []
-    labels += [(0.5 * sum(edges) / 1e3, f"gap of\n{waves}\nwaves", edge) for edges, waves in of_one_parity]
     if carrier_hz is not None and not _shows_carrier(axes, carrier_hz):
         axes.axhline(carrier_hz / 1e3, color=style.CARRIER, ls=style.DASHED, lw=1.1, gid="carrier", zorder=4)
-        labels.append((carrier_hz / 1e3, f"carrier\n{hz_text(carrier_hz, form='g')}", style.CARRIER))
-    label_right(axes, labels)
+    if not on.own:
+        _arrange_within(axes, handles, labels=labels)
+        return on.figure
+    if handles:
+        on.legend(handles, ncols=min(3, len(handles)), handlelength=3.4)
+    names = [(centre, text, edge) for centre, text in _gap_labels(dataset)] if gaps else []
+    names += [(0.5 * sum(edges) / 1e3, f"gap of\n{waves}\nwaves", edge) for edges, waves in of_one_parity]
+    if carrier_hz is not None:
+        names.append((carrier_hz / 1e3, f"carrier\n{hz_text(carrier_hz, form='g')}", style.CARRIER))
+    label_right(axes, names if labels else [])
     return on.figure
+
+
+def _arrange_within(axes: Axes, handles: list[Artist], *, labels: bool) -> None:
+    """Name gaps and carriers on axes of a user, and draw the legend above all curves."""
+    ranges, top = _ranges(axes), axes.get_ylim()[1]
+    lowest = [patch.get_y() for patch in _rectangles(axes) if patch.get_gid() == "beyond"]
+    if lowest and (handles or top > min(lowest) * (1 + 1e-9)):
+        handles = [*handles, Patch(facecolor=style.BEYOND, label="not all bands")]
+    name_within(axes, ranges if labels else [])  # names to the right make the axes narrower
+    ours = [line for line in axes.lines if str(line.get_gid()).startswith(("branch", "carrier"))]
+    legend_on_top(axes, handles, min(top, max(float(np.max(line.get_ydata())) for line in ours)))
+    name_within(axes, ranges if labels else [])
+
+
+def _rectangles(axes: Axes) -> list[Rectangle]:
+    return [patch for patch in axes.patches if isinstance(patch, Rectangle)]
+
+
+def _ranges(axes: Axes) -> list[tuple[float, float, str, str]]:
+    """Ends (kHz), name and colour of all gaps and carriers that axes show."""
+    ranges = []
+    for patch in _rectangles(axes):
+        kind, _, waves = str(patch.get_gid()).partition(" ")
+        if kind == "gap":
+            low, high = patch.get_y(), patch.get_y() + patch.get_height()
+            edges = hz_text(1e3 * low, 1e3 * high).replace(" to ", "\N{EN DASH}")
+            ranges.append((low, high, f"{waves} waves" if waves else edges, to_hex(patch.get_edgecolor())))
+    for line in axes.lines:
+        if line.get_gid() == "carrier":
+            height = float(np.asarray(line.get_ydata())[0])
+            ranges.append((height, height, f"carrier {hz_text(1e3 * height, form='g')}", style.CARRIER))
+    return ranges
 
 
 def _corners_of(axes: Axes, dataset: xr.Dataset) -> Array | None:
@@ -178,7 +227,7 @@ def _last_band(dataset: xr.Dataset) -> tuple[float, float, bool]:
     return lowest, highest, lowest < LEAST_SHOWN * highest
 
 
-def _shade_incomplete(axes: Axes, dataset: xr.Dataset) -> None:
+def _shade_incomplete(axes: Axes, dataset: xr.Dataset, *, named: bool) -> None:
     """Shade the range of bands that were not computed, and name it for the legend if it is in view."""
     lowest, _, few = _last_band(dataset)
     top = axes.get_ylim()[1]
@@ -186,8 +235,8 @@ def _shade_incomplete(axes: Axes, dataset: xr.Dataset) -> None:
         return
     name = f"bands above band {dataset.sizes['band']} are missing"
     axes.axhspan(
-        lowest / 1e3, 2 * top, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond",
-        label=name if top > lowest / 1e3 * (1 + 1e-9) else None,
+        lowest / 1e3, 2 * top, facecolor=style.BEYOND, edgecolor="none", zorder=-1, gid="beyond",
+        label=name if named and top > lowest / 1e3 * (1 + 1e-9) else None,
     )  # fmt: skip
     axes.set_ylim(0, top)
 

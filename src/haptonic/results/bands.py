@@ -245,13 +245,16 @@ class Bands(Result):
         self,
         *,
         gaps: bool = True,
+        labels: bool = True,
         label: str | None = None,
         wavevectors: WavevectorUnit | None = None,
         ax: Axes | None = None,
     ) -> Figure:
         """Band diagram with the complete gaps and the carrier; see `haptonic.plots.dispersion`."""
         carrier = self.dataset.attrs.get("carrier_hz")
-        return plots.dispersion(self.dataset, carrier, gaps=gaps, label=label, wavevectors=wavevectors, ax=ax)
+        return plots.dispersion(
+            self.dataset, carrier, gaps=gaps, labels=labels, label=label, wavevectors=wavevectors, ax=ax
+        )
 
     @figure(
         "natures",

@@ -143,10 +143,11 @@ class Figures(Mapping[str, "Figure"]):
                     for picture, draws in self._drawers.items()
                     if choice in signature(draws).parameters
                 ]
+                options = ", ".join([*parameters, "style", "legend", "color"])
                 raise HaptonicError.unsupported(
                     argument=choice,
                     given=f"{choice} for the picture {asked}",
-                    allowed=f"{choice} for {', '.join(others)}" if others else f"no {choice} for this result",
+                    allowed=f"{choice} for {', '.join(others)}" if others else f"the options {options}",
                     cause=alone,
                     next_step=f'plot("{others[0]}", {choice}=...)' if others else f"leave {choice} out",
                 )
@@ -260,7 +261,10 @@ class Result:
             two columns (180 mm, 8 points) or "slide" (240 mm, 16 points)
         legend : whether to draw one
         color : colour of the curves in their order, one or several
-        how : options of a picture, such as ``frequency`` (Hz) of a map
+        how : options of one picture. Of a band diagram: ``gaps=False`` without shades of gaps,
+            ``labels=False`` without names of gaps and of the carrier, ``label`` of its curves in the legend,
+            ``wavevectors``, the unit of the path, "rad/m" or "pi/a". Of maps: ``frequency`` (Hz, or a text
+            such as "58 kHz"). Of rows of cells: ``incident``, one of the waves
 
         Raises
         ------

@@ -23,9 +23,9 @@ def chapter(results: Results) -> Chapter | Absent:
         (f"{k + 1}", uncertain_hertz(float(data["mode_frequency"][k]), float(data["mode_error"][k])), name)
         for k, name in enumerate(named)
     )
-    twisted = [f"{k + 1}" for k, name in enumerate(named) if name.startswith("torsion")]
+    twisted = [f"mode {k + 1}" for k, name in enumerate(named) if name.startswith("torsion")]
     note = (
-        f"In mode {' and '.join(twisted)} the pillar turns about its axis. The picture enlarges the displacement "
+        f"In {' and '.join(twisted)} the pillar turns about its axis. The picture enlarges the displacement "
         "along the tangent at every point, so the pillar looks wider than it is.",
     )
     listed = ", ".join(f"{number} {name} at {frequency}" for number, frequency, name in rows)
