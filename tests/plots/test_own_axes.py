@@ -248,6 +248,16 @@ def test_two_designs_can_be_read_in_a_column_and_in_half_of_one(panels, carrier)
                 assert len([text for text in texts if text.endswith("kHz")]) == 2 + (carrier is not None)
 
 
+@pytest.mark.parametrize("layout", [None, "constrained"])
+def test_names_are_beside_axes_only_if_the_figure_makes_room(layout):
+    axes = Figure(layout=layout).add_subplot()
+    narrow = reference_bands()
+    narrow["gap_lower"] = narrow["gap_upper"] - 500.0
+    plots.dispersion(narrow, ax=axes)
+    names = [text.get_text() for text in axes.texts]
+    assert names == (["59.72\N{EN DASH}60.22 kHz"] if layout else [])
+
+
 def test_the_axis_of_frequencies_covers_every_design():
     axes = Figure().add_subplot()
     bands = reference_bands()
@@ -260,9 +270,9 @@ def test_the_axis_of_frequencies_covers_every_design():
 
 
 def test_names_can_be_left_out_and_the_shades_stay():
-    for axes in (None, Figure().add_subplot()):
-        drawn = Bands(reference_bands()).plot(labels=False, **({"ax": axes} if axes else {}))
-        axes = axes or drawn.axes[0]
+    bands, own = Bands(reference_bands()), Figure().add_subplot()
+    pages = [bands.plot(name, labels=False).axes[0] for name in ("dispersion", "natures")]
+    for axes in (*pages, bands.plot(labels=False, ax=own)):
         assert [patch for patch in axes.patches if patch.get_gid() == "gap"]
         assert not axes.texts
 

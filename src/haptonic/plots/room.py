@@ -39,11 +39,12 @@ def name_within(axes: Axes, ranges: Sequence[tuple[float, float, str, str]]) -> 
     """Write (low, high, text, colour) of ranges of heights in place of the names that the axes have.
 
     A name is in the highest free part of its range; a line, a range of no height, has the parts beside it.
-    Without room there it is to the right of the axes, or left out if they are narrow.
+    Without room there it is to the right of wide axes if their figure makes room, and is left out otherwise.
     """
     for earlier in [text for text in axes.texts if text.get_gid() in (LABEL_WITHIN, LABEL_RIGHT)]:
         earlier.remove()
     wide, tall, size = _points(axes)
+    has_layout = axes.figure.get_layout_engine() is not None  # otherwise names are cut, or on other axes
     line = LINE * size * axes.get_ylim()[1] / tall
     spans = [(low, high) for low, high, _, _ in ranges]
     free = [
@@ -64,7 +65,7 @@ def name_within(axes: Axes, ranges: Sequence[tuple[float, float, str, str]]) -> 
                 0.5, 0.5 * (bottom + top), text, transform=axes.get_yaxis_transform(), color=colour,
                 fontsize=size, ha="center", va="center", path_effects=HALO, gid=LABEL_WITHIN,
             )  # fmt: skip
-        elif width <= BESIDE * wide:
+        elif width <= BESIDE * wide and has_layout:
             right.append((0.5 * (low + high), text, colour))
     label_right(axes, right)
 

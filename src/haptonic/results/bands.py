@@ -261,10 +261,10 @@ class Bands(Result):
         "Simulated bands, coloured by the motion: colour, dashes and markers change where a mode changes its "
         "motion. Complete gaps are shaded, those of one parity hatched.",
     )
-    def _natures(self, *, ax: Axes | None = None) -> Figure:
+    def _natures(self, *, gaps: bool = True, labels: bool = True, ax: Axes | None = None) -> Figure:
         """Band diagram with each mode in the colour of its motion."""
         carrier = self.dataset.attrs.get("carrier_hz")
-        return plots.dispersion(self.dataset, carrier, natures=True, ax=ax)
+        return plots.dispersion(self.dataset, carrier, natures=True, gaps=gaps, labels=labels, ax=ax)
 
     @figure(
         "modes",

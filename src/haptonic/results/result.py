@@ -261,10 +261,10 @@ class Result:
             two columns (180 mm, 8 points) or "slide" (240 mm, 16 points)
         legend : whether to draw one
         color : colour of the curves in their order, one or several
-        how : options of one picture. Of a band diagram: ``gaps=False`` without shades of gaps,
-            ``labels=False`` without names of gaps and of the carrier, ``label`` of its curves in the legend,
-            ``wavevectors``, the unit of the path, "rad/m" or "pi/a". Of maps: ``frequency`` (Hz, or a text
-            such as "58 kHz"). Of rows of cells: ``incident``, one of the waves
+        how : options of one picture. A band diagram has ``gaps=False`` (no shades of gaps), ``labels=False``
+            (no names of gaps and of the carrier), ``label`` (of its curves in the legend) and ``wavevectors``
+            (unit of the path, "rad/m" or "pi/a"). Maps have ``frequency`` (Hz, or a text such as "58 kHz").
+            Rows of cells have ``incident`` (one of the waves)
 
         Raises
         ------
